@@ -1,7 +1,8 @@
-//! Lists the missions, pilot scripts and designs to embed, and adds the current commit to the version for
-//! `--version`.
+//! Lists the missions, pilot scripts and designs to embed, and adds the current commit to the
+//! version for `--version`.
 //!
-//! Without git, or outside a checkout (a source archive, a package of a registry), the version has no commit.
+//! Without git, or outside a checkout (a source archive, a registry package), the version has no
+//! commit.
 
 use std::error::Error;
 use std::ffi::OsStr;
@@ -33,7 +34,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The files of one kind: the name of their list, its description, their folders and their ending.
+/// One kind of file: the name of its list, its description, its folders and its file-name
+/// extension.
 type Kind = (
     &'static str,
     &'static str,
@@ -52,7 +54,7 @@ const KINDS: [Kind; 3] = [
     ("DESIGNS", "Designs of drones", &["designs"], "toml"),
 ];
 
-/// Writes a list per kind of file, by file name without ending.
+/// Writes a list for each kind of file, keyed by file name without the extension.
 fn list_missions() -> Result<(), Box<dyn Error>> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let mut code = String::new();
@@ -81,7 +83,7 @@ fn list_missions() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Makes Cargo run this again after a commit.
+/// Makes Cargo rerun this script after a commit.
 fn watch() {
     // Every commit, checkout and reset adds a line to the log of HEAD, and nothing else does. A missing file would
     // cause a build each time.

@@ -12,7 +12,7 @@ use std::process::Command;
 use anyhow::{Context as _, ensure};
 use serde::Deserialize;
 
-/// The beginnings of the names of licence files, in lower case.
+/// The prefixes of the names of licence files, in lower case.
 const LICENCE_FILES: [&str; 6] = [
     "license",
     "licence",
@@ -22,7 +22,7 @@ const LICENCE_FILES: [&str; 6] = [
     "notice",
 ];
 
-/// The output of `cargo metadata`, as far as it is used.
+/// The parts of the output of `cargo metadata` that are used.
 #[derive(Deserialize)]
 struct Metadata {
     packages: Vec<Package>,
@@ -183,7 +183,7 @@ fn usual_text(package: &Package) -> anyhow::Result<String> {
         "{} has no licence file, and its licence is not MIT: {licence}",
         package.name
     );
-    // That of this program, without its copyright line.
+    // The licence of this program, without its copyright line.
     let own = include_str!("../LICENSE");
     let terms = own.find("Permission is hereby granted");
     let terms = terms.context("LICENSE is not that of MIT")?;

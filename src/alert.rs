@@ -7,7 +7,7 @@ use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::{Text, figure};
 
-/// Hitting the ground faster than this breaks a vehicle, in m/s.
+/// The impact speed above which a vehicle breaks, in m/s.
 const HARD_LANDING_M_S: f32 = 3.0;
 
 /// The kind of an alert. The names are those of the configuration and of the command line.
@@ -38,7 +38,7 @@ pub enum AlertKind {
     Failsafe,
     /// The vehicle has no reliable satellite position.
     Gps,
-    /// The filter's estimates contradict the sensors.
+    /// The estimates of the EKF contradict the sensors.
     Ekf,
     /// Another vehicle in the air is too close.
     Separation,

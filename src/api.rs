@@ -1,8 +1,9 @@
-//! The interface for programs: what they may ask of the console, and what it answers.
+//! The interface for programs: their requests to the console, and its answers.
 //!
-//! A program and the console exchange JSON objects, one per line. [`Call`] reads a line of a program; [`Message`] is a
-//! line of the console. A [`Client`] holds what a program watches and has been sent, and finds what is new in a state.
-//! The module is pure: the shell owns the socket, and passes lines and states in.
+//! A program and the console exchange JSON objects, one per line. [`Call`] reads a line of a
+//! program; [`Message`] is a line of the console. A [`Client`] holds the subjects that a program
+//! watches and the states that it has been sent, and finds what has changed. The module is pure:
+//! the shell owns the socket, and passes lines and states in.
 
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -35,7 +36,7 @@ pub const WATCH_S: std::ops::RangeInclusive<f64> = 0.05..=3600.0;
 /// The time between two states of a watched subject unless a program asks for another, in seconds.
 pub const USUAL_WATCH_S: f64 = 0.5;
 
-/// A request of a program: one JSON object on a line.
+/// A request from a program: one JSON object on a line.
 #[derive(Debug, Clone, PartialEq, Deserialize, Serialize, ToSchema)]
 #[serde(tag = "do", rename_all = "snake_case", deny_unknown_fields)]
 pub enum Request {
@@ -168,7 +169,7 @@ impl Call {
     }
 }
 
-/// A line of the console to a program: an object with one field, which names its kind.
+/// A line from the console to a program: an object with one field, which names its kind.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Message {
@@ -232,7 +233,7 @@ pub struct Fault {
     /// Advice, unless the remedy is obvious.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub help: Option<String>,
-    /// The faulty part of the line, in bytes: from its first byte up to the one after it.
+    /// The faulty part of the line, in bytes: its start, and the end after its last byte.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub span: Option<[usize; 2]>,
     /// Whether the same request with `confirm` would be carried out.
@@ -277,7 +278,7 @@ impl<T> StateList<T> {
     }
 }
 
-/// The mission, if one is flown.
+/// The mission, if one is being flown.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct MissionState {
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -1,9 +1,9 @@
 //! A trainee's career: unlocks, earnings, possessions and skills.
 //!
-//! A career is an append-only history of [`CareerEntry`]s, which are flights and purchases. Everything else follows
-//! from it: [`CareerStanding::of`] folds a history into credits, experience, licences, parts and skills. The figures
-//! are therefore always consistent, and a corrected formula applies to past flights too. Every figure can be traced to
-//! its entries.
+//! A career is an append-only history of [`CareerEntry`]s, which are flights and purchases.
+//! Everything else is computed from it: [`CareerStanding::of`] folds a history into credits,
+//! experience, licences, parts and skills. The figures are therefore always consistent, and a
+//! corrected formula applies to past flights too. Every figure can be traced to its entries.
 
 mod aids;
 mod attempt;
@@ -57,18 +57,18 @@ pub enum CareerEntry {
 /// it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CareerFlight {
-    /// Id of the mission.
+    /// The id of the mission.
     pub mission: String,
-    /// The mission that it is a drill for.
+    /// The id of the mission for which this one is a drill.
     pub drill_of: Option<String>,
-    /// Tier of its experience, 0 to 3.
+    /// The tier of the experience earned, 0 to 3.
     pub tier: u8,
     /// Credits for a perfect first pass.
     pub reward: u32,
     /// The number of vehicles.
     pub vehicles: u8,
     pub stake: Stake,
-    /// The source of the commands; `None` in older careers.
+    /// The source of the commands; `None` in careers from older versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flown_by: Option<FlownBy>,
     /// The day on which it ended, in days since 1970 (UTC).
@@ -91,7 +91,7 @@ pub struct CareerFlight {
 /// The purchase of a kind of part.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Purchase {
-    /// Id of the part.
+    /// The id of the part.
     pub part: String,
     /// The price paid, in credits.
     pub credits: u32,

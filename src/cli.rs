@@ -242,7 +242,7 @@ impl CliCommand {
     }
 }
 
-/// Prints faults of files on standard error, in the colours of their rendering.
+/// Prints rendered faults of files on standard error.
 fn show(faults: &str) {
     drop(writeln!(io::stderr(), "{faults}"));
 }
@@ -260,7 +260,7 @@ pub fn main(arguments: CliArguments) -> ExitCode {
     });
     match outcome {
         Ok(code) => code,
-        // A reader that closes our output needs no more of it: no error.
+        // A closed output means that its reader needs no more of it: no error.
         Err(Failure::Failed(error)) if is_closed_pipe(&error) => ExitCode::from(1),
         Err(Failure::Failed(error)) => {
             tell!("sortie: {error:#}");
@@ -385,7 +385,7 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
     let Some(path) = &log.file else {
         return Ok(());
     };
-    // The folder of the state may not exist yet.
+    // The state folder may not exist yet.
     let state = settings
         .folders
         .as_ref()
@@ -405,20 +405,20 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Creates or empties the log, but never through a link that another user has made.
+/// Creates or empties the log file, but never through another user's symbolic link.
 fn create_log(path: &str) -> io::Result<File> {
     let mut options = OpenOptions::new();
     options.create(true).write(true).truncate(true);
     store::open_own(&mut options, Path::new(path))
 }
 
-/// Vehicle ids as a command line names them, such as 1-4,7.
+/// Parses vehicle ids such as `1-4,7`.
 fn vehicle_ids(text: &str) -> Result<VehicleIds, String> {
     text.parse()
         .map_err(|reason: crate::text::Text| reason.to_string())
 }
 
-/// A speed-up that a simulation can hold.
+/// Parses a speed-up from 0.01 to 1000.
 fn parse_speedup(text: &str) -> Result<f64, String> {
     text.parse()
         .ok()

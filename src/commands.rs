@@ -72,7 +72,7 @@ pub enum Command {
     PlanFlight(PlanFlight),
     /// Sets where and how a vehicle flies, its point of interest, and its home.
     Motion(MotionCommand),
-    /// Outputs, and the autopilot as a device.
+    /// Sets outputs, switches the fence, or reboots the autopilot.
     Device(DeviceCommand),
     Query(QueryCommand),
     Parameter(ParameterCommand),
@@ -91,7 +91,7 @@ pub enum Command {
 pub enum Setup<'command> {
     /// The parameter with this name.
     Parameter(&'command str),
-    /// Where its heights count from, and where it returns to.
+    /// Home: the reference of the vehicle's heights, and the place to which it returns.
     Home,
     /// The areas that it must keep to, or the places where a return may end.
     Limits,
@@ -151,7 +151,7 @@ impl Command {
         }
     }
 
-    /// Whether and how its message must be repeated.
+    /// How the command's message must be repeated; `None` if it is sent only once.
     pub fn repeat(&self) -> Option<Repeat> {
         match self {
             Self::Motion(command) => command.repeat(),
@@ -168,7 +168,7 @@ impl Command {
         }
     }
 
-    /// What it does to the pause of a vehicle that flies its plan.
+    /// The change that the command makes to the pause of a vehicle that flies its plan, if any.
     pub fn changes_pause(&self) -> Option<PauseChange> {
         match self {
             Self::Flight(FlightCommand::Hold) | Self::PlanFlight(PlanFlight::Pause) => {
@@ -179,7 +179,7 @@ impl Command {
         }
     }
 
-    /// Whether it tells the vehicle at which item of its plan to continue.
+    /// Whether the command sets the plan item at which the vehicle continues.
     pub fn sets_plan_item(&self) -> bool {
         match self {
             Self::PlanFlight(command) => command.sets_item(),
@@ -213,7 +213,8 @@ impl Command {
         }
     }
 
-    /// Why it needs a confirmation for this vehicle now, although its verb does not; `None` if it needs none.
+    /// Why the command needs a confirmation for this vehicle now, although its verb does not;
+    /// `None` if it needs none.
     pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
         match self {
             Self::Plan(command) => command.hazard(vehicle),
@@ -230,7 +231,7 @@ impl Command {
         }
     }
 
-    /// Its risk, whether it was given by its own verb or as a raw command.
+    /// The command's risk, the same whether it is given by its own verb or as a raw command.
     pub fn risk(&self) -> Risk {
         match self {
             Self::Arming(command) => command.risk(),
@@ -248,7 +249,8 @@ impl Command {
     }
 }
 
-/// A key crosses the link in clear text, whatever is done with it.
+/// The hazard of a change to the signing key. A new key crosses the link in clear text; without a
+/// key, vehicles obey anyone's frames.
 fn signing_hazard(change: SigningChange) -> Text {
     match change {
         SigningChange::SetUp => text!("hazard-signing-setup"),

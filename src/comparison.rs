@@ -23,7 +23,7 @@ pub use difference::{Difference, differences};
 /// The time between the points of a track.
 pub const SAMPLE_EVERY: Duration = Duration::from_secs(1);
 
-/// The data of a flight that are compared.
+/// The data of a flight for a comparison.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ComparedFlight {
     /// The name of the flight: a profile, a pilot, or a record.
@@ -121,13 +121,15 @@ impl ComparedFlight {
         })
     }
 
-    /// The height of the highest vehicle at a mission time, in metres above home.
+    /// The height of the highest vehicle at a mission time, in metres above home; `None` without
+    /// data for that time.
     pub fn height_m(&self, time: Duration) -> Option<f64> {
         let heights = self.at(time).map(|(_, point)| point.height_m);
         heights.max_by(f64::total_cmp)
     }
 
-    /// The lowest charge of its batteries at a mission time, in percent.
+    /// The lowest charge of its batteries at a mission time, in percent; `None` if no charge is
+    /// known.
     pub fn battery_percent(&self, time: Duration) -> Option<f64> {
         let left = self.at(time).filter_map(|(_, it)| it.battery_percent);
         left.min_by(f64::total_cmp)
@@ -161,7 +163,8 @@ impl ComparedFlight {
         }
     }
 
-    /// The time at which it is aligned with another flight; `None` if it lacks the event.
+    /// The time of the event by which it is aligned with another flight; `None` if it lacks the
+    /// event.
     pub fn anchor(&self, alignment: Alignment) -> Option<Duration> {
         match alignment {
             Alignment::Start => Some(Duration::ZERO),

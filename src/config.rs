@@ -89,9 +89,9 @@ pub enum Readers {
 pub struct ConnectConfig {
     /// The vehicles that belong to the swarm, such as `1-4,7`; without it, all vehicles that are heard.
     pub expect: Option<VehicleIds>,
-    /// Forwards to other ground stations.
+    /// Forwards to other ground stations, such as `udp:127.0.0.1:14550 read-only`.
     pub forward: Vec<String>,
-    /// Whether frames without a right signature are ignored.
+    /// Whether frames without a valid signature are ignored.
     pub require_signing: bool,
 }
 
@@ -130,7 +130,7 @@ pub struct AlertsConfig {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct WorkloadConfig {
-    /// Whether missions ask for the workload every two minutes.
+    /// Whether missions ask about the workload every two minutes.
     pub ask: bool,
 }
 
@@ -167,25 +167,25 @@ impl Default for RecordsConfig {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct HangarConfig {
-    /// The program of multirotors; without it, the one that is found.
+    /// The SITL program for multirotors; if not set, the console looks for one.
     pub arducopter: Option<String>,
-    /// The program of planes.
+    /// The SITL program for planes.
     pub arduplane: Option<String>,
-    /// The program of rovers and boats.
+    /// The SITL program for rovers and boats.
     pub ardurover: Option<String>,
-    /// The program of submarines.
+    /// The SITL program for submarines.
     pub ardusub: Option<String>,
     /// How many instances may run at the same time.
     pub instances: u16,
-    /// Address space of one instance, in mebibytes.
+    /// The limit on the address space of one instance, in MiB.
     pub memory: u64,
     /// Restart policy for instances that end without a request.
     pub restart: Restart,
-    /// The folder for the instances' files; by default in the folder of the state.
+    /// The folder for the instances' files; by default, a folder in the state folder.
     pub folder: Option<String>,
     /// The services that start the vehicles; by default this program starts them itself.
     pub urls: Vec<String>,
-    /// The file with the token of the services; by default the one in the folder of the state.
+    /// The file with the token of the services; by default, the file in the state folder.
     pub token_file: Option<String>,
 }
 
@@ -224,7 +224,7 @@ impl Default for HangarConfig {
 pub struct LogConfig {
     /// The path of the log file; without it, no log is written.
     pub file: Option<String>,
-    /// Its content, as directives of `tracing`: `info`, `warn,sortie::link=debug`.
+    /// The level of detail, as directives of `tracing`: `info`, `warn,sortie::link=debug`.
     pub level: String,
 }
 
@@ -261,7 +261,7 @@ impl Default for Config {
 }
 
 impl Default for AlertsConfig {
-    /// In flight, vehicles are too close to each other where they would be in a rehearsal.
+    /// The separation limits are those of rehearsals.
     fn default() -> Self {
         Self {
             bell: true,

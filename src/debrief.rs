@@ -89,7 +89,7 @@ impl<'a> DebriefPage<'a> {
         }
     }
 
-    /// The lines written so far.
+    /// Ends the page: its lines, each cut to the page's width.
     fn finished(self) -> Vec<DebriefLine> {
         // A stored report may contain any text; the page keeps its width.
         let cut = |line: &str| fit(line, self.width).trim_end().to_owned();

@@ -176,7 +176,8 @@ fn typing_errors<'a>(
     let distance = |name: &str| {
         let letters = name.chars().count();
         let most = (letters / 3).max(1);
-        // The distance is at least the difference in length, so long lines need no comparison at each key.
+        // The distance is at least the difference in length, so long lines need no comparison at
+        // each key press.
         let is_near = length.abs_diff(letters) <= most;
         let distance = is_near.then(|| osa_distance(&written, &name.to_lowercase()));
         distance.filter(|&distance| distance <= most)
@@ -189,8 +190,9 @@ fn typing_errors<'a>(
     near
 }
 
-/// The longest name that the written word begins with, otherwise the only name that begins with the word: `bat` for
-/// `battery`, `heading` for `head`. Words shorter than the minimum would only be guesses.
+/// The longest name that the written word begins with, otherwise the only name that begins with the
+/// word: `bat` for `battery`, `heading` for `head`. Words and names of fewer than three letters
+/// would only give guesses.
 fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
     const LETTERS: usize = 3;
     let written = written.to_lowercase();

@@ -71,10 +71,11 @@ pub enum HeartbeatRole {
 /// A sender that is heard on a link.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sender {
-    /// The sender, and its peer.
+    /// The ids of the sender, and its peer.
     pub source: FrameSource,
     pub role: HeartbeatRole,
-    /// How long it has been heard without a pause: before that it may have been stopped, and could not answer.
+    /// How long it has been heard without a pause; before that it may have been stopped and unable
+    /// to answer.
     pub known_for: Duration,
     pub heartbeat_hz: f64,
     /// Whether its last heartbeat was signed.
@@ -83,7 +84,7 @@ pub struct Sender {
     pub version1: bool,
     /// How long ago it last answered the console; `None` if it never did.
     pub answered_ago: Option<Duration>,
-    /// Messages sent to its peer, without heartbeats.
+    /// The number of messages sent to its peer, except heartbeats.
     pub asked: u64,
 }
 
@@ -104,12 +105,12 @@ pub struct NumberedFrames {
 /// Frames of one sender, by their signatures.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct SealCounts {
-    /// Signed with the sender's key, at a new time.
+    /// Signed with the sender's key, with a new time stamp.
     pub right: u64,
     pub unsigned: u64,
     /// Signed, but not with a key that the console has.
     pub foreign: u64,
-    /// Signed with the right key, at an old time.
+    /// Signed with the sender's key, but with an old time stamp.
     pub old: u64,
     /// How far the last of these was behind, in units of 10 microseconds.
     pub behind: u64,
@@ -186,9 +187,9 @@ pub struct Observation {
     pub senders: Vec<Sender>,
     /// The last bytes in which no frame was found.
     pub noise: Vec<u8>,
-    /// The vehicles whose key the console has.
+    /// The vehicles for which the console has a key.
     pub keyed: Vec<SystemId>,
-    /// Whether frames without a right signature are ignored.
+    /// Whether frames without a valid signature are ignored.
     pub is_signing_required: bool,
 }
 
@@ -268,7 +269,7 @@ struct ChartChange {
 }
 
 impl Chart {
-    /// The chart of a link that is opened.
+    /// An empty chart for a newly opened link.
     pub fn new(way: Way) -> Self {
         Self {
             way,

@@ -1,7 +1,8 @@
-//! Plans, fences and rally points that are being drawn: their content, every change to it, and how to undo it.
+//! Plans, fences and rally points that are being drawn: their content, every change to it, and how
+//! to undo it.
 //!
-//! A key and a line of the grammar give the same [`Edit`]. [`Edit::apply`] makes a new document from the old one, so
-//! the history of a draft is the list of its documents.
+//! Keys and typed lines give the same [`Edit`]s. [`Edit::apply`] makes a new document from the old
+//! one, so the history of a draft is the list of its documents.
 
 use std::sync::Arc;
 
@@ -57,7 +58,8 @@ pub struct Draft {
 }
 
 impl Draft {
-    /// A draft with content that is nowhere else. With a vehicle, it is meant for that vehicle alone.
+    /// A draft whose content is stored nowhere else. With a vehicle, it is meant for that vehicle
+    /// alone.
     pub fn new(
         name: impl Into<String>,
         document: Arc<Document>,
@@ -75,7 +77,7 @@ impl Draft {
         }
     }
 
-    /// A draft whose content is also elsewhere: in a file, or on board.
+    /// Marks the content as also stored elsewhere: in a file, or on board.
     #[must_use]
     pub fn kept(mut self) -> Self {
         self.kept = Some(Arc::clone(&self.now));
@@ -115,7 +117,7 @@ impl Draft {
         self.slot
     }
 
-    /// The document as the last edit has left it.
+    /// The document after the last edit.
     pub fn document(&self) -> &Arc<Document> {
         &self.now
     }
@@ -127,7 +129,8 @@ impl Draft {
         self.now.kinds().next().is_none() || self.kept.as_ref().is_some_and(is_same)
     }
 
-    /// Takes over another draft of the same name; undo goes back to the content before.
+    /// Takes over the content of another draft with the same name; undo restores the previous
+    /// content.
     fn become_draft(&mut self, other: Self) {
         self.note_change(other.now);
         self.vehicle = other.vehicle;
@@ -135,7 +138,7 @@ impl Draft {
         self.kept = other.kept;
     }
 
-    /// Changes its content, and returns the item that the change is about, counted from 0.
+    /// Changes its content, and returns the index of the item that the change affects.
     ///
     /// # Errors
     /// The reason why the change is not possible; nothing changes.

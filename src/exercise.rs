@@ -89,7 +89,7 @@ impl ExerciseSeat {
         }
     }
 
-    /// Handles the next message of the received bytes, if one is complete.
+    /// Handles the next message of the received bytes; false if none is complete.
     fn hear(&mut self, now: Duration, log: Option<&mut FlightLog>) -> bool {
         let Some(frame) = self.decoder.next_frame() else {
             return false;
@@ -101,7 +101,7 @@ impl ExerciseSeat {
         true
     }
 
-    /// Handles what is due in the session at its time.
+    /// Polls the session and sends a heartbeat, each when it is due.
     fn poll(&mut self, now: Duration, log: Option<&mut FlightLog>) {
         if is_due(now, SESSION_POLL) {
             self.session.poll(now);

@@ -1,9 +1,11 @@
-//! The embedded simulator beside a recording of the real `ArduCopter`: the same commands at the same times.
+//! Compares the embedded simulator with a recording of the real `ArduCopter`: the same commands at
+//! the same times.
 //!
-//! A recording holds the messages of a vehicle and of a ground station, both with times. [`replay`] sends the ground
-//! station's messages to a vehicle of the embedded simulator. [`Observed`] reads the messages of both vehicles in the
-//! same way. [`compare`] divides the flight into manoeuvres by the commands, and measures each from a common start: it
-//! subtracts the position at the time of the command, so that a difference counts in the manoeuvre that causes it.
+//! A recording holds the messages of a vehicle and of a ground station, both with times. [`replay`]
+//! sends the ground station's messages to a vehicle of the embedded simulator. [`Observed`] reads
+//! the messages of both vehicles in the same way. [`compare`] divides the flight into manoeuvres by
+//! the commands, and measures each from a common start: it subtracts the position at the time of
+//! the command, so that a difference counts in the manoeuvre that causes it.
 
 mod answers;
 mod compare;

@@ -1,6 +1,8 @@
-//! Sharing the console's links with other ground stations: which frame goes where, and who commanded what.
+//! Sharing the console's links with other ground stations: the routes of frames, and the stations'
+//! commands.
 //!
-//! Pure: the transports are in [`link`](crate::link), whose relay asks a [`Router`] about every frame.
+//! Pure: the transports are in [`link`](crate::link), whose relay consults a [`Router`] for every
+//! frame.
 
 mod commands;
 mod routes;

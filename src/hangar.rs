@@ -76,7 +76,7 @@ pub struct Instance {
     pub system: u8,
     /// The stage of its start.
     pub stage: SitlStage,
-    /// The parameters received, and their number; 0 while unknown.
+    /// The number of parameters received, and the total; 0 while unknown.
     pub parameters: [u16; 2],
     /// The process id, while it runs.
     pub pid: Option<u32>,
@@ -90,10 +90,10 @@ pub struct Instance {
     pub cpu_ms: u64,
     /// Why it ended, unless it was stopped on request.
     pub fault: Option<String>,
-    /// The missing condition, when a stage takes long, or the next step after the instance has ended.
+    /// The missing condition if a stage takes long or, after the instance has ended, the next step.
     #[serde(default)]
     pub hint: Option<String>,
-    /// Connections of other processes that were refused.
+    /// The number of refused connections from other processes.
     #[serde(default)]
     pub refused: u32,
     /// The last lines that it printed, oldest first; set when it has ended without a request.
@@ -111,7 +111,7 @@ pub struct Instance {
 pub struct HangarLimits {
     /// The maximum number of instances at once.
     pub instances: u16,
-    /// Address space of one instance, in mebibytes.
+    /// The limit on the address space of one instance, in MiB.
     pub memory_mib: u64,
     /// The maximum number of starts per second.
     pub starts_per_s: u16,
@@ -294,7 +294,7 @@ impl Hangar {
         Ok(self.prints(id)?.since(since))
     }
 
-    /// An instance's output, to be followed.
+    /// A handle that follows an instance's output.
     ///
     /// # Errors
     /// No instance has that number.
@@ -305,12 +305,13 @@ impl Hangar {
             .ok_or(HangarRefusal::Unknown(id))
     }
 
-    /// The instances, to be followed.
+    /// A receiver of the instances and their changes.
     pub fn instances(&self) -> watch::Receiver<Instances> {
         self.shared.roster.watch()
     }
 
-    /// The folder of its instances' folders; a new one below the root that it was opened with.
+    /// The folder of its instances' folders: a new one below the root given to
+    /// [`open`](Self::open).
     pub fn folder(&self) -> &Path {
         self.shared.run.path()
     }

@@ -79,7 +79,7 @@ pub struct Context<'a> {
     pub class: VehicleClass,
     /// The known parameters of the line's first target.
     pub parameters: Option<&'a ParameterList>,
-    /// The names that only the console knows.
+    /// The lists of names that the console provides.
     pub names: &'a dyn Names,
     /// The source of the line, which restricts the verbs.
     pub channel: Channel,

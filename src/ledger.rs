@@ -91,7 +91,7 @@ impl RowState {
     }
 }
 
-/// How a row ends, with the words for it.
+/// How a row ends, with the text that explains it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RowEnding {
     pub state: RowState,
@@ -119,7 +119,7 @@ pub struct RowUpdate {
     /// How many times the command has been sent.
     pub tries: u8,
     pub at: Duration,
-    /// A text, if there is something to explain.
+    /// The explanation, if there is one.
     pub explanation: Option<Text>,
 }
 
@@ -134,14 +134,14 @@ pub struct LedgerRow {
     pub answered_after: Option<Duration>,
     /// When the state changed last.
     pub changed_at: Duration,
-    /// The reason of a refusal, or a remark.
+    /// The reason for a refusal, or a remark.
     pub explanation: Option<Text>,
     /// The reason why the effect of a completed command ended.
     pub ended_by: Option<Text>,
 }
 
 impl LedgerRow {
-    /// Whether it was done, but something has ended its effect since.
+    /// Whether it was done, but its effect has ended since.
     pub fn is_over(&self) -> bool {
         self.state == RowState::Done && self.ended_by.is_some()
     }
@@ -155,7 +155,8 @@ impl LedgerRow {
         }
     }
 
-    /// A remark in addition to the state: the explanation, and what ended the effect.
+    /// A remark in addition to the state: the explanation, and what ended the effect; `None`
+    /// without either.
     pub fn remark(&self) -> Option<Text> {
         let by = self.ended_by.as_ref();
         let ended = by.map(|by| text!("outcome-ended", by = by.clone()));
@@ -201,7 +202,7 @@ pub struct LedgerEntry {
 }
 
 impl LedgerEntry {
-    /// The state of one of its rows in a few words. A rehearsal has no effect on a vehicle: it has failed instead.
+    /// The state of one of its rows in a few words. A rehearsal without an effect counts as failed.
     pub fn state_of(&self, row: &LedgerRow) -> Text {
         match (self.verb.counts_as, row.state) {
             (CountsAs::Rehearsal, RowState::NoEffect) => text!("state-rehearsal-failed"),
@@ -259,8 +260,8 @@ impl Ledger {
         id
     }
 
-    /// Applies an update; one for a dropped entry or an ended row is ignored. A completed row keeps its state, and
-    /// notes the reason of a takeover.
+    /// Applies an update; one for a dropped entry or an ended row is ignored. A completed row keeps
+    /// its state, and notes the reason for a takeover.
     pub fn apply(&mut self, update: &RowUpdate) {
         let Some(entry) = self.position(update.entry).map(|at| &mut self.entries[at]) else {
             return;

@@ -1,8 +1,10 @@
 //! sortie: a terminal ground-control and training console for drone swarms.
 //!
-//! # Code map Dependencies point down only, and the parts of a module depend on each other in one direction only, at
-//! every depth: `tests/it/layering.rs` reads the sources and enforces both. Code that other programs could also use is
-//! in libraries of the workspace, below everything else.
+//! # Code map
+//!
+//! Dependencies point down only, and the parts of a module depend on each other in one direction
+//! only, at every depth: `tests/it/layering.rs` reads the sources and enforces both. Code that
+//! other programs could also use is in libraries of the workspace, below everything else.
 //!
 //! | layer | module | contents |
 //! | --- | --- | --- |
@@ -30,7 +32,7 @@
 //! | | [`record`] | the record of a session: the frames of its links (`.tlog`), and the journal of everything else (a mission's own record is in [`mission`]) |
 //! | | [`swarm`] | manoeuvres of several vehicles |
 //! | | [`session`] | the conversation with one vehicle: commands, their retries, end and takeover; plans, parameters, logs, files; when the vehicle counts as lost |
-//! | | [`forward`] | sharing links with other ground stations: which frame goes where, and who commanded what |
+//! | | [`forward`] | sharing links with other ground stations: the routes of frames, and the stations' commands |
 //! | | [`language`] | the grammar, and the one table of verbs for vehicles, the mission and the console, with their properties: retries, danger, precedence, what `wait arrived` waits for |
 //! | | [`dataflash`] | flight data from vehicle logs, aligned with a record |
 //! | | [`commands`] | typed commands: when one is refused, how it is encoded, and which telemetry shows its effect |
@@ -57,25 +59,28 @@
 //! | | [`geo`] | positions and maps |
 //!
 //! # A telemetry packet
-//! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, and the hub of [`fleet`] passes the frames
-//! to the vehicle's task. Its [`session`] passes each frame to [`messages`], which changes the [`vehicle`] model in
-//! place, and then to the command under way, which looks for its answer and its effect. Once per tick, the console
-//! takes a snapshot of what has changed.
+//! [`link`] reads bytes, [`wire`] finds frames and counts what it drops, and the hub of [`fleet`]
+//! passes the frames to the vehicle's task. Its [`session`] passes each frame to [`messages`],
+//! which changes the [`vehicle`] model in place, and then to the command under way, which looks for
+//! its answer and its effect. Once per tick, the console takes a snapshot of what has changed.
 //!
 //! # A keypress
-//! Event, [`app::App::update`], effect: [`language`] reads the palette's line. The app carries out commands to the
-//! console itself. From any other line, the [`operator`] makes an [`Order`](commands::Order), and the [`ledger`]
-//! opens a row per target. The [`shell`] passes the order to the [`operator`], which decides what follows for each
-//! vehicle and for the mission. Each vehicle's session sends, waits, retries, and watches telemetry for the effect.
+//! Event, [`app::App::update`], effect: [`language`] reads the palette's line. The app carries out
+//! commands to the console itself. From any other line, the [`operator`] makes an
+//! [`Order`](commands::Order), and the [`ledger`] opens a row per target. The [`shell`] passes the
+//! order to the [`operator`], which decides what follows for each vehicle and for the mission. Each
+//! vehicle's session sends, waits, retries, and watches telemetry for the effect.
 //!
 //! # Invariants
-//! - Pure modules use no clock, no randomness, no files and no sockets: `now` and seeds are arguments.
-//! - Only [`app::App::update`] changes what the console shows: the fields of [`app::State`] and of its parts are private
-//!   to [`app`], and everything else reads them through methods.
+//! - Pure modules use no clock, no randomness, no files and no sockets: `now` and seeds are
+//!   arguments.
+//! - Only [`app::App::update`] changes what the console shows: the fields of [`app::State`] and of
+//!   its parts are private to [`app`], and everything else reads them through methods.
 //! - The shell feeds every event through one queue, and carries out every resulting effect.
-//! - The same [`session`] runs in the console's tasks and in the lock step of an exercise, and the same [`operator`]
-//!   carries out the orders of both.
-//! - State goes through `watch`, occurrences through bounded `mpsc`, shutdown through a cancellation token.
+//! - The same [`session`] runs in the console's tasks and in the lock step of an exercise, and the
+//!   same [`operator`] carries out the orders of both.
+//! - State goes through `watch`, occurrences through bounded `mpsc`, shutdown through a
+//!   cancellation token.
 //! - Nothing queues without bound; telemetry merges when the terminal is slow.
 //! - Text from a vehicle is cleaned of control characters before it reaches the model.
 

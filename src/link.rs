@@ -258,7 +258,7 @@ impl LinkHandle {
         self.hushed.store(hushed, Ordering::Relaxed);
     }
 
-    /// The link's name within this program.
+    /// The link's number within this program.
     pub fn id(&self) -> LinkId {
         self.id
     }
@@ -315,7 +315,7 @@ pub fn open_recorded(
     open_tapped(id, transport, config, tap, inbound, cancel)
 }
 
-/// What links to vehicles have in common.
+/// The services that links to vehicles share.
 #[derive(Debug, Clone, Copy)]
 pub struct LinkServices<'a> {
     /// The recording of their frames.
@@ -350,8 +350,8 @@ pub fn open_shared(
     link
 }
 
-/// Opens a forward: a link to other ground stations, which share the links of a relay. What they send goes through the
-/// relay; `inbound` must be drained.
+/// Opens a forward: a link to other ground stations, which share the links of a relay. Their frames
+/// go through the relay; `inbound` must be drained.
 pub fn open_forward(
     id: LinkId,
     address: Address,
@@ -367,7 +367,7 @@ pub fn open_forward(
     link
 }
 
-/// Opens a link under another identity or at another playback speed from those of [`open`].
+/// Opens a link with an identity or a playback speed different from those of [`open`].
 pub fn open_with(
     id: LinkId,
     transport: Transport,

@@ -42,7 +42,8 @@ const HEARTBEAT_ID: u32 = HEARTBEAT_DATA::ID;
 /// The parameter for the time after which a vehicle on the ground disarms, in seconds; 0 for never.
 const DISARM_DELAY: &str = "DISARM_DELAY";
 
-/// The state of one vehicle's handlers beside the model: incomplete texts, parameters, and the state of its clock.
+/// The state of one vehicle's handlers that is not in the model: incomplete texts, parameters, and
+/// the state of its clock.
 #[derive(Debug, Clone, Default)]
 pub struct Inbox {
     texts: status_text::Assembly,
@@ -81,7 +82,7 @@ impl HandlerNotices<'_> {
         });
     }
 
-    /// Repeats a text of the vehicle.
+    /// Passes on a text of the vehicle as a notice.
     fn repeat(&mut self, severity: Severity, kind: AlertKind, text: String) {
         self.notices.push(Notice {
             kind: Some(kind),

@@ -122,7 +122,7 @@ pub enum Alignment {
 }
 
 impl Alignment {
-    /// The names of all kinds, as commands and files write them.
+    /// The names of all alignments, as in commands and files.
     pub const NAMES: &'static [&'static str] = Self::VARIANTS;
 
     pub fn name(self) -> &'static str {

@@ -1,8 +1,9 @@
-//! From a line to the vehicles: the part that the console and pilot scripts share.
+//! Carries out lines: the part that the console and pilot scripts share.
 //!
-//! [`read_order`] reads a line and finds its vehicles. An [`Operator`] carries an order out: it decides which vehicles
-//! get a command, which part the mission has in it, and which rows of the ledger change. It is pure: its owner opens
-//! the entry in the ledger, carries out each [`Dispatch`], and calls [`Operator::conduct`] about ten times a second.
+//! [`read_order`] reads a line and finds its vehicles. An [`Operator`] carries an order out: it
+//! decides which vehicles get a command, what the mission does with the order, and which rows of
+//! the ledger change. It is pure: its owner opens the entry in the ledger, carries out each
+//! [`Dispatch`], and calls [`Operator::conduct`] about ten times a second.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -215,7 +216,7 @@ impl Operator {
         for &vehicle in &order.targets {
             let part = commands.remove(&vehicle);
             let is_idle = part.is_none();
-            // An old plan could lead the vehicle through the parts of the others.
+            // An old plan could lead the vehicle through the parts of other vehicles.
             let command = part.unwrap_or_else(|| plan_command(PlanDeed::Clear));
             let command = VehicleCommand::new(entry, order.verb, command);
             work.push(Dispatch::Command(vehicle, command));
@@ -302,7 +303,7 @@ fn plan_command(deed: PlanDeed) -> Command {
     })
 }
 
-/// A warning of vehicles that carry parts of earlier work, with the command that removes them.
+/// A warning about vehicles that carry parts of earlier work, with the command that removes them.
 fn left_over(vehicles: &[VehicleId]) -> Option<Text> {
     let left = ranges(vehicles.iter().copied());
     (!vehicles.is_empty()).then(|| text!("outcome-plan-left", vehicles = left))

@@ -101,7 +101,7 @@ pub fn ungenerated(error: GenerateError, vehicle: usize) -> Text {
     }
 }
 
-/// Why a vehicle has no part of a task.
+/// Why a vehicle has no part in a task.
 pub fn idle_words(why: Idle) -> Text {
     match why {
         Idle::NoWay => text!("plan-idle-no-way"),
@@ -110,7 +110,7 @@ pub fn idle_words(why: Idle) -> Text {
     }
 }
 
-/// How close two flights come to each other in a rehearsal, with their names.
+/// How close the flights named `a` and `b` come to each other in a rehearsal.
 pub fn approach_words([a, b]: [TextArgument; 2], approach: &Approach) -> Text {
     let message = if approach.is_conflict() {
         "plan-rehearse-conflict"

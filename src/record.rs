@@ -48,7 +48,8 @@ pub struct Head {
     pub sortie_flight: u32,
     /// The program that recorded the session.
     pub program: String,
-    /// The time of day when it began: microseconds since 1970 (UTC). Stamps of the tlog count from 1970 as well.
+    /// The time of day when it began: microseconds since 1970 (UTC). Timestamps of the tlog count
+    /// from 1970 as well.
     pub began_unix_us: u64,
     pub subject: Subject,
     /// The name of the pilot's profile, if there is one.
@@ -141,7 +142,7 @@ pub struct Journal {
     pub lines: Vec<JournalLine>,
     /// The damage to the file after its readable part.
     pub damage: Option<Text>,
-    /// The numbers in the file of the lines that this program does not know.
+    /// The numbers in the file of the lines of unknown kinds.
     pub unknown: Vec<usize>,
 }
 
@@ -208,7 +209,7 @@ impl Journal {
         Ok(())
     }
 
-    /// The faults of the lines: damage, and lines that this program does not know.
+    /// The faults of the lines: damage, and lines of unknown kinds.
     pub fn faults(&self) -> impl Iterator<Item = Text> {
         let first = self.unknown.first();
         let unknown = first.map(|&line| {

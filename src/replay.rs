@@ -51,10 +51,10 @@ use stage::{LINK, Stage};
 pub const FRAME: Duration = Duration::from_millis(100);
 /// The time between key frames taken while playing forward.
 const KEY_AHEAD: Duration = Duration::from_secs(3);
-/// The maximum number of frames of the replay that are played between two checks for keys.
+/// The maximum number of frames of the replay that are played between two checks of the keyboard.
 const STEPS_AT_ONCE: usize = 1000;
-/// The maximum number of MAVLink frames that are read between two checks for keys. At half a microsecond each, that
-/// takes a tenth of a second.
+/// The maximum number of MAVLink frames that are read between two checks of the keyboard. At half a
+/// microsecond each, that takes a tenth of a second.
 const HEARD_AT_ONCE: u64 = 200_000;
 
 /// A recording that is replayed.
@@ -73,8 +73,8 @@ pub struct Replay {
 }
 
 impl Replay {
-    /// Opens a recording: a tlog, or a file of a record; `config` has the muted alerts. Returns the replay with its
-    /// initial events.
+    /// Opens a recording: a tlog, or a file of a record; `config` contains the muted alerts.
+    /// Returns the replay with its initial events.
     ///
     /// # Errors
     /// The recording cannot be read, or is empty.
@@ -155,7 +155,7 @@ impl Replay {
         }
     }
 
-    /// Returns a remark if the control did something other than its name says.
+    /// Applies a control; returns a remark if it did something other than its name says.
     fn control(&mut self, effect: ReplayEffect) -> Result<Option<Text>, Text> {
         let now = self.stage.now();
         match effect {
@@ -254,7 +254,7 @@ impl Replay {
         }
     }
 
-    /// Why there is no stretch.
+    /// Why there is no stretch to repeat.
     fn no_stretch(&self, target: LoopTarget) -> Text {
         match target {
             LoopTarget::Times { .. } => text!("loop-beyond", length = clock(self.length())),
@@ -262,7 +262,8 @@ impl Replay {
         }
     }
 
-    /// The start and the end of a stretch; `None` if it has no moment at one of them, or begins after the end.
+    /// The start and the end of a stretch to repeat; `None` if there are no moments of the kind on
+    /// both sides, or if the stretch would begin after the end.
     fn stretch(&self, target: LoopTarget) -> Option<(Duration, Duration)> {
         let length = self.length();
         let (from, to) = match target {
@@ -273,7 +274,7 @@ impl Replay {
         Some((from.min(length), to.min(length)))
     }
 
-    /// The current traffic for the room of messages.
+    /// The current traffic, for the *Messages* room.
     pub fn inspect(&mut self, request: &TrafficRequest) -> LinkTraffic {
         self.stage.inspect(request)
     }

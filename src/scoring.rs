@@ -49,11 +49,11 @@ use serde::{Deserialize, Serialize};
 pub struct ScoreRules {
     /// The components' weights; they sum to 1.
     pub weights: Weights,
-    /// The flight time that earns full points.
+    /// The maximum flight time for full points.
     pub par_time: Duration,
-    /// The energy that earns full points, in Wh.
+    /// The maximum energy for full points, in Wh.
     pub par_energy_wh: f64,
-    /// The flight time that earns no points for time.
+    /// The flight time from which no points for time are awarded.
     pub time_limit: Duration,
     /// Points needed for gold, silver and bronze.
     pub medals: Medals,

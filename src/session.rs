@@ -144,7 +144,8 @@ impl Session {
         self.signing.use_desk(desk);
     }
 
-    /// Reads plans from the answers to others' requests, as in a recording, instead of its own.
+    /// Reads plans from the answers to other stations' requests, as in a recording, instead of
+    /// requesting them.
     #[must_use]
     pub fn following_plans(mut self) -> Self {
         self.lists.only_follow();
@@ -290,11 +291,11 @@ impl Session {
         line.order(order, moment);
     }
 
-    /// Sends a vehicle's setpoint in a joint manoeuvre: it is not a command, has no answer, and only ends earlier
-    /// movements.
+    /// Sends a vehicle's setpoint in a joint manoeuvre: it is not a command, has no answer, and
+    /// only ends earlier movements.
     ///
     /// # Errors
-    /// A text if the place does not exist; nothing is sent.
+    /// The place does not exist; nothing is sent.
     pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
         let (line, moment) = self.line(now);
         line.steer(steering, moment)

@@ -1,9 +1,10 @@
 //! MAVLink 2 signing on the console's side: keys and time stamps.
 //!
-//! A [`Keyring`] owns both. It says what the signature of a received frame is worth, signs the frames to a vehicle with
-//! the key that the vehicle has shown to have, and keeps a new key beside the old one until the vehicle has proved it:
-//! whatever happens in between, one of the two fits. It has no clock and no files; times are units of 10 microseconds
-//! since the beginning of 2015, as on the wire.
+//! A [`Keyring`] owns both. It checks the signature of a received frame, signs the frames to a
+//! vehicle with the key that the vehicle has proved, and keeps a new key beside the old one until
+//! the vehicle has proved the new one: whatever happens in between, one of the two fits. It has no
+//! clock and no files; times are units of 10 microseconds since the beginning of 2015, as on the
+//! wire.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -24,11 +25,14 @@ pub use file::KeyringFault;
 pub const SECOND: u64 = 100_000;
 /// The beginning of 2015 (UTC), from which time stamps count, in seconds since 1970.
 pub const EPOCH_UNIX_S: u64 = 1_420_070_400;
-/// How far behind the newest frame of its vehicle the first frame of a stream may be, as the MAVLink guide says.
+/// How far the first frame of a stream may be behind the newest frame of its vehicle, as in the
+/// MAVLink guide.
 const MARGIN: u64 = 60 * SECOND;
-/// How far ahead of the time stamps are reserved in the file, so that they never go back after a crash.
+/// How many time stamps are reserved in the file in advance, so that they never go back after a
+/// crash.
 const AHEAD: u64 = 60 * SECOND;
-/// The least reserve: a hundred thousand frames, if the clock of this machine is behind the stamps.
+/// The smallest reserve: a hundred thousand frames, if the clock of this machine is behind the
+/// stamps.
 const LEAST_AHEAD: u64 = SECOND;
 
 /// A secret key. `Debug` does not show it.
@@ -62,9 +66,9 @@ pub enum SigningChange {
 /// The key that a vehicle is sent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SentKey {
-    /// The new key of a change that is not proved yet.
+    /// The new key of a change that has not been proved yet.
     Next,
-    /// The one that it had before a change.
+    /// The key that it had before a change.
     Current,
     /// No key: signing is switched off.
     Off,
@@ -79,7 +83,7 @@ impl SigningChange {
         }
     }
 
-    /// The key to send to take the change back.
+    /// The key to send to undo the change.
     pub fn back(self) -> SentKey {
         match self {
             Self::SetUp => SentKey::Off,
@@ -87,8 +91,8 @@ impl SigningChange {
         }
     }
 
-    /// Whether a frame shows that its vehicle has carried out the change. A missing signature can be forged, so the
-    /// keyring keeps a removed key.
+    /// Whether a frame with this seal proves that its vehicle has carried out the change. A missing
+    /// signature can be forged, so the keyring keeps a removed key.
     pub fn shows_in(self, seal: Seal) -> bool {
         match self {
             Self::SetUp | Self::Rotate => seal == Seal::RightWithNext,
@@ -154,7 +158,7 @@ impl VehicleKeys {
         least.saturating_sub(timestamp)
     }
 
-    /// Makes a key that the vehicle has shown to its current one.
+    /// Makes the new key the current one, if the vehicle has proved it.
     fn settle(&mut self) {
         if self.uses == KeyInUse::Next {
             self.current = self.next.take();
@@ -166,21 +170,21 @@ impl VehicleKeys {
 /// The keys of vehicles, and the console's time stamps.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Keyring {
-    /// The last time stamp sent, or a later one of a vehicle.
+    /// The last time stamp sent, or a later one received from a vehicle.
     clock: u64,
     /// The last time stamp that may be sent before the keyring is written again.
     reserved: u64,
     /// Whether keys have changed since the keyring was last written.
     has_changed: bool,
-    /// Whether writing it has been requested since it was last written.
+    /// Whether a write has been requested since it was last written.
     is_asked: bool,
     /// The vehicles by the address of their link.
     links: BTreeMap<String, BTreeMap<SystemId, VehicleKeys>>,
 }
 
 impl Keyring {
-    /// The value of a frame's signature. A right one is proof of the key that its vehicle has; the stamp then counts
-    /// as used.
+    /// Checks a frame's signature. A valid one proves which key its vehicle has; its time stamp
+    /// then counts as used.
     pub fn check(&mut self, link: &str, frame: &Frame, bytes: &[u8]) -> Seal {
         let Some(stamp) = Stamp::of(bytes).filter(|_| frame.seal.is_signature()) else {
             return frame.seal;
@@ -257,8 +261,9 @@ impl Keyring {
         self.clock
     }
 
-    /// Prepares a change: the key to send is part of the keyring, which has to be written before the vehicle learns
-    /// of it. `fresh` is a new random key; one that was sent earlier and not proved is sent again instead.
+    /// Prepares a change: the key to send is added to the keyring, which has to be written before
+    /// the key is sent. `fresh` is a new random key; a key that was sent earlier and not proved is
+    /// sent again instead.
     pub fn begin(&mut self, link: &str, system: SystemId, change: SigningChange, fresh: SecretKey) {
         let vehicles = self.links.entry(link.to_owned()).or_default();
         let keys = vehicles.entry(system).or_default();
@@ -322,17 +327,18 @@ impl Keyring {
         vehicles.filter(|keys| keys.in_use().is_some()).count()
     }
 
-    /// Whether it should be written soon and that has not been requested yet: true once, until it is written.
+    /// Whether the keyring should be written soon and no write has been requested yet: true once,
+    /// until it is written.
     pub fn take_due(&mut self) -> bool {
         self.is_due() && !std::mem::replace(&mut self.is_asked, true)
     }
 
-    /// Whether it has to be written before another frame is sent.
+    /// Whether the keyring has to be written before another frame is sent.
     pub fn is_spent(&self) -> bool {
         self.clock > self.reserved
     }
 
-    /// Whether it should be written soon.
+    /// Whether the keyring should be written soon.
     pub fn is_due(&self) -> bool {
         self.has_changed || self.clock.saturating_add(AHEAD / 2) > self.reserved
     }

@@ -1,7 +1,7 @@
 //! One instance of ArduPilot's SITL: its command line and its files.
 //!
-//! The facts about its options and pitfalls are those of `ArduPilot` 4.6 (`SITL_cmdline.cpp`, `UARTDriver.cpp`),
-//! tested with a running instance.
+//! The facts about its options and pitfalls apply to `ArduPilot` 4.6 (`SITL_cmdline.cpp`,
+//! `UARTDriver.cpp`), and were tested with a running instance.
 
 use core::net::SocketAddr;
 use std::collections::BTreeMap;
@@ -92,7 +92,7 @@ pub struct Recipe {
     pub system: u8,
     /// Simulated seconds per second.
     pub speedup: f64,
-    /// Parameters in addition to the defaults of every new vehicle, or in their place.
+    /// Parameters that extend or override the defaults of every new vehicle.
     pub parameters: BTreeMap<String, f64>,
 }
 
@@ -122,13 +122,15 @@ const SPEEDUPS: RangeInclusive<f64> = 0.01..=1000.0;
 const ALTITUDES_M: RangeInclusive<f64> = -1000.0..=20_000.0;
 /// SITL treats a home closer than this to latitude 0, longitude 0 as no home, and starts near Canberra.
 const NOWHERE_DEG: f64 = 1e-7;
-/// The longest name of a parameter.
+/// The maximum length of a parameter's name.
 const LONGEST_NAME: usize = 16;
-/// Serial 0 listens on the first port, serial 1 and 2 on those 2 and 3 above.
+/// The number of serial ports: serial 0 listens on the first port, serial 1 and 2 on the ports 2
+/// and 3 above it.
 const SERIALS: u16 = 3;
 const FIRST_PORT: u16 = 5760;
 const PORTS_PER_INSTANCE: u16 = 10;
-/// SITL keeps the number of its instance in eight bits (`SITL_State.h`): with 256, it would use the ports of instance 0.
+/// SITL stores its instance number in eight bits (`SITL_State.h`): instance 256 would use the ports
+/// of instance 0.
 const LAST_INSTANCE: u16 = 255;
 
 impl Recipe {

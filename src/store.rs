@@ -64,7 +64,8 @@ pub use terrain::add_square;
 pub use unsaved::UnsavedDrafts;
 
 mod shipped {
-    //! The embedded files: `build.rs` lists `missions/`, so that a new mission needs no further entry.
+    //! The embedded files: `build.rs` lists the content of `missions/`, so a new mission needs no
+    //! further entry.
 
     include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
 }
@@ -96,7 +97,7 @@ pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
     })
 }
 
-/// The names of the missions whose file has this id. The id alone finds the first.
+/// The names of the missions whose file has this id. Looking up the id finds only the first.
 pub fn missions_with_id(id: &str) -> Vec<String> {
     let all = missions().into_iter();
     let same = all.filter(|it| Mission::parse(&it.text).is_ok_and(|mission| mission.id == id));
@@ -148,7 +149,7 @@ pub fn missions() -> Vec<Source> {
     merged("file-mission", MISSIONS, MISSION_FOLDER, "toml")
 }
 
-/// Why files of missions in the folders cannot be read.
+/// The errors of the mission files in the folders that cannot be read.
 pub fn unreadable_missions() -> Vec<StoreError> {
     let folders = Folders::find();
     let layers = folders.iter().flat_map(Folders::layers);
@@ -156,9 +157,9 @@ pub fn unreadable_missions() -> Vec<StoreError> {
     all.filter_map(Result::err).collect()
 }
 
-/// The missions of the course, by name: the embedded ones, and those that the administrator's folders add. A file with
-/// the id of an embedded mission adds nothing, nor does a file in the user's own folders: they are flown for practice.
-/// Files that cannot be read are left out.
+/// The missions of the course, by name: the embedded ones, and those that the administrator's
+/// folders add. A file with the id of an embedded mission adds nothing, nor does a file in the
+/// user's own folders: such files are flown for practice. Files that cannot be read are left out.
 fn course_missions() -> Vec<Mission> {
     course_missions_with(Folders::find().as_ref())
 }
@@ -181,7 +182,7 @@ fn course_missions_with(folders: Option<&Folders>) -> Vec<Mission> {
         let Ok(mission) = Mission::parse(&source.text) else {
             continue;
         };
-        // Of the files with the same id, the id finds the first one.
+        // Among files with the same id, a look-up by id finds the first one.
         let stands_in = is_embedded(&mission.id) && mission.id != name;
         if !stands_in && known.iter().all(|other| other.id != mission.id) {
             known.push(mission);
@@ -195,7 +196,7 @@ pub fn mission_file(mission: &Mission) -> MissionFile {
     compared(mission, &course_missions())
 }
 
-/// The same for several missions, in their order.
+/// The results of [`mission_file`] for several missions, in their order.
 pub fn mission_files<'a>(missions: impl IntoIterator<Item = &'a Mission>) -> Vec<MissionFile> {
     let known = course_missions();
     let missions = missions.into_iter();
@@ -218,7 +219,7 @@ pub fn complete(report: &mut Report, mission: &Mission) {
     report.mission_file = Some(mission_file(mission));
 }
 
-/// The source of commands that a pilot script stands for: the reference pilot, or a script.
+/// The kind of a pilot script: the reference pilot if it is a bundled one, otherwise a script.
 pub fn script_kind(pilot: &Source) -> FlownBy {
     if PILOTS.iter().any(|(_, text)| *text == pilot.text) {
         FlownBy::BundledPilot
@@ -232,7 +233,7 @@ pub fn course() -> MissionCourse {
     MissionCourse::new(course_missions().iter().map(Offer::of).collect::<Vec<_>>())
 }
 
-/// The themes of the folders of the administrator and of the user.
+/// The themes in the administrator's and the user's folders.
 pub fn themes() -> Vec<Source> {
     merged("file-theme", &[], folders::THEMES, "toml")
 }

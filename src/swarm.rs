@@ -47,7 +47,7 @@ pub use divided::{DividedWork, carrying};
 use planner::Planner;
 pub use tasks::base;
 
-/// Sensors with a narrower strip do not set the line spacing.
+/// The minimum line spacing that a sensor sets, in metres; a narrower strip is ignored.
 const LEAST_SPACING_M: f64 = 0.3;
 
 /// The rules of all manoeuvres in a session.
@@ -55,7 +55,8 @@ const LEAST_SPACING_M: f64 = 0.3;
 pub struct Rules {
     /// The minimum distance between two vehicles, in metres.
     pub separation_m: f64,
-    /// The strip that the sensor covers: the default line spacing; `None` without a sensor.
+    /// The strip that the sensor covers, which determines the default line spacing; `None` without
+    /// a sensor.
     pub swath: Option<Swath>,
 }
 
@@ -69,20 +70,20 @@ pub struct Swath {
 }
 
 impl Swath {
-    /// At a height in metres.
+    /// The width at a height, in metres.
     pub fn width_m(&self, height_m: f64) -> f64 {
         self.at_ground_m + self.per_metre * height_m.max(0.0)
     }
 }
 
 impl Rules {
-    /// The width of the sensor's strip at a height, in metres, if the spacing of lines follows from it.
+    /// The width of the sensor's strip at a height, in metres, if it determines the line spacing.
     fn strip_m(&self, height_m: f64) -> Option<f64> {
         let width_m = self.swath?.width_m(height_m);
         (width_m >= LEAST_SPACING_M).then_some(width_m)
     }
 
-    /// The default spacing of lines at a height, in metres: manoeuvres and plans use the same.
+    /// The default spacing of lines at a height, in metres, for manoeuvres and plans.
     fn line_spacing_m(&self, height_m: f64) -> f64 {
         self.strip_m(height_m).unwrap_or(USUAL_SPACING_M)
     }
@@ -162,8 +163,8 @@ impl Conductor {
         }
     }
 
-    /// Accepts an order whose ledger entry is open already, and decides which vehicles carry it out by themselves. An
-    /// order to the mission changes nothing here.
+    /// Accepts an order that already has a ledger entry, and decides which vehicles carry it out by
+    /// themselves. An order to the mission changes nothing here.
     pub fn take(
         &mut self,
         entry: EntryId,
@@ -328,7 +329,7 @@ struct FormationGoal {
     altitude_m: Option<f64>,
 }
 
-/// A formation's destination by a command, if it has one.
+/// The destination that a command sets for a formation, if any.
 fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option<FormationGoal> {
     let leader = vehicles.get(&act.leader()?)?;
     let here = leader.global?;
@@ -361,7 +362,7 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
     }
 }
 
-/// A formation's destination by that of its leader; `None` if the leader's position is unknown.
+/// A formation's destination, from that of its leader; `None` if the leader's position is unknown.
 fn destined(
     destination: Destination,
     leader: &Vehicle,

@@ -37,10 +37,10 @@ use writer::{FrameWriter, Traffic};
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 /// DSR: the terminal answers as soon as it has read everything before it.
 const QUESTION: &[u8] = b"\x1b[5n";
-/// Presses of buttons, with coordinates beyond 223.
+/// Reports presses of buttons, with coordinates beyond 223.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
-/// XTWINOPS: the terminal saves the title of its window, and restores it.
+/// XTWINOPS: the terminal saves the title of its window; the second sequence restores it.
 const KEEP_TITLE: &[u8] = b"\x1b[22;2t";
 const TAKE_TITLE_BACK: &[u8] = b"\x1b[23;2t";
 
@@ -135,7 +135,7 @@ impl Screen {
         })
     }
 
-    /// How long the next frame has to wait; `None` while that depends on the terminal.
+    /// How long to wait before the next frame; `None` while that depends on the terminal.
     pub fn next_frame_in(&mut self) -> Option<Duration> {
         let now = self.clock.elapsed();
         for written in self.traffic.take_written() {
@@ -159,12 +159,12 @@ impl Screen {
         self.pace.slow_bytes_per_s()
     }
 
-    /// Whether an answer of the terminal is pending; the next program would take it as keys.
+    /// Whether an answer of the terminal is pending; the next program would read it as key presses.
     pub fn expects_answer(&self) -> bool {
         self.pace.expects_answer()
     }
 
-    /// Bytes written for the terminal so far.
+    /// The number of bytes written for the terminal so far.
     pub fn bytes(&self) -> u64 {
         self.traffic.bytes()
     }
@@ -239,7 +239,7 @@ impl Screen {
         Write::flush(writer)
     }
 
-    /// Restores the terminal for a while.
+    /// Restores the terminal, until [`take_again`](Self::take_again).
     pub fn leave(&mut self) {
         self.let_go();
     }
@@ -301,7 +301,8 @@ fn give_back() {
     }
 }
 
-/// Restores the terminal on a panic in a background task, which would otherwise leave a blocked screen.
+/// Restores the terminal on any panic: one in a background task would otherwise leave a blocked
+/// screen.
 fn give_back_on_panic() {
     let default = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {

@@ -24,7 +24,7 @@ pub use figure::{clock, clock_s, figure, lasting, rounded, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 
-/// A language of the texts. The names are its codes by ISO 639.
+/// A language of the texts. The names are its ISO 639 codes.
 #[derive(
     Debug,
     Clone,
@@ -126,7 +126,7 @@ impl Text {
         })
     }
 
-    /// Foreign text, or a name: the same in every language.
+    /// Text from outside, or a name: the same in every language.
     pub fn verbatim(text: impl Into<String>) -> Self {
         Self(TextContent::Verbatim(text.into()))
     }
@@ -142,7 +142,7 @@ impl Text {
         ))
     }
 
-    /// The text with a word in place of a mark, in each of its languages.
+    /// The text with `word` in place of each `mark`, in each of its languages.
     #[must_use]
     pub fn filled(&self, mark: &str, word: &str) -> Self {
         let content = match &self.0 {
@@ -172,7 +172,8 @@ impl Text {
         }
     }
 
-    /// The same text about other vehicles: they replace the argument `vehicle` wherever it occurs.
+    /// The same text about other vehicles: `vehicles` replaces the argument `vehicle` wherever it
+    /// occurs.
     #[must_use]
     pub fn regarding(&self, vehicles: &str) -> Self {
         Self(match &self.0 {
@@ -199,7 +200,7 @@ impl serde::Serialize for Text {
     }
 }
 
-/// Deserialised texts are foreign text.
+/// Deserialised texts are verbatim text.
 impl<'de> serde::Deserialize<'de> for Text {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         String::deserialize(deserializer).map(Self::verbatim)
@@ -288,8 +289,8 @@ macro_rules! numbers {
 }
 numbers!(u8, u16, u32, u64, usize, i16, i32, i64);
 
-/// Tests may examine the words. The program must not: its decisions depend on types, so that rewording changes
-/// nothing.
+/// Tests may examine the words. The program must not: its decisions depend on types, so rewording
+/// changes nothing.
 #[cfg(test)]
 pub mod said;
 

@@ -47,7 +47,7 @@ pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 pub use way_home::{HomeReach, MeanCurrent, USUAL_RESERVE_PERCENT, WayHome};
 
-/// A home farther away than this is not the home of this flight.
+/// A home farther away than this is not the home of this flight, in metres.
 const FARTHEST_HOME_M: f64 = 1_000_000.0;
 
 /// The newest snapshots of vehicles, shared by reference.
@@ -67,9 +67,9 @@ pub struct Vehicle {
     pub global: Option<GlobalPosition>,
     /// `LOCAL_POSITION_NED`: metres from the EKF origin.
     pub local: Option<LocalPosition>,
-    /// Home, once received (`HOME_POSITION`).
+    /// Home (`HOME_POSITION`); `None` until it is received.
     pub home: Option<Place>,
-    /// `POSITION_TARGET_GLOBAL_INT` or _`LOCAL_NED`: the autopilot's target.
+    /// `POSITION_TARGET_GLOBAL_INT` or `POSITION_TARGET_LOCAL_NED`: the autopilot's target.
     pub target: Option<Target>,
     pub gps: Option<Gps>,
     /// `GPS_RAW_INT`: the receiver's error estimates, if it has any.
@@ -88,9 +88,10 @@ pub struct Vehicle {
     pub landed: LandedState,
     /// The progress of AUTO through its plan (`MISSION_CURRENT` and `MISSION_ITEM_REACHED`).
     pub plan: PlanProgress,
-    /// How often each jump of its plan has been taken, by the jump's number, as far as it has reported them.
+    /// How many times each jump of its plan has been taken, by the jump's number, as far as the
+    /// vehicle has reported them.
     pub plan_jumps: BTreeMap<u16, u16>,
-    /// Its speed on the legs of its plan; `None` in other modes.
+    /// Its mean speed on the legs of its plan; `None` in other modes.
     pub cruise: Option<LegSpeed>,
     /// The plan, the fence and the rally points on board, if they have been read.
     pub plans: Plans,
@@ -100,7 +101,7 @@ pub struct Vehicle {
     pub rangefinder_m: Option<f32>,
     /// WIND: its direction of origin and its speed.
     pub wind: Option<Wind>,
-    /// The height above home, in metres, at which it estimated the wind last in flight.
+    /// The height above home at which it last estimated the wind in flight, in metres.
     pub wind_height_m: Option<f32>,
     /// `RC_CHANNELS`: pulse widths in microseconds, channel 1 first; 0 where unused.
     pub rc: Option<RcChannels>,
@@ -113,7 +114,8 @@ pub struct Vehicle {
     pub boot_ms: Option<u32>,
     /// The quality of reception from the vehicle.
     pub link: LinkQuality,
-    /// Its position since it was last heard, in simulated radio. Never shown to the operator.
+    /// Its current position while simulated radio keeps its messages from the operator. Never shown
+    /// to the operator.
     pub unheard: Option<Unheard>,
     /// Why it has disarmed by itself, where that is known; `None` once it is armed again.
     pub idle_disarm: Option<IdleDisarm>,
@@ -127,7 +129,7 @@ pub struct Vehicle {
 pub const TEXTS_KEPT: usize = 32;
 
 impl Vehicle {
-    /// A vehicle of which only the id is known.
+    /// A vehicle of which only the address is known.
     pub fn new(system: SystemId, component: ComponentId) -> Self {
         Self {
             id: VehicleId::from(system),

@@ -1,8 +1,9 @@
-//! The properties of a verb besides its grammar: how its orders are sent, whether they move a vehicle, and how they
-//! count.
+//! The properties of a verb besides its grammar: how its orders are sent, whether they move a
+//! vehicle, and how they count.
 //!
-//! Each [`Verb`] is part of its row of the one table, in [`language`](crate::language). The ledger keeps it with every
-//! order, so that code reads a property of an order here and never compares names.
+//! Each [`Verb`] is part of its row in the single table of verbs, in [`language`](crate::language).
+//! The ledger stores it with every order, so code reads a property of an order here and never
+//! compares names.
 
 use std::fmt;
 use std::time::Duration;
@@ -43,7 +44,7 @@ impl Verb {
 pub enum Danger {
     /// The command is sent without a confirmation.
     None,
-    /// It lists its targets and needs a second key.
+    /// Its targets are listed, and it is sent only after a second key.
     Confirm,
 }
 
@@ -55,7 +56,7 @@ pub struct Retry {
     pub tries: u8,
     /// The time between two attempts.
     pub every: Duration,
-    /// The deadline, counted from when the order was given.
+    /// The deadline, counted from the time of the order.
     pub deadline: Duration,
 }
 
@@ -130,7 +131,7 @@ pub enum Arrival {
     Done,
     /// When the vehicle stands still at the target of an earlier order.
     AtTarget,
-    /// The order is done when the vehicle is on the ground.
+    /// When the order is done: the vehicle is on the ground.
     Landed,
     /// When the vehicle is in the requested mode; for a landing mode, when it is on the ground.
     Mode,
@@ -185,7 +186,7 @@ impl CountsAs {
 }
 
 impl PartialEq for Verb {
-    /// Names are unique in the table.
+    /// Compares the names, which are unique in the table.
     fn eq(&self, other: &Self) -> bool {
         self.name == other.name
     }

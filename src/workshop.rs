@@ -1,13 +1,13 @@
 //! The drone constructor: parts, designs, and a design's figures.
 //!
-//! A [`Design`] is a choice of parts; [`Figures`] follow from it: mass, thrust, power, endurance, speed, range, cost.
-//! The same figures give the airframe and the parameters of both simulators ([`Airframe`]), so that a drone flies as
-//! computed. Everything here is pure and fast enough to show the effect of each part while the cursor moves over a
-//! list.
+//! A [`Design`] is a choice of parts; [`Figures`] follow from it: mass, thrust, power, endurance,
+//! speed, range, cost. The same figures give the airframe and the parameters of both simulators
+//! ([`Airframe`]), so that a drone flies as computed. Everything here is pure and fast enough to
+//! show the effect of each part while the cursor moves over a list.
 //!
-//! The physics is momentum theory with measured propeller coefficients and a brushless motor as a resistance behind a
-//! back-EMF, fitted to bench tests of motors. The results agree with the published hover times of six real drones
-//! within about 10 %; see the tests.
+//! The physics is momentum theory with measured propeller coefficients and a brushless motor
+//! modelled as a resistance and a back-EMF, fitted to bench tests of motors. The results agree with
+//! the published hover times of six real drones within about 10 %; see the tests.
 
 mod airframe;
 mod catalogue;

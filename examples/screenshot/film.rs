@@ -24,7 +24,7 @@ use sortie::ui::{self, Look, Role};
 
 use super::svg;
 
-/// The file name, without its ending, of both the mission and its reference pilot.
+/// The file name, without its extension, of both the mission and its reference pilot.
 const MISSION: &str = "05-night-search";
 const SEED: u64 = 1;
 /// The mission time of the pictures in flight: some people have been found, and kits are on their way.

@@ -5,11 +5,12 @@ use std::fmt::Write as _;
 use ratatui::buffer::{Buffer, Cell};
 use ratatui::style::{Color, Modifier};
 
-/// In hundredths of a pixel, so that positions are whole numbers until they are written.
+/// The size of a cell in hundredths of a pixel, so positions are whole numbers until they are
+/// written.
 const CELL_WIDTH: usize = 840;
 const CELL_HEIGHT: usize = 1600;
 const FONT_SIZE: usize = 1400;
-/// From the upper edge of a cell to the baseline of its text.
+/// The distance from the upper edge of a cell to the baseline of its text.
 const BASELINE: usize = 1280;
 const MARGIN: usize = 1000;
 /// The positions of the dots in a braille character, in the order of its bits.
@@ -196,7 +197,8 @@ fn background(cell: &Cell) -> String {
     }
 }
 
-/// The shipped themes have 24-bit colours only.
+/// A colour in SVG. The shipped themes have 24-bit colours only; any other colour becomes
+/// `otherwise`.
 fn colour(colour: Color, otherwise: &str) -> String {
     match colour {
         Color::Rgb(red, green, blue) => format!("#{red:02x}{green:02x}{blue:02x}"),

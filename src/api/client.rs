@@ -22,7 +22,7 @@ pub struct Client {
     /// When the watched subjects were sent last, by the wall clock.
     sent_at: Option<Duration>,
     commands: CommandNews,
-    /// The notices listed so far, of which the program knows.
+    /// The number of notices listed when the program was last sent any.
     notices: u64,
     vehicles: Vehicles,
     mission: Option<MissionView>,
@@ -192,10 +192,11 @@ fn mission(state: &State) -> Option<MissionView> {
     ))
 }
 
-/// The present state of a subject, as an answer to the request of this number. `records` lists the recorded flights.
+/// The present state of a subject, as an answer to the request of this number. `records` lists the
+/// recorded flights.
 ///
 /// # Errors
-/// The subject is one vehicle's, and none is named or it is not known.
+/// The subject belongs to one vehicle, and the request names no vehicle or an unknown one.
 pub fn present(
     state: &State,
     id: Option<u64>,

@@ -1,4 +1,4 @@
-//! States of the console as programs see them. Units are in the names; what is not known is `null`.
+//! States of the console as programs see them. Units are in the names; unknown values are `null`.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -107,9 +107,9 @@ pub struct RowView {
     pub percent: Option<u8>,
     /// Whether the state is the last one.
     pub is_final: bool,
-    /// How often the command has been sent.
+    /// The number of times that the command has been sent.
     pub tries: u8,
-    /// The reason of a refusal, or a remark.
+    /// The reason for a refusal, or a remark.
     pub remark: Option<String>,
 }
 
@@ -189,7 +189,7 @@ fn number(severity: Severity) -> u8 {
     severity as u8
 }
 
-/// The progress of the mission that is flown.
+/// The progress of the current mission.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct MissionView {
     pub title: String,
@@ -230,7 +230,7 @@ pub struct ReadingView {
     pub unit: &'static str,
 }
 
-/// Something that detectors have found.
+/// A contact that detectors have found.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ContactView {
     pub name: String,

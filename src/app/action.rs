@@ -15,15 +15,16 @@ pub use of_rooms::{
 pub use shared::{LineAction, ReplayAction, SelectAction, StartAction, ViewAction};
 pub use step::Step;
 
-/// Declares [`Action`], and what depends on the list of its groups: their order and their names.
+/// Declares [`Action`], and the order and the names of its groups.
 macro_rules! actions {
     (
         first { $($(#[$first_about:meta])* $first:ident($First:ty),)+ }
         single { $($(#[$about:meta])* $single:ident,)+ }
         groups { $($(#[$group_about:meta])* $group:ident($Group:ty),)+ }
     ) => {
-        /// An intent, which the keymap makes from a key. Its name in keymap files is that of the innermost variant; the
-        /// message `action-NAME` says what it does. Actions of only some rooms have enums of their own.
+        /// An intent, which the keymap makes from a key. Its name in keymap files is that of the
+        /// innermost variant; the message `action-NAME` describes it. Actions of only some rooms
+        /// have enums of their own.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
         #[strum(serialize_all = "kebab-case")]
         pub enum Action {
@@ -84,7 +85,7 @@ actions! {
         Aids,
         /// Pause or resume the mission.
         PauseMission,
-        /// Speed simulated time up.
+        /// Speed up simulated time.
         Faster,
         /// Return simulated time to real time.
         UsualPace,

@@ -265,7 +265,7 @@ pub enum ReplayEffect {
     },
     /// Go to a time in the record.
     Show(Duration),
-    /// Repeat a stretch; `None` ends that.
+    /// Repeat a section of the record; `None` stops repeating.
     Loop(Option<LoopTarget>),
     /// Stop at moments of these kinds.
     StopAt(Vec<MomentKind>),
@@ -294,7 +294,7 @@ pub struct PaceChange {
 }
 
 impl PaceChange {
-    /// A speed-up that the trainee asks for.
+    /// A change to a speed-up that the trainee asks for.
     pub fn wanted(speedup: f64) -> Self {
         Self {
             speedup,

@@ -36,7 +36,7 @@ use crate::verb::Verb;
 pub enum Event {
     /// Input from the user or the terminal.
     Terminal(TerminalEvent),
-    /// A line of a program that uses the console.
+    /// A line from a program that controls the console.
     Program(ProgramLine),
     /// Time has passed; no other event moves the console's clock.
     Tick {
@@ -45,15 +45,15 @@ pub enum Event {
         /// Time since the start of the program, including pauses of the session.
         wall: Duration,
     },
-    /// News of a vehicle.
+    /// A change in a vehicle or its commands.
     Vehicle(VehicleEvent),
-    /// News of the links or their traffic.
+    /// A change in the links or their traffic.
     Link(LinkEvent),
-    /// News of the processes that simulate vehicles.
+    /// A change in the processes that simulate vehicles.
     Process(ProcessEvent),
-    /// News of the session.
+    /// A change in the session.
     Session(SessionEvent),
-    /// News of a replay.
+    /// A change in a replay.
     Replay(ReplayEvent),
     /// A change to the profile in use or to its data.
     Career(CareerEvent),
@@ -91,19 +91,22 @@ pub enum TerminalEvent {
     },
     /// A line was entered at the prompt of the plain console.
     Line(String),
-    /// The plain console has printed what a screen would show: messages and overlays close, except for a question.
+    /// The plain console has printed the contents of the screen: messages and overlays close,
+    /// except a question.
     Told,
-    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
+    /// The throughput of the terminal's line in bytes per second while it is too slow for the
+    /// screen; otherwise `None`.
     SlowLine(Option<u32>),
 }
 
-/// A line given by a program. The answer is its fault or its ledger entry ([`Effect::AnswerProgram`]).
+/// A line given by a program. The answer is an error or the line's ledger entry
+/// ([`Effect::AnswerProgram`]).
 ///
 /// [`Effect::AnswerProgram`]: super::effect::Effect::AnswerProgram
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProgramLine {
     pub line: String,
-    /// Whether the program confirms it, where a user would be asked.
+    /// Whether the program confirms the line where a user would be asked to.
     pub confirmed: bool,
 }
 
@@ -118,7 +121,7 @@ pub enum VehicleEvent {
     },
     /// A command was given in a replay.
     Given {
-        /// The time at which the order was given.
+        /// The time at which the command was given.
         at: Duration,
         /// The whole command in the console's grammar.
         line: String,
@@ -128,7 +131,7 @@ pub enum VehicleEvent {
         /// The vehicles that the command addresses.
         vehicles: Vec<VehicleId>,
     },
-    /// An order made progress with one vehicle.
+    /// A command made progress with one vehicle.
     Row(RowUpdate),
     /// The paths that vehicles of a manoeuvre will fly.
     Paths(Vec<Path>),
@@ -148,7 +151,7 @@ pub enum LinkEvent {
     Traffic(Vec<LinkTraffic>),
 }
 
-/// News of the processes that simulate vehicles.
+/// A change in the processes that simulate vehicles.
 #[derive(Debug, Clone)]
 pub enum ProcessEvent {
     /// The state of each process.
@@ -203,12 +206,12 @@ pub enum ReplayEvent {
     },
     /// The gaps of the recording found so far, earliest first.
     Gaps(Arc<Vec<Range<Duration>>>),
-    /// The console must return to an earlier or later state.
+    /// The console must restore an earlier or later state of the flight.
     Restored(Box<FlightSnapshot>),
     At(ReplayPosition),
 }
 
-/// News of profiles and careers.
+/// A change in profiles and careers.
 #[derive(Debug, Clone)]
 pub enum CareerEvent {
     /// The names of all profiles.
@@ -232,11 +235,12 @@ pub enum FileEvent {
         path: String,
         text: String,
     },
-    /// A folder was listed; a name of a folder in it ends with `/`. Empty if it cannot be read.
+    /// A folder was listed. Names of subfolders end with `/`; `names` is empty if the folder cannot
+    /// be read.
     Listed { folder: String, names: Vec<String> },
     /// The ground in those squares that have files in the folder.
     Ground { folder: String, terrain: Terrain },
-    /// The drafts that an earlier session has not saved.
+    /// The drafts that an earlier session left unsaved.
     Kept { text: String },
     /// A file was written.
     Written { path: String },
@@ -286,6 +290,6 @@ pub struct Started {
     pub processes: Option<usize>,
     /// The speed-up of simulated time over the wall clock.
     pub speedup: f64,
-    /// Whether the user restarted the previous session; then a mission begins without its brief.
+    /// Whether the user restarted the previous session; if so, a mission begins without its brief.
     pub is_again: bool,
 }

@@ -6,7 +6,7 @@ use super::keymap::{Keymap, Meaning, Place};
 use super::room_list::Room;
 use crate::mission::{Progress, STEP_KEY};
 
-/// Inserts the key that is bound now into a lesson's step.
+/// Inserts the currently bound key into a lesson's step.
 pub fn name_key(state: &State, progress: &mut Progress) {
     if let Some(step) = &mut progress.lesson
         && let Some(name) = step.key.take()

@@ -33,7 +33,8 @@ pub use request::RoomRequest;
 /// Everything that the console shows.
 pub type State = state::State<Rooms>;
 
-/// The result of an action in a room; `None` where the room leaves it to the console.
+/// The result of an action in a room: the requests it causes, or `None` if the room leaves the
+/// action to the console.
 pub type Answer = Option<Vec<RoomRequest>>;
 
 /// A room's state and behaviour.
@@ -53,7 +54,7 @@ pub trait RoomModel: Default {
         None
     }
 
-    /// Undoes the last thing that was opened, selected or filtered.
+    /// Reverses the last opening, selection or filter.
     fn escape(_state: &mut State) -> Answer {
         None
     }
@@ -84,7 +85,7 @@ pub trait RoomModel: Default {
     }
 }
 
-/// A room's behaviour, without its type.
+/// The functions of a [`RoomModel`] as pointers, so rooms can be looked up at run time.
 struct RoomBehaviour {
     keys: &'static [KeyRow],
     hints: fn(&State) -> &'static [KeyHint],

@@ -6,9 +6,10 @@ use strum::EnumIter;
 use crate::language::{Listed, Named};
 use crate::text::Text;
 
-/// Passes the list of rooms to a macro. Each line gives the room's name in the program, its module in `app::room` and
-/// `ui::screen`, its name in keymap files and on the command line, its default key, and the type of its state. The
-/// messages `room-NAME` and `action-NAME` are its title and its purpose.
+/// Passes the list of rooms to a macro. Each line gives the room's variant of `Room`, its module in
+/// `app::room` and `ui::screen`, its name in keymap files and on the command line, its default key,
+/// and the type of its state. The messages `room-NAME` and `action-NAME` are its title and its
+/// purpose.
 macro_rules! for_each_room {
     ($then:ident) => {
         $then! {

@@ -10,7 +10,7 @@ use super::room::parameters::ParametersSnapshot;
 use super::state::{FlightView, NoticeLog};
 use crate::text::Text;
 
-/// The console's knowledge of a flight at one time, without the user's selection and view.
+/// The console's state of a flight at one time, without the user's selection and view.
 #[derive(Debug, Clone)]
 pub struct FlightSnapshot {
     session: FlightView,

@@ -75,11 +75,12 @@ pub use training::{Trainee, Training};
 pub(in crate::app) use typing::Folder;
 pub use typing::Typing;
 
-/// How long a message stays on the last line of the screen: one that needs attention, and a confirmation.
+/// How long a message that needs attention stays on the last line of the screen. The next constant
+/// applies to confirmations.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
 const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 
-/// The console's state; `R` is the rooms' part.
+/// The console's state; `R` is the state of the rooms.
 #[derive(Debug, Clone)]
 pub struct State<R> {
     /// Flight time: since the start of the program, or of the recording in a replay.
@@ -91,13 +92,13 @@ pub struct State<R> {
     /// Another flight of the mission, shown beside this one.
     pub(in crate::app) ghost: Option<Ghost>,
     pub(in crate::app) room: Room,
-    /// The state of every room.
+    /// The state of the rooms.
     pub(in crate::app) rooms: R,
     /// The overlay over the room.
     pub(in crate::app) overlay: Option<Overlay>,
     pub(in crate::app) session: FlightView,
     pub(in crate::app) typing: Typing,
-    /// Time since the start of the program by the wall clock: this also runs during a pause.
+    /// Time since the start of the program by the wall clock, including pauses.
     pub(in crate::app) wall: Duration,
     pub(in crate::app) config: Config,
     /// The texts of the language in use.
@@ -117,7 +118,6 @@ pub struct State<R> {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Message {
     pub text: Text,
-    /// The severity of the message.
     pub severity: Severity,
     at: Duration,
 }
@@ -181,13 +181,13 @@ impl<R> State<R> {
         self.revision += 1;
     }
 
-    /// Ends the replay, if there is one: time is the program's again.
+    /// Ends the replay, if there is one: flight time then follows the program's clock again.
     pub(in crate::app) fn leave_replay(&mut self) {
         self.replay = None;
         self.now = self.clock;
     }
 
-    /// The number of a log's entries.
+    /// The number of entries in a log.
     pub fn log_length(&self, log: Log) -> usize {
         match log {
             Log::Notices => self.notices.lines().len(),
@@ -195,7 +195,7 @@ impl<R> State<R> {
         }
     }
 
-    /// The message, while it is fresh.
+    /// The latest message, until its display time is over.
     pub fn message(&self) -> Option<&Message> {
         self.message
             .as_ref()

@@ -65,7 +65,8 @@ pub fn update(state: &mut State, event: Event) -> Effects {
     effects
 }
 
-/// Without rooms, a session always shows the vehicles; its stages and its brief are printed as lines.
+/// Shows the vehicles where a session would show the hangar or the brief: the plain console prints
+/// these as lines.
 fn stay_with_vehicles(state: &mut State) {
     let is_waiting = state.room == Room::Hangar && state.session.is_starting();
     if !state.display.has_rooms && (is_waiting || state.room == Room::Mission) {
@@ -163,7 +164,7 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
     Effects::none()
 }
 
-/// Updates the ledger with an order's progress; commands that waited for it may follow.
+/// Updates the ledger with an order's progress, and sends batch commands that waited for it.
 fn order_advanced(state: &mut State, row: &RowUpdate) -> Effects {
     let ledger = &mut state.session.commands.ledger;
     let was_over = ledger.entry(row.entry).is_none_or(LedgerEntry::is_final);

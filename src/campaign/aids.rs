@@ -6,7 +6,7 @@ use strum::{EnumString, IntoStaticStr, VariantArray};
 use crate::text;
 use crate::text::Text;
 
-/// The skill probabilities at which hints of levels 1 to 3 fade out.
+/// The probabilities of mastery from which hints of levels 1 to 3 are no longer shown.
 const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 
 /// A level of help. It changes the advice, but never the physics or the score.
@@ -27,7 +27,7 @@ const FADES_AT: [f64; 3] = [0.40, 0.65, 0.85];
 #[strum(serialize_all = "snake_case")]
 pub enum Aids {
     Full,
-    /// Less advice, the better a skill is mastered.
+    /// The better a skill is mastered, the less advice.
     #[default]
     Fading,
     None,
@@ -42,7 +42,7 @@ impl Aids {
         self.into()
     }
 
-    /// The level with a code.
+    /// The level with a code; `None` if the code is unknown.
     pub fn of(code: &str) -> Option<Self> {
         code.parse().ok()
     }
@@ -75,8 +75,8 @@ impl Aids {
         }
     }
 
-    /// Whether a hint is shown automatically, depending on its level, 1 (the routine) to 3 (the steps), and the
-    /// probability of its skill, 0 to 1.
+    /// Whether a hint is shown automatically. `level` is the hint's level, from 1 (the routine) to
+    /// 3 (the steps); `chance` is the probability that its skill is mastered, 0 to 1.
     pub fn shows_hint(self, level: u8, chance: f64) -> bool {
         match self {
             Self::Full => true,

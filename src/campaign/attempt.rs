@@ -13,7 +13,7 @@ use crate::mission::record::WithoutEnd;
 use crate::scoring::{FlownBy, MissionFile, TryReport};
 use crate::workshop::Design;
 
-/// The seed of the first attempt without a chosen seed and without a profile.
+/// The seed of the first attempt if none is chosen and there is no profile.
 const FIRST_SEED: u64 = 1;
 
 /// An attempt at a mission.
@@ -34,15 +34,14 @@ pub struct AttemptTerms<'a> {
     /// The mission, under the rules of its stake ([`Mission::flown_for`]).
     pub mission: &'a Mission,
     pub wanted: Stake,
-    /// The seed chosen by the user.
+    /// The seed chosen by the user, if any.
     pub seed: Option<u64>,
     /// The trainee, if there is a profile.
     pub trainee: Option<AttemptTrainee<'a>>,
-    /// The means of the flight.
     pub means: AttemptMeans,
     /// The day of the flight, in days since 1970 (UTC).
     pub day: i64,
-    /// A random number for an unknown layout; `None` if the system does not provide one.
+    /// A random number for a new layout; `None` if the system does not provide one.
     pub random: Option<u64>,
 }
 
@@ -52,7 +51,7 @@ pub struct AttemptTrainee<'a> {
     pub standing: &'a CareerStanding,
     /// The missions of the career.
     pub course: &'a MissionCourse,
-    /// Makes the trainee's exams differ from those of others.
+    /// The key that makes the trainee's exams different from those of others.
     pub exams: ExamKey,
 }
 
@@ -63,7 +62,7 @@ pub struct AttemptMeans {
     pub mission_file: MissionFile,
     /// The source of the commands.
     pub flown_by: FlownBy,
-    /// Whether files of the user replace the airframes.
+    /// Whether the user's own files replace the built-in airframes.
     pub has_own_airframes: bool,
     /// The speed-up of simulated time.
     pub speedup: f64,
@@ -75,7 +74,8 @@ pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
     stake == Stake::Practice || !flown_by.unwrap_or_default().is_by_hand()
 }
 
-/// How a flight is scored whose record has no end: one that counts was left, by closing or killing the program.
+/// How to score a flight whose record has no end: a flight that counts was left, by closing or
+/// killing the program.
 pub fn without_end(stake: Stake, flown_by: Option<FlownBy>) -> WithoutEnd {
     if is_practice(stake, flown_by) {
         WithoutEnd::Over
@@ -84,8 +84,8 @@ pub fn without_end(stake: Stake, flown_by: Option<FlownBy>) -> WithoutEnd {
     }
 }
 
-/// The number of the attempt after these, from 1. Unfinished flights and practice do not count, and use up no free
-/// hints.
+/// The number of the attempt that follows `earlier`, from 1. Unfinished flights and practice do not
+/// count, and use up no free hints.
 pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
     let finished = earlier
         .into_iter()
@@ -93,8 +93,8 @@ pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
     u32::try_from(finished.count() + 1).unwrap_or(u32::MAX)
 }
 
-/// The stake that a script's flight asks for: graded for a profile on a layout that the user has not chosen. It
-/// is practice in the end ([`PracticeReason::Script`]).
+/// The stake requested for a script's flight: graded with a profile on a layout that the user has
+/// not chosen, otherwise practice. In the end it counts as practice ([`PracticeReason::Script`]).
 pub fn script_stake(chosen_seed: Option<u64>, has_profile: bool) -> Stake {
     if chosen_seed.is_none() && has_profile {
         Stake::Graded
@@ -113,12 +113,13 @@ impl Attempt {
         }
     }
 
-    /// Whether it counts for less than requested.
+    /// Whether the attempt counts for less than requested.
     pub fn is_reduced(&self) -> bool {
         self.stake != self.wanted
     }
 
-    /// The same layout again. A layout seen before is practice; the layout of the day counts once a day in any case.
+    /// The same layout again. A layout seen before counts as practice; the layout of the day is
+    /// limited to once a day in any case.
     #[must_use]
     pub fn repeated(self) -> Self {
         let stake = match self.stake {
@@ -135,7 +136,8 @@ impl AttemptTerms<'_> {
         self.with_seed(self.layout().unwrap_or(FIRST_SEED))
     }
 
-    /// The next attempt, on another layout, unless the user chose the layout or it is the same for all trainees.
+    /// The stake and the layout of the next attempt. The layout is another one, unless the user
+    /// chose it or it is the same for all trainees.
     pub fn decide_after(&self, previous: &Attempt) -> Attempt {
         self.with_seed(
             self.layout()
@@ -180,7 +182,7 @@ impl AttemptTerms<'_> {
         reasons
     }
 
-    /// The seed that the circumstances require; `None` for any.
+    /// The seed that the circumstances require; `None` if any will do.
     fn layout(&self) -> Option<u64> {
         match self.wanted {
             Stake::Exam => Some(self.exam_seed()),
@@ -203,8 +205,8 @@ impl AttemptTerms<'_> {
         }
     }
 
-    /// A random layout, almost certainly new to the trainee; `None` without a profile, whose layouts follow a fixed
-    /// sequence.
+    /// A random layout, almost certainly new to the trainee; `None` without a profile, because
+    /// layouts then follow a fixed sequence.
     fn fresh_seed(&self) -> Option<u64> {
         self.trainee?;
         self.random.map(|random| random % FRESH_SEEDS)

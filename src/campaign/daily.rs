@@ -1,16 +1,17 @@
-//! Seeds that the program gives: those of days, the same for all trainees, and those of exams, which each belong to one
-//! trainee.
+//! Seeds chosen by the program: one for each day, the same for all trainees, and those of exams,
+//! each for one trainee.
 
 use std::ops::Range;
 
 use serde::{Deserialize, Serialize};
 
-/// The upper limit of the seeds of practice, graded flights and days: small enough to be typed.
+/// The exclusive upper bound of the seeds of practice, graded flights and days; small enough to be
+/// typed.
 pub(super) const FRESH_SEEDS: u64 = 1_000_000;
 /// The seeds of exams. No other flight gets one of them unless it is typed.
 const EXAM_SEEDS: Range<u64> = 100_000_000..1_000_000_000;
 
-/// Makes the exams of a trainee differ from those of all others.
+/// The key that makes a trainee's exams differ from those of all others.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(transparent)]
 pub struct ExamKey(u64);
@@ -28,14 +29,14 @@ impl ExamKey {
     }
 }
 
-/// The seed of a day (days since 1970, UTC): the same for all trainees, it changes daily.
+/// The seed of a day (days since 1970, UTC), the same for all trainees.
 pub fn daily_seed(day: i64) -> u64 {
     scattered(day as u64 ^ 0x7361_696c_7964_6179) % FRESH_SEEDS
 }
 
-/// The seed of a trainee's exam. Each trainee gets another one, so that the layout of a colleague's exam can be
-/// practised without an advantage. Each exam taken leads to another seed, because the debrief has shown the truth of the
-/// last one.
+/// The seed of a trainee's exam. It differs from those of other trainees, so practising a
+/// colleague's layout gives no advantage. It also changes with each exam taken, because the debrief
+/// has revealed the truth of the last one.
 pub fn exam_seed(key: ExamKey, mission: &str, revision: u32, taken: u32) -> u64 {
     let of_mission = scattered_text(key.0, mission);
     let of_exam = [revision, taken]

@@ -7,13 +7,13 @@ use crate::geo::maths;
 pub(super) const START_CREDITS: u32 = 500;
 /// The licence for a part costs this share of its price.
 const LICENCE_SHARE: f64 = 0.4;
-/// The share of a first pass's reward for passing; the rest depends on the score.
+/// The share of the reward for the first pass itself; the rest depends on the score.
 const FOR_PASSING: f64 = 0.5;
-/// Experience of a perfect flight of tier 1; tier 0 counts as half of it.
+/// The experience for a perfect flight, per tier; tier 0 counts as half a tier.
 const EXPERIENCE: f64 = 187.5;
 /// The factor for the first flight of a day that refreshes a due skill.
 const DUE_SKILL: f64 = 1.2;
-/// Level n needs `LEVEL * n^1.5`.
+/// Level n needs `LEVEL * n^1.5` experience.
 const LEVEL: f64 = 250.0;
 
 /// The parts that every trainee may use from the start: a small quad with a vapour detector.
@@ -49,9 +49,9 @@ pub(super) fn pay(flight: &CareerFlight, best: Option<u16>) -> u32 {
     (reward * share).round() as u32
 }
 
-/// Experience for a flight that counts, given the best score of earlier passes, if any. Like credits, it is earned only
-/// by what is better: a pass with the same score as before earns none. A failed flight earns neither; otherwise a few reports from
-/// above the pad would earn some.
+/// Experience for a flight that counts, given the best score of earlier passes, if any. Like
+/// credits, it is earned only by an improvement: a pass with the same score as before earns none. A
+/// failed flight earns neither; otherwise a few reports from above the pad would earn some.
 pub(super) fn experience(flight: &CareerFlight, best: Option<u16>, refreshes: bool) -> u32 {
     let is_best = best.is_none_or(|best| flight.score > best);
     if !flight.passed || !is_best {

@@ -55,7 +55,7 @@ pub struct SkillMove {
 }
 
 impl Growth {
-    /// The steps of a history, oldest entry first.
+    /// The growth in a history, which begins with the oldest entry.
     pub fn of<'a>(history: impl IntoIterator<Item = &'a CareerEntry>) -> Self {
         let mut growth = Self::default();
         let mut standing = CareerStanding::default();

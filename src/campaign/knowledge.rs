@@ -66,13 +66,13 @@ pub enum Mastery {
 /// A requirement of mastery that is not met yet.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Lack {
-    /// A higher probability that the skill is mastered: this one, in percent.
+    /// At least this probability that the skill is mastered, in percent.
     Chance(u8),
-    /// More flights: this many.
+    /// This many more flights.
     Flights(usize),
-    /// More missions: this many.
+    /// Flights in this many more missions.
     Missions(usize),
-    /// Flights on more days: this many.
+    /// Flights on this many more days.
     Days(usize),
 }
 
@@ -138,7 +138,8 @@ impl Knowledge {
         }
     }
 
-    /// The day on which it will be due, if it was ever mastered.
+    /// The day on which the skill will be due, in days since 1970 (UTC); `None` if it was never
+    /// mastered.
     pub fn due_day(&self) -> Option<i64> {
         if !self.was_mastered {
             return None;

@@ -17,7 +17,7 @@ pub struct CareerProgress {
     /// The experience points earned so far.
     pub experience: u64,
     pub level: u32,
-    /// Experience that the next level needs.
+    /// The total experience that the next level needs.
     pub next_level_experience: u64,
     /// The maximum number of drones that may be flown at a time.
     pub licence: u8,
@@ -199,7 +199,7 @@ impl MissionProgress {
         }
     }
 
-    /// The progress with an open mission.
+    /// The progress in an open mission.
     fn new(
         id: &str,
         title: Text,

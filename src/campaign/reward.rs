@@ -28,9 +28,9 @@ pub struct Reward {
     pub level: u32,
     /// The experience still required for the next level.
     pub experience_left: u64,
-    /// The number of drones that the licence covered before.
+    /// The number of drones that the licence covered before the flight.
     pub licence_before: u8,
-    /// The number of drones that the licence covers now.
+    /// The number of drones that the licence covers after the flight.
     pub licence: u8,
     /// The newly opened missions.
     pub missions: Vec<OpenedItem>,
@@ -56,11 +56,11 @@ pub struct SkillChange {
     pub skill: Skill,
     /// Its name on the screen.
     pub title: Text,
-    /// Whether it was shown for the first time.
+    /// Whether the flight was the first to show the skill.
     pub is_new: bool,
-    /// The probability before, in percent.
+    /// The probability of mastery before the flight, in percent.
     pub before_percent: u8,
-    /// The probability now, in percent.
+    /// The probability of mastery after the flight, in percent.
     pub after_percent: u8,
     pub why: Vec<Evidence>,
 }
@@ -226,7 +226,7 @@ fn opened_parts(
         .collect()
 }
 
-/// The skills with evidence; none after a flight that does not count, which leaves them as they were.
+/// The skills with evidence; empty for a flight that does not count, because it changes no skill.
 fn skill_changes(
     before: &CareerStanding,
     after: &CareerStanding,

@@ -60,7 +60,7 @@ pub(super) struct SkillShown {
     pub skill: Skill,
     /// The mean of the outcomes, 0 to 1.
     pub outcome: f64,
-    /// The basis of the evidence.
+    /// The names of the evidence's bases.
     pub what: Text,
 }
 
@@ -90,9 +90,10 @@ impl Evidence {
         }
     }
 
-    /// A flight's evidence: every attempted objective for the skill of its kind, the components of the score that show
-    /// a skill, and the prediction. A flight abandoned before any command gives none. A failed flight gives only
-    /// evidence of faults, because a hover with a few blind reports would keep all rules.
+    /// A flight's evidence: every attempted objective for the skill of its kind, the components of
+    /// the score that show a skill, and the prediction. A flight abandoned before any command gives
+    /// none. A failed flight gives only evidence of faults; otherwise a hover with a few blind
+    /// reports would count as keeping all rules.
     pub fn of(report: &Report, mission: &Mission) -> Vec<Self> {
         if report.ledger.is_empty() {
             return Vec::new();

@@ -12,7 +12,7 @@ const SCORES: RangeInclusive<u16> = 0..=1000;
 const OUTCOMES: RangeInclusive<f64> = 0.0..=1.0;
 /// The possible rewards of a mission and prices of a part, in credits.
 const CREDITS: RangeInclusive<u32> = 0..=100_000;
-/// The possible costs of a lost swarm, in credits.
+/// The possible costs of wear and loss on a flight, in credits.
 const WEAR: RangeInclusive<u32> = 0..=1_000_000;
 const LONGEST_ID: usize = 64;
 
@@ -60,7 +60,8 @@ fn beyond<T: Copy + PartialOrd + Debug>(
     (!range.contains(&value)).then(|| format!("`{name}` is {value:?}, not {least:?} to {most:?}"))
 }
 
-/// A fault, unless `id` contains only lower-case letters, digits and characters of `marks`.
+/// A fault unless `id` consists of 1 to `LONGEST_ID` lower-case letters, digits and characters of
+/// `marks`.
 fn malformed(name: &str, id: &str, marks: &str) -> Option<String> {
     let plain = |c: char| c.is_ascii_lowercase() || c.is_ascii_digit() || marks.contains(c);
     let is_fine = (1..=LONGEST_ID).contains(&id.len()) && id.chars().all(plain);

@@ -16,7 +16,7 @@ pub struct CareerStanding {
     credits: u32,
     experience: u64,
     missions: BTreeMap<String, Best>,
-    /// Flights with the seed of a day that counted: mission and day.
+    /// The daily flights that counted, by mission and day.
     daily: BTreeSet<(String, i64)>,
     owned: BTreeSet<String>,
     skills: Skills,
@@ -59,9 +59,9 @@ pub struct ExamResult {
 pub enum PartState {
     /// The trainee owns its licence.
     Owned,
-    /// After paying this many credits.
+    /// The part may be used after paying this many credits.
     ForSale(u32),
-    /// After passing the mission with this id.
+    /// The part may be used after passing the mission with this id.
     Locked(String),
 }
 
@@ -72,7 +72,7 @@ pub enum PurchaseRefusal {
     Unknown,
     /// The part is already owned.
     Owned,
-    /// A mission must be passed first.
+    /// The mission with this id must be passed first.
     Locked(String),
     /// The part costs the first number of credits, but only the second is available.
     TooDear(u32, u32),
@@ -108,7 +108,7 @@ impl Default for CareerStanding {
 }
 
 impl CareerStanding {
-    /// The standing of a history, oldest entry first.
+    /// The standing after a history, which begins with the oldest entry.
     pub fn of<'a>(history: impl IntoIterator<Item = &'a CareerEntry>) -> Self {
         let mut standing = Self::default();
         for entry in history {
@@ -239,7 +239,7 @@ impl CareerStanding {
         self.credits
     }
 
-    /// Total experience, the level, and the experience needed for the next one.
+    /// Total experience, the level, and the total experience needed for the next level.
     pub fn experience(&self) -> (u64, u32, u64) {
         let level = economy::level(self.experience);
         (self.experience, level, economy::level_experience(level + 1))

@@ -83,7 +83,7 @@ impl BackendArguments {
     }
 }
 
-/// The source of SITL vehicles without any option, if a program is found.
+/// The SITL source used without any option; `None` if no program is found.
 pub(super) fn found(settings: &CliSettings) -> Option<SitlSource> {
     let own = own(&ProgramOptions::default(), settings).ok()?;
     Some(SitlSource::Own(Box::new(own)))

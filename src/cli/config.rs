@@ -42,7 +42,7 @@ pub(super) fn config(
         return Ok(ExitCode::SUCCESS);
     }
     if options.paths {
-        // As TOML, too, so that scripts read both in the same way.
+        // Printed as TOML, too, so that scripts can read both in the same way.
         for (name, path) in paths(settings) {
             say!("{name} = {}", toml_string(&path))?;
         }

@@ -47,7 +47,7 @@ struct HostFinding {
     verdict: CheckResult,
     /// The state of the subject, in words.
     found: String,
-    /// The advice for the repair.
+    /// How to fix the problem, if there is one.
     #[serde(skip_serializing_if = "Option::is_none")]
     mend: Option<String>,
 }

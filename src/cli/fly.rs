@@ -91,7 +91,7 @@ impl ApiArguments {
     }
 }
 
-/// A forward as the command line names it.
+/// Parses the words of a forward.
 fn forward(words: &str) -> Result<ForwardSpec, String> {
     let spec: ForwardSpec = words
         .parse()
@@ -199,7 +199,7 @@ fn check_recording(address: &Address) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The look of the console: as set, otherwise by the terminal's features.
+/// The look of the console: as configured, otherwise chosen by the terminal's capabilities.
 fn look(settings: &CliSettings) -> Look {
     let environment = Environment::of_process();
     Look {
@@ -252,7 +252,7 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
     })
 }
 
-/// The signing with the user's keys. If they cannot be used, a warning says why.
+/// A signer with the user's keys. If they cannot be used, a warning gives the reason.
 fn signer(settings: &CliSettings, warnings: &mut Vec<Text>) -> Signer {
     let opened = match &settings.data {
         Some(data) => KeyFile::open(data).map_err(|fault| Text::from(&fault)),
@@ -287,7 +287,7 @@ pub(super) fn open(options: ConsoleOptions, plain: bool) -> Result<ExitCode, Fai
             Box::pin(shell::run(options)).await.map(|()| true)
         }
     });
-    // The runtime does not wait for tasks that still wait for a socket.
+    // The runtime does not wait for tasks that are blocked on a socket.
     runtime.shutdown_background();
     Ok(ExitCode::from(u8::from(!outcome?)))
 }

@@ -23,7 +23,8 @@ impl FromStr for StartPlace {
         if !at.is_valid() {
             return Err("latitude is -90 to 90 and longitude -180 to 180".to_owned());
         }
-        // The limits are wider than the earth's surface, and far within what messages can carry.
+        // The limits are wider than the range of heights on the earth's surface, and well within
+        // the range of the messages.
         if !(-1000.0..=20_000.0).contains(&altitude_amsl_m) || !heading_deg.is_finite() {
             return Err(
                 "the height above sea level is -1000 to 20000 m, the heading a number of degrees"

@@ -1,7 +1,9 @@
-//! `sortie mcp`: tools for language models, by the Model Context Protocol over standard input and output.
+//! `sortie mcp`: tools for language models, by the Model Context Protocol over standard input and
+//! output.
 //!
-//! The parts below are pure; here are the threads that read, and the connection to the console. It is opened with the
-//! first call, and again with the first call after it was lost, because clients start the bridge before the console.
+//! The submodules do no input or output; this module contains the threads that read, and the
+//! connection to the console. The connection is opened with the first call, and again with the
+//! first call after it was lost, because clients start the bridge before the console.
 
 use std::io::{self, BufRead, Read as _, Write as _};
 use std::net::Shutdown;
@@ -25,7 +27,7 @@ mod tools;
 #[cfg(test)]
 mod tests;
 
-/// The maximum length of a line of the client, in bytes; what is beyond it is not read.
+/// The maximum length of a line from the client, in bytes; longer lines are cut off.
 const LONGEST_CLIENT_LINE: u64 = 1 << 20;
 /// The number of events that may wait for the bridge.
 const WAITING_EVENTS: usize = 16;
@@ -53,7 +55,7 @@ struct McpServer<'a> {
     bridge: Bridge,
     socket: &'a Path,
     events: SyncSender<McpEvent>,
-    /// Lines for the console, while it is connected.
+    /// The queue of lines for the console, while it is connected.
     console: Option<SyncSender<String>>,
 }
 

@@ -115,7 +115,7 @@ struct ListedRecord {
     /// The result of the mission, if it was flown to its end.
     #[serde(skip_serializing_if = "Option::is_none")]
     result: Option<ListedResult>,
-    /// Whether its console was killed: the journal has no end.
+    /// Whether the console was killed during the flight, so that the journal has no end.
     cut_off: bool,
     duration_s: Option<f64>,
     bytes: u64,
@@ -176,14 +176,15 @@ impl RecordsCommands<'_> {
         (1..).zip(self.records.list().into_iter().rev())
     }
 
-    /// The record with a number in the list, or of a file.
+    /// The record with this number in the list, or the one to which this file belongs.
     pub(super) fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
         self.settings.find_record(named)
     }
 
     /// A record for the list, with its number there; `None` for a file from elsewhere.
     fn listed(&self, number: Option<usize>, files: &RecordFiles) -> ListedRecord {
-        // The first and the last frame give the duration: a list of 200 records must not read all frames.
+        // The first and the last frame give the duration: a list of 200 records must not require
+        // reading all frames.
         let span = TlogSpan::of(files);
         let head = files.head().ok();
         let run = files.run_outline();
@@ -277,7 +278,7 @@ impl RecordsCommands<'_> {
         table
     }
 
-    /// A recording that has been read completely.
+    /// Reads a recording completely.
     fn read(&self, files: &RecordFiles) -> Result<Replay, Failure> {
         let Some(frames) = &files.frames else {
             let text = text!("replay-no-frames", file = files.stem.as_str());
@@ -342,7 +343,7 @@ fn result_of(record: &ListedRecord) -> Text {
     Text::joined(", ", [passed].into_iter().chain(medal).collect())
 }
 
-/// Whether a range of numbers ends before it begins: a slip, which must not delete anything.
+/// Whether a range of numbers ends before it begins. Such a typing error must not delete anything.
 fn is_reversed(range: &str) -> bool {
     let ends = range.split_once('-').and_then(|(first, last)| {
         let number = |word: &str| word.trim().parse::<usize>().ok();

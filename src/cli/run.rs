@@ -154,7 +154,7 @@ struct RunResultDocument<'a> {
     wall_time_s: Option<f64>,
 }
 
-/// Flies and prints. The exit code shows whether the mission was passed.
+/// Flies the mission and prints the debrief. The exit code shows whether the mission was passed.
 pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<ExitCode, Failure> {
     let started = Instant::now();
     let locale = Locale::new(settings.language());

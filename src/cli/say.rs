@@ -73,7 +73,7 @@ pub(super) fn say(arguments: &SayArguments) -> Result<ExitCode, Failure> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// Prints what becomes of a line; returns whether it was done for every vehicle.
+/// Prints the outcome of a line; returns whether it was done for every vehicle.
 fn follow(
     connection: &mut ApiConnection,
     arguments: &SayArguments,

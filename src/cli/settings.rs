@@ -29,13 +29,13 @@ use sources::{SettingPlace, SettingSources};
 /// The variable that names the configuration file.
 const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
 
-/// The variable that names the folder of the data.
+/// The variable that names the data folder.
 const DATA_VARIABLE: &str = "SORTIE_DATA";
 
 /// All settings and the files that they come from.
 #[derive(Debug)]
 pub(super) struct CliSettings {
-    /// Where the settings come from.
+    /// The source of each setting.
     pub sources: SettingSources,
     /// The typed values of the settings.
     pub config: Config,
@@ -49,7 +49,7 @@ pub(super) struct CliSettings {
     pub folders: Option<Folders>,
     /// The folder of profiles and recorded runs; `None` without one.
     pub data: Option<PathBuf>,
-    /// Whether the user named the folder of the data: the default one need not exist.
+    /// Whether the user named the data folder; the default one need not exist.
     pub is_data_named: bool,
     /// The faults of the files.
     pub faults: Vec<FileFault>,
@@ -159,7 +159,7 @@ impl CliSettings {
     /// It does not exist.
     pub fn require_data(&self, locale: &Locale) -> Result<(), Failure> {
         let named = self.data.as_ref().filter(|_| self.is_data_named);
-        // Without permission to look, the reading reports the reason.
+        // If the path cannot be checked for lack of permission, the later read reports the reason.
         let missing = named.filter(|data| data.try_exists().is_ok_and(|exists| !exists));
         missing.map_or(Ok(()), |data| {
             let text = text!("file-no-data", path = data.display().to_string());
@@ -167,7 +167,7 @@ impl CliSettings {
         })
     }
 
-    /// The administrator's settings. A fault there is reported, but does not prevent flying.
+    /// Reads the administrator's settings. A fault there is reported, but does not prevent flying.
     fn read_system_files(&mut self) {
         let files: Vec<PathBuf> = self
             .folders
@@ -266,7 +266,8 @@ impl CliSettings {
         Ok(())
     }
 
-    /// Relative paths of the section `hangar` in a configuration file are relative to that file.
+    /// Resolves relative paths in the section `hangar` against the folder of the configuration file
+    /// that contains them.
     fn place_hangar_files(&mut self) {
         let folders = [
             "arducopter",
@@ -293,8 +294,8 @@ impl CliSettings {
         }
     }
 
-    /// Lets the group read results, if that is set. The folder of another user is not changed. A missing folder is
-    /// created for a command that writes.
+    /// Lets the group read results, if so configured. Another user's folder is not changed. A
+    /// missing folder is created for a command that writes.
     pub fn share_results(&self, only_reads: bool) {
         if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data)
             && (!only_reads || data.is_dir())
@@ -348,7 +349,7 @@ impl CliSettings {
         }
     }
 
-    /// A fault of usage ends the command; any other is kept for a later report.
+    /// Returns a fault of usage, which ends the command; stores any other fault for a later report.
     fn told(&mut self, fault: FileFault, is_usage: bool) -> Result<(), Failure> {
         if is_usage {
             return Err(fault.failure());
@@ -390,7 +391,8 @@ fn read(path: &Path, kind: &'static str, is_named: bool) -> Result<Source, Store
     }
 }
 
-/// Checks a word of a setting whose type does not say enough: a macro, a theme, the log level.
+/// Checks a word of a setting whose valid values depend on more than its type: a macro, a theme,
+/// the log level.
 fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic> {
     let fault = |text| Err(Diagnostic::new(0..word.len(), text));
     match setting {

@@ -19,10 +19,10 @@ pub(super) struct ConsoleLine {
 }
 
 impl ConsoleLine {
-    /// The content as the type of its kind.
+    /// The content, deserialized into the type of its kind.
     ///
     /// # Errors
-    /// The console speaks another version of the interface.
+    /// The content does not fit the type, as from a console with another version of the interface.
     pub fn read<'a, T: Deserialize<'a>>(&'a self) -> Result<T, Failure> {
         T::deserialize(&self.content).map_err(|error| {
             Failure::Failed(anyhow::anyhow!("cannot read `{}`: {error}", self.text))

@@ -96,7 +96,8 @@ impl TextTable {
         text
     }
 
-    /// As comma-separated values (RFC 4180). Cells that a spreadsheet would take for formulas are made inert.
+    /// The table as comma-separated values (RFC 4180). Cells that a spreadsheet would take for
+    /// formulas are made inert.
     ///
     /// # Errors
     /// A row has more or fewer cells than there are columns.

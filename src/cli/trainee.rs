@@ -20,7 +20,7 @@ pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, 
     Ok(profiles)
 }
 
-/// The same for a command that only reads.
+/// The profiles of the data folder, for a command that only reads.
 ///
 /// # Errors
 /// A data folder that the user named does not exist, or its profiles cannot be read.

@@ -112,7 +112,7 @@ fn read_journal(files: &RecordFiles) -> (Option<Journal>, Vec<Text>) {
             return (None, vec![Text::joined(": ", vec![name.into(), fault])]);
         }
     };
-    // The run is compared with the journal as a part of the verdict.
+    // The run is compared with the journal as part of the verdict.
     let beside = JournalNeighbours {
         mission: None,
         first_unix_us: TlogSpan::of(files).map(|it| it.first_unix_us),
@@ -221,7 +221,8 @@ fn judge_run(
     })
 }
 
-/// Whether the mission in a record is that of this program, or one of the user. The head names it apart from its text.
+/// Whether the mission in a record is this program's or the user's own, and matches the id and the
+/// revision that the head states separately.
 fn is_known(head: &Head, mission: &Mission) -> bool {
     match store::mission_file(mission) {
         MissionFile::Course | MissionFile::Own => {
@@ -231,8 +232,8 @@ fn is_known(head: &Head, mission: &Mission) -> bool {
     }
 }
 
-/// The result for a flight that matches its record, which ends at a mission time without a score: it was left, as its
-/// journal states, or the record was cut off.
+/// The result for a flight that matches its record as far as it goes. It has no score: it was left,
+/// as its journal states, or the record was cut off.
 fn unfinished(stored: &Stored, to: Duration, is_left: bool) -> VerifyDocument {
     let head = &stored.head;
     let (mission, seed) = (head.mission.as_str(), head.seed.to_string());
@@ -249,7 +250,7 @@ fn unfinished(stored: &Stored, to: Duration, is_left: bool) -> VerifyDocument {
         (Verdict::VerifiedCut, cut)
     };
     VerifyDocument {
-        // The end would state the checksum.
+        // The checksum would be in the end of the record, which is missing.
         words: Text::joined("\n", vec![words, text!("verify-no-checksum")]),
         to_s: Some(to.as_secs_f64()),
         reliance: Reliance::Unfinished,
@@ -280,7 +281,7 @@ fn scored(stored: &Stored) -> Result<Rescored, Text> {
     stored.rescore(without_end(head.stake, head.flown_by))
 }
 
-/// The result for a flight that cannot be repeated: of ArduPilot, or without its inputs.
+/// The result for a flight that cannot be repeated: one with ArduPilot, or one without its inputs.
 fn rescored(stored: &Stored, program: String) -> Result<VerifyDocument, Text> {
     let Rescored { report, before } = scored(stored)?;
     let (score, backend) = (report.score, stored.head.backend);

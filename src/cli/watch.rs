@@ -33,7 +33,7 @@ fn topic_parser() -> impl TypedValueParser<Value = Topic> {
     PossibleValuesParser::new(names).try_map(|name| name.parse::<Topic>())
 }
 
-/// Prints what the console sends until it ends.
+/// Prints the console's messages until the connection ends.
 pub(super) fn watch(arguments: &WatchArguments) -> Result<ExitCode, Failure> {
     if arguments.schema {
         say!("{}", serde_json::to_string_pretty(&api::schema())?)?;

@@ -270,7 +270,8 @@ fn compare(
     Ok(ExitCode::SUCCESS)
 }
 
-/// Seats with equal requirements are merged. Exit code 1 if a design cannot do the task of a seat.
+/// Prints how well a design meets a mission's requirements; seats with equal ones are merged. Exit
+/// code 1 if the design cannot do the task of any seat.
 fn fit(design: &Design, mission: &Mission, locale: &Locale) -> Result<ExitCode, Failure> {
     let mut fits_somewhere = false;
     for need in mission.needs() {

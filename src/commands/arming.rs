@@ -67,7 +67,7 @@ impl ArmingCommand {
 const FORCE_DISARM: f32 = 21196.0;
 /// The magic number that makes ArduPilot arm regardless of its checks; [`FORCE_DISARM`] has the same effect.
 const FORCE_ARM: f32 = 2989.0;
-/// The parameter that arms rather than disarms.
+/// The value of parameter 1 that arms rather than disarms.
 const ARM: f32 = 1.0;
 
 /// The risk of a command by number, if it arms or disarms.

@@ -6,8 +6,9 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle};
 
-/// The state of a vehicle while a command is in effect. If it ends, another source controls the vehicle: another
-/// ground station, a failsafe, a pilot's stick, or the autopilot that disarms on its own.
+/// The state that a vehicle keeps while a command is in effect. If the state ends, something else
+/// controls the vehicle: another ground station, a failsafe, a pilot's stick, or the autopilot,
+/// which disarms on its own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Claim {
     mode: Option<Mode>,
@@ -28,7 +29,7 @@ impl Claim {
         self.mode.is_none() && self.armed.is_none()
     }
 
-    /// Its description: the state that shows that it holds.
+    /// A description of the claimed state.
     pub fn describe(&self) -> Text {
         match self.mode {
             Some(mode) => text!("effect-mode", mode = mode.to_string()),
@@ -37,7 +38,8 @@ impl Claim {
         }
     }
 
-    /// The contradiction in a few words: `by RTL`. `None` while it holds.
+    /// How the vehicle contradicts the claim, in a few words: `by RTL`. `None` while the claim
+    /// holds.
     pub fn contradicted(&self, vehicle: &Vehicle) -> Option<Text> {
         let now = vehicle.heartbeat?;
         if let Some(mode) = self.mode
@@ -57,7 +59,7 @@ impl Claim {
 }
 
 impl Command {
-    /// Its claim, given the vehicle when the command was sent.
+    /// The command's claim, given the vehicle when the command was sent.
     pub fn claim(&self, before: &Vehicle) -> Claim {
         match self {
             Self::Arming(command) => Claim {

@@ -46,7 +46,8 @@ pub enum Deed {
 }
 
 impl Deed {
-    /// Whether it has the same result for every vehicle, so that the first one does it for all.
+    /// Whether the command has the same result for every vehicle, so the first one carries it out
+    /// for all.
     pub fn is_of_all(&self) -> bool {
         match self {
             Self::Mark {
@@ -75,7 +76,7 @@ impl Deed {
 pub enum Subject {
     Spot(Spot),
     Contacts {
-        /// Only contacts seen by two kinds of sensors.
+        /// Whether to report only contacts seen by two kinds of sensors.
         confirmed: bool,
     },
 }

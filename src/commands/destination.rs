@@ -5,19 +5,19 @@ use crate::geo::LatLon;
 /// The destination of a `goto`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Destination {
-    /// A point on the earth; `None` keeps the current height.
+    /// A point on the earth.
     Global {
         at_point: LatLon,
         /// Metres above home; `None` keeps the height.
         altitude_m: Option<f64>,
     },
-    /// Metres from the EKF origin (`LOCAL_POSITION_NED`); `None` keeps the current height.
+    /// Metres from the EKF origin (`LOCAL_POSITION_NED`).
     Local {
         /// North of the origin.
         north_m: f64,
         /// East of the origin.
         east_m: f64,
-        /// Metres above the estimator's origin; `None` keeps the height.
+        /// Metres above the EKF origin; `None` keeps the height.
         up_m: Option<f64>,
     },
     /// Metres from the vehicle's position when the command is sent.

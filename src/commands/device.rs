@@ -10,7 +10,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// Outputs, and the autopilot as a device.
+/// Sets outputs, switches the fence, or reboots the autopilot.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DeviceCommand {
     /// Set a servo output.
@@ -64,7 +64,8 @@ impl DeviceCommand {
         }
     }
 
-    /// Why it needs a confirmation: with its fence off, nothing stops an armed vehicle at its limits.
+    /// The reason for a confirmation: with its fence off, nothing stops an armed vehicle at its
+    /// limits.
     pub(super) fn hazard(self, vehicle: &Vehicle) -> Option<Text> {
         let switches_off = self == Self::Fence { on: false };
         (switches_off && vehicle.armed()).then(|| text!("hazard-fence-off"))

@@ -62,11 +62,11 @@ pub(super) enum Watched {
     },
 }
 
-/// An item that a plan is to continue at.
+/// An item at which a plan is to continue.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct PlanAim {
     item: u16,
-    /// The current item before.
+    /// The current item before the command.
     before: u16,
     /// Whether a jump decides where the plan continues.
     jumps: bool,
@@ -108,7 +108,8 @@ fn is_flown(vehicle: &Vehicle) -> bool {
 }
 
 impl Effect {
-    /// Whether the effect shows; `None` if there is nothing to watch beyond the acceptance.
+    /// Whether the telemetry shows the effect; `None` if there is nothing to watch beyond the
+    /// acceptance.
     pub fn seen(&self, vehicle: &Vehicle) -> Option<bool> {
         Some(match &self.watched {
             Watched::Nothing => return None,
@@ -145,7 +146,7 @@ impl Effect {
         })
     }
 
-    /// How long to wait for it after the acceptance.
+    /// How long to wait for the effect after the acceptance.
     pub fn within(&self) -> Duration {
         self.within
     }
@@ -211,8 +212,8 @@ pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// Within a share of the height, limited to 1 to 1.5 m and to half the height, so that the ground does not count as
-/// reached. The time limit assumes 0.5 m/s.
+/// The effect of reaching a height: within a share of it, limited to 1 to 1.5 m and to half the
+/// height, so that the ground does not count as reached. The time limit assumes 0.5 m/s.
 pub(super) fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
     let tolerance_m = (share * altitude_m)
@@ -245,7 +246,8 @@ pub(super) fn yaw_effect(
     )
 }
 
-/// The time at a speed below the usual one, with time to accelerate and to settle.
+/// The time limit of a flight to a place: assumes a speed below the usual one, and adds time to
+/// accelerate and to settle.
 pub(super) fn travel_time(before: &Vehicle, place: TravelEnd) -> Duration {
     match separation(before, place) {
         Some((horizontal_m, vertical_m)) => patience(horizontal_m / 1.5 + vertical_m / 0.5 + 20.0),

@@ -118,7 +118,8 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
     }
 }
 
-/// A copter takes a speed only in modes that fly to places; in others it answers that it failed.
+/// The reason for a refused speed: a copter takes a speed only in modes that fly to places; in
+/// others it reports a failure.
 fn speed_reason(vehicle: &Vehicle) -> Option<Text> {
     let mode = vehicle.mode()?;
     let takes_speeds = SPEED_MODES.iter().any(|name| mode.is(name));

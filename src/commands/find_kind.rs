@@ -59,7 +59,8 @@ impl FindKind {
     }
 }
 
-/// The names of contacts without their numbers: of most, and of fires, which are numbered separately.
+/// The names of contacts without their numbers: `fire` for fires, which are numbered separately,
+/// and `c` for all others.
 pub const CONTACT_STEMS: [&str; 2] = ["c", "fire"];
 
 /// Whether a word is the name of a contact, such as `c3` or `fire12`.

@@ -24,9 +24,11 @@ pub enum FlightCommand {
         /// Height above home to climb to.
         altitude_m: f64,
     },
-    /// Land at the current position. Done on the ground in LAND; without names of modes, when it is accepted.
+    /// Land at the current position. Done once the vehicle is on the ground in LAND; if its modes
+    /// have no names, once it has accepted the command.
     Land,
-    /// Return and land at the launch position. Done on the ground in RTL; without names of modes, when it is accepted.
+    /// Return and land at the launch position. Done once the vehicle is on the ground in RTL; if
+    /// its modes have no names, once it has accepted the command.
     ReturnToLaunch,
     /// Stop and stay. A copter pauses in GUIDED and AUTO and enters BRAKE from other modes; a plane enters LOITER, a rover
     /// HOLD, a sub POSHOLD. A vehicle whose modes have no names is asked to pause.

@@ -6,7 +6,7 @@ use strum::{EnumString, VariantNames};
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum LogCommand {
     List,
-    /// Cancel all orders about logs; the parts of a log that were read are kept.
+    /// Cancel all log commands; the parts of a log that were read are kept.
     Stop,
     /// Copy logs from the vehicle into files.
     Download {
@@ -20,7 +20,7 @@ pub enum LogCommand {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LogChoice {
     Group(LogGroup),
-    /// The log of this number in the vehicle's list.
+    /// The log with this number in the vehicle's list.
     Number(u16),
 }
 

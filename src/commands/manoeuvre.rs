@@ -29,7 +29,7 @@ pub enum Manoeuvre {
         spacing_m: Option<f64>,
         /// Height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,
-        /// Its heading, degrees clockwise from north; `None` to follow the course.
+        /// The formation's heading, degrees clockwise from north; `None` to follow the course.
         face_deg: Option<f64>,
     },
     /// End a formation: all members stay where they are.
@@ -49,7 +49,7 @@ pub enum Manoeuvre {
         pattern: Pattern,
         /// The most likely position of the object.
         datum: Datum,
-        /// The radius of the search.
+        /// The radius of the search; `None` for the pattern's default.
         radius_m: Option<f64>,
         /// The spacing of the square's turns in metres; `None` as in [`Self::Survey`].
         spacing_m: Option<f64>,
@@ -58,7 +58,7 @@ pub enum Manoeuvre {
     },
     /// Form a chain between home and a distant end, to relay messages.
     Chain {
-        /// The far end, which has no vehicle of the chain.
+        /// The far end, where no vehicle of the chain is placed.
         to: FarEnd,
         /// Height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,
@@ -88,7 +88,7 @@ pub enum FarEnd {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Ground {
     Outline(Outline),
-    /// A rectangle along the axes, by two opposite corners.
+    /// A rectangle with sides along north and east, given by two opposite corners.
     Between(Datum, Datum),
     Around {
         centre: Datum,

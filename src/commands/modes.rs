@@ -4,7 +4,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Heartbeat, Mode, Vehicle, VehicleClass};
 
-/// The mode that holds the position; `None` if pausing does that.
+/// The mode in which the vehicle holds its position; `None` if it pauses in its current mode
+/// instead.
 pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
     let mode = vehicle.mode()?;
     match mode.class {
@@ -38,8 +39,8 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     })
 }
 
-/// A mode by name, or by a plain number; `None` if this vehicle has no such mode, or shows its modes by other numbers
-/// than those that set them, as autopilots other than `ArduPilot` do.
+/// A mode by name, or by a plain number; `None` if this vehicle has no such mode, or reports its
+/// modes with other numbers than those that set them, as autopilots other than `ArduPilot` do.
 pub(super) fn mode_named(vehicle: &Vehicle, name: &str) -> Option<Mode> {
     let heartbeat = vehicle.heartbeat.filter(Heartbeat::is_ardupilot)?;
     let class = heartbeat.mode.class;

@@ -46,7 +46,8 @@ pub enum Act {
 }
 
 impl Order {
-    /// Why it needs a confirmation although its verb does not, by the state of its vehicles.
+    /// Why the state of its vehicles requires a confirmation although the order's verb does not;
+    /// `None` if it requires none.
     pub fn hazard(&self, vehicles: &Vehicles) -> Option<Text> {
         let mut targets = self.targets.iter().filter_map(|id| vehicles.get(id));
         match &self.act {

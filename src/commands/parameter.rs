@@ -75,7 +75,7 @@ impl ParameterCommand {
     }
 }
 
-/// Whether a value is the typed one: exactly, or as its shortest notation (0.1).
+/// Whether a value equals the typed one, exactly or in its shortest decimal notation (0.1).
 pub fn is_written_so(value: f32, written: f64) -> bool {
     let differs = |value: f64| (value - written).abs() > 0.0;
     let shortest = value.to_string().parse().unwrap_or(f64::NAN);

@@ -15,7 +15,7 @@ pub struct PlanCommand {
     pub deed: PlanDeed,
 }
 
-/// Where a list comes from.
+/// The source of a list.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanSource {
     /// A file with this name.
@@ -23,7 +23,7 @@ pub enum PlanSource {
     /// A draft, or a plan that the console has made.
     Document {
         document: Arc<Document>,
-        /// What the row of the upload says about it besides the outcome.
+        /// A remark for the ledger row of the upload, in addition to the outcome.
         remark: Option<Text>,
     },
 }
@@ -41,9 +41,9 @@ impl PlanSource {
 /// An operation on a list.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanDeed {
-    /// Replace it with the list from a source.
+    /// Replace the list on board with that of a source.
     Upload { source: PlanSource },
-    /// Write it into a new file.
+    /// Write the list on board to a new file.
     Download { file: String },
     /// Remove all items of the list on board.
     Clear,
@@ -62,7 +62,8 @@ impl PlanDeed {
 }
 
 impl PlanCommand {
-    /// The change that it makes to the vehicle's setup, as far as it is known without reading a file.
+    /// The change that the command makes to the vehicle's setup, as far as it is known without
+    /// reading a file.
     pub fn setup(&self) -> Option<Setup<'_>> {
         if self.changes_limits() {
             return Some(Setup::Limits);
@@ -94,18 +95,18 @@ impl PlanCommand {
         self.kind == ListKind::Plan && self.deed.writes()
     }
 
-    /// Why it needs a confirmation for this vehicle now; `None` if it does not.
+    /// Why the command needs a confirmation for this vehicle now; `None` if it needs none.
     pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
         match self.deed {
             PlanDeed::Download { .. } | PlanDeed::Show => None,
-            // It is refused at once.
+            // The command is refused at once, so it needs no confirmation.
             PlanDeed::Clear if self.kind == ListKind::Plan && vehicle.flies_plan() => None,
             PlanDeed::Clear => vehicle.armed().then(|| text!("hazard-plan-armed")),
             PlanDeed::Upload { .. } => Self::replacing_hazard(vehicle),
         }
     }
 
-    /// Why a new plan needs a confirmation for this vehicle now; `None` if it does not.
+    /// Why replacing the plan needs a confirmation for this vehicle now; `None` if it needs none.
     pub fn replacing_hazard(vehicle: &Vehicle) -> Option<Text> {
         vehicle.flies_plan().then(|| text!("hazard-plan-auto"))
     }
@@ -121,7 +122,7 @@ pub struct ProtectedItem {
 }
 
 impl ProtectedItem {
-    /// The reason to refuse it in a flight that counts.
+    /// The reason to refuse the item in a flight that counts.
     pub fn refusal(self) -> Text {
         text!(
             "refused-protected-item",
@@ -172,8 +173,8 @@ mod tests {
         vehicle
     }
 
-    /// A command that is refused anyway needs no confirmation, and an upload asks for one itself if the list on board
-    /// is not known.
+    /// A command that is refused anyway needs no confirmation; an upload needs one if the list on
+    /// board is unknown.
     #[test]
     fn only_what_is_sent_needs_a_confirmation() {
         let command = |deed| PlanCommand {

@@ -27,7 +27,8 @@ pub enum PlanFlight {
     Goto { item: u16 },
     /// Stop on the way and hold position.
     Pause,
-    /// Continue in AUTO at the current item, or at another one; never at the first item because of `MIS_RESTART`.
+    /// Continue in AUTO at the current item, or at another one; never at the first item, even if
+    /// `MIS_RESTART` is set.
     Resume { item: Option<u16> },
     /// Continue at the item after the current one.
     Skip,
@@ -121,8 +122,8 @@ impl PlanFlight {
 
 /// The messages of a resumption, in order.
 ///
-/// `MIS_RESTART` lets AUTO begin at the first item, so the item is set again once AUTO is accepted. It is also set
-/// before, so that the vehicle does not begin a wrong leg.
+/// `MIS_RESTART` lets AUTO begin at the first item, so the item is set again once AUTO is accepted.
+/// The item is also set before AUTO, so that the vehicle does not begin a wrong leg.
 fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text> {
     carries_plan(vehicle)?;
     if !vehicle.armed() || vehicle.is_on_the_ground() {
@@ -157,7 +158,8 @@ fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text>
         }
         // Older autopilots do not report whether they pause.
         None => Ok(vec![go_on]),
-        // A vehicle that reaches its item while it slows down for a pause stands, and reports the next item as active.
+        // A vehicle that reaches its item while slowing down for a pause stands still, and reports
+        // the next item as active.
         Some(PlanPhase::Active) if stands(vehicle) => Ok(vec![go_on]),
         Some(PlanPhase::Active | PlanPhase::Paused | PlanPhase::NoPlan) => {
             Err(text!("refused-plan-flown", item = progress.current))
@@ -171,7 +173,7 @@ fn stands(vehicle: &Vehicle) -> bool {
     speed_m_s.is_some_and(|speed_m_s| speed_m_s < STANDING_M_S)
 }
 
-/// `DO_SET_MISSION_CURRENT`; `resets` forgets the jumps and begins a plan that has stopped.
+/// `DO_SET_MISSION_CURRENT`; with `resets`, it resets the jumps and begins a plan that has stopped.
 fn set_item(item: u16, resets: bool) -> LongFields {
     let given = [f32::from(item), f32::from(u8::from(resets))];
     LongFields::new(MavCmd::MAV_CMD_DO_SET_MISSION_CURRENT, &given)

@@ -6,13 +6,13 @@ use super::encode::LongFields;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum QueryCommand {
-    /// Ask for a message at a rate on this link.
+    /// Request a message at a rate on this link.
     Interval {
         message: u32,
         /// The rate in Hz; 0 stops the message.
         rate_hz: f64,
     },
-    /// Ask for a message once.
+    /// Request a message once.
     Request { message: u32 },
 }
 

@@ -15,7 +15,7 @@ pub enum Answer {
     Ack(u16),
     /// `PARAM_VALUE` of this parameter.
     Parameter(String),
-    /// No answer (setpoints): only the effect shows.
+    /// No answer (setpoints): success is visible only in the effect.
     None,
 }
 
@@ -28,7 +28,7 @@ pub struct Request {
     pub speeds: Vec<Outgoing>,
     /// The answer to wait for.
     pub answer: Answer,
-    /// Sent once after a [`Repeat`]: a velocity ends with a stop.
+    /// The message sent once after a [`Repeat`], such as the stop after a velocity.
     pub closing: Option<Outgoing>,
     /// The request that follows once this one is accepted.
     pub next: Option<Box<Request>>,

@@ -13,10 +13,11 @@ use crate::text::Text;
 use crate::vehicle::{LandedState, Vehicle, VehicleClass};
 use crate::wire::Outgoing;
 
-/// The minimum height above home of a setpoint: below it the vehicle flies into the ground.
+/// The minimum height of a setpoint above home; any lower, the vehicle would fly into the ground.
 const LOWEST_M: f64 = 0.5;
-/// A setpoint would abort a takeoff below this height above home, or while it climbs faster than [`TAKEOFF_CLIMB_M_S`].
-/// Near its end it slows down (to about 1 m/s at 90 % of the height), and a setpoint no longer does harm.
+/// Below this height above home, or while the vehicle climbs faster than [`TAKEOFF_CLIMB_M_S`], a
+/// setpoint would abort a takeoff. Near the end of a takeoff the climb slows down (to about 1 m/s
+/// at 90 % of the height), and a setpoint does no harm.
 const TAKEOFF_BELOW_M: f64 = 1.5;
 const TAKEOFF_CLIMB_M_S: f32 = 1.5;
 /// A vehicle that climbs faster than this has left the ground, whatever its status.
@@ -51,7 +52,7 @@ pub(super) fn goto(
     }
 }
 
-/// `ArduPlane` flies to a point only with `DO_REPOSITION`.
+/// A `DO_REPOSITION`, the only command with which `ArduPlane` flies to a point.
 fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Text> {
     let (point, altitude_m) = match destination {
         Destination::Global {
@@ -70,7 +71,7 @@ fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Te
             return Err(text!("refused-plane"));
         }
     };
-    // Default speed (-1), stay in or change to GUIDED (1).
+    // Parameters 1 and 2: the default speed (-1); stay in or change to GUIDED (1).
     let fields = IntFields::at(
         MavCmd::MAV_CMD_DO_REPOSITION,
         FRAME_RELATIVE,
@@ -135,7 +136,8 @@ fn height_of(vehicle: &Vehicle, down_m: f64) -> f64 {
     }
 }
 
-/// Refuses setpoints outside GUIDED, disarmed, or before takeoff, which the autopilot would ignore silently.
+/// Refuses setpoints that the autopilot would silently ignore: outside GUIDED, disarmed, or before
+/// takeoff.
 pub(super) fn needs_guided(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     let id = vehicle.id;
     let Some(heartbeat) = vehicle.heartbeat else {
@@ -232,12 +234,12 @@ fn local(vehicle: &Vehicle) -> Result<[f64; 3], Text> {
         .ok_or_else(|| text!("refused-no-position"))
 }
 
-/// A request without an answer.
+/// A request that expects no answer.
 pub(super) fn setpoint(message: Result<Outgoing, Text>) -> Result<Request, Text> {
     Ok(Request::new(message?, Answer::None))
 }
 
-/// A place to fly to, with the speeds.
+/// A request to fly to a place, followed by the commanded speeds.
 pub(super) fn place(message: Result<Outgoing, Text>, vehicle: &Vehicle) -> Result<Request, Text> {
     let mut request = setpoint(message)?;
     request.speeds = speeds::asked_again(vehicle)?;
@@ -250,7 +252,7 @@ pub struct Setpoint {
     pub at_point: LatLon,
     /// Height above home in metres.
     pub altitude_m: f64,
-    /// The velocity of that place: north, east, down in m/s; `None` if it is fixed.
+    /// The velocity of `at_point`: north, east, down in m/s; `None` if the point is fixed.
     pub velocity_m_s: Option<[f64; 3]>,
 }
 
@@ -258,7 +260,7 @@ impl Setpoint {
     /// The message for a vehicle.
     ///
     /// # Errors
-    /// A text if it would lead into the ground or is not a place.
+    /// A text if the setpoint would lead into the ground or its point is not valid.
     pub fn message(&self, vehicle: &Vehicle) -> Result<Outgoing, Text> {
         above_ground(vehicle, self.altitude_m)?;
         match self.velocity_m_s {

@@ -6,7 +6,7 @@ use super::{Datum, Ground, Pattern};
 use crate::geo::LatLon;
 use crate::plan::generate::Course;
 
-/// The joint task of the plans of several vehicles.
+/// A task that the plans of several vehicles share.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PlanTask {
     /// Parallel lines over an area.
@@ -14,7 +14,7 @@ pub enum PlanTask {
         ground: Ground,
         /// The line spacing in metres; `None` as in [`Manoeuvre::Survey`](super::Manoeuvre::Survey).
         spacing_m: Option<f64>,
-        /// Height above home; `None` for the usual one.
+        /// Height above home in metres; `None` for the default.
         up_m: Option<f64>,
         /// The direction of the lines.
         course: Course,
@@ -24,35 +24,35 @@ pub enum PlanTask {
         pattern: Pattern,
         /// The most likely position of the object.
         datum: Datum,
-        /// The radius of the search.
+        /// The radius of the search in metres; `None` for the default of the pattern.
         radius_m: Option<f64>,
         /// The spacing of the square's turns in metres; `None` as for a survey.
         spacing_m: Option<f64>,
-        /// Height above home; `None` for the usual one.
+        /// Height above home in metres; `None` for the default.
         up_m: Option<f64>,
     },
     /// A lane for each vehicle, side by side along a line.
     Line {
-        /// The places of the line.
+        /// The points of the line, in order.
         points: Vec<LatLon>,
-        /// The distance between lanes; `None` for the width that the sensor covers.
+        /// The distance between lanes in metres; `None` for the width that the sensor covers.
         spacing_m: Option<f64>,
-        /// Height above home; `None` for the usual one.
+        /// Height above home in metres; `None` for the default.
         up_m: Option<f64>,
     },
     /// Circles around a place.
     Orbit {
         centre: Datum,
         radius_m: f64,
-        /// The number of turns; `None` for the usual one.
+        /// The number of turns; `None` for the default.
         turns: Option<u8>,
-        /// Height above home; `None` for the usual one.
+        /// Height above home in metres; `None` for the default.
         up_m: Option<f64>,
     },
 }
 
 impl PlanTask {
-    /// Its height above home, in metres; `None` for the usual one.
+    /// Its height above home in metres; `None` for the default.
     pub fn up_m(&self) -> Option<f64> {
         match self {
             Self::Survey { up_m, .. }

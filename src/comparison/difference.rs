@@ -13,7 +13,8 @@ use crate::text::{Text, clock, rounded};
 /// One difference between two flights.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Difference {
-    /// The mission time at which it first shows; `None` if it is only known at the end.
+    /// The mission time at which the flights first differ; `None` if the difference is known only
+    /// at the end.
     pub at: Option<Duration>,
     /// The subject of the difference.
     pub what: Text,

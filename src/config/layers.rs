@@ -327,7 +327,7 @@ fn words(value: &Spanned<DeValue<'_>>) -> Vec<Spanned<String>> {
     }
 }
 
-/// A value without positions; `None` if a reported syntax error has left nothing of it.
+/// A value without positions; `None` if a syntax error, which has been reported, left no value.
 fn plain(value: Spanned<DeValue<'_>>) -> Option<Value> {
     Value::deserialize(ValueDeserializer::from(value)).ok()
 }

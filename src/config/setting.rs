@@ -13,7 +13,7 @@ use crate::vehicle_id::VehicleIds;
 /// A setting of the configuration, with its valid values.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Setting {
-    /// Its name with its section, `alerts.bell`.
+    /// Its name with its section, such as `alerts.bell`.
     pub name: &'static str,
     pub kind: SettingKind,
     /// The environment variable that sets the value.
@@ -276,12 +276,12 @@ const fn setting(
 }
 
 impl Setting {
-    /// The range of frames per second.
+    /// The minimum number of frames per second.
     pub const FPS_LEAST: i64 = 1;
     /// The maximum number of frames per second.
     pub const FPS_MOST: i64 = 60;
 
-    /// The setting with a name.
+    /// The setting with this name; `None` if there is none.
     pub fn named(name: &str) -> Option<&'static Self> {
         SETTINGS.iter().find(|setting| setting.name == name)
     }
@@ -305,7 +305,7 @@ impl SettingKind {
     /// Checks the type of a value in a file; [`Self::check_word`] checks its words.
     ///
     /// # Errors
-    /// The value has another type; the span is left empty.
+    /// The value has the wrong type; the span of the fault is empty.
     pub fn check(self, value: &Value) -> Result<(), Diagnostic> {
         let fits = match (self, value) {
             (Self::OneOf(choices), Value::String(word)) => {
@@ -369,7 +369,7 @@ impl SettingKind {
         }
     }
 
-    /// The value of a word of the environment or the command line; `None` if it has another type.
+    /// Parses a word from the environment or the command line; `None` if it has the wrong type.
     pub fn read(self, word: &str) -> Option<Value> {
         let value = match self {
             Self::OneOf(_) | Self::Text => Value::String(word.to_owned()),
@@ -396,7 +396,7 @@ impl SettingKind {
         self.check(&value).ok().map(|()| value)
     }
 
-    /// The expected value, as text.
+    /// A description of the valid values.
     pub fn expected(self) -> Text {
         match self {
             Self::OneOf(choices) => text!("config-expected-word", choices = choices.join(", ")),

@@ -57,7 +57,7 @@ pub enum Column {
     Used,
     /// Horizontal dilution of precision.
     Hdop,
-    /// Round trip of a message.
+    /// Round-trip time of a message.
     #[strum(serialize = "ping")]
     RoundTrip,
     /// The worst test ratio of the EKF.
@@ -66,7 +66,7 @@ pub enum Column {
     Vibration,
     /// The plan item that is being flown.
     Item,
-    /// The distance and the time to the place of that item.
+    /// The distance and the time to the plan item that is being flown.
     Next,
     /// The time to the end of the plan.
     End,
@@ -84,7 +84,7 @@ pub enum Column {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TableSort {
     pub column: Column,
-    /// Whether the largest comes first.
+    /// Whether the largest value comes first.
     pub reversed: bool,
 }
 
@@ -103,7 +103,7 @@ impl Column {
     /// The column with this name.
     ///
     /// # Errors
-    /// There is no such column; the place is the whole word.
+    /// There is no such column; the span covers the whole word.
     pub fn read(word: &str) -> Result<Self, Diagnostic> {
         word.parse().map_err(|_| {
             Diagnostic::new(0..word.len(), text!("fly-no-column", word = word))
@@ -123,7 +123,7 @@ impl TableSort {
     /// Reads `bat`, or `-bat` for the largest first.
     ///
     /// # Errors
-    /// There is no such column; the place is the whole word.
+    /// There is no such column; the span covers the whole word.
     pub fn read(word: &str) -> Result<Self, Diagnostic> {
         let name = word.strip_prefix('-');
         let column = Column::read(name.unwrap_or(word)).map_err(|fault| Diagnostic {
@@ -162,7 +162,7 @@ impl<'de> Deserialize<'de> for Column {
     }
 }
 
-/// The default order is not written.
+/// Writes the default order as an empty string.
 impl Serialize for TableSort {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         if *self == Self::default() {

@@ -22,7 +22,8 @@ const REBOOT_US: u64 = 2_000_000;
 const SAME_BOOT_US: u64 = 5_000_000;
 /// The time within which telemetry shows that the vehicle was armed.
 const ARMING_US: u64 = 3_000_000;
-/// The maximum number of armings of a log, and of a recording, that are compared: any pair of them may match.
+/// The maximum number of armings that are compared, both of a log and of a record: any pair of them
+/// may match.
 pub(super) const MOST_ARMINGS: usize = 100;
 /// The minimum time between the readings of a clock that are kept.
 const EVERY_US: u64 = 200_000;
@@ -41,7 +42,7 @@ struct AutopilotStart {
 #[derive(Debug, Clone, Default)]
 pub struct VehicleClock {
     boots: Vec<AutopilotStart>,
-    /// When it was armed, from the beginning of the record, in microseconds.
+    /// When it was armed, in microseconds from the beginning of the record.
     armed_us: Vec<u64>,
     is_armed: Option<bool>,
 }
@@ -52,7 +53,7 @@ pub struct VehicleClock {
 pub enum AlignedBy {
     /// The time since boot in telemetry; GPS time shows that it is the same boot.
     GpsTime,
-    /// The time since boot in telemetry; both contain the time at which the vehicle was armed.
+    /// The time since boot in telemetry; log and record agree on when the vehicle was armed.
     BootTime,
     /// The time since boot in telemetry alone: nothing shows that it is the same flight.
     BootTimeOnly,
@@ -71,11 +72,11 @@ pub struct Alignment {
 /// Why a log does not belong to a record.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Misfit {
-    /// They share no boot of the autopilot, or no part of one.
+    /// Log and record share no boot of the autopilot, or cover different parts of it.
     NoCommonTime,
-    /// At their common time, only one of them arms the vehicle.
+    /// In the time that both cover, the vehicle is armed in only one of them.
     OtherArming,
-    /// At their common time, the vehicle is in other modes or at another position.
+    /// In the time that both cover, the vehicle's modes or positions differ.
     OtherCourse(Disagreement),
 }
 
@@ -283,7 +284,7 @@ impl Alignment {
         }
     }
 
-    /// The part of a log's time that is in the record, in microseconds; `None` if none is.
+    /// How long log and record overlap, in microseconds; `None` if they do not.
     fn common_us(&self, flight: &LoggedFlight) -> Option<u64> {
         let (from, to) = flight.span_us?;
         let (first, last) = (self.places.first()?.0, self.places.last()?.0);
@@ -309,7 +310,7 @@ impl Alignment {
         let Some((boot, at)) = after else {
             return Some(before.1 + since);
         };
-        // Between two messages, time is taken to pass evenly.
+        // Between two messages, time is assumed to pass evenly.
         let share = since as f64 / (boot - before.0) as f64;
         let passed = at.saturating_sub(before.1) as f64 * share;
         Some(before.1 + passed as u64)

@@ -1,5 +1,5 @@
-//! The modes and positions of a vehicle over time, according to a log or to telemetry. Two flights that were armed at
-//! the same time since boot differ in them.
+//! The modes and positions of a vehicle over time, according to a log or to telemetry. They
+//! distinguish two flights that were armed at the same time since boot.
 
 use crate::geo::LatLon;
 
@@ -72,8 +72,9 @@ impl Course {
         is_certain(telemetry.places.iter().filter_map(elsewhere)).then_some(Disagreement::Position)
     }
 
-    /// The modes of a log around a time; `None` until [`LAG_US`] after its first mode, and after its last mode and
-    /// position: a log without positions covers the time until its last change of the mode.
+    /// The modes of a log around a time; `None` before [`LAG_US`] after its first mode, and after
+    /// its last mode or position, whichever is later. A log without positions covers only the time
+    /// until its last change of mode.
     fn modes_around(&self, boot_us: u64) -> Option<impl Iterator<Item = u32>> {
         let last_place_us = self.places.last().map(|it| it.boot_us);
         let last_us = last_place_us.max(self.modes.last().map(|it| it.boot_us));
@@ -87,7 +88,7 @@ impl Course {
         Some(around.iter().map(|it| it.mode))
     }
 
-    /// The position within a second of a time.
+    /// The position closest to a time; `None` if it is more than a second away.
     fn place_at(&self, boot_us: u64) -> Option<LatLon> {
         let next = self.places.partition_point(|it| it.boot_us < boot_us);
         let around = &self.places[next.saturating_sub(1)..];
@@ -120,7 +121,7 @@ mod tests {
         seconds * 1_000_000
     }
 
-    /// A flight of a minute at 10 m/s to the north, switched to RTL at a time.
+    /// A one-minute flight north at 10 m/s, switched to RTL after `rtl_s` seconds.
     fn flown(rtl_s: u64, from_east_m: f64) -> Course {
         let start = LatLon::new(50.0, 30.0).moved(0.0, from_east_m);
         let mut course = Course::default();

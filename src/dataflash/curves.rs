@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-/// The maximum of a reading, in any unit.
+/// Readings of at least this size, in any unit, are ignored.
 const MOST: f64 = 1e6;
 
 /// A reading of a log that is shown as a curve.

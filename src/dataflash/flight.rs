@@ -20,7 +20,7 @@ pub enum LoggedEvent {
         name: String,
         reason: Option<String>,
     },
-    /// Part of the autopilot reported an error, or its end.
+    /// A subsystem of the autopilot reported an error, or that an error has ended.
     Error {
         subsystem: String,
         code: String,

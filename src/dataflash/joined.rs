@@ -67,7 +67,7 @@ impl JoinedLog {
     /// Reads the JSON that [`to_json`](Self::to_json) wrote.
     ///
     /// # Errors
-    /// A text if it is something else, or comes from a later version.
+    /// A text if it is not such JSON, or comes from a later version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let joined: Self = serde_json::from_str(text)
             .map_err(|error| text!("log-join-unreadable", error = error.to_string()))?;

@@ -160,7 +160,7 @@ const REASONS: &[(u8, &str)] = &[
     (52, "DDS_COMMAND"),
 ];
 
-/// The meaning of the errors of a part (`ERR.ECode`) that has its own codes.
+/// The error codes (`ERR.ECode`) of the subsystems that have codes of their own.
 const CODES: &[(&str, u8, &str)] = &[
     ("CRASH_CHECK", 1, "CRASH"),
     ("CRASH_CHECK", 2, "LOSS_OF_CONTROL"),
@@ -195,7 +195,7 @@ pub(super) fn event(id: u8) -> String {
     named(EVENTS, id).map_or_else(|| id.to_string(), str::to_owned)
 }
 
-/// The names of an error: the part, and its fault.
+/// The names of an error: its subsystem, and its code.
 pub(super) fn error(subsystem: u8, code: u8) -> (String, String) {
     let Some(part) = named(SUBSYSTEMS, subsystem) else {
         return (subsystem.to_string(), code.to_string());

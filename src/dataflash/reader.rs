@@ -5,15 +5,15 @@ use std::sync::Arc;
 /// Every record begins with these bytes.
 const HEAD: [u8; 2] = [0xA3, 0x95];
 const HEAD_LEN: usize = 3;
-/// The type of the records that define the format of the others (`FMT`), and their length.
+/// The type of format records (`FMT`), which define the other records, and their length.
 const FORMAT: u8 = 0x80;
 const FORMAT_LEN: usize = 89;
 
-/// The format of a type of records.
+/// The format of one type of record.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Format {
     pub name: String,
-    /// The size of a record with its head, in bytes.
+    /// The size of a record in bytes, including its header.
     length: usize,
     /// The columns: name, letter of its type, position in the record.
     columns: Vec<(String, u8, usize)>,
@@ -70,7 +70,7 @@ impl Record<'_> {
         Some((*letter, bytes))
     }
 
-    /// A number, with its scale; `None` if there is no such column, or it is not a number.
+    /// The number in a column, scaled; `None` if there is no such column or it is not a number.
     pub fn number(&self, label: &str) -> Option<f64> {
         let (letter, bytes) = self.column(label)?;
         let value = match letter {
@@ -94,12 +94,12 @@ impl Record<'_> {
         value.is_finite().then_some(value)
     }
 
-    /// Its size with its head, in bytes.
+    /// Its size in bytes, including its header.
     pub fn len(&self) -> usize {
         self.bytes.len()
     }
 
-    /// A small whole number.
+    /// The number in a column as a byte; `None` if it does not fit or is missing.
     pub fn byte(&self, label: &str) -> Option<u8> {
         let value = self.number(label)?;
         (0.0..=255.0).contains(&value).then_some(value as u8)

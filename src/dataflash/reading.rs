@@ -27,7 +27,7 @@ const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
 const KNOWN: &[&str] = &[
     "PARM", "MODE", "ERR", "EV", "VIBE", "XKF4", "NKF4", "BAT", "GPS", "POS", "MSG",
 ];
-/// Milliseconds of the Unix epoch at which GPS time began (1980-01-06), and the leap seconds since.
+/// The Unix time at which GPS time began (1980-01-06), in milliseconds, and the leap seconds since.
 const GPS_EPOCH_MS: f64 = 315_964_800_000.0;
 const LEAP_MS: f64 = 18_000.0;
 const WEEK_MS: f64 = 7.0 * 24.0 * 3600.0 * 1000.0;
@@ -99,7 +99,7 @@ impl LogReading {
         if !KNOWN.contains(&record.format.name.as_str()) {
             return;
         }
-        // Bytes that only look like a record may have any time.
+        // Bytes that only look like a record may contain any time.
         if now.abs_diff(self.reference_us) > LONGEST_US {
             self.flight.damage.skipped += record.len();
             return;

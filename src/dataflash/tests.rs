@@ -175,7 +175,8 @@ fn bytes_between_records_are_counted_and_passed_over() {
 
 #[test]
 fn a_format_that_makes_no_sense_describes_nothing() {
-    // A length below that of the head, and letters that do not add up to the length.
+    // Invalid formats: a length below that of the head, and letters that do not add up to the
+    // length.
     for (length, letters) in [(2_u8, "QB"), (255, "QB"), (12, "Q?")] {
         let mut log = Maker::with_formats();
         log.0.extend([0xA3, 0x95, 0x80, 4, length]);

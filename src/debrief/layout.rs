@@ -10,7 +10,7 @@ pub(super) fn clock(seconds: f64) -> String {
     format!("{:02}:{:02}", whole / 60, whole % 60)
 }
 
-/// Text of exactly `width` columns: padded, or cut with a mark.
+/// Text of exactly `width` columns: padded, or cut and marked with `~`.
 pub fn fit(text: &str, width: usize) -> String {
     let text = sanitised(text);
     let used = text.width();

@@ -48,7 +48,8 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// Lists the number of objects found, and the places of the others.
+    /// Writes the number of objects found, the area that was never searched, and the places of
+    /// missed objects.
     fn missed(&mut self, truth: &TruthReport) {
         let real = truth.objects.iter().filter(|object| is_asked(object));
         let (found, missed): (Vec<&ObjectReport>, Vec<_>) = real.partition(|object| object.found);

@@ -122,7 +122,8 @@ impl DebriefPage<'_> {
     }
 }
 
-/// Whether a component counts as a success. The objectives do not if one is missed, even if they earned many points.
+/// Whether a component counts as a success. The objectives do not count if one was missed, even if
+/// they earned many points.
 fn is_praise(component: &ComponentReport, report: &Report) -> bool {
     component.component != Component::Objective || report.objectives.iter().all(|it| it.met)
 }

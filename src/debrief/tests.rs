@@ -102,7 +102,7 @@ fn every_end_of_a_flight_is_named_at_the_top() {
     }
 }
 
-/// *Good* lists only deeds; the objectives are listed only if all of them were met.
+/// *Good* lists only actions; the objectives appear only if all of them were met.
 #[test]
 fn praise_is_for_what_was_done() {
     let good = |report: &Report| {

@@ -7,12 +7,12 @@ use crate::scoring::{AlertReport, EventKind, EventReport, EventSubject, LedgerRe
 use crate::text;
 use crate::text::Text;
 
-/// Columns of the strip of time.
+/// The width of the time strip, in columns.
 const STRIP: usize = 60;
 /// With more rows than this, successful commands are left out of the timeline.
 const ROWS: usize = 40;
 
-/// The subject of a row. Later marks are drawn over earlier ones in the strip of time.
+/// The subject of a row. Later marks are drawn over earlier ones in the time strip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TimelineMark {
     /// A command that was accepted.

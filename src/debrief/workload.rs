@@ -1,4 +1,4 @@
-//! The operator's workload as strips of time. It is shown, but not scored.
+//! The operator's workload as time strips. It is shown, but not scored.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use crate::scoring::{Report, WorkloadReport};
 use crate::text;
 use crate::text::{Locale, Text};
 
-/// Columns before a strip, and of its longest label.
+/// Columns before a strip, and the width of its longest label.
 const LEAD: usize = 2;
 const LABEL: usize = 11;
 const STRIP: usize = 60;
@@ -125,7 +125,7 @@ fn digit(value: u32) -> char {
     }
 }
 
-/// The figures of the workload as sentences, besides its curves.
+/// The figures of the workload that its curves do not show, as sentences.
 pub fn workload_words(workload: &WorkloadReport) -> Vec<Text> {
     let last = |times: &[f64]| format!("{:.0}", times.last().copied().unwrap_or(0.0));
     let mut words = vec![text!(

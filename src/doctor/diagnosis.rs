@@ -19,9 +19,9 @@ const QUERY_EVERY: Duration = Duration::from_secs(5);
 const MISTAKEN: f64 = 0.001;
 /// The maximum number of queries to wait for, however many frames the link loses.
 const MOST_QUERIES: u32 = 60;
-/// How long a vehicle may take to answer, at least.
+/// The minimum time that a vehicle is given to answer.
 const ANSWER_WITHIN: Duration = Duration::from_secs(12);
-/// The silence after which a vehicle that has answered before counts as one-way, at least.
+/// The minimum silence after which a vehicle that has answered before counts as one-way.
 const ANSWERS_AGAIN_WITHIN: Duration = Duration::from_secs(30);
 /// The maximum number of vehicles without an answer that are listed by number.
 const MOST_NAMED: usize = 3;
@@ -38,9 +38,10 @@ const MOST_LOST: f64 = 0.10;
 const TWO_HEARTBEATS_HZ: f64 = 1.5;
 /// A vehicle that has changed its port is heard on both for less than this; two vehicles are heard for longer.
 const BOTH_FOR: Duration = Duration::from_secs(6);
-/// The minimum number of garbage bytes that count as noise, not as a start in the middle of a frame.
+/// The minimum number of garbage bytes that count as noise; fewer may be the rest of a frame that
+/// began before the link was opened.
 const NOISE_ENOUGH: u64 = 40;
-/// The number of frames of unknown messages that is not an accident.
+/// The minimum number of frames with unknown messages that is not a coincidence.
 const FOREIGN_ENOUGH: u64 = 3;
 
 /// A finding about a link.
@@ -67,7 +68,7 @@ pub enum Weight {
 /// Why a link does or does not work.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Cause {
-    /// The link is not open; its own error says why.
+    /// The link is not open; its own error gives the reason.
     NotOpen,
     /// Nothing arrives at all.
     Nothing,
@@ -82,7 +83,7 @@ pub enum Cause {
     ForeignMessages(u8),
     /// Ground stations are heard, but no vehicle.
     OnlyGroundStations,
-    /// All frames are heartbeats with the console's own address.
+    /// All frames are heartbeats with the console's own ids.
     OwnEcho,
     /// Components such as cameras are heard, but no autopilot.
     NoAutopilot,
@@ -94,7 +95,7 @@ pub enum Cause {
     SignedButAnswers(SystemId),
     /// Unsigned frames arrive in the name of a vehicle that should sign.
     Unsigned(SystemId),
-    /// Frames arrive in the name of a vehicle that are not signed with its key.
+    /// Frames that are not signed with a vehicle's key arrive in its name.
     WrongKey(SystemId),
     /// Frames of a vehicle arrive again, or its time stamps are this many seconds behind.
     OldStamps(SystemId, u64),
@@ -106,7 +107,7 @@ pub enum Cause {
     Noise(u8),
     /// The vehicle supports only MAVLink 1.
     Version1(SystemId),
-    /// Another ground station, with these ids, is heard beside a vehicle.
+    /// Another ground station, with these ids, is heard in addition to a vehicle.
     OtherStation(SystemId, ComponentId),
     /// This share of the frames arrives damaged, in percent.
     Damaged(u8),
@@ -280,18 +281,18 @@ fn strangers(chart: &Chart) -> Cause {
     }
 }
 
-/// The number of queries in a row that a vehicle which answers almost never misses, if this share of the frames is lost
-/// in each direction.
+/// The number of consecutive queries that an answering vehicle almost never misses, if this share
+/// of the frames is lost in each direction.
 fn queries_without_doubt(lost: f64) -> u32 {
     let answered = (1.0 - lost) * (1.0 - lost);
-    // The limits are those of no loss and of total loss.
+    // The lower limit is that of no loss; the upper one keeps the logarithm below 0 at total loss.
     let missed = (1.0 - answered).clamp(0.0, 0.99);
     let queries = (maths::ln(MISTAKEN) / maths::ln(missed)).ceil();
     queries.min(f64::from(MOST_QUERIES)) as u32
 }
 
-/// The finding about whether a vehicle answers the console's messages, of which `queries` have to be unanswered; `None`
-/// if there is nothing to report.
+/// The finding about whether a vehicle answers the console's messages: it does not if at least
+/// `queries` messages are unanswered. `None` if there is nothing to report.
 fn answering(chart: &Chart, sender: &Sender, queries: u32) -> Option<Cause> {
     let (way, system) = (chart.way(), sender.source.system);
     let is_foreign = sender.signed && !last_keyed(chart).contains(&system);
@@ -313,8 +314,8 @@ fn answering(chart: &Chart, sender: &Sender, queries: u32) -> Option<Cause> {
     })
 }
 
-/// The share of the vehicles' frames that are missing. Other ground stations are not counted, since vehicles forward
-/// only some of their frames.
+/// The share of the vehicles' frames that is missing. Other ground stations are not counted, since
+/// vehicles forward only some of their frames.
 fn lost_share(chart: &Chart) -> f64 {
     let vehicles: BTreeSet<SystemId> = autopilots(chart)
         .map(|sender| sender.source.system)
@@ -331,7 +332,8 @@ fn lost_share(chart: &Chart) -> f64 {
     share(lost, came + lost)
 }
 
-/// Ground stations that are heard beside a vehicle and can command it, too; none in a recording.
+/// Ground stations that are heard in addition to a vehicle and can command it, too; none in a
+/// recording.
 fn other_stations(chart: &Chart) -> impl Iterator<Item = Cause> {
     let senders = chart.senders().iter();
     let stations = senders
@@ -367,8 +369,8 @@ fn quality(change: &ChartChange, lost: f64) -> Vec<Cause> {
     causes
 }
 
-/// System ids that two vehicles have, and the links on which they are heard. Two vehicles at one end of a link show as
-/// a double heartbeat rate and sequence numbers that jump to and fro.
+/// System ids that two vehicles share, and the links on which they are heard. Two vehicles at one
+/// end of a link show up as a doubled heartbeat rate and sequence numbers that jump back and forth.
 fn duplicates(charts: &[Chart]) -> BTreeMap<SystemId, Vec<usize>> {
     let mut places: BTreeMap<SystemId, Vec<(usize, u32)>> = BTreeMap::new();
     let mut doubled: BTreeMap<SystemId, Vec<usize>> = BTreeMap::new();

@@ -76,7 +76,8 @@ impl ItemsChange {
     }
 }
 
-/// Deletes items, and returns the item to look at next: the one after them, or the last.
+/// Deletes items, and returns the index of the item to select next: the one after them, or the
+/// last.
 fn delete(
     document: &mut Document,
     list: ListKind,
@@ -107,7 +108,7 @@ fn shift(items: &mut [Item], range: &Range<usize>, (north_m, east_m): (f64, f64)
     }
 }
 
-/// Moves items so that the first of them that has a place gets this one.
+/// Moves items so that the first one with a place is at `to`.
 fn put(items: &mut [Item], range: &Range<usize>, to: LatLon) -> Result<(), Refusal> {
     if let Some(first) = items[range.clone()].iter().find_map(place) {
         shift(items, range, first.offset_to(to));

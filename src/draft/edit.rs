@@ -1,4 +1,4 @@
-//! Changes to a document, as keys and lines name them.
+//! Changes to a document, as given by keys and typed lines.
 
 use std::ops::Range;
 
@@ -33,7 +33,7 @@ impl Items {
     }
 }
 
-/// A place in a plan, as a key or a line names it.
+/// A place in a plan, as given by a key or a typed line.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Spot {
     /// The cursor of the map.
@@ -108,13 +108,13 @@ impl NewItem {
     }
 }
 
-/// The parameters of a new item: such that the command does something, where 0 would mean nothing.
+/// The default parameters of a new item, where 0 would make the command do nothing.
 const fn usual_params(command: u16) -> [f32; 4] {
     match command {
         command::LOITER_TURNS => [1.0, 0.0, 0.0, 0.0],
         command::LOITER_TIME | command::DELAY | command::CONDITION_DELAY => [10.0, 0.0, 0.0, 0.0],
         command::DO_CHANGE_SPEED => [0.0, 5.0, 0.0, 0.0],
-        // The first output that drives no motor, in the middle.
+        // The first output that drives no motor, at its middle position.
         SET_SERVO => [9.0, 1500.0, 0.0, 0.0],
         _ => [0.0; 4],
     }
@@ -177,7 +177,7 @@ pub enum PlanEdit {
 pub enum FenceEdit {
     /// Adds a corner to a polygon, after this item.
     Corner { spot: Spot, after: Option<usize> },
-    /// Adds a fence polygon with these corners; `keeps_in` tells an inclusion from an exclusion.
+    /// Adds a fence polygon with these corners: an inclusion if `keeps_in`, otherwise an exclusion.
     Polygon { keeps_in: bool, corners: Vec<Spot> },
     Circle {
         keeps_in: bool,
@@ -199,9 +199,9 @@ pub enum ItemsChange {
     },
     /// Moves the first of the items to a place; the others keep their distance from it.
     Place(Spot),
-    /// Changes heights; of circles of a fence, the radius.
+    /// Changes heights or, for circles of a fence, the radius.
     Height(HeightChange),
-    /// Gives a parameter a value, by its name.
+    /// Sets a parameter, given by its name.
     Set {
         field: String,
         value: f32,
@@ -235,7 +235,7 @@ pub struct Surroundings {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Edited {
     pub document: Document,
-    /// The item that the change is about, counted from 0.
+    /// The index of the item that the change affects.
     pub item: Option<usize>,
 }
 
@@ -246,7 +246,7 @@ pub enum EditPart {
     Whole,
     /// The items that it changes.
     Items,
-    /// The number that items get, or the item that a jump leads to.
+    /// The new number of the items, or the item that a jump leads to.
     Target,
     /// A place: an offset, coordinates, or a name.
     Place,

@@ -1,4 +1,4 @@
-//! Fences: polygons keep the number of their corners in each corner.
+//! Changes to the fence. Every corner of a polygon stores the number of its corners.
 
 use std::ops::Range;
 
@@ -7,7 +7,7 @@ use super::place::{found, known};
 use crate::geo::LatLon;
 use crate::plan::{Document, Item, command};
 
-/// Changes the fence, and returns the item that the change is about.
+/// Changes the fence, and returns the index of the item that the change affects.
 ///
 /// # Errors
 /// The reason why it is not possible.

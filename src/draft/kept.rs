@@ -9,14 +9,14 @@ use crate::vehicle_id::VehicleId;
 
 /// The first line of the text, without the version of the format.
 const HEAD: &str = "sortie drafts ";
-/// The version, and the one before it, whose drafts have no data about the vehicle.
+/// The version of the format, and the previous one, whose drafts have no data about the vehicle.
 const VERSION: &str = "2";
 const FIRST_VERSION: &str = "1";
 /// The first word of the line that begins a draft; a tab separates its parts.
 const DRAFT: &str = "draft\t";
 /// The first word of a list's text.
 const LIST: &str = "QGC WPL";
-/// The sign of a part that is missing.
+/// The sign for a missing part.
 const NONE: &str = "-";
 
 /// The drafts as a text: for each, a line with its vehicle, home, data about the vehicle and name, and then its lists as
@@ -68,7 +68,7 @@ pub fn kept_drafts(text: &str) -> Vec<Draft> {
     };
     let begins = format!("\n{DRAFT}");
     let mut parts = rest.split(begins.as_str());
-    // What is before the first draft.
+    // Skips the text before the first draft.
     parts.next();
     parts.filter_map(|text| draft(text, has_origin)).collect()
 }
@@ -180,7 +180,7 @@ mod tests {
             assert_eq!(after.vehicle(), before.vehicle());
             assert_eq!(after.document(), before.document(), "{text}");
         }
-        // A text without the data about the vehicle.
+        // Older text, without the data about the vehicle.
         let old = "sortie drafts 1\ndraft\t7\t1 2 3\tnorth field\nQGC WPL 110\n";
         let read = kept_drafts(old);
         assert_eq!(read.len(), 1);

@@ -1,4 +1,4 @@
-//! The places of items, and those that lines name; the refusals if one is missing.
+//! The places of items and of typed lines, and the refusals if a place is missing.
 
 use std::ops::Range;
 

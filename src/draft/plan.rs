@@ -9,7 +9,7 @@ use crate::plan::edit::{self, FrameChange};
 use crate::plan::generate::USUAL_HEIGHT_M;
 use crate::plan::{Document, Item, command};
 
-/// Changes the plan, and returns the item that the change is about.
+/// Changes the plan, and returns the index of the item that the change affects.
 ///
 /// # Errors
 /// The reason why it is not possible.
@@ -60,7 +60,7 @@ fn add(
     Ok(at)
 }
 
-/// Whether a command that names no place is carried out where the vehicle is.
+/// Whether a command without a place is carried out at the vehicle's position.
 fn stays_in_place(command: u16) -> bool {
     command::is_takeoff(command) || matches!(command, command::LAND | command::VTOL_LAND)
 }

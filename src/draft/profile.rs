@@ -12,7 +12,7 @@ pub struct Stop {
     /// The item, counted from 0.
     pub item: usize,
     pub place: LatLon,
-    /// Metres above home, on arrival. Heights above terrain count as if unknown ground were level.
+    /// Height above home on arrival, in metres. Unknown ground counts as level with home.
     pub height_m: f64,
     /// The length of the leg over the ground, in metres.
     pub leg_m: f64,
@@ -20,7 +20,7 @@ pub struct Stop {
     pub turns_m: f64,
     /// How much higher its end is than its start, in metres.
     pub climb_m: f64,
-    /// The seconds that the leg takes, with the stay at its end.
+    /// The duration of the leg in seconds, including the stay at its end.
     pub leg_s: f64,
     /// The length of the path on arrival, before the turns, in metres.
     pub along_m: f64,
@@ -58,7 +58,8 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// The place at a distance along the path; turns count as their centre.
+    /// The place at a distance along the path, in metres; `None` beyond its end. Turns count as
+    /// their centre.
     pub fn place_at(&self, along_m: f64) -> Option<LatLon> {
         let to = self
             .stops
@@ -76,7 +77,7 @@ impl Profile {
         Some(from.moved(north_m * share, east_m * share))
     }
 
-    /// The stop of an item.
+    /// The stop of an item, given by its index; `None` if the vehicle does not fly to it.
     pub fn at(&self, item: usize) -> Option<&Stop> {
         self.stops.iter().find(|stop| stop.item == item)
     }
@@ -239,7 +240,7 @@ impl Course<'_> {
         }
     }
 
-    /// Ends the last leg on the ground, after some seconds more.
+    /// Ends the last leg on the ground, `seconds` later.
     fn land(&mut self, seconds: f64) {
         self.at = self.at.map(|at| on_the_ground(at.place));
         if let Some(stop) = self.profile.stops.last_mut() {
@@ -294,7 +295,7 @@ mod tests {
         assert!((back.along_m - course.length_m).abs() < 0.01);
     }
 
-    /// While it turns, it is at its place; the way back begins after the turns.
+    /// While the vehicle turns, it counts as at the centre; the way back begins after the turns.
     #[test]
     fn turns_count_as_their_centre() {
         let course = profile(&orbit(), Pace::default(), &Terrain::default());

@@ -63,7 +63,7 @@ impl Drafts {
         self.current = first.unwrap_or(self.current);
     }
 
-    /// Changes the content of the draft that has exactly this one; undo goes back to it.
+    /// Replaces the content of the draft that has exactly the content `before`; undo restores it.
     pub fn change(&mut self, before: &Arc<Document>, document: Arc<Document>) {
         let mut all = self.all.iter_mut();
         if let Some(draft) = all.find(|draft| Arc::ptr_eq(&draft.now, before)) {
@@ -71,21 +71,22 @@ impl Drafts {
         }
     }
 
-    /// Whether a draft has exactly this content, which no edit has replaced.
+    /// Whether a draft still has exactly this content (this document, not an equal one).
     pub fn has_content(&self, document: &Arc<Document>) -> bool {
         self.all
             .iter()
             .any(|draft| Arc::ptr_eq(&draft.now, document))
     }
 
-    /// Makes a draft the current one; false if there is none of this name.
+    /// Makes a draft the current one; false if none has this name.
     pub fn choose(&mut self, name: &str) -> bool {
         let at = self.all.iter().position(|draft| draft.name == name);
         self.current = at.unwrap_or(self.current);
         at.is_some()
     }
 
-    /// Makes another draft the current one, by its distance in the order.
+    /// Makes the draft `by` places further in the order the current one, wrapping around at the
+    /// ends.
     pub fn turn(&mut self, by: isize) {
         let count = self.all.len() as isize;
         if count > 0 {
@@ -110,7 +111,7 @@ impl Drafts {
         self.current = self.current.min(self.all.len().saturating_sub(1));
     }
 
-    /// The lowest number that no draft without a vehicle has.
+    /// The lowest number that is free among the drafts without a vehicle.
     fn free_slot(&self) -> usize {
         let own = self.all.iter().filter(|draft| draft.vehicle.is_none());
         let taken: BTreeSet<usize> = own.map(|draft| draft.slot).collect();

@@ -303,7 +303,7 @@ fn fences_are_drawn_corner_by_corner() {
             spot: Spot::Cursor,
             radius_m: 10.0,
         }),
-        // Behind a circle, a corner goes to the last polygon.
+        // After a circle, a corner is added to the last polygon.
         corner(-120.0, 0.0, Some(5)),
     ]);
     let fence = Fence::check(&draft.document().fence).expect("valid");

@@ -20,7 +20,7 @@ mod tests;
 use outcome::TrialOutcome;
 use remedies::TrialRemedies;
 
-/// Metres between separate heights.
+/// The distance between heights that keep drafts apart, in metres.
 const LAYER_M: f32 = 6.0;
 
 /// Drafts to fly together.
@@ -53,7 +53,7 @@ pub struct TrialDraft {
 pub struct Tried {
     /// The outcome in words.
     pub text: Text,
-    /// The number of plans beside those in the text that are not flown as intended.
+    /// The number of other plans, besides those in the text, that are not flown as intended.
     pub further: usize,
     /// The drafts or vehicles that were left out and why, in words, if there are any.
     pub left_out: Option<Text>,
@@ -64,11 +64,11 @@ pub struct Tried {
     /// The drafts to change, with their new content. If the draft of one sharer changes, those of all
     /// sharers are here.
     pub changed: Vec<TrialDraft>,
-    /// The plans that were flown as they are.
+    /// How each plan was flown without changes.
     pub verdicts: Vec<PlanVerdict>,
     /// The flights, if there were any.
     pub flight: Option<TrialFlight>,
-    /// Whether the user waits for it.
+    /// Whether the user waits for the outcome.
     pub is_awaited: bool,
     /// The contents of the open drafts when the trial began.
     pub sources: Vec<Arc<Document>>,
@@ -104,8 +104,8 @@ impl Trial {
         self.fly_heard(&mut |_| {})
     }
 
-    /// Flies the drafts, and passes on what the vehicles send, in the order of the drafts; nothing of a search for
-    /// changes.
+    /// Flies the drafts, and passes the vehicles' messages to `listener`, in the order of the
+    /// drafts. Flights of a search for changes are not passed on.
     pub fn fly_heard(&self, listener: &mut dyn FnMut(Heard<'_>)) -> Tried {
         let participant = |draft: &TrialDraft| Participant {
             document: Document::clone(&draft.document),

@@ -68,8 +68,9 @@ impl FlightDriver {
         self.time
     }
 
-    /// Begins the mission once all its vehicles are heard, since the payload of each depends on their order. A silent
-    /// vehicle delays it by at most 10 s. To be called once the vehicles are started; true if the mission begins now.
+    /// Begins the mission once all its vehicles are heard, since the payload of each depends on
+    /// their order. A silent vehicle delays it by at most 10 s. Must be called repeatedly from the
+    /// start of the vehicles on; returns true when the mission begins.
     pub fn begin_when_heard(&mut self, now: Duration, are_all_heard: bool) -> bool {
         if self.has_begun() {
             return false;
@@ -81,8 +82,9 @@ impl FlightDriver {
         self.has_begun()
     }
 
-    /// Advances mission time, and returns it. `clocks` are the vehicles' clocks, if they count
-    /// ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms)).
+    /// Advances mission time, and returns it. `clocks` are the vehicles' clocks
+    /// ([`Vehicle::clock_ms`](crate::vehicle::Vehicle::clock_ms)), which are used only with
+    /// [`FlightPace::VehicleClocks`].
     pub fn advance(
         &mut self,
         now: Duration,

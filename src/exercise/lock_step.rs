@@ -21,9 +21,9 @@ pub struct LockStep {
 }
 
 impl Exercise {
-    /// Puts the mission's vehicles on their pads. All have the first airframe, or each has its own and the last one
-    /// applies to all further vehicles. Without airframes they are the drones built for the mission, or the
-    /// simulator's default.
+    /// Puts the mission's vehicles on their pads. Airframes apply to the vehicles in order, the
+    /// last one to all further vehicles. Without airframes they are the drones built for the
+    /// mission, or the simulator's default.
     pub fn new(
         mission: Arc<Mission>,
         seed: u64,

@@ -17,9 +17,9 @@ use crate::workshop::part;
 
 /// The number of flights per day.
 const FLIGHTS_A_DAY: usize = 4;
-/// The number of latest flights whose missions are avoided, if there is another one.
+/// The missions of this many latest flights are avoided, if there is another one.
 const TIRED_FOR: usize = 2;
-/// The credits that remain when parts are bought.
+/// The minimum number of credits to keep when parts are bought.
 const RESERVE_CREDITS: u32 = 200;
 
 /// A simulated trainee who flies the pilot scripts as the campaign advises, and buys new parts.

@@ -10,7 +10,7 @@ use crate::mission::Mission;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// Reads a pilot script for a mission; only its vehicles and its places are known.
+/// Reads a pilot script for a mission; only the mission's vehicles and places are valid.
 ///
 /// # Errors
 /// The faults of the script.

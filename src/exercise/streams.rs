@@ -60,7 +60,8 @@ impl Exercise<LiveStreams> {
         self.gather(session_now);
     }
 
-    /// Notes that a vehicle's process has ended and will not be started again. False if that was known.
+    /// Notes that a vehicle's process has ended and will not be started again. Returns false if
+    /// that was already known.
     pub fn lose(&mut self, index: usize) -> bool {
         let is_new = !std::mem::replace(&mut self.link.lost[index], true);
         if is_new {
@@ -77,8 +78,9 @@ impl Exercise<LiveStreams> {
         std::mem::take(&mut self.seats[index].outgoing)
     }
 
-    /// Moves everything to a time of the program; returns the time of the sessions. They begin with the program's
-    /// time, because a vehicle may have to be asked before it reports its own.
+    /// Advances everything to a time of the program, and returns the time of the sessions. The
+    /// sessions begin with the program's time, because a vehicle may have to be queried before it
+    /// reports its own.
     fn advance(&mut self, now: Duration, reading: Option<(VehicleId, Option<u32>)>) -> Duration {
         let opened = *self.link.opened.get_or_insert(now);
         let talked = now.saturating_sub(opened);

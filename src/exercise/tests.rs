@@ -40,7 +40,7 @@ struct Process {
     world: World,
     port: PortId,
     live: Exercise<LiveStreams>,
-    /// The program's time per simulated time.
+    /// Seconds of program time per simulated second.
     pace: f64,
 }
 

@@ -38,9 +38,9 @@ pub struct FirstDifference {
     /// The time of the recorded answer, in seconds since the recording began (of the simulated one, if the recording
     /// ended).
     pub at_s: f64,
-    /// The answer of the real vehicle.
+    /// The answer of the real vehicle; `None` after its last one.
     pub recorded: Option<String>,
-    /// The answer of the simulated vehicle instead.
+    /// The answer of the simulated vehicle instead; `None` after its last one.
     pub simulated: Option<String>,
 }
 

@@ -7,21 +7,21 @@ use super::{Aim, Manoeuvre, Observed};
 use crate::geo::maths;
 use crate::geo::wrap_180;
 
-/// The interval between the points of a comparison, seconds.
+/// The interval between the points of a comparison, in seconds.
 const EVERY_S: f64 = 0.1;
-/// A vehicle slower than this counts as stationary, m/s.
+/// A vehicle slower than this counts as stationary, in m/s.
 const STANDS_M_S: f64 = 0.2;
-/// How long a stationary vehicle is still compared, seconds.
+/// How long a stationary vehicle is still compared, in seconds.
 const REST_S: f64 = 2.0;
-/// A place counts as reached within this distance, metres.
+/// A place counts as reached within this distance, in metres.
 const NEAR_M: f64 = 1.0;
-/// A height counts as reached within this difference, metres.
+/// A height counts as reached within this difference, in metres.
 const NEAR_HEIGHT_M: f64 = 0.5;
-/// A heading counts as reached within this difference, degrees.
+/// A heading counts as reached within this difference, in degrees.
 const NEAR_DEG: f64 = 2.0;
 /// A velocity counts as reached within this share of the change.
 const NEAR_SHARE: f64 = 0.1;
-/// A smaller change of velocity is not counted, m/s.
+/// A smaller change of velocity is not counted, in m/s.
 const CHANGE_M_S: f64 = 0.5;
 
 /// Root-mean-square and largest difference of one quantity.
@@ -41,15 +41,16 @@ pub struct Flight {
     pub at_s: f64,
     /// The compared duration: until both vehicles are stationary, or the next manoeuvre begins.
     pub compared_s: f64,
-    /// The real vehicle's highest speed, m/s.
+    /// The real vehicle's highest speed, in m/s.
     pub top_speed_m_s: f64,
-    /// The distance between the vehicles at the beginning, metres; the differences below leave it out.
+    /// The distance between the vehicles at the beginning, in metres; the differences below leave
+    /// it out.
     pub apart_at_start_m: f64,
     /// Distance between the vehicles, in metres.
     pub position_m: Difference,
     /// Difference in height, in metres.
     pub altitude_m: Difference,
-    /// Length of the difference of the velocities, m/s.
+    /// Length of the difference of the velocities, in m/s.
     pub velocity_m_s: Difference,
     pub roll_deg: Difference,
     pub pitch_deg: Difference,
@@ -62,7 +63,8 @@ pub struct Flight {
 }
 
 impl Flight {
-    /// By how many percent the simulated vehicle was later than the real one.
+    /// How much later the simulated vehicle reached the aim than the real one, in percent; `None`
+    /// if one of them did not reach it.
     pub fn later_percent(&self) -> Option<f64> {
         let (real, simulated) = self.recorded_reach_s.zip(self.simulated_reach_s)?;
         (real > 0.0).then(|| (simulated - real) / real * 100.0)
@@ -231,7 +233,8 @@ impl<'a> ManoeuvrePair<'a> {
         (there > from_s).then_some(there - from_s)
     }
 
-    /// The criterion for reaching the aim, for both vehicles.
+    /// The criterion for reaching the aim, for both vehicles; `None` if the aim cannot be
+    /// determined.
     fn goal(&self) -> Option<ManoeuvreGoal> {
         let known_s = self.real.position_ned_m.last()?.0;
         let asked_s = self.manoeuvre.last_asked_s.min(known_s);

@@ -21,9 +21,9 @@ pub enum Aim {
     Height(f64),
     /// Be at a place: metres north, east and down of the origin.
     Place([f64; 3]),
-    /// Have the velocity that the real vehicle had in the end.
+    /// Have the velocity that the real vehicle had at the last command.
     Velocity,
-    /// Have the heading that the real vehicle had in the end.
+    /// Have the heading that the real vehicle had at the last command.
     Heading,
     /// Be on the ground and disarmed.
     Landed,
@@ -44,7 +44,7 @@ pub struct Manoeuvre {
     pub aim: Aim,
 }
 
-/// Shorter manoeuvres are not compared, seconds.
+/// Shorter manoeuvres, in seconds, are not compared.
 const SHORTEST_S: f64 = 1.5;
 
 /// Divides the sent frames into manoeuvres. Commands that the real vehicle refused begin no manoeuvre.
@@ -60,7 +60,7 @@ pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
         else {
             continue;
         };
-        // Sticks are repeated all the time, alongside other commands.
+        // Stick positions are sent continuously, alongside other commands.
         if let MavMessage::RC_CHANNELS_OVERRIDE(data) = message
             && sticks.replace(data.chan3_raw) == Some(data.chan3_raw)
         {

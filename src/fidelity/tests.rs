@@ -31,7 +31,7 @@ fn said(at_s: f64, message: MavMessage) -> Timed {
     }
 }
 
-/// A vehicle that flies north at a speed, from a second on.
+/// A vehicle that flies north at a speed, beginning after one second.
 fn flight(speed_m_s: f32, from_m: f32) -> Vec<Timed> {
     (0..100_u8)
         .map(|step| {
@@ -68,7 +68,7 @@ fn a_slower_vehicle_falls_behind_and_a_shifted_start_does_not_count() {
     );
     let flight = &compared.manoeuvres[0];
     assert!((flight.apart_at_start_m - 30.0).abs() < 1e-3, "{flight:?}");
-    // One metre per second over 8 s: 8 m at the end, and 8 / √3 in the mean.
+    // One metre per second over 8 s: 8 m at the end, and a root mean square of 8 / √3.
     assert!((flight.position_m.largest - 8.0).abs() < 0.02, "{flight:?}");
     assert!(
         (flight.position_m.rms - 8.0 / 3.0_f64.sqrt()).abs() < 0.1,

@@ -23,16 +23,18 @@ pub struct FleetClock {
 struct ClockPauses {
     /// The start of the current pause; `None` while the clock runs.
     since: Option<Instant>,
-    /// The duration of its earlier pauses, altogether.
+    /// The total duration of its earlier pauses.
     before: Duration,
-    /// The last look at the clock, if it stands still while the program is stopped.
+    /// The time of the last look at the clock; `None` if the clock runs on while the program is
+    /// stopped.
     seen: Option<Instant>,
-    /// How long the program was stopped, until it is reported.
+    /// How long the program was stopped since that was last reported.
     stopped: Duration,
 }
 
 impl ClockPauses {
-    /// Looks at the clock. If the program was stopped since the last look, that was a pause.
+    /// Looks at the clock. If the program was stopped since the last look, that time counts as a
+    /// pause.
     fn look(&mut self, at: Instant) {
         let Some(seen) = &mut self.seen else {
             return;
@@ -88,8 +90,8 @@ impl FleetClock {
         stood
     }
 
-    /// Sets whether time also stands still while the whole program is stopped, as by Ctrl-Z: the vehicles are simulated
-    /// by the program itself, and are stopped with it.
+    /// Sets whether time also stands still while the whole program is stopped, as by Ctrl-Z. It
+    /// should if the program itself simulates the vehicles, which are then stopped with it.
     pub fn stand_through_stops(&self, stands: bool) {
         self.pauses().seen = stands.then(Instant::now);
     }

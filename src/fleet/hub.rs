@@ -185,7 +185,7 @@ impl Hub {
         self.tell(FleetEvent::Forwarding(feed)).await;
     }
 
-    /// Names the station that has commanded vehicles.
+    /// Reports a station's command to vehicles.
     async fn overhear(&mut self, news: &StationNews) {
         let now = self.clock.now();
         let is_meant = |system: SystemId| news.system.is_none_or(|meant| meant == system);
@@ -203,7 +203,7 @@ impl Hub {
         }
     }
 
-    /// Names the stations that a vehicle answers.
+    /// Reports the stations that a vehicle answers.
     async fn attribute(&mut self, system: SystemId, frames: &[Frame], now: Duration) {
         let Some(class) = self.routes.get(&system).map(PeerRoute::class) else {
             return;
@@ -243,7 +243,7 @@ impl Hub {
         }
     }
 
-    /// Changes a vehicle's simulator or its link, after earlier changes.
+    /// Queues a change to a vehicle's simulator or its link, after earlier changes.
     fn want(&mut self, vehicle: VehicleId, want: Want) {
         let system = SystemId::try_from(vehicle).ok();
         if let Some(route) = system.and_then(|system| self.routes.get_mut(&system)) {
@@ -424,7 +424,7 @@ impl Hub {
 
     /// Sends an event to the console, and waits if necessary: events are rare, and frames wait in the links meanwhile.
     async fn tell(&self, event: FleetEvent) {
-        // An error means that the console is gone, and the token will follow.
+        // An error means that the console is gone; the cancellation will follow.
         drop(self.events.send(event).await);
     }
 }

@@ -24,7 +24,8 @@ pub(super) const OWN: MavAddress = MavAddress {
     system: GROUND_STATION_SYSTEM,
     component: GROUND_STATION_COMPONENT,
 };
-/// The time within which the same command of a station is a repetition, and an answer belongs to it.
+/// Within this time, the same command of a station is a repetition, and an answer belongs to the
+/// command.
 const SAME_WITHIN: Duration = Duration::from_secs(5);
 /// The number of remembered deeds above which old ones are forgotten.
 const MOST_SAID: usize = 1024;
@@ -167,7 +168,8 @@ impl Sharing {
         })
     }
 
-    /// The notice of a vehicle's answer to a station whose command did not come through a forward.
+    /// The notice of a vehicle's answer to a station whose command did not come through a forward;
+    /// `None` for other messages and for a command that has been reported.
     pub fn answered(&mut self, content: &Content, to: Addressee, now: Duration) -> Option<Notice> {
         let (station, command) = station_of_ack(content, OWN)?;
         let exchange = Exchange {

@@ -178,7 +178,8 @@ impl VehicleTask {
         }
     }
 
-    /// Frames that a full link drops are counted there; a command's own retries repeat it.
+    /// Sends the session's frames. Those that a full link drops are counted there; a command's own
+    /// retries repeat them.
     fn send(&mut self) {
         let (link, peer) = &self.route;
         let now = self.clock.now();

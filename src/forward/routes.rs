@@ -1,9 +1,9 @@
-//! Which ports a frame goes to.
+//! The routing of frames between ports.
 //!
-//! The rules are those of MAVLink routing (<https://mavlink.io/en/guide/routing.html>): a message without a receiver
-//! goes everywhere, one with a receiver only where that receiver was heard, and none goes back to where it came from.
-//! Frames of vehicles go to stations, frames of stations to vehicles and to other stations; vehicles are not connected
-//! with each other.
+//! The rules are those of MAVLink routing (<https://mavlink.io/en/guide/routing.html>): a message
+//! without a receiver goes everywhere, one with a receiver only where that receiver was heard, and
+//! none goes back to where it came from. Frames of vehicles go to stations, frames of stations to
+//! vehicles and to other stations; vehicles are not connected with each other.
 
 use std::collections::{BTreeMap, HashMap, VecDeque};
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -149,7 +149,8 @@ pub enum Route {
 pub struct Router {
     own: MavAddress,
     ports: BTreeMap<MavAddress, BTreeMap<Port, Duration>>,
-    /// When a content was passed on, and where it came from; `None` for the console's own messages.
+    /// When each content was passed on, and where it came from; `None` for the console's own
+    /// messages.
     passed: HashMap<u64, (Option<Port>, Duration)>,
     /// The contents in the order in which they were first passed on.
     order: VecDeque<(u64, Duration)>,

@@ -21,13 +21,13 @@ const HIGHEST_RATE_HZ: f64 = 1000.0;
 pub struct ForwardSpec {
     /// The address as it was written.
     pub address: String,
-    /// Whether messages from the station are kept from the vehicles.
+    /// Whether the station's messages are not passed on to the vehicles.
     pub read_only: bool,
     /// The message ids that pass; empty for all.
     pub only: Vec<u32>,
     /// The message ids that do not pass.
     pub except: Vec<u32>,
-    /// The maximum number of messages per second of each kind and sender.
+    /// The maximum number of messages per second of each kind and sender; `None` for no limit.
     pub rate_hz: Option<f64>,
 }
 
@@ -54,7 +54,7 @@ impl ForwardSpec {
         }
     }
 
-    /// Whether messages of a kind pass.
+    /// Whether messages with this id pass the filters.
     pub fn passes(&self, id: u32) -> bool {
         let is_named = self.only.is_empty() || self.only.contains(&id);
         id == HEARTBEAT || (is_named && !self.except.contains(&id))

@@ -34,8 +34,9 @@ impl SentCommands {
         self.sent.insert(command, now);
     }
 
-    /// The name of a command of another station that the vehicle answers to the console's address; `None` for any other
-    /// message, and for commands that only request messages.
+    /// The name of another station's command, if this message is the vehicle's answer to it, sent
+    /// to the console's address; `None` for any other message, and for commands that only request
+    /// messages.
     pub fn stray(&self, content: &Content, own: MavAddress, now: Duration) -> Option<String> {
         let Content::Message(MavMessage::COMMAND_ACK(ack)) = content else {
             return None;
@@ -104,7 +105,7 @@ mod tests {
             let stray = sent.stray(&content, OWN, second(5));
             assert_eq!(stray.as_deref(), expected, "{content:?}");
         }
-        // A command of an hour ago is not answered now.
+        // A command from an hour ago is no longer answered.
         let late = sent.stray(&ack(MavCmd::MAV_CMD_NAV_LAND, 255, 190), OWN, second(3600));
         assert_eq!(late.as_deref(), Some("NAV_LAND"));
     }

@@ -139,7 +139,8 @@ fn a_message_for_all_goes_to_all_and_one_for_a_receiver_to_where_that_was_heard(
     }
     let answers = [
         (address(254, 1), Reach::These(vec![STATION])),
-        // A component that was not heard is looked for in its system.
+        // The answer to a component that was not heard goes to the station that was heard with its
+        // system id.
         (address(253, 7), Reach::These(vec![OTHER])),
         (OWN, Reach::Nobody),
     ];
@@ -185,9 +186,9 @@ fn what_comes_back_on_another_way_is_not_passed_on_again() {
         way(&mut router, OTHER, vehicle, &text, 5900),
         Route::Repeated
     );
-    // The vehicle itself may say the same twice.
+    // The vehicle itself may send the same text twice.
     assert_eq!(way(&mut router, VEHICLE, vehicle, &text, 5950), passed);
-    // An echo has not taught where the vehicle is.
+    // An echo does not change the known route to the vehicle.
     let arm = command(3, MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, 1.0, 0.0);
     let found = way(&mut router, OTHER, address(253, 1), &arm, 6000);
     assert_eq!(found, to(Reach::These(vec![VEHICLE]), Reach::Nobody));

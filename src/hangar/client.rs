@@ -50,7 +50,7 @@ pub enum ClientError {
     /// The answer is not that of a hangar.
     #[error("{address} answers, but it is not a sortie hangar ({why})")]
     NotAHangar { address: HangarAddress, why: String },
-    /// The service requires a token, or another one.
+    /// The service requires a token, or a different one.
     #[error(
         "{address} requires a token ({why}): copy its token file to this machine and add `--hangar-token FILE`"
     )]

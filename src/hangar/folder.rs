@@ -74,7 +74,7 @@ pub(super) struct Run {
     _lock: File,
 }
 
-/// A new run, and the findings on the others.
+/// A new run, and the findings about the other runs.
 #[derive(Debug)]
 pub(super) struct OpenedFolder {
     pub run: Run,
@@ -166,7 +166,7 @@ impl Run {
 
     /// Removes the record of an instance's process that is gone.
     pub fn forget(&self, id: InstanceId) {
-        // A file that stays names a dead process; the next hangar detects that.
+        // A file that remains names a dead process; the next hangar detects that.
         drop(fs::remove_file(
             self.path.join(format!("vehicle-{id:03}")).join(INSTANCE),
         ));
@@ -290,7 +290,7 @@ pub fn leftovers(root: &Path) -> (Vec<Leftover>, Vec<String>) {
     (found, skipped)
 }
 
-/// Whether a run's owner is dead. In doubt it counts as alive.
+/// Whether a run's owner is dead. If in doubt, it counts as alive.
 fn is_over(run: &Path) -> bool {
     let path = run.join(OWNER);
     match OpenOptions::new().append(true).open(&path) {

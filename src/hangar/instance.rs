@@ -99,7 +99,7 @@ impl InstanceTask {
         };
         self.shared.roster.forget(self.shown.id);
         if let Some(done) = done {
-            // The requester may no longer wait.
+            // The requester may no longer be waiting.
             let _ = done.send(());
         }
     }
@@ -264,12 +264,13 @@ impl InstanceTask {
         let belongs = Connection::of(&stream).map(|connection| connection.is_of_process(pid));
         let is_own = match belongs {
             Some(Belongs::Yes) => true,
-            // Some systems do not know the owner; then an existing connection is kept.
+            // Some systems do not report the owner; then an existing connection is kept.
             Some(Belongs::Unknown) => !self.relay.is_connected(),
             Some(Belongs::No) | None => false,
         };
         if is_own {
-            // The running program may differ from the one started: a script that became it.
+            // The running program may differ from the one started: a script may have replaced
+            // itself with it.
             self.note_process(pid);
             self.relay.connect(stream);
         } else {

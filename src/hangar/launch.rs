@@ -24,7 +24,7 @@ const OTHERWISE: [(&str, &str); 3] = [
 ];
 /// The maximum number of parameters, more than a vehicle has.
 const MOST_PARAMETERS: usize = 2000;
-/// The greatest length of a model's name.
+/// The maximum length of a model's name.
 const MODEL_LEN: usize = 64;
 
 /// A SITL process to start.
@@ -37,10 +37,10 @@ pub struct Launch {
     /// The kind of vehicle.
     #[serde(default)]
     pub kind: SitlKind,
-    /// SITL's name of a model; by default the one that suits the kind and the airframe.
+    /// SITL's name for the model; by default, the model that suits the kind and the airframe.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub model: Option<String>,
-    /// A frame file of ArduPilot's SITL.
+    /// The content of a frame file for ArduPilot's SITL.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub frame: Option<serde_json::Value>,
     /// The position and heading of its pad.
@@ -50,7 +50,7 @@ pub struct Launch {
     /// not available.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub system: Option<u8>,
-    /// Simulated seconds per second, once it is ready; until then it goes faster if it can.
+    /// Simulated seconds per second once it is ready; until then, it runs faster if it can.
     #[serde(default = "real_time")]
     pub speedup: f64,
     /// Parameters to start with.
@@ -180,7 +180,7 @@ impl Launch {
                 let field = otherwise.map_or("", |(_, field)| field);
                 format!("{name} is set by `{field}`")
             })?;
-            // They are sent as single floats; one that is not finite ends a SITL.
+            // Values are sent as 32-bit floats; one that is not finite makes SITL exit.
             require((*value as f32).is_finite(), || {
                 format!("{name} cannot be {value}: a vehicle cannot store this number")
             })?;

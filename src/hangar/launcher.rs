@@ -40,8 +40,8 @@ const BYTES_PER_MIB: u64 = 1024 * 1024;
 /// The maximum length of the reason that a child sends, in bytes.
 const REPORT_LEN: u64 = 64;
 
-/// The environment variables passed on. The rest are not: a simulator, which runs foreign scripts, does not need keys
-/// and tokens.
+/// The environment variables passed on. Others are withheld: a simulator, which runs third-party
+/// scripts, does not need keys and tokens.
 const PASSED_ON: [&str; 9] = [
     "PATH",
     "HOME",
@@ -57,7 +57,7 @@ const PASSED_ON_PREFIX: &str = "LC_";
 
 #[derive(Debug, Clone)]
 pub(super) struct LaunchOrder {
-    /// A path; a relative one starts at this program's working folder.
+    /// The path of the program; a relative one starts at this program's working folder.
     pub program: PathBuf,
     pub arguments: Vec<String>,
     pub folder: PathBuf,
@@ -174,7 +174,7 @@ struct LaunchPace {
 }
 
 impl LaunchPace {
-    /// The rate is at least one per second, because with zero nothing would ever start.
+    /// A pace of at least one start per second, because with zero nothing would ever start.
     fn new(per_s: u16) -> Self {
         Self {
             every: Duration::from_secs(1) / u32::from(per_s.max(1)),

@@ -97,7 +97,7 @@ impl ProcessOutput {
         kept.range(from..).cloned().collect()
     }
 
-    /// The number of the last line, to be followed; 0 before the first.
+    /// A receiver of the number of the last line; 0 before the first.
     pub fn watch(&self) -> watch::Receiver<u64> {
         self.0.last.subscribe()
     }
@@ -119,7 +119,7 @@ impl ProcessOutput {
         let note = locked(&self.0.file).write(&lines, Instant::now());
         let mut kept = locked(&self.0.kept);
         let mut number = *self.0.last.borrow();
-        // Of very many lines, only the last ones are kept.
+        // If there are very many lines, only the last ones are kept.
         let total = lines.len() + usize::from(note.is_some());
         number += total.saturating_sub(LINES_KEPT) as u64;
         for text in lines

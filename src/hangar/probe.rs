@@ -32,9 +32,9 @@ const SPEED: &str = "SIM_SPEEDUP";
 const STREAMS_EVERY: Duration = Duration::from_secs(1);
 /// The messages that show readiness.
 const STREAMS: [u32; 2] = [SYS_STATUS_DATA::ID, EKF_STATUS_REPORT_DATA::ID];
-/// Twice per simulated second.
+/// The interval of the requested messages, in microseconds: twice per simulated second.
 const INTERVAL_US: f32 = 500_000.0;
-/// The vehicle's default rate: usually none.
+/// The interval that restores the vehicle's default rate, which is usually none.
 const USUAL_INTERVAL: f32 = 0.0;
 /// The prefix of a text with a reason why the vehicle cannot be armed.
 const PREARM: &str = "PreArm: ";
@@ -85,7 +85,7 @@ impl InstanceProbe {
         [list.received(), list.count().unwrap_or(0)]
     }
 
-    /// The vehicle's latest reason not to arm.
+    /// The vehicle's latest reason not to arm; `None` if it gave none.
     pub fn complaint(&self) -> Option<&str> {
         self.complaint.as_deref()
     }

@@ -19,7 +19,7 @@ use elsewhere as system;
 #[cfg(all(test, target_os = "linux"))]
 mod tests;
 
-/// An address in the format of the system's socket tables.
+/// Parses an address in the format of the system's socket tables.
 pub(super) fn address(text: &str) -> Option<SocketAddr> {
     system::address(text)
 }

@@ -99,7 +99,8 @@ impl StartProgress {
             .map_or(Duration::ZERO, |since| now.saturating_sub(since))
     }
 
-    /// The condition that has been missing for too long, as text.
+    /// The condition that has been missing for too long, as text; `None` if the start makes
+    /// progress.
     pub fn lack(&self, now: Duration) -> Option<String> {
         let (lack, waited) = self.stages.lack(now)?;
         let mut told = lack.told(waited);

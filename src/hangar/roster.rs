@@ -16,7 +16,7 @@ struct RosterEntry {
     requests: mpsc::Sender<InstanceRequest>,
     system: u8,
     output: Option<ProcessOutput>,
-    /// Whether it has ended and is not restarted, so that it takes no place.
+    /// Whether it has ended and is not restarted, and therefore takes no place.
     is_down: bool,
 }
 
@@ -75,7 +75,7 @@ impl Roster {
         Ok(Taken { id, system })
     }
 
-    /// Counts an ended instance again.
+    /// Counts an ended instance as running again.
     ///
     /// # Errors
     /// It does not exist, or other instances have taken its place.
@@ -113,7 +113,7 @@ impl Roster {
         Some(self.entries().get(&id)?.requests.clone())
     }
 
-    /// The instances, to be followed.
+    /// A receiver of the instances and their changes.
     pub fn watch(&self) -> watch::Receiver<Instances> {
         self.seen.subscribe()
     }

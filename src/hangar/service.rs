@@ -81,7 +81,7 @@ pub struct ServiceSetup {
 /// The limits of a service for its clients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct ServiceBounds {
-    /// The maximum number of connections at once, without tunnels.
+    /// The maximum number of connections at once, not counting tunnels.
     pub connections: usize,
     /// The maximum number of connections that wait for events.
     pub waiting: usize,

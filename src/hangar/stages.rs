@@ -12,7 +12,7 @@ const PATIENCE_FOR_READINESS: Duration = Duration::from_secs(90);
 /// The simulated time of silence after which the heartbeat counts as lost; one is sent every second.
 const SILENCE: Duration = Duration::from_secs(10);
 
-/// The condition that an instance is missing.
+/// The condition that an instance lacks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Lack {
     /// The instance has not connected.
@@ -105,7 +105,8 @@ impl Stages {
         }
     }
 
-    /// The condition that has been missing for too long, and for how long.
+    /// The condition that has been missing for too long, and for how long; `None` if the start
+    /// makes progress.
     pub fn lack(&self, now: Duration) -> Option<(Lack, Duration)> {
         if self.is_silent(now) && self.stage > SitlStage::Process {
             return Some((Lack::Sound, now.saturating_sub(self.heard)));
@@ -129,7 +130,7 @@ impl Stages {
 }
 
 impl Lack {
-    /// The remark after a wait.
+    /// The remark to show after waiting this long.
     pub fn told(self, waited: Duration) -> String {
         let seconds = waited.as_secs();
         match self {

@@ -35,7 +35,7 @@ pub enum TokenError {
         path: PathBuf,
         source: io::Error,
     },
-    /// Others may read the file, so that its token is not a secret.
+    /// Others may read the file, so its token is not secret.
     #[error(
         "the token file {path} can be read by others (mode {mode:04o}): remove it so that a new token is created, or `chmod 600 {path}` if no one else has read it"
     )]

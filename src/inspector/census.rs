@@ -100,7 +100,7 @@ pub struct Census {
     noise: Vec<u8>,
 }
 
-/// Facts about a source for which every frame counts.
+/// Facts about a source that depend on every one of its frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct SourceFacts {
     answered_at: Option<Duration>,
@@ -110,7 +110,7 @@ struct SourceFacts {
 }
 
 impl Census {
-    /// Counts one frame. `is_verified`: the dialect has verified its checksum.
+    /// Counts one frame. `is_verified` is whether the dialect has verified its checksum.
     pub fn note(&mut self, way: FrameWay, bytes: &[u8], is_verified: bool, now: Duration) {
         let Some(frame) = Anatomy::of(bytes) else {
             return;
@@ -207,7 +207,7 @@ impl Census {
         self.tallies.iter().map(|(&key, tally)| (key, tally))
     }
 
-    /// One kind of message.
+    /// One kind of message; `None` if it was never counted.
     pub fn tally(&self, key: TallyKey) -> Option<&MessageTally> {
         self.tallies.get(&key)
     }
@@ -223,7 +223,7 @@ impl Census {
         self.sources.keys().copied()
     }
 
-    /// When a source last sent an answer to the console's frames.
+    /// When a source last sent an answer to the console's frames; `None` if it never did.
     pub fn answered_at(&self, source: FrameSource) -> Option<Duration> {
         self.sources.get(&source)?.answered_at
     }
@@ -233,7 +233,7 @@ impl Census {
         Some(self.sources.get(&source)?.steady_since)
     }
 
-    /// Frames of kinds for which there was no room.
+    /// The number of frames of kinds for which there was no room.
     pub fn uncounted(&self) -> u64 {
         self.uncounted
     }

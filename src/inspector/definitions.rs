@@ -38,9 +38,9 @@ pub struct FieldDefinition {
     pub count: u8,
     /// Its unit as MAVLink spells it (`cm/s`, `degE7`); empty if it has none.
     pub unit: &'static str,
-    /// The enum that names its values.
+    /// The enum that names its values, if there is one.
     pub names: Option<&'static str>,
-    /// The value for "unknown".
+    /// The value that means "unknown", if there is one.
     pub unknown: Option<f64>,
     /// Whether it is a MAVLink 2 extension, which senders may omit.
     pub extension: bool,
@@ -72,7 +72,7 @@ pub struct EnumDefinition {
 }
 
 impl FieldType {
-    /// Bytes on the wire.
+    /// The size on the wire, in bytes.
     pub fn wire_len(self) -> usize {
         match self {
             Self::Char | Self::U8 | Self::I8 => 1,
@@ -84,7 +84,7 @@ impl FieldType {
 }
 
 impl FieldDefinition {
-    /// Bytes on the wire, of all elements.
+    /// The size of all elements on the wire, in bytes.
     pub fn wire_len(&self) -> usize {
         self.kind.wire_len() * usize::from(self.count.max(1))
     }
@@ -112,7 +112,7 @@ impl Definitions {
         &DEFINITIONS
     }
 
-    /// The message with an id.
+    /// The message with this id; `None` if it is unknown.
     pub fn message(&self, id: u32) -> Option<&MessageDefinition> {
         self.messages.get(&id)
     }
@@ -122,7 +122,7 @@ impl Definitions {
         self.messages.iter().map(|(&id, message)| (id, message))
     }
 
-    /// The enum with a name.
+    /// The enum with this name; `None` if it is unknown.
     pub fn names(&self, name: &str) -> Option<&EnumDefinition> {
         self.enums.get(name)
     }
@@ -217,7 +217,8 @@ mod tests {
             assert_eq!(message.name, default.message_name());
             assert_eq!(message.seed, MavMessage::extra_crc(id), "{}", message.name);
             let len: usize = message.fields.iter().map(FieldDefinition::wire_len).sum();
-            // Unless an enum prevents it: without a zero at the end, the dialect writes the full length.
+            // Parsing fails if an enum has no such value. Without a zero at the end, the dialect
+            // writes the full length.
             if let Ok(full) = MavMessage::parse(MavlinkVersion::V2, id, &[1; 255]) {
                 assert_eq!(
                     full.ser(MavlinkVersion::V2, &mut [0; 255]),

@@ -23,7 +23,7 @@ pub struct Argument {
     pub optional: bool,
     /// Whether it can be repeated.
     pub repeated: bool,
-    /// The message that explains it; empty if it is obvious.
+    /// The id of the text that explains it; empty if it is obvious.
     pub help: &'static str,
 }
 

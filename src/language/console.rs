@@ -20,7 +20,7 @@ pub enum ConsoleLine {
     /// Show a report: in its room, or as text without a screen.
     Report(Report),
     Select(VehicleChoice),
-    /// Say which of its targets carry the same list.
+    /// Show which of its targets carry the same list.
     Carried {
         kind: ListKind,
         targets: Targets,
@@ -76,7 +76,7 @@ pub enum ConsoleLine {
     Review(ReviewLine),
     /// A command about the drafts of plans.
     Draft(DraftLine),
-    /// A command about the other flight beside this one.
+    /// A command about another flight, shown beside this one.
     Ghost(GhostLine),
     /// Abandon the mission and show its debrief.
     Abandon,
@@ -87,7 +87,7 @@ pub enum ConsoleLine {
     Quit,
 }
 
-/// What a line needs to have an effect.
+/// The condition for a line to have an effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineNeeds {
     Nothing,
@@ -98,7 +98,7 @@ pub enum LineNeeds {
 }
 
 impl ConsoleLine {
-    /// What it needs to have an effect.
+    /// The condition for it to have an effect.
     pub fn needs(&self) -> LineNeeds {
         match self {
             Self::Forget(_)
@@ -165,7 +165,7 @@ pub enum Report {
     Notices,
     /// The processes of simulated vehicles.
     Hangar,
-    /// The task, its rules and its scoring.
+    /// The brief: the mission's objectives, its rules and its scoring.
     Brief,
     /// The state of vehicles: these, otherwise the selected ones, otherwise all.
     Status(Option<VehicleChoice>),
@@ -248,7 +248,7 @@ pub enum ReviewLine {
     Export(String),
 }
 
-/// A command about the other flight beside this one.
+/// A command about another flight, shown beside this one.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GhostLine {
     Show(GhostSource),
@@ -297,7 +297,7 @@ pub enum DraftLine {
     Open(String),
     /// Write the current draft to a file; `None` for the file that it comes from.
     Save(Option<String>),
-    /// Open what these vehicles have on board, a draft for each.
+    /// Open the lists that these vehicles carry, in a draft for each.
     Take(Option<VehicleChoice>),
     /// Make the draft with this name the current one.
     Use(String),
@@ -334,9 +334,9 @@ pub enum DraftWork {
     Sweep {
         /// `None` for the area of the current draft.
         area: Option<Outline>,
-        /// The line spacing; `None` for the usual one.
+        /// The line spacing in metres; `None` for the default.
         spacing_m: Option<f64>,
-        /// Height above home; `None` for the usual one.
+        /// Height above home in metres; `None` for the default.
         up_m: Option<f64>,
         course: Course,
     },

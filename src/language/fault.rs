@@ -47,7 +47,7 @@ pub(super) fn fault(
     misfit_fault(&meant, word, &misfits, context)
 }
 
-/// The fault of a place of which only the latitude is there.
+/// The fault of a place that has a latitude but no longitude; `None` if that is not the fault.
 fn no_longitude(closest: &[&Fit], rest: &[Word]) -> Option<Text> {
     let mut begun = closest.iter().filter_map(|fit| fit.begun);
     let is_half = begun.any(|argument| argument.kind == Kind::Point);
@@ -114,7 +114,7 @@ impl Meant {
     }
 }
 
-/// What is missing after the last word, or why its names do not exist.
+/// The fault of a line that ends too early: the missing words, or why there is no name for them.
 fn incomplete(meant: &Meant, closest: &[&Fit], rest: &[Word], context: &Context) -> Text {
     if let Some(longitude) = no_longitude(closest, rest) {
         return longitude;

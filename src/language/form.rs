@@ -12,7 +12,7 @@ pub(super) struct Fit {
     pub arguments: Arguments,
     /// The arguments that may follow the last word.
     pub expected: Vec<Expected>,
-    /// The argument of which only the first words are there.
+    /// The argument that is incomplete: only its first words are there.
     pub begun: Option<&'static Argument>,
     /// Whether nothing is missing.
     pub complete: bool,
@@ -243,7 +243,8 @@ impl FormReader<'_> {
         FormStep::Misfit(misfit)
     }
 
-    /// What a word may be of these arguments: if it is not the first of several equal values, it is none of them.
+    /// The words that may come next for these arguments. Of several values of the same kind, only
+    /// the first counts.
     fn distinct(&self, open: &[usize]) -> Vec<Expected> {
         let mut kinds = Vec::new();
         let mut is_new = |argument: &&Argument| {

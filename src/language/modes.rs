@@ -20,7 +20,7 @@ const EVERYDAY_MODES: [&str; 8] = [
 const STICK_CLIMBS: [&str; 5] = ["LOITER", "ALT_HOLD", "POSHOLD", "FLOWHOLD", "SPORT"];
 const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
 
-/// The canonical name of a mode.
+/// The canonical name of a mode; `None` if no mode has that name.
 pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> {
     classes(context)
         .iter()

@@ -1,11 +1,11 @@
-//! Names that only the console knows, in lines.
+//! Names in lines, from lists that the console provides.
 
 use std::fmt;
 
 use crate::text;
 use crate::text::Text;
 
-/// The kinds of names that a line may contain and that only the console knows.
+/// The lists of names that the console provides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NameList {
     /// The rooms of the console.
@@ -20,7 +20,7 @@ pub enum NameList {
     Macro,
     /// The drafts of plans that are open.
     Draft,
-    /// The parameters of the item under the cursor of the room of plans.
+    /// The parameters of the item under the cursor in the room of plans.
     ItemField,
     /// The files of plans in the folder that is being typed.
     PlanFile,

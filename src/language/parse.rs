@@ -37,7 +37,7 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
     })
 }
 
-/// Builds the meaning with the matching form, and returns its index.
+/// Builds the meaning of a line, and returns it with the matching form.
 pub(super) fn understand(
     head: &Head,
     rest: &[Word],
@@ -62,7 +62,7 @@ pub(super) fn understand(
     Err(fault(head.row, &fits, rest, all, context))
 }
 
-/// The place in a line about a draft where it names a part of its change.
+/// The position of a part of a change in a line about a draft.
 pub fn draft_part(line: &str, part: EditPart, context: &Context) -> Option<Range<usize>> {
     let words = words(line);
     let head = head(&words, context).ok()?;

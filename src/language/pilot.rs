@@ -23,7 +23,7 @@ struct PilotStep {
     statement: Statement,
     /// The target vehicles; `None` for all that exist when the line is reached.
     vehicles: Option<Vec<VehicleId>>,
-    /// The condition without which the line is left out.
+    /// The condition of the line, which is skipped if it does not hold.
     only_if: Option<Guard>,
 }
 
@@ -31,7 +31,7 @@ struct PilotStep {
 #[derive(Debug, Clone, PartialEq)]
 struct Guard {
     condition: Wait,
-    /// The vehicles of which it must hold; `None` for all.
+    /// The vehicles for which it must hold; `None` for all.
     vehicles: Option<Vec<VehicleId>>,
 }
 
@@ -114,7 +114,8 @@ fn guard(
     }
 }
 
-/// A fault of a part of a line that begins at `start`; `before` characters of the part are not in the line.
+/// Moves a fault from a part to the whole line, in which the part begins at `start`; the first
+/// `before` bytes of the part are not in the line.
 fn moved(fault: Diagnostic, start: usize, before: usize) -> Diagnostic {
     let place = |at: usize| start + at.saturating_sub(before);
     Diagnostic {

@@ -54,7 +54,8 @@ impl Misread {
         }
     }
 
-    /// The fault as one of a part of a value, with the part's index and name.
+    /// Converts a fault in a part to a fault in the whole value, given the part's first word and
+    /// its name.
     fn part(self, at: usize, name: &'static str) -> Self {
         match self {
             Self::Wrong {
@@ -401,7 +402,7 @@ fn no_place(word: &str, places: &BTreeMap<String, LatLon>) -> Misread {
     })
 }
 
-/// An area known only by name has no corners, so no vehicle can fly there.
+/// The area with this name. An area known only by name has no corners, so no vehicle can fly there.
 fn area(text: &str, context: &Context) -> Result<Outline, Misread> {
     match context.areas {
         None if number_length(text) == 0 => Ok(Outline::Polygon(Vec::new())),

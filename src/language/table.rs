@@ -26,7 +26,7 @@ pub fn rows() -> impl Iterator<Item = &'static VerbRow> {
     TABLE.into_iter().flatten()
 }
 
-/// The row of a word, which may be an alias; case does not matter.
+/// The row of a word, which may be an alias; `None` if there is none. Case does not matter.
 pub fn row(word: &str) -> Option<&'static VerbRow> {
     rows().find(|row| row.is_called(word))
 }

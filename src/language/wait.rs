@@ -46,7 +46,7 @@ pub struct Findings {
 /// The condition of a wait, for every target.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Until {
-    /// A time has passed, without targets.
+    /// A time has passed; this needs no targets.
     Passed(Duration),
     /// The vehicle is in this state.
     Situation(Situation),

@@ -23,7 +23,7 @@ pub(super) struct LinkBeat {
 }
 
 impl LinkBeat {
-    /// Due at once, unless other work wakes the task.
+    /// Due for the first time at once, or when other work next wakes the task.
     pub fn new(pace: BeatPace) -> Self {
         let mut timer = interval(pace.latest);
         timer.set_missed_tick_behavior(MissedTickBehavior::Skip);
@@ -31,7 +31,7 @@ impl LinkBeat {
         Self { pace, last, timer }
     }
 
-    /// Makes the heartbeat due at once.
+    /// Makes the action due at once.
     pub fn hasten(&mut self) {
         self.timer.reset_immediately();
     }
@@ -46,7 +46,7 @@ impl LinkBeat {
         is_handy
     }
 
-    /// Waits until the heartbeat is overdue. Cancel-safe.
+    /// Waits until the action is overdue. Cancel-safe.
     pub async fn due(&mut self) {
         self.timer.tick().await;
         self.last = Instant::now();

@@ -105,7 +105,7 @@ impl LinkMeter {
         self.publish();
     }
 
-    /// Notes a fault that does not bring the link down, or its end.
+    /// Notes a fault that does not bring the link down, or with `None` the end of such a fault.
     pub(super) fn complain(&mut self, reason: Option<Text>) {
         self.status.last_error = reason;
     }

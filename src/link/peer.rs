@@ -27,8 +27,8 @@ pub(super) struct PeerStream {
 pub(super) enum StreamEnding {
     /// A stream: it may end inside a frame.
     Open,
-    /// A datagram: it may end inside a frame, as serial-to-UDP bridges cut them, but a next datagram that begins with
-    /// a frame does not continue it.
+    /// A datagram: it may end inside a frame, as serial-to-UDP bridges cut them, but a later
+    /// datagram that begins with a frame does not continue it.
     Datagram,
     /// A stream or a sender of datagrams after a pause.
     Closed,
@@ -101,7 +101,8 @@ impl PeerStream {
         self.decoder.has_tail()
     }
 
-    /// A peer that has only sent MAVLink 1 is answered in MAVLink 1; all others understand MAVLink 2.
+    /// Chooses the version of answers: MAVLink 1 for a peer that has sent only MAVLink 1, otherwise
+    /// MAVLink 2.
     fn answer_in(&mut self, heard: MavlinkVersion) {
         self.speaks_v2 |= heard == MavlinkVersion::V2;
         self.encoder.set_version(if self.speaks_v2 {

@@ -11,7 +11,8 @@ use crate::sim::SYSTEMS;
 use crate::vehicle_id::VehicleId;
 use crate::wire::{Content, Decoder, Encoder, SystemId};
 
-/// Writes what the vehicles of a rehearsal send, each as a system of its own, to a file that appears when it is complete.
+/// Writes the frames that the vehicles of a rehearsal send, each as a system of its own, to a file
+/// that appears when it is complete.
 #[derive(Debug)]
 pub struct RehearsalTape {
     log: TlogWriter<BufWriter<File>>,
@@ -54,7 +55,7 @@ impl RehearsalTape {
         })
     }
 
-    /// Adds what a vehicle has sent.
+    /// Adds the frames that a vehicle has sent.
     pub fn take(&mut self, heard: Heard<'_>) {
         let Some((decoder, encoder)) = self.vehicles.get_mut(heard.vehicle) else {
             return;

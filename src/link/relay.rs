@@ -49,7 +49,7 @@ pub struct Relay(Arc<RelayShared>);
 #[derive(Debug)]
 struct RelayShared {
     opened: Instant,
-    /// Whether there is any forward; without one, frames are not looked at.
+    /// Whether there is any forward; without one, frames are not examined.
     is_used: AtomicBool,
     core: Mutex<RelayCore>,
 }
@@ -331,7 +331,7 @@ impl RelayedForward {
         if !self.spec.is_paced(facts.id) || !is_counted {
             return true;
         }
-        // A tenth less, so that a stream at this very rate passes whole in spite of its jitter.
+        // A tenth less, so that a stream at exactly this rate passes completely despite its jitter.
         let pause = Duration::from_secs_f64(0.9 / rate_hz);
         let is_due = last.is_none_or(|last| now.saturating_sub(last) >= pause);
         if is_due {

@@ -24,7 +24,7 @@ struct SignerInner {
     /// The file, or why there is none.
     file: Mutex<Result<KeyFile, Text>>,
     clock: Box<dyn Fn() -> u64 + Send + Sync>,
-    /// Whether frames without a right signature are ignored.
+    /// Whether frames without a valid signature are ignored.
     is_required: bool,
 }
 
@@ -46,7 +46,8 @@ pub fn signing_clock() -> u64 {
 }
 
 impl Signer {
-    /// The signing with the keys of a file; without them, if the file cannot be used, or there is no folder for it.
+    /// The signing with the keys of a file, or without keys if the file cannot be used or there is
+    /// no folder for it.
     pub fn new(
         opened: Result<(KeyFile, Keyring), Text>,
         is_required: bool,
@@ -76,7 +77,7 @@ impl Signer {
 
     /// Writes the keyring if that is necessary.
     fn save(&self, is_needed: impl Fn(&Keyring) -> bool) -> Result<(), Text> {
-        // One at a time, so that no older text replaces a newer one.
+        // Only one thread writes at a time, so that no older text replaces a newer one.
         let mut file = self.0.file.lock().unwrap_or_else(PoisonError::into_inner);
         let (text, reserved) = {
             let mut ring = self.ring();
@@ -104,7 +105,7 @@ impl Signer {
     /// Writes the keyring now if the stamps of the file are used up, otherwise in the background if that is due.
     fn keep_ahead(&self, is_spent: bool) {
         if is_spent {
-            // Frames go on if the disk is full: losing contact would be worse.
+            // Frames are sent even if the disk is full, because losing contact would be worse.
             drop(self.save(Keyring::is_spent));
             return;
         }
@@ -132,7 +133,7 @@ pub struct SignedLink {
 }
 
 impl SignedLink {
-    /// The value of a received frame's signature.
+    /// Checks the signature of a received frame.
     pub(super) fn check(&self, frame: &Frame, bytes: &[u8]) -> Seal {
         if !frame.seal.is_signature() {
             return frame.seal;
@@ -170,7 +171,7 @@ impl SignedLink {
                 None => heard.into_iter().collect(),
             };
             if systems.is_empty() {
-                // Some vehicles are silent until they are called.
+                // Some vehicles are silent until they receive a message.
                 systems = ring.keyed(&self.address).collect();
             }
             let seals = ring.seal(&self.address, systems, stamp);
@@ -194,7 +195,7 @@ impl SignedLink {
         self.is_required() || self.signer.ring().keyed(&self.address).next().is_some()
     }
 
-    /// Whether frames without a right signature are ignored.
+    /// Whether frames without a valid signature are ignored.
     pub(super) fn is_required(&self) -> bool {
         self.signer.0.is_required
     }
@@ -219,7 +220,7 @@ impl KeyDesk for SignedLink {
             .signer
             .ring()
             .message(&self.address, vehicle, which, now);
-        // Its time stamp must be within the stamps of the file.
+        // The message's time stamp must be within the range stored in the file.
         drop(self.signer.save(Keyring::is_spent));
         message
     }

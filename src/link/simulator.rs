@@ -1,8 +1,8 @@
 //! Serves the embedded simulator, in real time, to pipes within this program and to sockets.
 //!
-//! One task does everything: it reads what ground stations sent, steps the world, and writes what the vehicles
-//! answered, a hundred times a second. Sockets are polled rather than awaited, so that a world of many vehicles needs
-//! one wake per step, not one per message.
+//! One task does everything: it reads the ground stations' messages, steps the world, and writes
+//! the vehicles' answers, a hundred times a second. Sockets are polled rather than awaited, so that
+//! a world of many vehicles needs one wake per step, not one per message.
 
 use std::io;
 use std::net::SocketAddr;
@@ -93,7 +93,7 @@ pub enum SimulatorError {
         /// The first vehicle's port.
         port: u16,
     },
-    /// The system's limit of open files is too low for this number of sockets.
+    /// The system's limit on open files is too low for this number of sockets.
     #[error(
         "{vehicles} vehicle(s) need {needed} sockets, more open files than this system allows: raise the limit \
          (ulimit -n), fly fewer, or serve them over one socket with --udp"

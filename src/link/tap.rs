@@ -1,4 +1,5 @@
-//! Access to a link's frames: a [`Census`] that the link fills and any part may read.
+//! Access to a link's frames: a [`Census`] that the link fills and any part of the program may
+//! read.
 
 use std::borrow::Cow;
 use std::net::SocketAddr;

@@ -20,7 +20,7 @@ const LONGEST_FRAME: usize = 280;
 /// One entry of a tlog.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TlogRecord {
-    /// When the frame was received or sent, microseconds since 1970 (UTC).
+    /// When the frame was received or sent, in microseconds since 1970 (UTC).
     pub unix_us: u64,
     /// The frame as it was on the wire, from its start byte to its checksum or signature.
     pub bytes: Vec<u8>,

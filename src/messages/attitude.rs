@@ -20,7 +20,7 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &ATTITUDE_DATA, now: Duration) 
     }
 }
 
-/// A heading within 0 (included) to 360 (excluded) degrees.
+/// An angle as a heading from 0 (included) to 360 (excluded) degrees.
 pub(super) fn heading_deg(angle_deg: f32) -> f32 {
     let wrapped = wrap_360(f64::from(angle_deg)) as f32;
     // Rounding to a narrower type may give 360 itself.

@@ -92,13 +92,14 @@ fn pack_voltage_v(data: &BATTERY_STATUS_DATA) -> Option<f32> {
     any.then_some(total_mv as f32 * 1e-3)
 }
 
-/// The current; -1 means that it is not measured, and other negative values are not plausible for a battery in use.
+/// The current in amperes; `None` for -1, which means that it is not measured, and for other
+/// negative values, which are not plausible for a battery in use.
 fn current_a(centiamperes: i16) -> Option<f32> {
     (centiamperes >= 0).then(|| f32::from(centiamperes) * 0.01)
 }
 
-/// The charge used since the start. -1 means unknown; negative values and the end of the range are not plausible
-/// either.
+/// The charge or energy used since the start, in the message's unit. -1 means unknown; other
+/// negative values and the end of the range are not plausible.
 fn known(count: i32) -> Option<f32> {
     (0..i32::MAX).contains(&count).then_some(count as f32)
 }

@@ -12,7 +12,8 @@ const DELAYS_S: RangeInclusive<f32> = 1.0..=127.0;
 /// How much earlier and later than the delay a disarming may show: heartbeats arrive once a second.
 const EARLIER: Duration = Duration::from_millis(1500);
 const LATER: Duration = Duration::from_millis(2500);
-/// How long a disarming may follow the answer to a command that caused it.
+/// The maximum time from the answer to a command to arm or disarm until the disarming that it
+/// causes.
 const BY_COMMAND: Duration = Duration::from_secs(2);
 
 /// The time that an armed vehicle has spent on the ground, by its own clock.
@@ -68,7 +69,7 @@ impl IdleWatch {
     }
 }
 
-/// The vehicle's own clock, which passes faster than the console's with a speed-up.
+/// The vehicle's own clock, which runs faster than the console's under a speed-up.
 fn clock(vehicle: &Vehicle, now: Duration) -> Duration {
     vehicle.clock().unwrap_or(now)
 }

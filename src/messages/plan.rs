@@ -14,7 +14,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Plan, PlanPause, PlanPhase, PlanProgress, Severity, Vehicle};
 
-/// How long a change of the current item may be the effect of an order.
+/// How long after an order a change of the current item may be its effect.
 const ASKED_WITHIN: Duration = Duration::from_secs(10);
 /// `MISSION_CURRENT.mission_mode` of a vehicle that flies its plan.
 const FLIES_IT: u8 = 1;
@@ -95,7 +95,7 @@ fn begins_anew(vehicle: &Vehicle, before: u16) -> bool {
     vehicle.plan.current <= 1 && last.is_some_and(|item| is_end(item.command))
 }
 
-/// Reports a plan that went on at an unexpected item.
+/// Reports a plan that continued at an unexpected item.
 fn follow(
     vehicle: &Vehicle,
     before: u16,

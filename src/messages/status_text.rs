@@ -32,7 +32,7 @@ pub(super) struct Chunk {
     sequence: u8,
     severity: Severity,
     bytes: Vec<u8>,
-    /// A chunk that is not full ends its text.
+    /// Whether it ends its text, because it is not full.
     is_last: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Shared by the tests of this module.
+//! Helpers shared by the tests of this module.
 
 use std::time::Duration;
 

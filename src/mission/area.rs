@@ -90,7 +90,7 @@ impl Mission {
         }
     }
 
-    /// The outlines of those areas by name, for typed commands.
+    /// The outlines of the areas known from the start, by name, for typed commands.
     pub fn named_areas(&self) -> BTreeMap<String, Outline> {
         let areas = self.areas().into_iter();
         areas.map(|area| (area.name, area.outline)).collect()

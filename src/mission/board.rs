@@ -20,7 +20,7 @@ const STREAM: u64 = 1 << 39;
 const ASTRAY_M: f64 = 400.0;
 /// The duration of a hold that drains any battery, in seconds.
 const LONG_STAY_S: f32 = 3000.0;
-/// The fence of heights and that of areas, as bits of `FENCE_TYPE`.
+/// The fence of heights and the fence of areas, as bits of `FENCE_TYPE`.
 const HEIGHTS_AND_AREAS: f64 = 5.0;
 
 /// The plans and the fence on board at the start of a mission.
@@ -234,7 +234,8 @@ impl Mission {
                 plan = self.sound_plan(self.seats.pads[other], &self.board.routes[other]);
             }
             PlanFault::Gap => {
-                // The end of one leg and the beginning of the next one back: two lanes become none.
+                // Removes the end of one leg and the beginning of the next one, which leads back,
+                // so that two lanes are missing.
                 let pairs = last / 2;
                 let first = 2 * random.random_range(0..pairs.max(1)) + 1;
                 plan.drain(first + 1..first + 3);

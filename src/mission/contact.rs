@@ -61,7 +61,8 @@ pub(crate) enum Seen {
     Again,
 }
 
-/// Fires are numbered separately: a fire has dozens of contacts, which would hide the ones to report.
+/// The beginning of a contact's name. Fires are numbered separately: a fire has dozens of contacts,
+/// which would hide the ones to report.
 fn stem(kind: FindKind) -> &'static str {
     let [usual, fire] = CONTACT_STEMS;
     if kind == FindKind::Fire { fire } else { usual }

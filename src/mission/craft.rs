@@ -39,7 +39,7 @@ pub(crate) struct Craft {
     pub speed_m_s: f64,
     /// The course that the vehicle flies or flew last.
     pub course: CraftCourse,
-    /// Whether its prearm checks pass.
+    /// Whether its pre-arm checks pass.
     pub ready: bool,
     pub armed: bool,
     pub airborne: bool,
@@ -51,7 +51,7 @@ pub(crate) struct Craft {
     pub lost: bool,
     /// Whether its telemetry arrives.
     pub heard: bool,
-    /// Distance to the nearest pad.
+    /// Distance to the nearest pad, in metres.
     pub pad_distance_m: Option<f64>,
     pub battery_percent: Option<f64>,
     /// How long it has been disarmed on the ground after flying.
@@ -108,7 +108,7 @@ impl Craft {
         self.flown && !self.lost && !self.armed && !self.airborne
     }
 
-    /// Whether its detectors work and its radio delivers what they see.
+    /// Whether its detectors work and its radio delivers their results.
     pub fn can_see(&self) -> bool {
         self.heard && self.airborne && !self.lost
     }
@@ -118,12 +118,13 @@ impl Craft {
         self.in_auto && self.airborne && !self.lost
     }
 
-    /// Its true position, even while the operator does not receive it.
+    /// Its true position, even while the operator does not receive it; `None` before the first.
     pub fn truly_at(&self) -> Option<Point> {
         self.unheard.map(|(at, _)| at).or(self.at)
     }
 
-    /// Its true position with its height: metres east, north and up.
+    /// Its true position with its height: metres east, north and up; `None` before the first
+    /// position.
     pub fn place_m(&self) -> Option<[f64; 3]> {
         let known = self.at.map(|at| (at, self.height_m));
         let ([east_m, north_m], up_m) = self.unheard.or(known)?;
@@ -140,7 +141,7 @@ impl Craft {
         self.probes.iter().map(|probe| probe.shown).collect()
     }
 
-    /// Energy used during this mission, in Wh.
+    /// Energy used during this mission, in Wh; `None` without a reading.
     pub fn used_wh(&self) -> Option<f64> {
         self.energy_wh.map(|(first, now)| (now - first).max(0.0))
     }

@@ -150,7 +150,7 @@ impl Pilot {
         self.fly_to([north_m, east_m, self.position_m[2]], speed_m_s);
     }
 
-    /// Flies to a place and is there still as fast.
+    /// Flies to a place and passes it without slowing down.
     pub fn cross(&mut self, north_m: f64, east_m: f64, speed_m_s: f64) {
         self.goto(north_m, east_m, speed_m_s);
         self.report_state([speed_m_s, 0.0, 0.0]);
@@ -241,7 +241,7 @@ impl Pilot {
     }
 }
 
-/// Rounded as in a message, like the following values.
+/// A place, rounded as in a message, like the values below.
 fn at_point(place: LatLon) -> LatLon {
     let (lat, lon) = place.to_e7();
     LatLon::from_e7(lat, lon)

@@ -90,7 +90,7 @@ pub struct Flight {
 }
 
 impl Flight {
-    /// An attempt at a mission; the seed decides everything random.
+    /// An attempt at a mission; the seed determines all random values.
     pub fn new(mission: Arc<Mission>, seed: u64) -> Self {
         let world = World::new(&mission, seed);
         let plans = mission.objectives.iter();
@@ -127,7 +127,7 @@ impl Flight {
         self.elapsed
     }
 
-    /// Sets what the flight is for; the default is practice.
+    /// Sets the purpose of the flight; the default is practice.
     pub fn set_stake(&mut self, stake: Stake) {
         self.stake = stake;
     }
@@ -243,7 +243,7 @@ impl Flight {
         self.outcome.is_over()
     }
 
-    /// The seed of everything random in the mission.
+    /// The seed of all random values in the mission.
     pub fn seed(&self) -> u64 {
         self.seed
     }

@@ -9,7 +9,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// A quantity of which a field can be measured.
+/// A quantity that sensors can measure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Quantity {
     /// Solvent vapour or gas, in ug/m3.
@@ -62,11 +62,11 @@ pub(crate) enum ObjectClass {
     MinimumMetalMine,
     /// A mine or a shell in the open.
     SurfaceMine,
-    /// Scrap that detectors take for a mine.
+    /// Scrap that detectors mistake for a mine.
     Clutter,
     /// A person in need of help.
     Person,
-    /// An animal, which a thermal camera takes for a person.
+    /// An animal, which a thermal camera mistakes for a person.
     Animal,
     Fire,
     /// A fault of a line or a structure.
@@ -96,7 +96,7 @@ impl ObjectClass {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Load {
     Ball,
-    /// A second of the sprayer.
+    /// A second of spraying.
     Spray,
     /// A kit: medicine, a life vest.
     Kit,

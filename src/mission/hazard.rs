@@ -32,7 +32,7 @@ pub(crate) use people::Care;
 
 /// A hazard as described in the file.
 pub(crate) trait Hazard: Debug + Send + Sync {
-    /// The hazard of one flight; everything random comes from `random`, now and later.
+    /// Starts the hazard of one flight; all its randomness, now and later, comes from `random`.
     fn release(&self, weather: &Weather, random: ChaCha8Rng) -> Box<dyn Field>;
 
     /// The pylons of a power line, which the trainee sees from the start, unlike its defects; empty for other hazards.
@@ -46,7 +46,8 @@ pub(crate) trait Field: Debug + Send + Sync {
     /// Advances by a [`TICK`](super::TICK); `now` is the mission time at the end of the tick.
     fn step(&mut self, _now: Duration, _weather: &Weather) {}
 
-    /// The amount of a quantity that it adds at a point and a height above the origin.
+    /// The amount of a quantity, in its unit, that the hazard adds at a point and a height above
+    /// the origin.
     fn amount(&self, _quantity: Quantity, _at: Point, _height_m: f64) -> f64 {
         0.0
     }
@@ -66,7 +67,7 @@ pub(crate) trait Field: Debug + Send + Sync {
         None
     }
 
-    /// The help given to its people; `None` if it has none.
+    /// The help given to its people; `None` if it has no people.
     fn care(&self) -> Option<Care> {
         None
     }
@@ -87,7 +88,7 @@ pub(crate) trait Field: Debug + Send + Sync {
     }
 }
 
-/// All kinds, in the order of listings.
+/// All kinds, in the order in which they are listed.
 pub(super) static KINDS: &[KindOf<Box<dyn Hazard>>] = &[
     flood::KIND,
     line::KIND,

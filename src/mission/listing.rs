@@ -20,21 +20,22 @@ pub struct Listing {
     pub id: String,
     /// Its revision; results are comparable only within one revision.
     pub rev: u32,
-    /// How its text compares with that of the course: flights with another text are practice.
+    /// How its text compares with that of the course; flights of a mission with a different text
+    /// are practice.
     pub file: MissionFile,
     /// The title that is shown.
     pub title: Text,
     pub brief: Text,
-    /// The id of the mission that it is a short exercise for.
+    /// The id of the mission that it is a drill for, if it is a drill.
     pub drill_of: Option<String>,
     /// Difficulty, 0 (first steps) to 3.
     pub tier: u8,
     /// The number of vehicles.
     pub vehicles: usize,
     pub time_limit: Duration,
-    /// The mission time that earns full points.
+    /// The maximum mission time for full points.
     pub par_time: Duration,
-    /// The energy that earns full points, in Wh.
+    /// The maximum energy for full points, in Wh.
     pub par_energy_wh: f64,
     /// The greatest height allowed above the pads, in metres.
     pub max_height_m: f64,
@@ -63,7 +64,7 @@ pub struct Listing {
     pub medals: Medals,
     /// Whether pausing is allowed.
     pub pausable: bool,
-    /// The highest speed-up of time in flight.
+    /// The maximum speed-up in flight.
     pub most_speedup: f64,
     /// Requirements before the mission is offered.
     pub requires: Requires,
@@ -98,7 +99,7 @@ pub struct FitListing {
     /// The vehicles that carry this equipment.
     pub vehicles: Vec<VehicleId>,
     pub sensors: Vec<Text>,
-    /// Their loads with the count of each; in seconds for spray.
+    /// Their loads with the count of each, or the seconds for spray.
     pub loads: Vec<(Text, u32)>,
 }
 
@@ -196,7 +197,8 @@ impl Mission {
         listed
     }
 
-    /// The objectives. Their targets do not depend on the flight, so they come from one that has not begun.
+    /// The objectives. Their targets do not depend on the flight, so they are taken from a flight
+    /// that has not begun.
     fn listed_objectives(&self) -> Vec<ObjectiveListing> {
         let world = World::new(self, 0);
         let untouched = ObjectiveScene::empty(&world);

@@ -26,7 +26,7 @@ use crate::vehicle::VehicleId;
 const ONE_PASS: Duration = Duration::from_secs(2);
 /// The share of mines that a kind of sensor never sees.
 const NEVER_SEEN: f64 = 0.03;
-/// The highest detection probability of a look, so that no find is certain at once.
+/// The highest detection probability of a look, so no single look is certain to find an object.
 const SUREST: f64 = 0.999;
 /// The kinds of false alarms.
 const ALARMS: [FindKind; 2] = [FindKind::Mine, FindKind::Person];
@@ -57,7 +57,7 @@ struct Glance {
     found: bool,
 }
 
-/// A recurring event after a random exposure.
+/// A recurring event, each time after a random exposure.
 #[derive(Debug)]
 struct Chance {
     random: ChaCha8Rng,
@@ -254,7 +254,7 @@ impl DetectorWatch<'_> {
 struct Find {
     /// The error of its position.
     error_m: Point,
-    /// Whether the look was good enough to recognise something harmless.
+    /// Whether the look was good enough to recognise a harmless object.
     told_apart: bool,
 }
 

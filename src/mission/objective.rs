@@ -57,7 +57,7 @@ pub(crate) struct Objective {
 pub(crate) struct Sought {
     /// The hazard's index in the file.
     pub hazard: usize,
-    /// The greatest distance of a correct report.
+    /// The greatest distance of a correct report from the object, in metres.
     pub within_m: f64,
 }
 
@@ -81,7 +81,8 @@ pub(crate) struct GroundPatch {
 
 /// The behaviour of a kind of objective.
 pub(crate) trait ObjectiveKind: Debug + Send + Sync {
-    /// The skill that it shows in a mission with this many vehicles: swarm skills need several.
+    /// The skill that it demonstrates in a mission with this many vehicles; swarm skills need
+    /// several.
     fn skill(&self, vehicles: usize) -> Option<Skill>;
 
     /// The conditions for an attempt at the objective.
@@ -185,14 +186,14 @@ impl<'a> ObjectiveScene<'a> {
 pub(crate) struct ObjectiveStanding {
     /// The share of it that is reached, 0 to 1.
     pub fraction: f64,
-    /// The measured quantity, for gates.
+    /// The measured quantity, for the conditions of gold and of events.
     pub measure: f64,
     pub met: bool,
     /// Whether the flight can end as far as this objective is concerned.
     pub settled: bool,
     /// Whether it is about the landing, the last task of a flight.
     pub landing: bool,
-    /// The product, for kinds that have one.
+    /// The product, such as a map, for kinds that have one.
     pub product: Option<Product>,
     /// The result as text.
     pub result: Text,
@@ -249,7 +250,7 @@ pub(crate) fn partial_credit(x: f64, partial: f64, target: f64) -> f64 {
     ((x - partial) / span).clamp(0.0, 1.0)
 }
 
-/// All kinds, in the order of listings.
+/// All kinds, in the order in which they are listed.
 pub(super) static KINDS: &[KindOf<Box<dyn ObjectiveKind>>] = &[
     sample_cells::KIND,
     map_error::KIND,

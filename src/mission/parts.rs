@@ -31,7 +31,7 @@ pub struct MissionSummary {
     /// Its topics, for lists and searches.
     pub tags: Vec<String>,
     pub authors: Vec<String>,
-    /// The id of the mission that it is a short exercise for.
+    /// The id of the mission that it is a drill for, if it is a drill.
     pub drill_of: Option<String>,
 }
 
@@ -50,7 +50,7 @@ pub struct FlightRules {
     pub time_limit: Duration,
     /// Whether pausing is allowed.
     pub pausable: bool,
-    /// The highest speed-up of time in flight.
+    /// The maximum speed-up in flight.
     pub most_speedup: f64,
     /// Protected parameters that may be set in this mission.
     pub open_parameters: Vec<String>,

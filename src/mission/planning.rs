@@ -9,7 +9,7 @@ use crate::ledger::{EntryId, Ledger, LedgerRow, RowState};
 use crate::vehicle::VehicleId;
 use crate::verb::CountsAs;
 
-/// The account of one flight.
+/// The plan commands of one flight.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct PlanLog {
     /// The revision of the ledger at the last look.
@@ -28,7 +28,7 @@ struct PlanRow {
 }
 
 impl PlanLog {
-    /// A flight without such commands.
+    /// A flight without plan commands.
     pub const NONE: Self = Self {
         looked: None,
         rows: BTreeMap::new(),

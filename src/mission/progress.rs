@@ -18,7 +18,7 @@ pub struct Progress {
     pub title: Text,
     pub elapsed: Duration,
     pub limit: Duration,
-    /// The score if it ended now, 0 to 1000; `None` before the first takeoff.
+    /// The score if the mission ended now, 0 to 1000; `None` before the first takeoff.
     pub score_so_far: Option<u16>,
     /// The objectives, in file order.
     pub objectives: Vec<ObjectiveProgress>,
@@ -26,7 +26,7 @@ pub struct Progress {
     pub readings: Vec<Reading>,
     /// The loads left on board, by vehicle.
     pub loads: Vec<LoadLeft>,
-    /// The sensors' findings, for waits.
+    /// The sensors' findings, for waits in scripts.
     pub findings: Findings,
     /// The phase of the flight.
     pub phase: Phase,
@@ -189,7 +189,7 @@ pub struct LoadLeft {
     pub vehicle: VehicleId,
     /// Name of the load.
     pub load: Text,
-    /// The pieces left; in seconds for spray.
+    /// The pieces left, or the seconds for spray.
     pub left: u32,
     /// The unit: `s` for spray, otherwise empty.
     pub unit: &'static str,
@@ -213,6 +213,6 @@ pub struct Cell {
     pub side_m: f64,
     /// Whether it has been sampled for long enough.
     pub sampled: bool,
-    /// The mean of its readings so far, in the sensor's unit.
+    /// The mean of its readings so far, in the sensor's unit; `None` without readings.
     pub value: Option<f64>,
 }

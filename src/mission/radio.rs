@@ -79,7 +79,7 @@ pub(crate) struct RadioNode {
     pub at: Point,
     pub height_m: f64,
     pub gain_dbi: f64,
-    /// Whether it relays what it receives.
+    /// Whether it relays the frames that it receives.
     pub relays: bool,
 }
 
@@ -153,7 +153,7 @@ impl Radio {
         }
     }
 
-    /// The state of a link with a margin.
+    /// The loss and the delay of a link with a margin.
     pub fn fault(margin_db: f64) -> RadioFault {
         let loss = loss(margin_db);
         if loss < NO_LOSS {

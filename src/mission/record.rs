@@ -130,14 +130,14 @@ pub struct End {
 }
 
 impl End {
-    /// The end in a line, if the line is one.
+    /// Parses the line that ends a record; `None` for any other line.
     pub fn of_line(line: &[u8]) -> Option<Self> {
         let line: RecordLine = serde_json::from_slice(line).ok()?;
         line.end().copied()
     }
 }
 
-/// The checksum of the lines with a hash, as the end of a record states it.
+/// The checksum for a hash of the lines, as text for the end of a record.
 fn checksum(lines: RunningHash) -> String {
     format!("{:016x}", lines.value())
 }

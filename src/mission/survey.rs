@@ -56,7 +56,7 @@ impl Survey {
         cell.is_some_and(|index| !self.is_sampled(index))
     }
 
-    /// Counts one tick of a vehicle; returns the cell that this completes.
+    /// Counts one tick of a vehicle; returns the index of the cell that this completes, if any.
     pub fn step(&mut self, at: Point, height_m: f64, speed_m_s: f64, shown: f64) -> Option<usize> {
         let index = self.cell_under(at, height_m, speed_m_s)?;
         let before = self.is_sampled(index);
@@ -98,7 +98,7 @@ impl Survey {
             .count()
     }
 
-    /// The mean of a cell's readings, in the sensor's unit.
+    /// The mean of a cell's readings, in the sensor's unit; `None` without readings.
     pub fn mean(&self, index: usize) -> Option<f64> {
         let cell = self.cells[index];
         (cell.ticks > 0).then(|| cell.sum / f64::from(cell.ticks))

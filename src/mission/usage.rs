@@ -101,7 +101,7 @@ impl VehicleUsage {
         self.keep_times(productive, look.commanded, times);
     }
 
-    /// Whether it has just got a command, and may not move yet.
+    /// Whether it has just got a command and may not have started to move yet.
     fn is_starting(&self) -> bool {
         self.neglected_for.is_some_and(|since| since < START)
     }

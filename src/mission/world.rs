@@ -106,7 +106,8 @@ impl World {
             .sum()
     }
 
-    /// The integral of a quantity along a vertical beam down from there, per square metre.
+    /// The integral of a quantity along a vertical beam from a point down to the ground, per square
+    /// metre.
     pub fn column(&self, quantity: Quantity, at: Point, height_m: f64) -> f64 {
         let slice_m = height_m.max(0.0) / f64::from(COLUMN_SLICES);
         let middle = |slice: u32| (f64::from(slice) + 0.5) * slice_m;

@@ -62,8 +62,8 @@ struct Member {
     is_read: bool,
 }
 
-/// The kinds of fences (`FENCE_TYPE`) whose limits are known: without `FENCE_RADIUS`, the simulator's own circle would be
-/// judged.
+/// The kinds of fences (`FENCE_TYPE`) whose limits are known. Without `FENCE_RADIUS`, the flight
+/// would be judged by the simulator's own circle.
 fn known_kinds(value: impl Fn(&str) -> Option<f32>) -> f32 {
     const AREAS: u8 = 4;
     const LIMITS: [(u8, &str); 3] = [
@@ -90,7 +90,7 @@ pub(super) struct Winds {
     pub(super) of_mission: Option<Wind>,
 }
 
-/// An order to rehearse, with what is known besides the vehicles.
+/// An order to rehearse, with the data that does not come from the vehicles.
 #[derive(Debug, Clone)]
 pub(super) struct RehearsalRequest {
     pub(super) entry: EntryId,
@@ -176,7 +176,7 @@ impl PlanRehearsal {
         self.crew.iter().map(|it| it.seat.vehicle).collect()
     }
 
-    /// Gives a vehicle the parameters that have been read, as far as they decide how it flies.
+    /// Gives a vehicle those of the parameters read from it that decide how it flies.
     pub fn set_parameters(&mut self, vehicle: VehicleId, list: &Arc<ParameterList>) {
         let value = |name: &str| list.get(name).map(|known| known.value);
         let members = self.crew.iter_mut();
@@ -213,12 +213,13 @@ impl PlanRehearsal {
         }
     }
 
-    /// Flies the plans. Takes about a second for 32 vehicles and ten minutes.
+    /// Flies the plans. Takes about a second for 32 vehicles and ten minutes of flight.
     pub fn fly(&self, now: Duration) -> Rehearsed {
         self.reported(self.outcome(), now)
     }
 
-    /// Flies the plans, and hands over what the vehicles send, in the order of [`Self::vehicles`].
+    /// Flies the plans, and passes everything that the vehicles send to `listener`, in the order of
+    /// [`Self::vehicles`].
     pub fn fly_heard(&self, now: Duration, listener: &mut dyn FnMut(Heard<'_>)) -> Rehearsed {
         let outcome = rehearse_heard(&self.participants(), &self.weather(), listener);
         self.reported(outcome, now)

@@ -1,4 +1,4 @@
-//! Lines and their consequences.
+//! Tests of lines, and of the work that follows from them.
 
 use super::*;
 use crate::commands::Setpoint;
@@ -104,7 +104,7 @@ fn steering_that_is_not_delivered_comes_again_until_it_is_void() {
     for id in FLEET {
         operator.note_delivery(id, steering(f64::from(id)), false);
     }
-    // Vehicle 2 has other orders meanwhile.
+    // Vehicle 2 has other orders by now.
     assert_eq!(said(&mut operator, "2 land").len(), 1);
     let work = operator.conduct(&vehicles(), Duration::from_secs(8));
     assert_eq!(

@@ -41,10 +41,11 @@ pub enum ParameterUnfit {
         kind: ParameterType,
         /// The minimum value of the type.
         least: f64,
-        /// The greatest value of the type.
+        /// The maximum value of the type.
         greatest: f64,
     },
-    /// It is whole and in range, but `PARAM_SET` carries a float with only 24 bits.
+    /// The value is whole and in range, but `PARAM_SET` carries it as a float with only 24
+    /// significant bits.
     Inexact {
         /// The nearest value that `PARAM_SET` can carry.
         nearest: f32,

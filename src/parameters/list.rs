@@ -5,9 +5,9 @@ use std::sync::Arc;
 
 use super::{ParameterType, is_same};
 
-/// No vehicle has more parameters; further names are noise and are not kept.
+/// The maximum number of parameters kept: no vehicle has more, so further names are noise.
 const MOST_PARAMETERS: usize = 10_000;
-/// PX4 sends a checksum of its parameters under this name; it is not a parameter.
+/// The name under which PX4 sends a checksum of its parameters; it is not a parameter.
 const HASH: &str = "_HASH_CHECK";
 
 /// One parameter as last heard.
@@ -53,7 +53,7 @@ pub struct ParameterList {
     seen: Vec<bool>,
     received: u16,
     passed: u64,
-    /// The length of the list by a value that was sent on its own.
+    /// The length of the list according to a value that was sent on its own.
     announced: Option<u16>,
     revision: u64,
 }
@@ -101,7 +101,8 @@ impl ParameterList {
         self.count.is_some_and(|count| count > 0) && self.received == self.seen.len() as u16
     }
 
-    /// Whether the number of parameters has changed since: some appear only after others are enabled.
+    /// Whether the number of parameters has changed since the list was sent: some appear only after
+    /// others are enabled.
     pub fn is_outdated(&self) -> bool {
         self.announced.is_some() && self.announced != self.count
     }

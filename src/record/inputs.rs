@@ -53,7 +53,7 @@ impl InputsHead {
         }
     }
 
-    /// A world with this start; the airframes follow from the head later.
+    /// A world with this seed and these starts; the airframes are added later.
     pub fn world(&self) -> WorldConfig {
         let start = |[lat, lon, altitude, heading]: &[String; 4]| {
             let number = |text: &String| text.parse().unwrap_or_default();
@@ -151,7 +151,7 @@ impl InputLog {
         }
     }
 
-    /// Records a changed pace.
+    /// Records the speed-up over the wall clock if it has changed.
     pub fn note_pace(&mut self, world: &World, speedup: f64) {
         if self.pace.replace(speedup) != Some(speedup) {
             self.note(world.steps(), Entered::Pace(speedup));
@@ -326,7 +326,7 @@ impl InputLine {
         STEP * u32::try_from(self.s).unwrap_or(u32::MAX)
     }
 
-    /// The inputs of a line for a world; `None` if it has none.
+    /// The inputs of a line for a world; `None` if it has none, or if they are invalid.
     pub fn inputs(&self) -> Option<Vec<Input>> {
         let input = |vehicle, connection, what| Input {
             step: self.s,

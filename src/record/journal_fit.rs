@@ -10,13 +10,13 @@ const LATEST_FRAME_US: u64 = 7 * 24 * 3600 * 1_000_000;
 /// How a journal fits the other files of its record.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum JournalFit {
-    /// Nothing speaks against it.
+    /// Nothing contradicts it.
     Fits,
-    /// Its flight is another than the mission of the run.
+    /// The journal belongs to a flight other than the mission of the run.
     OtherFlight(Subject),
-    /// The first frame is from before its beginning, or from much later.
+    /// The first frame is from before the journal's beginning, or from much later.
     OtherTime {
-        /// Microseconds since 1970 (UTC), as both.
+        /// The beginning of the session; like `first_unix_us`, in microseconds since 1970 (UTC).
         began_unix_us: u64,
         first_unix_us: u64,
     },

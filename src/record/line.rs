@@ -220,8 +220,8 @@ impl NoticeLine {
 }
 
 impl Happening {
-    /// The line of a demand that belongs in the journal, which is only that of the radio, simulated by the console. The
-    /// vehicle's answers to other demands are in telemetry.
+    /// The line of a demand, if it belongs in the journal. Only demands on the radio do, because
+    /// the console simulates it; the vehicle's answers to other demands are in telemetry.
     pub fn of_demand(vehicle: VehicleId, want: &Want) -> Option<Self> {
         match want {
             Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, *fault))),

@@ -17,7 +17,7 @@ pub(super) struct Contents {
     review: Review,
     /// All moments, earliest first.
     moments: Arc<Vec<Moment>>,
-    /// The index's moments that are part of them.
+    /// The index's moments as last merged.
     merged: Option<Arc<Vec<Moment>>>,
 }
 
@@ -105,14 +105,14 @@ impl Contents {
         Some((last, shown.find(|at| *at > now)?))
     }
 
-    /// The first moment of these kinds between two times, in either direction, by the frame that shows it.
+    /// The frame that shows the first moment of these kinds between two times, in either direction.
     pub fn between(&self, from: Duration, to: Duration, kinds: &[MomentKind]) -> Option<Duration> {
         let stops = |it: &&Moment| kinds.contains(&it.kind);
         let times = self.moments.iter().filter(stops).map(|it| it.at);
         let first = if from <= to {
             times.filter(|&at| at > from && at <= to).min()
         } else {
-            // The replay has already stopped at a moment that is shown at the start.
+            // The replay has already stopped at the moment that is shown at `from`.
             times
                 .filter(|&at| showing(at) < from && showing(at) >= to)
                 .max()

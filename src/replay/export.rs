@@ -32,13 +32,13 @@ pub enum ExportFormat {
     Mcap,
 }
 
-/// Writes a recording completely or not at all, as a file or as a folder of tables. Existing files are not replaced.
-/// A stream is written to: standard output (`-`), a device, a FIFO. Returns a warning if the file has no content to
-/// show.
+/// Writes a recording completely or not at all, as a file or as a folder of tables. Existing files
+/// are not replaced. A stream (standard output as `-`, a device, a FIFO) is written to directly.
+/// Returns a warning if the file has no content to show.
 ///
 /// # Errors
-/// The recording cannot be read or the file cannot be written, or the path exists already, or is a stream although
-/// the format needs a folder.
+/// The recording cannot be read or the file cannot be written, or the path exists already, or is a
+/// stream although the format needs a folder.
 pub fn export(
     film: &Film,
     moments: &[Moment],
@@ -87,8 +87,8 @@ fn write_tracks(
     Ok(tracks.is_empty().then(|| text!("export-no-positions")))
 }
 
-/// Writes a file or a folder under a temporary name next to the final one, and renames it once it is complete. A link
-/// stays a link.
+/// Writes a file or a folder under a temporary name next to the final one, and renames it once it
+/// is complete. If the path is a symbolic link, the link stays and its target is written.
 fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<()> {
     let target = store::end_of_links(to)?;
     let last = target.file_name().ok_or(io::ErrorKind::InvalidInput)?;

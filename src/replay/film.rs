@@ -38,7 +38,7 @@ pub struct Film {
     review_fault: Option<Text>,
     /// The logs that have been joined to the recording.
     logs: Vec<JoinedLog>,
-    /// The faults of the journal, of the run and of those logs, which leave them out.
+    /// The faults of the journal, the run and the logs that were left out.
     faults: Vec<Text>,
     began_unix_us: u64,
     day: Arc<DayClock>,
@@ -106,7 +106,7 @@ impl Film {
         self.began_unix_us
     }
 
-    /// The time of day of a time of the recording: microseconds since 1970 (UTC).
+    /// The time of day at a time of the recording: microseconds since 1970 (UTC).
     pub fn unix_us(&self, at: Duration) -> u64 {
         self.day.unix_us(self.began_unix_us, at)
     }
@@ -121,7 +121,7 @@ impl Film {
         &self.clock
     }
 
-    /// Its beginning, as the console shows it: without moments and review.
+    /// The initial view of its replay, without moments and review.
     pub fn view(&self) -> ReplayView {
         let mut view = ReplayView::new(self.name(), self.began_unix_us, self.length);
         view.clock = Arc::clone(&self.clock);

@@ -36,7 +36,7 @@ pub(super) struct Lookout {
     alerts: BTreeSet<(VehicleId, AlertKind)>,
     vehicles: BTreeMap<VehicleId, KnownVehicle>,
     pairs: BTreeMap<Pair, Approach>,
-    /// The distance below which two vehicles become a moment, in metres.
+    /// The distance below which the approach of two vehicles becomes a moment, in metres.
     near_m: f64,
     /// The smallest distance of the flight so far.
     nearest: Option<(Pair, Approach)>,
@@ -54,7 +54,8 @@ struct KnownVehicle {
 }
 
 impl Lookout {
-    /// A lookout at the beginning of a recording, of which this separation in metres is required.
+    /// A lookout at the beginning of a recording; `separation_m` is the required separation between
+    /// vehicles, in metres.
     pub fn new(clock: Arc<MissionClock>, separation_m: f64) -> Self {
         Self {
             clock,
@@ -180,7 +181,7 @@ impl Lookout {
         };
         let (line, outcome) = (entry.line.as_str(), row.state.text());
         let text = match &row.explanation {
-            // The reason of a refusal says that it is one.
+            // The reason for a refusal already shows that it is one.
             Some(why) if row.state == RowState::Refused => {
                 text!("moment-refused", line = line, outcome = why.clone())
             }
@@ -242,7 +243,7 @@ impl Lookout {
         for event in &report.events {
             let kind = match event.kind {
                 EventKind::Rule => MomentKind::Rule,
-                // The console's own alerts of vehicles are in its state.
+                // The console's own alerts about vehicles are in its state.
                 EventKind::Alert if event.vehicle.is_none() || event.about.is_some() => {
                     MomentKind::Alert
                 }

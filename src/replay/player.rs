@@ -82,7 +82,8 @@ impl Player {
         self.position.indexed = reached;
     }
 
-    /// Notes the program's clock; while playing, the goal moves on, unless the stage has yet to reach it.
+    /// Follows the program's clock: while playing, moves the goal on, unless the stage has yet to
+    /// reach it.
     pub fn tick(&mut self, now: Duration, stage: Duration, contents: &Contents, length: Duration) {
         let passed = now.saturating_sub(self.looked.replace(now).unwrap_or(now));
         if self.position.is_playing && self.is_reached(stage) {

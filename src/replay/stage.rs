@@ -46,7 +46,7 @@ pub(super) struct Stage {
     heard: u64,
     /// The damage found since the stage was built.
     damage: TlogDamage,
-    /// Why the file ends before its last byte.
+    /// The read error that ended the file before its last byte, if any.
     cut: Option<Text>,
 }
 
@@ -109,7 +109,7 @@ impl Stage {
         })
     }
 
-    /// The time that has been played.
+    /// The time up to which the recording has been played.
     pub fn now(&self) -> Duration {
         self.cast.now
     }
@@ -331,7 +331,7 @@ impl Stage {
         Some(LinkEvent::Summaries(vec![summary]).into())
     }
 
-    /// The current traffic for the room of messages.
+    /// The current traffic, for the *Messages* room.
     pub fn inspect(&mut self, request: &TrafficRequest) -> LinkTraffic {
         let (name, now) = (self.film.name(), self.cast.now);
         self.cast.scene.inspect(request, name, now)

@@ -264,7 +264,7 @@ struct ProductAdvice {
 }
 
 impl ProductAdvice {
-    /// `None` if there is no product, or if it is good.
+    /// Advice on the product of an objective; `None` if it has no product, or a good one.
     fn of(objective: &ObjectiveFact) -> Option<Self> {
         let product = objective
             .product

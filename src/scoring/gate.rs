@@ -38,7 +38,7 @@ impl GateMeasure {
         }
     }
 
-    /// `None` if the flight has no such quantity.
+    /// The value of the quantity; `None` if the flight has no such quantity.
     fn value(&self, facts: &Facts, components: &[ComponentScore]) -> Option<f64> {
         match self {
             Self::Component(component) => components
@@ -84,7 +84,7 @@ impl Gate {
     /// Reads `NAME >= NUMBER` (or `<=`, `==`).
     ///
     /// # Errors
-    /// A text if the form differs or the number is not finite.
+    /// The form differs, or the number is not finite.
     pub fn parse(text: &str) -> Result<Self, String> {
         let found = COMPARISONS
             .iter()

@@ -12,7 +12,8 @@ const FLOOR: f64 = 0.70;
 pub struct HintsUsed {
     /// The number of hints of level 1, 2 and 3.
     pub levels: [u32; 3],
-    /// The highest free level: on the first attempt, the hints that do not give away the command.
+    /// The highest level of hints that cost nothing: on the first attempt, hints that do not give
+    /// away the command.
     pub free_level: u8,
 }
 

@@ -66,11 +66,11 @@ pub struct Report {
     pub vehicles: usize,
     /// Mission time allowed, in seconds.
     pub time_limit_s: f64,
-    /// The mission time that earns full points, in seconds.
+    /// The maximum mission time for full points, in seconds.
     pub par_time_s: f64,
     /// Energy used by all vehicles in Wh, if reported.
     pub energy_wh: Option<f64>,
-    /// The energy that earns full points, in Wh.
+    /// The maximum energy for full points, in Wh.
     pub par_energy_wh: f64,
     /// Conditions for gold that are not met.
     pub gold_missing: Vec<Text>,
@@ -165,7 +165,8 @@ pub struct RowReport {
     pub explanation: Option<Text>,
 }
 
-/// A row in JSON. Whether it failed follows from the state, and is repeated for programs that do not know the states.
+/// A row in JSON. Whether it failed follows from the state, but is repeated for programs that do
+/// not interpret the states.
 #[derive(Serialize)]
 struct RowDocument {
     vehicle: u16,

@@ -21,7 +21,8 @@ pub struct SwarmTimes {
     pub neglected: Vec<Duration>,
     /// Each period in which a vehicle in the air waited for its next command.
     pub waited: Vec<Duration>,
-    /// The time of each command, its number of vehicles, and whether the vehicles changed.
+    /// The time of each command, its number of vehicles, and whether they differ from those of the
+    /// previous command.
     pub commands: Vec<(Duration, usize, bool)>,
 }
 

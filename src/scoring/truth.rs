@@ -53,7 +53,7 @@ pub struct ObjectReport {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum ObjectKind {
-    /// Something that should not be reported.
+    /// An object that should not be reported.
     Decoy,
     #[serde(untagged)]
     Find(FindKind),

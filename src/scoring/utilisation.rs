@@ -13,7 +13,7 @@ const FULL_SHARE: f64 = 0.5;
 /// The share of idle time at which a vehicle earns no points for being busy.
 const MOST_IDLE: f64 = 0.3;
 
-/// A vehicle without a task for longer than this idles.
+/// A vehicle without a task for longer than this counts as idle.
 pub const IDLE_AFTER: Duration = Duration::from_secs(30);
 
 /// The times of one vehicle in the air, with a task and without.

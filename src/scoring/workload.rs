@@ -16,7 +16,7 @@ use crate::text::rounded;
 const POINT_EVERY: Duration = Duration::from_secs(10);
 /// The time over which utilisation is measured.
 const WINDOW: Duration = Duration::from_secs(60);
-/// Utilisation above this share, for the following time, is too much.
+/// Utilisation above this share for at least the time below counts as overload.
 const OVERLOADED_ABOVE: f64 = 0.7;
 const OVERLOADED_FOR: Duration = Duration::from_secs(60);
 /// How often the trainee is asked, by the mission's clock.

@@ -38,7 +38,8 @@ use crate::hash::fnv1a;
 
 /// How long a request may stay unanswered, or a file bring nothing new, before it is abandoned.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// `ArduPilot` ends a session that was idle for 3 s if another client needs one; each refusal counts as activity.
+/// The wait before another attempt on a busy server: `ArduPilot` ends a session that was idle for 3
+/// s if another client needs one; each refusal counts as activity.
 const UNTIL_IDLE: Duration = Duration::from_millis(3500);
 /// After this many refusals, the server counts as busy for a long time.
 const MOST_REFUSALS: u8 = 4;

@@ -111,7 +111,8 @@ impl Line {
         self.owed.add(command, 1, now);
     }
 
-    /// Cancels all waiting and unanswered orders because of a newer one. A movement continues until that is accepted.
+    /// Cancels all waiting and unanswered orders because of a newer one. A movement continues until
+    /// the newer order is accepted.
     pub fn clear(&mut self, newer: &Text, moment: &mut Moment) {
         let reason = text!("outcome-superseded", by = newer);
         for (order, _) in self.queue.drain(..) {
@@ -179,7 +180,7 @@ impl Line {
             let Some(active) = &mut self.active else {
                 continue;
             };
-            // Polled in its place: it is large, and waits in most steps.
+            // Polled in place, not moved: it is large, and waits in most steps.
             let progress = active.poll(moment.vehicle, now, moment.output);
             if progress == Progress::Waiting {
                 break;
@@ -271,7 +272,7 @@ impl Line {
         })
     }
 
-    /// Notes the answers expected to repeated speeds, which are not those that an order waits for.
+    /// Notes the expected acknowledgements of repeated speeds, for which no order waits.
     fn note_speeds(&mut self, now: Duration, output: &mut Output) {
         let count = std::mem::take(&mut output.speed_acks);
         self.owed.add(commands::CHANGE_SPEED, count, now);

@@ -1,5 +1,5 @@
-//! Decides whose turn it is with the lists of a vehicle: the background reading ([`plans`](super::plans)) makes way for the
-//! orders ([`plan_orders`](super::plan_orders)).
+//! Shares access to the lists of a vehicle: the background reading ([`plans`](super::plans)) makes
+//! way for the orders ([`plan_orders`](super::plan_orders)).
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -21,7 +21,7 @@ pub(super) struct Lists {
     orders: PlanOrders,
 }
 
-/// The rest of the session, as the lists need it.
+/// The parts of the session that the lists use.
 pub(super) struct ListsDesk<'a> {
     pub vehicle: &'a mut Vehicle,
     pub parameters: &'a ParameterList,
@@ -31,7 +31,7 @@ pub(super) struct ListsDesk<'a> {
 }
 
 impl Lists {
-    /// Reads lists from the answers to others' requests instead of its own.
+    /// Reads lists from the answers to other stations' requests, without requesting them.
     pub fn only_follow(&mut self) {
         self.reader.only_follow();
     }

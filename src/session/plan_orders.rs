@@ -61,7 +61,7 @@ pub(super) struct PlanOrders {
     stock: Stock,
     waiting: VecDeque<VehicleCommand>,
     job: Option<Job>,
-    /// Whether the lists kept from earlier transfers have been named.
+    /// Whether the lists kept from earlier transfers have been reported.
     has_named_kept: bool,
 }
 

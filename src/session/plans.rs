@@ -1,11 +1,14 @@
-//! Reads the plan, the fence and the rally points of a vehicle in the background: once it is ready, and again after changes.
-//! What an operator orders about them is in [`plan_orders`](super::plan_orders).
+//! Reads the plan, the fence and the rally points of a vehicle in the background: once it is ready,
+//! and again after changes. An operator's orders about them are in
+//! [`plan_orders`](super::plan_orders).
 //!
-//! Only one list is read at a time, and only one question is open. A list has changed when `MISSION_CURRENT` gives
-//! another count or id, or when the vehicle has accepted another program's upload. `ArduPilot` gives no ids, but
-//! reports changes in texts and by its parameters `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of the same length over
-//! another link shows in none of these, so a list without an id is read again periodically. A list that the vehicle
-//! does not offer is not requested; a failed one is requested again at growing intervals, and then abandoned.
+//! Only one list is read at a time, and only one question is open. A list has changed when
+//! `MISSION_CURRENT` contains another count or id, or when the vehicle has accepted another
+//! program's upload. `ArduPilot` gives no ids, but reports changes in texts and by its parameters
+//! `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of the same length over another link shows in none of
+//! these, so a list without an id is read again periodically. A list that the vehicle does not
+//! offer is not requested; a failed one is requested again at growing intervals, and then
+//! abandoned.
 
 use std::sync::Arc;
 use std::time::Duration;

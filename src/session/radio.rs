@@ -32,7 +32,7 @@ impl RadioFault {
         self.loss >= Self::SILENT
     }
 
-    /// Whether the difference is noticeable.
+    /// Whether the difference from another state is noticeable.
     pub fn differs(self, other: Self) -> bool {
         let delays = self.delay.abs_diff(other.delay);
         (self.loss - other.loss).abs() > 0.01

@@ -54,7 +54,7 @@ pub(super) struct Settings {
     /// Whether the vehicle was ever heard: before that, sending is pointless.
     is_there: bool,
     wanted: BTreeMap<&'static str, AskedSetting>,
-    /// Whether the vehicle uses the other firmware's name.
+    /// For each parameter, whether the vehicle uses the other firmware's name.
     renamed: BTreeMap<&'static str, bool>,
 }
 

@@ -1,8 +1,8 @@
 //! Orders about a vehicle's signing: each is a transaction.
 //!
-//! The new key is in its file before the vehicle is sent it. The vehicle has taken it when its frames show so, and has
-//! proved it with a signed answer to a question that is asked afterwards. If the answer does not come, the earlier key
-//! is sent again; the console keeps both.
+//! The new key is in its file before it is sent to the vehicle. The vehicle has taken the key when
+//! its frames show this, and has proved it when it has answered a later question with a signed
+//! message. If the answer does not come, the earlier key is sent again; the console keeps both.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -20,13 +20,13 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{Content, Frame, MavAddress, Outgoing, Seal, SystemId};
 
-/// How often a key is sent, and the time between two attempts.
+/// How many times a key is sent; below, the time between two attempts.
 const TRIES: u8 = 5;
 const SEND_EVERY: Duration = Duration::from_secs(1);
 /// The time between two questions, and the time for an answer to any of them.
 const ASK_EVERY: Duration = Duration::from_millis(500);
 const ANSWER_WITHIN: Duration = Duration::from_secs(5);
-/// How often the earlier key is sent.
+/// How many times the earlier key is sent.
 const TIMES_BACK: u8 = 3;
 
 /// The keys, as a session needs them.
@@ -34,7 +34,7 @@ pub trait KeyDesk: Debug + Send + Sync {
     /// Prepares a change; its key is in the file afterwards.
     ///
     /// # Errors
-    /// A text if the key cannot be made or written; nothing must be sent then.
+    /// The key cannot be made or written; nothing must be sent then.
     fn begin(&self, vehicle: SystemId, change: SigningChange) -> Result<(), Text>;
 
     /// The message that gives a vehicle a key; `None` if there is no such key.
@@ -43,7 +43,7 @@ pub trait KeyDesk: Debug + Send + Sync {
     /// Notes that the vehicle has proved a change.
     ///
     /// # Errors
-    /// A text if that cannot be written; the file still has the key.
+    /// The proof cannot be written; the file still has the key.
     fn proved(&self, vehicle: SystemId, change: SigningChange) -> Result<(), Text>;
 }
 
@@ -62,7 +62,7 @@ struct SigningJob {
     order: VehicleCommand,
     change: SigningChange,
     phase: SigningPhase,
-    /// How often a key was sent.
+    /// How many times a key was sent.
     tries: u8,
     /// The last warning of the vehicle since the key was sent.
     warning: Option<Text>,
@@ -318,7 +318,7 @@ fn question(vehicle: MavAddress, since: Duration) -> Outgoing {
     .into()
 }
 
-/// Negative, so that no measurement of the round trip has the same number.
+/// A negative number, so that no measurement of the round trip has the same one.
 fn nonce(since: Duration) -> i64 {
     -1 - i64::try_from(since.as_nanos()).unwrap_or(i64::MAX - 1)
 }

@@ -1,8 +1,8 @@
 //! Requests the telemetry for display, without competing with other ground stations for the rates.
 //!
-//! The reader counts the messages that arrive. A message that arrives often enough is left alone, even if another
-//! station requested it. One that arrives too seldom is requested, a few times at most: if another ground station keeps
-//! changing the rate back, that station wins.
+//! The reader counts the messages that arrive. A message that arrives often enough is left alone,
+//! even if another station requested it. One that arrives too rarely is requested, a few times at
+//! most: if another ground station keeps changing the rate back, that station wins.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

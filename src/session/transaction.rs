@@ -63,7 +63,8 @@ pub(super) struct Transaction {
     tries: u8,
     first_sent: Duration,
     last_sent: Duration,
-    /// Built once, from the state at the first transmission: a repeated "10 m further" must not accumulate.
+    /// The request, built once from the state at the first transmission: a repeated "10 m further"
+    /// must not accumulate.
     request: Request,
     effect: Effect,
     /// Whether the effect was there before the command, so that only newer telemetry proves it.
@@ -76,7 +77,7 @@ pub(super) struct Transaction {
     holds_since: Option<Duration>,
     /// How many steps of a chain have been accepted.
     accepted_steps: u8,
-    /// Since when telemetry has shown the effect of a command that is not answered.
+    /// When telemetry began to show the effect of a command that has not been answered.
     shown_since: Option<Duration>,
     /// Whether the effect showed while setpoints were being repeated.
     effect_has_shown: bool,

@@ -1,8 +1,9 @@
 //! The socket of the interface for programs.
 //!
-//! Each connection has a task that reads requests and one that writes answers. A request takes a place in the queue of
-//! answers before it is passed to the console, so that a program that does not read cannot ask for more, and news is
-//! held back while a program is behind. Neither the console nor another program is delayed.
+//! Each connection has a task that reads requests and one that writes answers. A request takes a
+//! place in the queue of answers before it is passed to the console, so that a program that does
+//! not read its answers cannot send more requests, and news is held back while a program is behind.
+//! Neither the console nor another program is delayed.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::path::{Path, PathBuf};
@@ -40,7 +41,7 @@ const OUTBOX: usize = 256;
 const ROOM_FOR_NEWS: usize = OUTBOX / 2;
 /// How long the console waits, when it ends, for programs to read their last news.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
-/// The number of requests of all programs that wait for the console.
+/// The maximum number of requests, from all programs together, that wait for the console.
 const CALLS_KEPT: usize = 64;
 
 /// The options of the socket.
@@ -199,7 +200,7 @@ impl Programs {
         self.listener = None;
         self.arrivals = None;
         self.ending.cancel();
-        // A program that does not read is not waited for.
+        // The console does not wait for a program that does not read.
         drop(tokio::time::timeout(LAST_PATIENCE, self.writers.recv()).await);
     }
 
@@ -299,7 +300,7 @@ impl Console {
         files.into_iter().rev().map(view).collect()
     }
 
-    /// Tells the user once that a program gives commands.
+    /// Notifies the user once that a program gives commands.
     fn note_commands(&mut self, programs: &mut Programs, from: ProgramId) {
         let Some(program) = programs.connected.get_mut(&from) else {
             return;

@@ -161,7 +161,7 @@ impl Console {
         }
     }
 
-    /// Ends everything, with a short wait: the rest ends with the program.
+    /// Ends everything, waiting only briefly: anything still running then ends with the program.
     pub(super) async fn close(&mut self) {
         self.end_session();
         self.store_flights();

@@ -117,7 +117,8 @@ impl Console {
         self.store_flights();
     }
 
-    /// Stores the flights that are waiting. A failure is reported, and tried again with the next flight.
+    /// Stores the flights that are waiting. A failure is reported, and the flights are tried again
+    /// with the next one.
     pub(super) fn store_flights(&mut self) {
         let waits = |careers: &&mut Careers| careers.has_waiting();
         let Some(careers) = self.careers.as_mut().filter(waits) else {

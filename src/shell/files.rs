@@ -96,7 +96,7 @@ fn ground(folder: &str, squares: &[Square]) -> Result<Terrain, Text> {
     Ok(terrain)
 }
 
-/// The message that names such a file in an error.
+/// The id of the message that names a file of this kind in an error.
 fn subject(kind: FileKind) -> &'static str {
     match kind {
         FileKind::Parameters => "file-parameters",

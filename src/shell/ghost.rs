@@ -42,7 +42,7 @@ impl Console {
     /// Starts to fetch another flight of the mission; [`take_ghost`](Self::take_ghost) shows it.
     ///
     /// # Errors
-    /// A text if no such flight exists.
+    /// No such flight exists.
     pub(super) fn fetch_ghost(&mut self, source: GhostSource) -> Result<(), Text> {
         let shown = self
             .shown_mission()

@@ -21,7 +21,8 @@ fn begin(records: Option<&Records>, vehicles: &[VehicleId]) -> io::Result<Option
     RehearsalTape::begin(&records.rehearsal(), vehicles, SystemTime::now()).map(Some)
 }
 
-/// Lets a rehearsal fly, and records it; returns its result with the notice about the recording, if there is one.
+/// Flies a rehearsal and records it; returns its result with the notice about the recording, if
+/// there is one.
 pub(super) fn recorded<R>(
     records: Option<&Records>,
     vehicles: &[VehicleId],

@@ -83,7 +83,8 @@ fn readable() -> (Vec<Mission>, Vec<Text>) {
     (missions, warnings)
 }
 
-/// A mission as it is listed. Flights with another file than that of the course are practice: they earn nothing.
+/// A mission as it is listed. Flights with a file other than that of the course are practice: they
+/// earn nothing.
 pub fn listed(mission: &Mission, file: MissionFile) -> MissionListing {
     let listing = MissionListing {
         file,

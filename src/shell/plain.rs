@@ -245,7 +245,7 @@ impl Plain {
         self.say(&text!("plain-unconfirmed", answer = answer));
     }
 
-    /// Only the exact answer confirms.
+    /// Answers an open question; only the exact answer confirms it.
     async fn answer(&mut self, answer: &str, line: &str) {
         if line == answer {
             for c in answer.chars() {
@@ -275,7 +275,7 @@ impl Plain {
                 self.failed |= palette.fault().is_some();
                 texts.extend(palette.fault().into_iter().map(explained));
             }
-            // A question for a line, a list and the help are for screens only.
+            // Prompts, lists and the help are for screens only.
             Some(
                 Overlay::Prompt(_)
                 | Overlay::Profiles { .. }
@@ -297,7 +297,7 @@ impl Plain {
         }
     }
 
-    /// Carries out reports and waits; true if the line was one.
+    /// Carries out a line that requests a report or a wait; false for any other line.
     fn carry_out_here(&mut self, line: &str) -> bool {
         let state = self.console.app.state();
         // Faults are reported where all lines are handled.

@@ -121,7 +121,7 @@ impl RunningSession {
         self.pace.borrow().speedup
     }
 
-    /// Changes the speed-up of the embedded simulator, whose time is the mission's.
+    /// Changes the speed-up of the embedded simulator; mission time follows it.
     pub fn set_speedup(&mut self, speedup: f64, now: Duration) {
         self.pace.send_modify(|pace| pace.speedup = speedup);
         self.vehicle_time.set_rate(speedup, now);

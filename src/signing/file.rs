@@ -119,8 +119,8 @@ impl Keyring {
         self.reserved = self.reserved.max(reserved);
     }
 
-    /// Notes that a text of [`Self::write`] could not be written: it is tried again with the next change of a key, or
-    /// once its stamps are used up.
+    /// Notes that a text of [`Self::write`] could not be written: writing is retried with the next
+    /// change of a key, or once the time stamps are used up.
     pub fn unwritten(&mut self) {
         self.is_asked = true;
     }
@@ -146,7 +146,7 @@ impl VehicleRow {
         }
     }
 
-    /// `None` if a key or a stream is not written as it should be.
+    /// `None` if a key or a stream is malformed.
     fn keys(&self) -> Option<VehicleKeys> {
         let heard = self.heard.iter().map(|(name, &stamp)| {
             let (component, link) = name.split_once('/')?;

@@ -53,7 +53,7 @@ impl Keyring {
             .map(|(key, stamp)| (SecretKey(*key), stamp.timestamp))
     }
 
-    /// The keyring after the program was killed: what its file says.
+    /// The keyring after the program was killed, read from its file.
     fn reborn(&mut self, wall: u64) -> Self {
         let (text, _) = self.write(wall);
         Self::read(&text).expect("it reads its own file")
@@ -147,7 +147,8 @@ fn whenever_the_program_is_killed_it_has_the_key_of_the_vehicle() {
             assert_eq!(seal.is_right(), has.is_some(), "{change:?} {has:?}");
             let signs = again.say(LINK, 0).map(|(key, _)| key);
             assert_eq!(signs, has, "{change:?}");
-            // A further change sends the same key again, so that none is ever unknown.
+            // A further change sends the same key again, so that the vehicle never has a key that
+            // the console lacks.
             again.begin(LINK, 3, change, STRANGE);
             let next = again.key_of(SentKey::Next);
             let is_settled = has == Some(NEW);

@@ -1,14 +1,15 @@
 //! The parameters that a new vehicle lacks before it can be armed.
 //!
-//! Tested with copter, plane, rover and sub of `ArduPilot` 4.6: with these each arms in GUIDED (a sub in MANUAL) as
-//! soon as it has a position. A version silently ignores names that it does not know.
+//! Tested with the copter, plane, rover and sub of `ArduPilot` 4.6: with these parameters, each
+//! arms in GUIDED (a sub in MANUAL) as soon as it has a position. Names that a version does not
+//! know are silently ignored.
 
 use super::SitlKind;
 use crate::sim::Airframe;
 
-/// Pulses of the radio and of the throttle's output, microseconds.
+/// Pulses of the radio and of the throttle's output, in microseconds.
 const PULSE_US: [(&str, f64); 3] = [("MIN", 1000.0), ("MAX", 2000.0), ("TRIM", 1500.0)];
-/// Volts of a full cell.
+/// The voltage of a full cell.
 const CELL_FULL_V: f64 = 4.2;
 /// The cell voltage at which a pack under load counts as low.
 const CELL_LOW_V: f64 = 3.5;

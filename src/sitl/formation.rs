@@ -47,7 +47,7 @@ pub struct Offset {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StartFormation {
     pub shape: FormationShape,
-    /// The distance between neighbours in metres, which is also the minimum between any two.
+    /// The distance between neighbours in metres; no two vehicles are closer.
     pub spacing_m: f64,
 }
 

@@ -138,7 +138,8 @@ pub(super) fn choose(
     }
 }
 
-/// The first model that fits; without a number of motors, one with four, as in SITL.
+/// The first model that fits, preferably one with this number of motors; without a number, one with
+/// as many as the default model.
 fn likely(
     kind: SitlKind,
     motors: Option<usize>,

@@ -226,7 +226,7 @@ fn what_sitl_would_misunderstand_is_refused_with_what_to_do() {
     );
 }
 
-/// A shell's parsing of a line.
+/// The words that a shell parses from a line.
 fn shell(line: &str) -> Vec<String> {
     let said = Command::new("sh")
         .args(["-c", &format!("printf '%s\\0' {line}")])

@@ -21,7 +21,7 @@ pub enum SitlUnfit {
         "`{0}` is not the name of a parameter: at most 16 capital letters, digits and underscores"
     )]
     ParameterName(String),
-    /// The value of a parameter is not a finite number, on which SITL would hang.
+    /// The value of a parameter is not a finite number; SITL would hang.
     #[error("{0} cannot be {1}: a value is a finite number that fits a float")]
     ParameterValue(String, f64),
     /// A frame file is given for a vehicle that is not a multirotor.

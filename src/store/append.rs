@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::{StoreError, sharing};
 
-/// A file for its owner and the readers of its folder. It is locked while it is open, which shows other consoles that
-/// it is still being written.
+/// A file for its owner and the readers of its folder. It is locked while it is open; the lock
+/// shows other consoles that it is still being written.
 #[derive(Debug)]
 pub(super) struct AppendFile {
     file: File,
@@ -78,9 +78,9 @@ impl AppendFile {
     }
 }
 
-/// Whether a file may still be written: its console holds a lock on it.
+/// Whether a file is still being written: its console holds a lock on it.
 pub(super) fn is_written(path: &Path) -> bool {
     let lock = File::open(path).map(|file| file.try_lock_shared());
-    // Without file locks, a writer cannot be seen: only a known lock counts.
+    // Without file locks, a writer cannot be detected: only a known lock counts.
     matches!(lock, Ok(Err(TryLockError::WouldBlock)))
 }

@@ -48,8 +48,8 @@ impl Folders {
         self.system().chain(iter::once(&self.config))
     }
 
-    /// Those of [`Self::layers`] that belong to the administrator: the user's own folders are left out, even if a
-    /// variable also names them as system folders.
+    /// The folders of [`Self::layers`] that belong to the administrator: the user's own folders are
+    /// left out, even if a variable also names them as system folders.
     pub fn system_layers(&self) -> impl Iterator<Item = &PathBuf> {
         let system = self.system();
         system.filter(|folder| **folder != self.config && **folder != self.data)
@@ -82,8 +82,8 @@ impl Folders {
     }
 }
 
-/// The program's folders within those of a variable or its default. Relative paths are ignored, as the specification
-/// requires.
+/// The program's folders within those that a variable or its default lists. Relative paths are
+/// ignored, as the specification requires.
 fn system(variable: &str, usual: &str) -> Vec<PathBuf> {
     let set = env::var_os(variable).filter(|value| !value.is_empty());
     let list = set.unwrap_or_else(|| usual.into());

@@ -1,14 +1,15 @@
-//! The step from a finished flight to its entry in a career, and the recovery of runs that a killed program recorded
-//! but did not store.
+//! The step from a finished flight to its entry in a career, and the recovery of runs that a killed
+//! program recorded but did not store.
 //!
-//! The record of a run is written line by line, its end last; only then is it stored in the profile. If the program is
-//! killed in between, the next start recovers it: a finished record that its profile lacks is scored again and stored.
-//! The record of a flight that counts and was not ended, because the program was killed or the terminal disappeared, is
-//! stored too, and counts as left there: otherwise killing the program would avoid the entry that `leave` makes.
+//! The record of a run is written line by line, its end last; only then is it stored in the
+//! profile. If the program is killed in between, the next start recovers it: a finished record that
+//! is missing from its profile is scored again and stored. The record of a flight that counts but
+//! has no end, because the program was killed or the terminal disappeared, is stored too, and
+//! counts as left early: otherwise killing the program would avoid the entry that `leave` makes.
 //!
-//! A record is an untrusted file. Its stake holds only if the career allows it: the mission is that of the course and
-//! open to the trainee, an exam has its seed, and the flight, repeated from the record's inputs, matches. Anything else
-//! is practice.
+//! A record is an untrusted file. Its stake is kept only if the career allows it: the mission is
+//! that of the course and open to the trainee, an exam has its seed, and the flight, repeated from
+//! the record's inputs, matches. Anything else is practice.
 
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -31,7 +32,7 @@ use crate::workshop::Design;
 /// The number of seconds in a day.
 const DAY_S: u64 = 24 * 60 * 60;
 
-/// Facts about a finished flight that the flight itself does not know.
+/// Facts about a finished flight that are not part of the flight itself.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Landing {
     /// The unique id of the run: [`RunFile::id`](super::RunFile::id).
@@ -74,7 +75,7 @@ pub struct Recovery {
     pub profile: String,
     pub mission: String,
     pub score: u16,
-    /// How it was left, if it was not finished.
+    /// How it counts, if it was left unfinished.
     pub left: Option<LeftFlight>,
     /// Why it counts for less than its record claims, if it does.
     pub reduced: Vec<PracticeReason>,
@@ -132,7 +133,7 @@ pub fn open_profiles(data: &Path) -> Result<(Profiles, Vec<Text>), ProfileError>
     completed(data, profiles, rescue.as_ref())
 }
 
-/// The same for commands that only read: a missing folder is not created.
+/// As [`open_profiles`], for commands that only read: a missing folder is not created.
 ///
 /// # Errors
 /// The profiles cannot be opened; see [`Profiles::open_to_read`].
@@ -157,9 +158,9 @@ fn completed(
     Ok((profiles, told))
 }
 
-/// Stores the finished runs of a folder that belong to a profile but are missing there, and those that were left, each
-/// once even if several consoles start together. If none is missing, it reads only file names, and the first and last
-/// lines of records without a profile.
+/// Stores the finished runs of a folder that are missing from their profiles, and the unfinished
+/// ones that count, each once even if several consoles start together. If none is missing, it reads
+/// only file names, and the first and last lines of records without a profile.
 ///
 /// # Errors
 /// The database cannot be read or written; entries stored before that stay.
@@ -187,7 +188,7 @@ pub fn recover(profiles: &mut Profiles, runs: &Runs) -> Result<Vec<Recovery>, Pr
     Ok(recovered)
 }
 
-/// A recorded run that is missing in its trainee's profile.
+/// A recorded run that is missing from its trainee's profile.
 struct LeftRun<'a> {
     profile: &'a Profile,
     head: Head,
@@ -197,13 +198,14 @@ struct LeftRun<'a> {
     /// When its record was last written.
     when: SystemTime,
     left: Option<LeftFlight>,
-    /// Whether the record follows from the files beside it. A flight that was left gains nothing, and is not repeated.
+    /// Whether the record follows from the files beside it. A flight that was left early gains
+    /// nothing, so it is not repeated.
     is_confirmed: bool,
 }
 
 impl<'a> LeftRun<'a> {
-    /// Reads a record; `None` if it belongs to none of these profiles, or is not over. A profile that was created after
-    /// the record merely has the same name.
+    /// Reads a record; `None` if it belongs to none of these profiles, or is still being written.
+    /// If the profile was created after the record, it merely has the same name.
     fn read(path: &Path, everybody: &'a [Profile]) -> Option<Self> {
         let (head, end) = outline(path).ok()?;
         let left = match end {

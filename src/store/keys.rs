@@ -14,14 +14,14 @@ use crate::signing::{Keyring, KeyringFault};
 use crate::text;
 use crate::text::Text;
 
-/// All permissions of other users.
+/// All permissions of users other than the owner.
 const OTHERS: u32 = 0o077;
 
 /// The file with the keys, which this program alone writes.
 #[derive(Debug)]
 pub struct KeyFile {
     path: PathBuf,
-    /// Held as long as the keys are used; `None` until there are keys.
+    /// The lock, held as long as the keys are used; `None` until there are keys.
     lock: Option<File>,
 }
 
@@ -82,7 +82,8 @@ impl KeyFile {
         data.join(KEY_FILE)
     }
 
-    /// Reads the keys in a folder of data, and keeps other consoles from using them. Without a file, there are none.
+    /// Reads the keys in a folder of data, and keeps other consoles from using them. Without a
+    /// file, the keyring is empty.
     ///
     /// # Errors
     /// Others could read the file, another console uses it, or it cannot be read.
@@ -99,10 +100,10 @@ impl KeyFile {
         Ok((file, keys))
     }
 
-    /// Reads the keys without using them.
+    /// Reads the keys without locking them; `None` if the file does not exist.
     ///
     /// # Errors
-    /// As [`Self::open`], but for a file in use; `None` if it does not exist.
+    /// As [`Self::open`], but a file in use is no error.
     pub fn look(data: &Path) -> Result<Option<Keyring>, KeyFileFault> {
         match read(&Self::path_within(data)) {
             Ok(keys) => Ok(Some(keys)),
@@ -138,7 +139,8 @@ impl KeyFile {
         options.write(true).create(true).truncate(false).mode(0o600);
         let lock = links::open_own(&mut options, &path).map_err(|error| self.io(error))?;
         match lock.try_lock() {
-            // A file system without locks has one console at a time anyway, as far as can be known.
+            // Without file locks, other consoles cannot be detected, so this one counts as the only
+            // one.
             Ok(()) | Err(TryLockError::Error(_)) => self.lock = Some(lock),
             Err(TryLockError::WouldBlock) => return Err(self.in_use()),
         }

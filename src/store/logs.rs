@@ -1,9 +1,9 @@
-//! The folder of logs, which were copied from vehicles.
+//! The folder of logs that were copied from vehicles.
 //!
-//! An incomplete log is stored as `NAME.bin.part`, with its missing parts in `NAME.bin.gaps`: the size, and a line for
-//! each gap. The gaps are written after the bytes. A program that was killed therefore requests a little again that it
-//! has, but never counts missing bytes as read. A part is found by vehicle and number; some of it is read again to
-//! check that it belongs to the same log.
+//! An incomplete log is stored as `NAME.bin.part`, with its missing parts in `NAME.bin.gaps`: the
+//! size, and a line for each gap. The gaps are written after the bytes. If the program is killed,
+//! it may therefore request some bytes again, but never counts missing bytes as read. A part is
+//! found by vehicle and number; some of it is read again to check that it belongs to the same log.
 
 use std::fs;
 use std::io;

@@ -36,7 +36,7 @@ pub fn user_path(written: &str) -> PathBuf {
     in_home.map_or_else(|| PathBuf::from(written), |(rest, home)| home.join(rest))
 }
 
-/// Why a file cannot be read; for a missing one, with the nearest name or folder.
+/// Why a file cannot be read; for a missing one, with the existing name or folder nearest to it.
 pub fn unread(path: &Path, error: &io::Error) -> Text {
     let shown = path.display().to_string();
     match error.kind() {
@@ -87,7 +87,7 @@ fn first_missing(folder: &Path) -> &Path {
     above.last().unwrap_or(folder)
 }
 
-/// The path beside a missing file or folder whose name is nearest to it.
+/// The path of the file or folder with the most similar name in the same folder.
 fn nearest_to(path: &Path, is_folder: bool) -> Option<String> {
     let folder = path.parent()?;
     let written = path.file_name()?.to_str()?;

@@ -48,7 +48,8 @@ fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<
     })
 }
 
-/// Writes results of a trainee: `-` is standard output, a file is replaced. `readers` may read a new file.
+/// Writes results of a trainee: `-` is standard output, an existing file is replaced. `readers` are
+/// those who may read a new file.
 ///
 /// # Errors
 /// It cannot be written.
@@ -101,7 +102,7 @@ fn is_standard_output(path: &Path) -> bool {
     path == Path::new(STANDARD_OUTPUT)
 }
 
-/// Whether a path that exists is no regular file, or the name of an open one.
+/// Whether an existing path is not a regular file, or names an open one.
 fn leads_on(path: &Path, found: &Metadata) -> bool {
     !found.is_file() || links::is_open_file(path)
 }
@@ -187,7 +188,7 @@ pub fn end_of_links(path: &Path) -> io::Result<PathBuf> {
     Err(io::Error::other("too many links follow one another"))
 }
 
-/// The mode of a part file.
+/// The mode of a temporary file.
 #[derive(Clone, Copy)]
 enum PartMode<'a> {
     /// Mode and owner of the file that it will replace.
@@ -222,7 +223,7 @@ impl TemporaryFile {
 }
 
 impl Drop for TemporaryFile {
-    /// Removes the part, unless it has become the file.
+    /// Removes the temporary file, unless it has become the target.
     fn drop(&mut self) {
         drop(fs::remove_file(&self.path));
     }

@@ -106,7 +106,7 @@ impl PlanShelf for PlanFiles {
 
     fn release(&self, vehicle: VehicleId, kind: ListKind) {
         if let Some(file) = self.file(vehicle, kind) {
-            // A file that cannot be removed is named again at the next contact.
+            // A file that cannot be removed is reported again at the next contact.
             let _ = std::fs::remove_file(file);
         }
     }

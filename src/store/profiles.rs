@@ -1,9 +1,10 @@
-//! Profiles: the trainees, their flights, purchases and designs, in one `SQLite` file. Those who can read its folder
-//! can read it.
+//! Profiles: the trainees, their flights, purchases and designs, in one `SQLite` file. Anyone who
+//! can read its folder can read it.
 //!
-//! A career is an append-only history ([`crate::campaign`]); this file stores it with the full report of each run.
-//! Every change is one transaction with a write-ahead log, so that a killed program loses nothing that it has reported
-//! as stored, and several consoles may write at the same time. A run with the same id is stored only once.
+//! A career is an append-only history ([`crate::campaign`]); this file stores it with the full
+//! report of each run. Every change is one transaction with a write-ahead log, so a killed program
+//! loses nothing that it has reported as stored, and several consoles may write at the same time. A
+//! run with the same id is stored only once.
 
 mod error;
 mod flights;
@@ -36,7 +37,7 @@ pub use transfer::ProfileFile;
 const FILE: &str = "profiles.sqlite";
 /// How long a console waits while another one writes.
 const PATIENCE: Duration = Duration::from_secs(5);
-/// The greatest length of a profile's name.
+/// The maximum length of a profile's name, in characters.
 const LONGEST_NAME: usize = 40;
 
 /// The profiles of a data folder.
@@ -77,7 +78,7 @@ impl ProfileSettings {
 }
 
 impl Profile {
-    /// Makes the trainee's exams differ from those of others.
+    /// The key of the trainee's exams, which makes them differ from those of others.
     pub fn exam_key(&self) -> ExamKey {
         self.settings.exam_key(&self.name, &self.since)
     }
@@ -101,7 +102,7 @@ impl Profiles {
         Ok(())
     }
 
-    /// Restores damaged rows from the copies, as far as these have them.
+    /// Restores damaged rows from the copies that contain them.
     ///
     /// # Errors
     /// The database cannot be read or written.
@@ -109,7 +110,7 @@ impl Profiles {
         mend::mend_rows(&mut self.connection, &self.path).map_err(|error| self.fault(error))
     }
 
-    /// A number that changes when another program has written.
+    /// A number that changes whenever another program has written to the database.
     ///
     /// # Errors
     /// The database cannot be read.
@@ -219,7 +220,8 @@ impl Profiles {
             .map_err(|error| self.fault(error))
     }
 
-    /// A transaction: everything up to its commit, or nothing; other consoles wait.
+    /// Begins a transaction: everything up to its commit is stored, or nothing; other consoles
+    /// wait.
     fn transaction(&self) -> Result<Transaction<'_>, ProfileError> {
         Transaction::new_unchecked(&self.connection, TransactionBehavior::Immediate)
             .map_err(|error| self.fault(error))

@@ -1,8 +1,8 @@
 //! Records of flights: the frames of their links and their journals, written as they happen.
 //!
-//! The files of a record are in one folder and share a stem: that of the mission's run, if there is one. A thread
-//! writes them every quarter of a second, so that a slow disk blocks nothing, and a killed program loses no more than
-//! that.
+//! The files of a record are in one folder and share a stem: that of the mission's run, if there is
+//! one. A thread writes them every quarter of a second, so a slow disk blocks nothing, and a killed
+//! program loses no more than that.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -146,8 +146,9 @@ impl Records {
             .collect()
     }
 
-    /// The record that a user names: by its number (the newest is 1), its name, or one of its files; a tlog of another
-    /// program is a record, too, and so is the last rehearsal by its name. Without a folder of records, only files are found.
+    /// The record that a user names: by its number (the newest is 1), its name, or one of its
+    /// files. The tlog of another program counts as a record too, as does the last rehearsal by its
+    /// name. Without a folder of records, only files are found.
     ///
     /// # Errors
     /// No such record, or not a file; as text.
@@ -198,7 +199,7 @@ impl Records {
         })
     }
 
-    /// Starts a record, with a thread that fetches frames from `source` and writes.
+    /// Starts a record, with a thread that fetches frames from `source` and writes them.
     ///
     /// # Errors
     /// As [`create`](Self::create).
@@ -213,8 +214,8 @@ impl Records {
         Recording::start(writer, source).map_err(|error| unwritable(&self.folder, error))
     }
 
-    /// Creates the files of a record, after making room. Its stem is that of a run, or consists of the time of day
-    /// `when` (as [`utc`](super::utc) writes it) and the subject.
+    /// Creates the files of a record, after making room. Its stem is that of a run, or consists of
+    /// the time of day `when` (in the format of [`utc`](super::utc)) and the subject.
     ///
     /// # Errors
     /// The files cannot be created.

@@ -1,8 +1,9 @@
-//! Recorded runs, one file each, readable for those who can read their folder.
+//! Recorded runs, one file each, readable by anyone who can read their folder.
 //!
-//! A file's name contains the time and the mission, so that the attempts at a mission are found without opening the
-//! others. Only complete lines are written, even when the disk is full; a crash loses only the lines not yet written.
-//! Only files with such names are ever removed, and only in the program's own folder.
+//! A file's name contains the time and the mission, so the attempts at a mission are found without
+//! opening the other files. Only complete lines are written, even when the disk is full; a crash
+//! loses only the lines not yet written. Only files with such names are ever removed, and only in
+//! the program's own folder.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -26,14 +27,14 @@ const MOMENT: &str = "%Y-%m-%dT%H:%M:%SZ";
 pub(super) const ENDING: &str = ".run.jsonl";
 /// The suffix of the inputs of its simulated vehicles.
 pub(super) const INPUTS: &str = ".inputs.jsonl";
-/// The pattern of its prefix, with any digits.
+/// The pattern of the time stamp at the beginning of a run's file name, with any digits.
 const STAMP: &str = "0000-00-00T00-00-00Z_";
 /// The maximum number of runs; the oldest are removed first.
 const RUNS_KEPT: usize = 300;
 /// The maximum size of all runs, in bytes.
 const BYTES_KEPT: u64 = 256 * 1024 * 1024;
 const LARGEST_RUN: u64 = 64 * 1024 * 1024;
-/// The maximum size of the head with the mission's text, in bytes; then that of the end.
+/// The maximum sizes of the head with the mission's text and of the end, in bytes.
 const HEAD_LEN: u64 = 2 * 1024 * 1024;
 const TAIL_LEN: u64 = 16 * 1024;
 
@@ -41,7 +42,7 @@ const TAIL_LEN: u64 = 16 * 1024;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Runs {
     folder: PathBuf,
-    /// Whether old runs are removed for new ones.
+    /// Whether old runs are removed to make room for new ones.
     is_bounded: bool,
 }
 
@@ -70,7 +71,8 @@ impl Runs {
         &self.folder
     }
 
-    /// Creates the file of a run, after making room. `when` is the time of day in UTC, as [`utc`] writes it.
+    /// Creates the file of a run, after making room. `when` is the time of day in UTC, in the
+    /// format of [`utc`].
     ///
     /// # Errors
     /// It cannot be created.
@@ -225,7 +227,8 @@ impl RunFile {
         self.0.path()
     }
 
-    /// Removes the file, and that of the inputs. If that fails, it stays as a flight without an end.
+    /// Removes the file, and that of the inputs. If that fails, they stay as a flight without an
+    /// end.
     pub fn discard(self) {
         drop(fs::remove_file(inputs_of(self.path())));
         drop(fs::remove_file(self.path()));
@@ -282,7 +285,7 @@ pub fn utc(time: SystemTime) -> String {
     moment.unwrap_or_default().format(MOMENT).to_string()
 }
 
-/// Whether a text is a time of day as [`utc`] writes it.
+/// Whether a text is a time of day in the format of [`utc`].
 pub(super) fn is_moment(text: &str) -> bool {
     moment(text).is_some()
 }

@@ -1,7 +1,7 @@
 //! The readers of a trainee's results: the trainee alone, or also a group.
 //!
-//! The data folder's mode decides: if its group may read it and its set-group-ID bit is set, its files are readable
-//! for the group, in folders of the same kind.
+//! The data folder's mode decides: if its group may read it and its set-group-ID bit is set, its
+//! files are readable by the group, in folders of the same kind.
 
 use std::fs::{self, DirBuilder, File, OpenOptions, Permissions};
 use std::io;
@@ -12,9 +12,9 @@ use super::links;
 
 /// The file with the signing keys, which is never shared.
 pub(super) const KEY_FILE: &str = "signing.toml";
-/// The mode bits of a shared folder: set-group-ID, and read and enter for the group.
+/// The mode bits of a shared folder: set-group-ID, and read and execute for the group.
 const SHARED_FOLDER: u32 = 0o2050;
-/// The mode bit of a file in such a folder.
+/// The mode bit of a file in a shared folder: read for the group.
 const SHARED_FILE: u32 = 0o040;
 
 /// Lets the group of a data folder read everything in it but the signing keys; creates the folder if needed.
@@ -52,7 +52,8 @@ pub(super) fn folder_within(above: &Path, path: &Path) -> io::Result<()> {
     if !is_shared(above) {
         return private_folder(path);
     }
-    // It inherits the group and its bit, which an owner outside the group could not set afterwards.
+    // The folder inherits the group and the set-group-ID bit, which an owner outside the group
+    // could not set afterwards.
     DirBuilder::new().recursive(true).mode(0o750).create(path)?;
     allow(path, SHARED_FOLDER)
 }

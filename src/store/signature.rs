@@ -30,7 +30,7 @@ pub enum SignatureError {
     File { path: PathBuf, error: io::Error },
     /// The file is not a key, or the password is wrong.
     Key { path: PathBuf, why: String },
-    /// The password is missing or cannot be asked for.
+    /// The password is missing, or the program cannot ask for it.
     Password(String),
     /// A key file exists already.
     Exists(PathBuf),
@@ -65,7 +65,8 @@ impl fmt::Debug for RecordKey {
 }
 
 impl RecordKey {
-    /// Reads the key of a file, as `minisign -G` writes it. Asks on the terminal for the password of an encrypted one.
+    /// Reads a key file in the format of `minisign -G`. Asks on the terminal for the password of an
+    /// encrypted one.
     ///
     /// # Errors
     /// The file cannot be read, is not a key, or the password is wrong.
@@ -152,7 +153,8 @@ impl RecordPublicKey {
     }
 }
 
-/// Signs a file; the signature contains the comment `about`, and replaces an existing one. Returns its path.
+/// Signs a file, replacing an existing signature; the signature contains the comment `about`.
+/// Returns the path of the signature.
 ///
 /// # Errors
 /// The file cannot be read, or the signature cannot be written.
@@ -173,7 +175,7 @@ pub(super) fn sign(path: &Path, key: &RecordKey, about: &str) -> Result<PathBuf,
 pub(super) struct FileSignature {
     /// The id of the key.
     pub key: String,
-    /// Its comment about the file.
+    /// The part of its comment after the name of the file.
     pub about: String,
 }
 
@@ -188,7 +190,7 @@ pub enum SignatureFault {
     OtherKey { key: String },
     /// The file or the signature's comment was changed after signing.
     Changed,
-    /// Its comment names another file, or none, because another program made it.
+    /// Its comment names another file, or none because another program made it.
     OtherFile,
     /// Its key or its comment differs from those of the record's other files.
     Mixed,
@@ -254,7 +256,7 @@ pub(super) fn check(
     Some(read())
 }
 
-/// The beginning of the comment in a file's signature.
+/// The beginning of the comment in a file's signature: the name of the file.
 fn mark(path: &Path) -> String {
     format!("file:{}\t", name(path))
 }

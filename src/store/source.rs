@@ -44,7 +44,7 @@ pub enum StoreError {
     },
     /// The file cannot be written.
     Unwritable { path: PathBuf, error: io::Error },
-    /// A file exists that must not be lost.
+    /// The file exists already and must not be lost.
     Exists { path: PathBuf },
     /// Neither a file nor a known name.
     Unknown {
@@ -93,7 +93,8 @@ impl From<&StoreError> for Text {
     }
 }
 
-/// Reads a text file of at most 1 MiB. `kind` is the id of the message for what it should be.
+/// Reads a text file of at most 1 MiB. `kind` is the id of the message that names the expected kind
+/// of file.
 ///
 /// # Errors
 /// It does not exist, cannot be read, is not UTF-8 or is too large.
@@ -128,7 +129,8 @@ fn as_text(path: &Path, bytes: Vec<u8>) -> Result<Source, StoreError> {
     })
 }
 
-/// Reads a file of at most 1 MiB, text or not. `kind` is the id of the message for what it should be.
+/// Reads a file of at most 1 MiB, text or not. `kind` is the id of the message that names the
+/// expected kind of file.
 ///
 /// # Errors
 /// It does not exist, cannot be read or is too large.

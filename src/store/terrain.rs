@@ -8,13 +8,13 @@ use crate::geo::{Square, Terrain};
 use crate::text;
 use crate::text::Text;
 
-/// More than the largest file: 3601 by 3601 points of two bytes.
+/// The maximum size of a file, in bytes: more than 3601 by 3601 points of two bytes each.
 const MOST_BYTES: u64 = 26_000_000;
 
-/// Reads the file of a square in a folder; false if there is none.
+/// Reads the file of a square in a folder; returns false if there is none.
 ///
 /// # Errors
-/// It cannot be read, or its size is that of neither resolution.
+/// It cannot be read, or its size does not match either resolution.
 pub fn add_square(terrain: &mut Terrain, folder: &Path, square: Square) -> Result<bool, Text> {
     let path = folder.join(square.file_name());
     let bytes = match read_start(&path, MOST_BYTES) {

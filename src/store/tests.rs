@@ -85,7 +85,8 @@ fn a_faulty_mission_says_where() {
     assert!(error.to_string().contains("wrong.toml:2:"), "{error}");
 }
 
-/// The folders of a user and an administrator in a temporary one; the user's configuration is also a system folder.
+/// The folders of a user and an administrator within `home`; the user's configuration folder is
+/// also a system folder.
 fn folders_in(home: &Path) -> Folders {
     Folders {
         config: home.join("config"),

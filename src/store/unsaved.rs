@@ -1,5 +1,5 @@
-//! The unsaved drafts of consoles. Each console has a file of its own in the data folder, which is locked while the
-//! console runs: another one opens only what has been left behind.
+//! The unsaved drafts of consoles. Each console has a file of its own in the data folder, which is
+//! locked while the console runs: another console opens only files that have been left behind.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -11,7 +11,8 @@ use super::{StoreError, sharing};
 
 /// The maximum size of a file, in bytes.
 const LONGEST: u64 = 16 * 1024 * 1024;
-/// The beginning and the end of the names of the files; consoles of earlier versions wrote one without a number.
+/// The beginning and the end of the file names; consoles of earlier versions wrote a file without a
+/// number.
 const NAME: &str = "unsaved-drafts";
 const ENDING: &str = ".txt";
 
@@ -20,7 +21,8 @@ const ENDING: &str = ".txt";
 pub struct UnsavedDrafts {
     data: PathBuf,
     own: Option<AppendFile>,
-    /// What other consoles have left behind, until the drafts in it are in the own file.
+    /// Files that other consoles have left behind, until the drafts in them are in this console's
+    /// own file.
     adopted: Vec<AdoptedFile>,
 }
 
@@ -33,7 +35,7 @@ struct AdoptedFile {
 }
 
 impl UnsavedDrafts {
-    /// Those of a console that has none yet, in this data folder.
+    /// The drafts of a console that has none yet, in this data folder.
     pub fn new(data: &Path) -> Self {
         Self {
             data: data.to_owned(),
@@ -76,7 +78,7 @@ impl UnsavedDrafts {
     /// A file cannot be written or removed.
     pub fn keep(&mut self, text: Option<&str>) -> Result<(), StoreError> {
         let newer = text.map(|text| self.written(text)).transpose()?;
-        // Both stay locked until they are gone.
+        // The earlier files stay locked until they are removed.
         let former = std::mem::replace(&mut self.own, newer);
         let former_path = former.as_ref().map(AppendFile::path);
         let adopted = self.adopted.iter().map(|file| file.path.as_path());
@@ -114,7 +116,7 @@ fn is_drafts_file(name: &str) -> bool {
     number.is_some_and(|it| it.is_empty() || it.starts_with('-'))
 }
 
-/// The lock of a file, unless another console has it.
+/// The file with its lock; `None` if another console holds it.
 fn locked(path: &Path) -> Option<File> {
     // Opening a FIFO would wait for its writer.
     let file = path.is_file().then(|| File::open(path).ok()).flatten()?;

@@ -26,15 +26,15 @@ mod work;
 pub(super) use member::{Member, Phase};
 pub(super) use work::{Chain, Tail};
 
-/// The interval of repeating a fixed setpoint, in case it was lost.
+/// The interval at which a fixed setpoint is repeated, in case one was lost.
 const STANDING_EVERY: Duration = Duration::from_secs(1);
-/// The interval of moving setpoints (ArduCopter stops 3 s after the last one, `GUID_TIMEOUT`).
+/// The interval between moving setpoints (ArduCopter stops 3 s after the last one, `GUID_TIMEOUT`).
 const MOVING_EVERY: Duration = Duration::from_millis(200);
-/// A slower point counts as fixed.
+/// A setpoint slower than this counts as fixed.
 const STANDING_M_S: f64 = 0.05;
-/// A point that has moved this far counts as a new one.
+/// A setpoint that has moved this far counts as a new one.
 const SAME_POINT_M: f64 = 0.2;
-/// The distance at which a point counts as reached, horizontally and in height.
+/// The horizontal and vertical distances at which a point counts as reached.
 const REACHED_ASIDE_M: f64 = 0.8;
 const REACHED_ABOVE_M: f64 = 0.7;
 /// The distance at which a vehicle of a moving formation counts as in its place.
@@ -116,7 +116,7 @@ impl ActiveManoeuvre {
         self.is_formation().then_some(first)
     }
 
-    /// Takes the leader's commanded speed for a formation.
+    /// Sets a formation's speed to that commanded to its leader.
     pub fn pace(&mut self, vehicles: &Vehicles) {
         let leader = self.leader().and_then(|leader| vehicles.get(&leader));
         if let Work::Formation(march) = &mut self.work {
@@ -235,8 +235,8 @@ impl ActiveManoeuvre {
         members.filter_map(stop).collect()
     }
 
-    /// Moves a formation if its first vehicle gets the order. Returns those of its targets that move along, and begins
-    /// their rows.
+    /// Moves a formation if its leader is among the targets of the order. Returns the targets that
+    /// move along, and begins their rows.
     pub fn lead(
         &mut self,
         to: FormationGoal,

@@ -1,10 +1,10 @@
-//! Vehicles that got their plans from the same work.
+//! Vehicles whose plans are parts of the same work.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::vehicle::{VehicleId, Vehicles};
 
-/// The work that was last divided among vehicles, for each of them.
+/// For each vehicle, the work that was last divided among vehicles including it.
 #[derive(Debug, Clone, Default)]
 pub struct DividedWork {
     /// The number of the work, from 1.

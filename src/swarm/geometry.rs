@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use crate::plan::pattern::distance_to_segment;
 
-/// A straight segment on the ground, in metres east and north.
+/// A straight segment on the ground, in metres north and east.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Segment {
     pub from: DVec2,
@@ -32,7 +32,7 @@ impl Segment {
             && other.side(self.from) * other.side(self.to) < 0.0
     }
 
-    /// The side of a point: positive on one, negative on the other.
+    /// The side of the segment on which a point lies: positive on one side, negative on the other.
     fn side(self, point: DVec2) -> f64 {
         (self.to - self.from).perp_dot(point - self.from)
     }
@@ -42,7 +42,7 @@ impl Segment {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct MovingPoint {
     pub at: DVec3,
-    /// North, east and down, in metres per second.
+    /// North, east and up, in metres per second.
     pub velocity_m_s: DVec3,
 }
 
@@ -55,7 +55,7 @@ impl MovingPoint {
     }
 }
 
-/// The length of a path.
+/// The length of a path, in metres.
 pub(super) fn length_m(points: &[DVec3]) -> f64 {
     points
         .windows(2)
@@ -63,11 +63,12 @@ pub(super) fn length_m(points: &[DVec3]) -> f64 {
         .sum()
 }
 
-/// Assigns a vehicle to each place so that the sum of all paths is the shortest. Paths then never cross, since an
-/// exchange would shorten them. Returns the vehicle of each place, and the sum; there must be at least as many
-/// vehicles as places.
+/// Assigns a vehicle to each place so that the sum of all paths is the shortest. Paths then never
+/// cross, because exchanging the vehicles of two crossing paths would shorten the sum. Returns the
+/// vehicle of each place, and the sum; there must be at least as many vehicles as places.
 ///
-/// The Hungarian method with potentials, O(places² × vehicles) (H. W. Kuhn, 1955; in the form of J. Munkres).
+/// The Hungarian method with potentials, O(places² × vehicles) (H. W. Kuhn, 1955; in the form of J.
+/// Munkres).
 pub(super) fn assign(places: &[DVec2], vehicles: &[DVec2]) -> (Vec<usize>, f64) {
     let mut matching = Matching::new(places, vehicles);
     for row in 1..=places.len() {
@@ -149,9 +150,11 @@ impl<'a> Matching<'a> {
     }
 }
 
-/// Moves points apart until no two are closer than `spacing_m`, each as little as its neighbours allow.
+/// Moves points apart until no two are closer than `spacing_m`, each by as little as its neighbours
+/// allow.
 pub(super) fn spread(points: &[DVec2], spacing_m: f64) -> Vec<DVec2> {
-    /// A factor slightly above 1, so that repeated shifts end instead of approaching their goal forever.
+    /// A factor slightly above 1, so that repeated shifts end instead of approaching the spacing
+    /// forever.
     const BEYOND: f64 = 1.001;
     const ROUNDS: usize = 2000;
     let mut points = points.to_vec();

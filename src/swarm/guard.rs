@@ -9,9 +9,9 @@ use super::geometry::MovingPoint;
 
 /// How far the guard looks ahead, in seconds.
 const AHEAD_S: f64 = 3.0;
-/// The assumed speed at which a stationary vehicle may start.
+/// The speed assumed for a slower or stationary vehicle, which may start at any time.
 const LEAST_SPEED_M_S: f64 = 2.0;
-/// A vehicle this close to its target no longer moves.
+/// A vehicle this close to its target counts as not moving, in metres.
 const THERE_M: f64 = 1.0;
 
 /// Whether flying on to `aim` would bring a vehicle closer than `separation_m` to the other one. A vehicle that is too

@@ -1,9 +1,9 @@
-//! The shares of the vehicles in parallel lines over an area.
+//! The division of parallel lines over an area among vehicles.
 
 pub(super) use crate::plan::pattern::Lane;
 
-/// Divides a row of lanes into `count` adjacent shares, none empty, as equal in length as whole lanes allow. There
-/// must be at least as many lanes.
+/// Divides a row of lanes into `count` adjacent shares, none of them empty, as equal in length as
+/// whole lanes allow. There must be at least `count` lanes.
 pub(super) fn shares(lanes: &[Lane], count: usize) -> Vec<Vec<Lane>> {
     let total: f64 = lanes.iter().map(Lane::length_m).sum();
     let mut cuts = vec![0];

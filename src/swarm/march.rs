@@ -1,8 +1,9 @@
 //! The movement of a formation as one rigid body.
 //!
-//! Its first place moves along a straight path, and all other places with it, so that vehicles in their places keep
-//! their distances. Unless its heading is fixed, the formation first turns into the course, no faster than its
-//! outermost place can follow; then it accelerates, moves and brakes. It waits for a member that falls behind.
+//! Its first place moves along a straight path, and all other places with it, so vehicles in their
+//! places keep their distances. Unless its heading is fixed, the formation first turns onto the
+//! course, no faster than its outermost place can follow; then it accelerates, moves and brakes. It
+//! waits for a member that falls behind.
 
 use std::f64::consts::PI;
 use std::time::Duration;
@@ -29,7 +30,8 @@ const LAG_RANGE_M: f64 = 4.0;
 const NO_TURN_M: f64 = 2.0;
 /// Courses with a smaller difference count as the same.
 const SAME_COURSE_RAD: f64 = 0.01;
-/// Longer intervals between two steps are shortened to this, so that the places do not run away from the vehicles.
+/// Longer intervals between two steps are shortened to this, so that the places do not get too far
+/// ahead of the vehicles.
 const LONGEST_STEP_S: f64 = 0.5;
 
 /// A formation, and its current position.
@@ -43,7 +45,7 @@ pub(super) struct March {
     pub facing_rad: f64,
     /// The position of its first place.
     pub anchor: DVec3,
-    /// The destination of that place.
+    /// The destination of the first place.
     pub goal: Option<DVec3>,
     speed_m_s: f64,
     velocity: DVec3,
@@ -69,12 +71,12 @@ impl March {
         }
     }
 
-    /// Sets the speed to the leader's commanded one.
+    /// Sets the speed to that commanded to the leader; `None` sets the default.
     pub fn pace(&mut self, asked_m_s: Option<f64>) {
         self.speed_m_s = asked_m_s.unwrap_or(SPEED_M_S);
     }
 
-    /// Sets the number of places; `order` gives each vehicle's place.
+    /// Assigns the places: `order` gives each vehicle's place.
     pub fn seat(&mut self, order: &[usize]) {
         let all = slots(self.shape, order.len(), self.spacing_m);
         self.slots = order.iter().map(|&slot| all[slot]).collect();
@@ -123,7 +125,7 @@ impl March {
         }
     }
 
-    /// Turns into the course; false once that is done.
+    /// Turns onto the course; false once that is done.
     fn turn(&mut self, goal: DVec3, step_s: f64, pace: f64) -> bool {
         let way = (goal - self.anchor).truncate();
         let wanted = maths::atan2(way.y, way.x);
@@ -154,7 +156,7 @@ impl March {
         let brakes = (2.0 * ACCELERATION_M_S2 * left_m).sqrt();
         let faster = self.velocity.length() + ACCELERATION_M_S2 * step_s;
         let speed = faster.min(self.speed_m_s.min(climbs) * pace).min(brakes);
-        // Braking never ends on its own: the last centimetres are flown at once.
+        // Braking alone would never end: the last centimetres are flown in one step.
         if left_m <= (speed * step_s).max(0.05) {
             self.anchor = goal;
             self.goal = None;
@@ -202,7 +204,7 @@ mod tests {
         }
     }
 
-    /// 100 m at 5 m/s with 1 m/s² at both ends: 20 s and 5 s more.
+    /// 100 m at 5 m/s takes 20 s; accelerating and braking with 1 m/s² add 5 s.
     #[test]
     fn a_way_takes_as_long_as_speed_and_acceleration_say() {
         let mut march = march(Shape::Column);

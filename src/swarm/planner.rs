@@ -19,7 +19,7 @@ mod plans;
 
 /// The default distance between neighbours of a formation.
 const FORMATION_SPACING_M: f64 = 10.0;
-/// The default extent of an expanding square, in spacings.
+/// The default extent of an expanding square, in multiples of the spacing.
 pub(super) const SQUARE_TURNS: f64 = 5.0;
 
 /// The vehicles called to a manoeuvre.

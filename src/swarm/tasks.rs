@@ -1,5 +1,5 @@
-//! Makes a plan for each vehicle from a task, for `plan survey` and for `draft survey`: where each plan begins, its default
-//! height and spacing, and its fence. [`generate`] does the rest.
+//! Makes a plan for each vehicle from a task, for `plan survey` and for `draft survey`: where each
+//! plan begins, its default height and spacing, and its fence. [`generate`] plans the routes.
 
 use super::planner::SQUARE_TURNS;
 use super::site::Site;
@@ -19,9 +19,9 @@ use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 use crate::vehicle_id::ranges;
 
 impl Conductor {
-    /// The plan of each target that has something to do. They begin and end where the vehicles stand, or at home for those
-    /// in the air, stay inside the fence that the first target has switched on, and outside the areas `keep_out` and the
-    /// holes of the area.
+    /// The plan of each target that has a part in the task. Plans begin and end where the vehicles
+    /// stand, or at home for vehicles in the air; they stay inside the fence that the first target
+    /// has switched on, and outside the areas `keep_out` and the holes of the area.
     ///
     /// # Errors
     /// A vehicle has no position, or the task has no plans.

@@ -41,7 +41,7 @@ struct Stage {
 }
 
 impl Stage {
-    /// A number of vehicles in a row to the east.
+    /// A number of vehicles in a row to the east, `spacing_m` apart.
     fn new(count: usize, spacing_m: f64) -> Self {
         let start = |place: usize| Start {
             at: HOME.moved(0.0, spacing_m * place as f64),
@@ -159,7 +159,7 @@ impl Stage {
         );
     }
 
-    /// The true position north, east and up of home.
+    /// The true position, in metres north, east and up from home.
     fn place(&self, id: VehicleId) -> [f64; 3] {
         let truth = self.world.truth(usize::from(id) - 1);
         let (north, east) = HOME.offset_to(truth.at);

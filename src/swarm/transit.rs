@@ -42,7 +42,7 @@ impl Rules {
 }
 
 impl Clearance {
-    /// Vehicles closer than this must be above each other.
+    /// The horizontal distance below which two paths always need different heights.
     fn least_m(self) -> f64 {
         self.aside_m * 0.75
     }
@@ -127,7 +127,7 @@ pub(super) fn heights(legs: &[Leg], others: &[DVec3], clearance: Clearance) -> O
     Some(heights)
 }
 
-/// Whether all members may fly straight to their ends at once.
+/// Whether all members may fly straight to the ends of their paths at the same time.
 pub(super) fn are_apart(legs: &[Leg], others: &[DVec3], clearance: Clearance) -> bool {
     legs.iter().enumerate().all(|(index, leg)| {
         let apart = |other: &Leg| !leg.comes_near(other, clearance);

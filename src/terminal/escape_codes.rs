@@ -1,13 +1,14 @@
-//! Writes the sixteen basic colours of a frame in the escape codes that every terminal supports. Which colours a frame
-//! has is decided earlier, in `ui::theme`.
+//! Writes the sixteen basic colours of a frame in the escape codes that every terminal supports.
+//! Which colours a frame has is decided earlier, in `ui::theme`.
 //!
-//! The terminal library writes basic colours as colours of the 256 (`38;5;1`), which terminals with sixteen colours misread,
-//! and ends every frame with resets of which the last one includes the others.
+//! The terminal library writes basic colours as colours of the 256-colour palette (`38;5;1`), which
+//! terminals with sixteen colours misread, and ends every frame with several resets, the last of
+//! which includes the others.
 
 /// The library's code at the end of a frame, and its basic equivalent.
 const RESETS: (&[u8], &[u8]) = (b"\x1b[39m\x1b[49m\x1b[59m\x1b[0m", b"\x1b[0m");
 
-/// The same frame with its basic colours as `31` and `101`.
+/// The same frame with its basic colours in the short codes, such as `31` and `101`.
 pub fn with_basic_colours(frame: &[u8]) -> Vec<u8> {
     let mut written = Vec::with_capacity(frame.len());
     let mut rest = frame;

@@ -1,7 +1,8 @@
 //! From the bytes of a terminal to keys, pastes and answers.
 //!
-//! The terminal library does not pass answers on, but they show the speed of the line (see `pace`). Only sequences
-//! that real terminals send are understood; all others are skipped and never taken for keys.
+//! The terminal library does not pass answers on, but they show the speed of the line (see `pace`).
+//! Only sequences that real terminals send are recognised; all others are skipped and never taken
+//! for keys.
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
@@ -16,7 +17,7 @@ pub enum Input {
         column: u16,
         row: u16,
     },
-    /// The terminal has read everything before the query.
+    /// The terminal has read everything up to the query.
     Answer,
 }
 

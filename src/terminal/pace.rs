@@ -1,32 +1,38 @@
-//! Decides when a frame may be drawn: no more often than configured, and no faster than the line carries.
+//! Decides when a frame may be drawn: no more often than configured, and no faster than the line
+//! carries.
 //!
-//! Buffers on the way to the terminal (the kernel's, those of SSH) accept far more than a slow line can carry, so a
-//! completed write proves little. Frames therefore end with a query that every terminal answers (DSR, device status):
-//! the answer proves that the frame has been read. While an answer is late, almost nothing is sent, so that the next
-//! frame shows the newest state and not a backlog.
+//! Buffers on the way to the terminal (the kernel's, those of SSH) accept far more than a slow line
+//! can carry, so a completed write proves little. Frames therefore end with a query that every
+//! terminal answers (DSR, device status): the answer proves that the frame has been read. While an
+//! answer is late, almost nothing is sent, so the next frame shows the newest state and not a
+//! backlog.
 
 use std::time::Duration;
 
-/// A slower answer means a slow line: from then on only one frame is in transit at a time.
+/// An answer slower than this means a slow line: from then on only one frame is in transit at a
+/// time.
 const PATIENCE: Duration = Duration::from_millis(500);
-/// A slower last answer is reported as a slow line on the screen.
+/// If the last answer was slower than this, the screen reports a slow line.
 const SLOW: Duration = Duration::from_secs(1);
-/// How long a line is reported as slow afterwards.
+/// How long a line is reported as slow after its last slow answer.
 const SLOW_FOR: Duration = Duration::from_secs(10);
-/// A terminal that has not answered its first query by now never will; frames are then sent without queries.
+/// A terminal that has not answered its first query within this time never will; frames are then
+/// sent without queries.
 const DEAF_AFTER: Duration = Duration::from_secs(5);
-/// Bytes that may be sent while the first answer is outstanding; after the frame that reaches this number, none is sent
-/// until the terminal answers or counts as deaf.
+/// The number of bytes that may be sent while the first answer is outstanding; after the frame that
+/// reaches it, none is sent until the terminal answers or counts as deaf.
 const TRIAL_BYTES: u64 = 4000;
-/// The minimum interval of frames while the first answer is late.
+/// The minimum interval between frames while the first answer is late.
 const TRIAL_INTERVAL: Duration = Duration::from_secs(1);
-/// An answer can be lost, as when a multiplexer changes its terminal: the query is repeated after this time.
+/// How long until a query is repeated: an answer can be lost, as when a multiplexer changes its
+/// terminal.
 const REPEAT_AFTER: Duration = Duration::from_secs(5);
-/// A write that takes longer has met a full buffer.
+/// A write that takes longer than this has met a full buffer.
 const BLOCKED: Duration = Duration::from_millis(200);
 /// The longest pause after a write to a full buffer.
 const LONGEST_REST: Duration = Duration::from_secs(2);
-/// The minimum interval of frames caused by keys, so that fast typing does not cause too many frames.
+/// The minimum interval between frames caused by keys, so that fast typing does not cause too many
+/// frames.
 const KEY_INTERVAL: Duration = Duration::from_micros(1_000_000 / 120);
 /// A write that takes longer than this has met a terminal that did not read, not a slow line.
 const STALLED: Duration = Duration::from_secs(5);
@@ -107,7 +113,8 @@ impl Pace {
         self.has_key = true;
     }
 
-    /// How much longer a frame has to wait; zero for now. An answer in between may shorten it.
+    /// How long to wait before the next frame; zero if it may be drawn now. An answer in the
+    /// meantime may shorten the wait.
     pub fn wait(&self, now: Duration) -> Duration {
         let Some(drawn_at) = self.drawn_at else {
             return Duration::ZERO;
@@ -168,9 +175,10 @@ impl Pace {
         }
     }
 
-    /// Notes that the operating system has accepted a frame, and how long that took. After a full buffer the line rests
-    /// for the same time, at most `LONGEST_REST`, which halves the load. After the first one, or if the terminal did
-    /// not read at all, the newest state is sent first.
+    /// Notes that the operating system has accepted a frame, and how long that took. After a write
+    /// to a full buffer the line rests for the same time, at most `LONGEST_REST`, which halves the
+    /// load. After the first such write, or if the terminal did not read at all, the newest state
+    /// is sent before the line rests.
     pub fn written(&mut self, now: Duration, took: Duration, bytes: u64) {
         let blocked_before = std::mem::replace(&mut self.blocked, took >= BLOCKED);
         if took < BLOCKED {

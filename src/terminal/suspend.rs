@@ -13,8 +13,8 @@ pub fn can_be_suspended() -> bool {
     ours.is_some() && ours == session(getppid())
 }
 
-/// The session of a process. `None` if the process is not visible: processes outside a container have the id 0, which
-/// would mean this process.
+/// The session of a process. `None` if the process is not visible: a process outside a container
+/// appears with the id 0, which would mean this process.
 fn session(process: Pid) -> Option<Pid> {
     let visible = |id: &Pid| id.as_raw() > 0;
     let process = Some(process).filter(visible)?;
@@ -23,7 +23,7 @@ fn session(process: Pid) -> Option<Pid> {
 
 /// Stops every process of the job, including this one, as Ctrl-Z does where it is not a key.
 pub fn suspend_group() {
-    // Group id 0 means the own group.
+    // A process id of 0 stands for the program's own process group.
     let _ = kill(Pid::from_raw(0), Signal::SIGTSTP);
 }
 

@@ -9,13 +9,13 @@ use std::time::{Duration, Instant};
 
 use super::escape_codes;
 
-/// The output to the terminal.
+/// The state of the output to the terminal.
 #[derive(Debug, Default)]
 pub struct Traffic {
     state: Mutex<PendingWrite>,
     /// Signalled when everything has been written.
     written: Condvar,
-    /// Bytes passed on for writing so far.
+    /// The number of bytes passed on for writing so far.
     bytes: AtomicU64,
 }
 
@@ -23,7 +23,7 @@ pub struct Traffic {
 struct PendingWrite {
     /// Pieces of frames that the thread has not written yet.
     waiting: usize,
-    /// Writes completed since the last call.
+    /// The writes completed since they were last taken.
     done: Vec<Written>,
 }
 
@@ -45,7 +45,7 @@ impl Traffic {
         self.state().waiting == 0
     }
 
-    /// Bytes passed on for writing so far.
+    /// The number of bytes passed on for writing so far.
     pub fn bytes(&self) -> u64 {
         self.bytes.load(Ordering::Relaxed)
     }
@@ -55,7 +55,8 @@ impl Traffic {
         std::mem::take(&mut self.state().done)
     }
 
-    /// Waits until everything has been written, at most for the given time; returns whether it has been.
+    /// Waits until everything has been written, but no longer than `patience`; returns whether it
+    /// has been.
     pub fn wait_until_written(&self, patience: Duration) -> bool {
         let waited = self
             .written

@@ -7,13 +7,14 @@ use chrono::DateTime;
 
 /// The longest duration that is written in seconds.
 const LONGEST_IN_SECONDS: u64 = 120;
-/// Numbers this large or larger are written with an exponent: first the limit with decimals, then that of whole
-/// numbers.
+/// Numbers of at least this size are written with an exponent: the limits for numbers with
+/// decimals, and for whole numbers.
 const LONG_DECIMAL: f64 = 1e5;
 const LONG_WHOLE: f64 = 1e7;
 
-/// A number with this many decimals, always in a few digits: `1e38` for values far beyond any measurement, a dash for
-/// values that are not numbers. Zero is written without a sign, which would flicker.
+/// A number with this many decimals, always in a few digits: `1e38` for values far beyond any
+/// measurement, a dash for values that are not numbers. Zero is written without a sign, because a
+/// changing sign would flicker.
 pub fn figure(value: impl Into<f64>, decimals: usize) -> String {
     let value = value.into();
     let long = if decimals == 0 {
@@ -68,7 +69,7 @@ pub fn clock(time: Duration) -> String {
     }
 }
 
-/// A time in seconds, as [`clock`] writes it; one before 0 is 0.
+/// A time in seconds, in the format of [`clock`]; a negative one becomes 0.
 pub fn clock_s(seconds: f64) -> String {
     clock(Duration::try_from_secs_f64(seconds.max(0.0)).unwrap_or(Duration::MAX))
 }

@@ -31,7 +31,8 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// Where a line goes beyond a width, in bytes; `None` if it fits. At least one character counts as fitting.
+/// The byte index at which a line exceeds a width; `None` if it fits. At least one character counts
+/// as fitting.
 fn overflow(line: &str, width: usize) -> Option<usize> {
     let mut columns = 0;
     line.char_indices()
@@ -42,7 +43,8 @@ fn overflow(line: &str, width: usize) -> Option<usize> {
         .map(|(at, _)| at)
 }
 
-/// A text whose lines were broken for another width, as paragraphs: only blank and indented lines stay apart.
+/// Joins the lines of a text that was broken for another width into paragraphs: only blank and
+/// indented lines stay separate.
 pub fn reflow(text: &str) -> String {
     let mut flowing = String::new();
     let mut open = false;

@@ -18,7 +18,7 @@ pub struct Locale {
 
 type Bundle = FluentBundle<FluentResource>;
 
-/// Parsing a language takes as long as drawing many screens, so it is done once.
+/// The messages are parsed only once: parsing a language takes as long as drawing many screens.
 static ENGLISH: LazyLock<Bundle> = LazyLock::new(|| bundle(Language::English));
 static UKRAINIAN: LazyLock<Bundle> = LazyLock::new(|| bundle(Language::Ukrainian));
 

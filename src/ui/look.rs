@@ -36,7 +36,8 @@ impl Badge {
     /// The signs. They differ from one another, and from arrows and the cursor's marks, also in ASCII (`o ^ # + v`).
     const SIGNS: [char; 5] = ['●', '▲', '■', '✚', '▼'];
 
-    /// The signs of drafts without a vehicle. In ASCII (`& % @ $ =`) they differ from those above, too.
+    /// The signs of drafts without a vehicle. They differ from `SIGNS` too, also in ASCII (`& % @ $
+    /// =`).
     const DRAFT_SIGNS: [char; 5] = ['◆', '◇', '◈', '◐', '◧'];
 
     /// The badge of a drone, on every screen.

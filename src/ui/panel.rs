@@ -38,7 +38,7 @@ impl<'a> Panel<'a> {
         self.at(below(self.area, rows))
     }
 
-    /// Some of its columns, from its left edge.
+    /// Some columns of the panel, counted from its left edge.
     pub fn columns(self, from: u16, width: u16) -> Self {
         self.at(columns(self.area, from, width))
     }
@@ -62,12 +62,13 @@ impl<'a> Panel<'a> {
         self.look.say(id)
     }
 
-    /// Draws a rule with a title along its top and returns the rest below it.
+    /// Draws a rule with a title along the top of the panel, and returns the area below it.
     pub fn titled(self, title: &str, buffer: &mut Buffer) -> Rect {
         self.ruled(title, '─', self.style(Role::Border), buffer)
     }
 
-    /// Draws such a rule for a pane that can have the focus; a heavy rule marks the focus.
+    /// Draws a rule as [`titled`](Self::titled) does, for a pane that can have the focus; a heavy
+    /// rule marks the focus.
     pub fn focused(self, title: &str, has_keys: bool, buffer: &mut Buffer) -> Rect {
         if has_keys {
             self.ruled(title, '━', self.style(Role::Key), buffer)
@@ -202,7 +203,8 @@ pub fn columns(area: Rect, from: u16, width: u16) -> Rect {
     }
 }
 
-/// Writes a line into a row of an area, clipped to it; returns its end, or `None` if the area has no such row.
+/// Writes a line into a row of an area, clipped to it; returns the column after its end, or `None`
+/// if the area has no such row.
 pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option<u16> {
     if row >= area.height || area.width == 0 {
         return None;

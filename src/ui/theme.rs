@@ -26,7 +26,7 @@ const EMBEDDED: [(&str, &str); 4] = [
     ("monochrome", include_str!("../../themes/monochrome.toml")),
 ];
 
-/// The meaning of a piece of the screen.
+/// The meaning of a part of the screen, which determines its style.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Role {
     /// Ordinary text, and the background of everything.
@@ -57,7 +57,7 @@ pub enum Role {
     Ready,
     /// An alert that has not been acknowledged.
     Alert,
-    /// Where vehicles may fly.
+    /// Fences: where vehicles may fly.
     Fence,
     /// Unconfirmed readings of the sensors.
     Contact,

@@ -48,12 +48,12 @@ pub fn centred(width: u16, height: u16, area: Rect) -> Rect {
     }
 }
 
-/// Columns that a text takes on the screen.
+/// The width of a text on the screen, in columns.
 pub fn width(text: &str) -> usize {
     Span::raw(text).width()
 }
 
-/// A text cut or filled up to a width.
+/// A text cut or padded to a width; aligned to the right if `right`.
 pub fn aligned(text: &str, columns: usize, right: bool) -> String {
     let text = clip(text, columns);
     let blanks = " ".repeat(columns.saturating_sub(width(&text)));
@@ -93,7 +93,7 @@ pub fn stars(medal: Option<Medal>) -> &'static str {
     }
 }
 
-/// The style of a command's state.
+/// The theme role that draws a command's state.
 pub fn row_role(state: RowState) -> Role {
     match state {
         RowState::Done => Role::Ok,

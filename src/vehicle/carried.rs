@@ -10,7 +10,7 @@ use crate::vehicle_id::ranges;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CarriedLists {
     kind: ListKind,
-    /// Each content with its vehicles: the one that most carry first.
+    /// The vehicles by the content that they carry, the most common content first.
     groups: Vec<SameList>,
     /// The vehicles whose list has not been read.
     unread: Vec<VehicleId>,
@@ -164,7 +164,7 @@ mod tests {
     use super::*;
     use crate::vehicle::Plan;
 
-    /// A vehicle with this many items after home; `None` for one that has not been read.
+    /// A vehicle with this many items after home; `None` if its plan has not been read.
     fn carrying(id: u8, items: Option<usize>) -> Vehicle {
         let mut vehicle = Vehicle::new(id, 1);
         let item = |at: usize| Item {

@@ -3,7 +3,7 @@
 use super::{FenceSwitch, VehicleClass};
 use crate::plan::check::{CheckOptions, VehicleKind};
 
-/// `FENCE_TYPE`: a maximum altitude, a circle around home.
+/// Bits of `FENCE_TYPE`: a maximum altitude, and a circle around home.
 const CEILING: u32 = 1;
 const CIRCLE: u32 = 2;
 

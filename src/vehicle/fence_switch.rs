@@ -22,7 +22,8 @@ impl Vehicle {
 pub struct FenceSwitch {
     /// Whether the fence is on, if known.
     pub is_on: Option<bool>,
-    /// The position to which a command may have switched it: `FENCE_ENABLE` is not read, or was read before.
+    /// The state to which a command may have switched the fence: it differs from `FENCE_ENABLE`,
+    /// which has not been read, or was read before the command.
     pub by_command: Option<bool>,
 }
 
@@ -50,7 +51,7 @@ mod tests {
     use super::*;
     use crate::vehicle::{Health, Stored};
 
-    /// Only the report that the fence is on counts, not an old state of it.
+    /// Only the current report that the fence is on counts, not an earlier one.
     #[test]
     fn a_fence_is_in_force_if_it_is_on_and_read() {
         let mut vehicle = Vehicle::new(1, 1);

@@ -8,7 +8,8 @@ use super::{PlanPhase, Vehicle};
 use crate::geo::LatLon;
 use crate::geo::maths;
 
-/// The time constant with which the speed follows a slower flight, so that a corner does not count for long.
+/// The time constant with which the mean speed follows a slower speed, so that slowing down at a
+/// corner has little effect.
 const SLOWER_TIME_S: f32 = 10.0;
 /// Below this speed the vehicle counts as staying in place, in m/s.
 const STAYING_M_S: f32 = 1.0;
@@ -22,7 +23,7 @@ pub struct LegSpeed {
 }
 
 impl LegSpeed {
-    /// The speed after another measurement.
+    /// The mean speed after another measurement; measurements at a standstill leave it unchanged.
     pub fn after(before: Option<Self>, speed_m_s: f32, now: Duration) -> Option<Self> {
         if speed_m_s < STAYING_M_S {
             return before.map(|before| Self { at: now, ..before });
@@ -48,7 +49,8 @@ pub struct PlanLeg {
     pub to: Option<LatLon>,
     /// The horizontal distance to that place, in metres.
     pub left_m: Option<f64>,
-    /// The time until the next item begins, by the vehicle's clock: with the stay at this one's place.
+    /// The time until the next item begins, by the vehicle's clock, including the stay at the
+    /// current place.
     pub next: Option<Duration>,
     /// The time until the end of the plan, by the vehicle's clock.
     pub end: Option<Duration>,
@@ -60,7 +62,8 @@ impl Vehicle {
         self.armed() && self.mode().is_some_and(|mode| mode.is("AUTO"))
     }
 
-    /// Notes when it has arrived where it stays for the current item of its plan.
+    /// Notes the time of arrival at the place where the vehicle stays for the current item of its
+    /// plan, if it is there.
     pub fn note_arrival(&mut self, at: Duration) {
         let plan = self.plans.plan.content.as_ref();
         let is_there = plan.and_then(|plan| Route::of(self, plan).is_there(self.plan.current));
@@ -69,8 +72,9 @@ impl Vehicle {
         }
     }
 
-    /// The current leg; `None` unless it flies a plan that has been read. Times are estimates from its speed on the
-    /// way, the speeds in the plan, and the default climb and descent of `ArduCopter`; in a pause they are unknown.
+    /// The current leg; `None` unless the vehicle flies a plan that has been read. Times are
+    /// estimates from its speed on the way, the speeds in the plan, and the default climb and
+    /// descent of `ArduCopter`; in a pause they are unknown.
     pub fn plan_leg(&self) -> Option<PlanLeg> {
         let plan = self.plans.plan.content.as_ref()?;
         let progress = self.plan;

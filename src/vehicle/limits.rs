@@ -15,13 +15,13 @@ pub enum Grade {
 
 /// EKF test ratio of the failsafe: `FS_EKF_THRESH`, 0.8 by default; the arming checks use the same.
 pub const EKF_BAD: f32 = 0.8;
-/// A strict `FS_EKF_THRESH` (0.6 in its documentation's list of values).
+/// A strict failsafe threshold: 0.6 in the documentation's list of values for `FS_EKF_THRESH`.
 const EKF_POOR: f32 = 0.6;
 /// `GPS_HDOP_GOOD`, 140 by default: above it arming is refused.
 const HDOP_POOR: f32 = 1.4;
-/// A limit of this program, so far above `HDOP_POOR` that the position drifts by metres.
+/// A limit of this program, at which the position may drift by metres.
 const HDOP_BAD: f32 = 2.0;
-/// Fewer satellites than EKF3 requires for the GPS (`EK3_GPS_CHECK`, bit 0).
+/// The number of satellites that EKF3 requires for the GPS (`EK3_GPS_CHECK`, bit 0); fewer are bad.
 const SATELLITES_BAD: u8 = 6;
 /// Errors above which EKF3 does not begin to use the GPS (`EK3_GPS_CHECK`, bits 2 and 3), in metres.
 const HORIZONTAL_BAD_M: f32 = 5.0;
@@ -29,7 +29,7 @@ const VERTICAL_BAD_M: f32 = 7.5;
 /// Vibration: below 30 is normal, above 60 nearly always spoils the estimates (`ArduPilot`, "Measuring Vibration").
 const VIBRATION_POOR_M_S2: f32 = 30.0;
 pub const VIBRATION_BAD_M_S2: f32 = 60.0;
-/// Battery charges in percent: limits of this program for low and nearly empty.
+/// Battery charges in percent that this program grades as low and as nearly empty.
 const BATTERY_POOR_PERCENT: u8 = 25;
 const BATTERY_BAD_PERCENT: u8 = 10;
 /// Clipping should be zero; more than 100 in a flight is severe (same page).
@@ -52,8 +52,8 @@ impl Grade {
         Self::rising(ratio, EKF_POOR, EKF_BAD)
     }
 
-    /// The grade of the filter: bad without a position on the earth, otherwise that of its worst test ratio; the
-    /// vertical one does not count for the failsafe.
+    /// The grade of the filter: bad without a position on the earth, otherwise that of its worst
+    /// test ratio. The vertical ratio is left out, as in the failsafe.
     pub fn of_ekf(ekf: &Ekf) -> Self {
         if !ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE) {
             return Self::Bad;

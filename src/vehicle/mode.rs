@@ -22,7 +22,7 @@ pub enum VehicleClass {
 /// A flight mode: HEARTBEAT's `custom_mode` and the class that gives it its name.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Mode {
-    /// The class whose table the number belongs to.
+    /// The class whose mode table contains the number.
     pub class: VehicleClass,
     /// The number on the wire (`custom_mode`).
     pub number: u32,
@@ -228,7 +228,8 @@ impl Mode {
     }
 }
 
-/// Whether two names mean the same mode. Allocates nothing: every position of a vehicle asks for the name of its mode.
+/// Whether two names mean the same mode. Allocates nothing, because every position message of a
+/// vehicle looks up the name of its mode.
 fn is_same_name(one: &str, other: &str) -> bool {
     letters(one).eq(letters(other))
 }

@@ -2,18 +2,18 @@
 
 use super::{LandedState, PlanPhase, Vehicle};
 
-/// A vehicle that speeds up by more than this since it was slowest flies on, in m/s.
+/// A vehicle that has sped up by more than this since it was slowest is flying on, in m/s.
 const FLIES_ON_M_S: f32 = 1.5;
 
-/// A pause in a plan. A vehicle that reaches its item while it slows down stands still, but reports the next item as
-/// active: a pause lasts until the vehicle is resumed or speeds up.
+/// A pause in a plan. A vehicle that reaches its item while slowing down stops there, but reports
+/// the next item as active: a pause lasts until the vehicle is resumed or speeds up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanPause {
     /// The lowest speed since its beginning, in m/s.
     slowest_m_s: f32,
 }
 
-/// What a command does to the pause of a vehicle that flies its plan.
+/// The effect of a command on the pause of a vehicle that flies its plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PauseChange {
     Begins,
@@ -25,7 +25,8 @@ impl PlanPause {
         slowest_m_s: f32::INFINITY,
     };
 
-    /// The pause after a report of the phase; `is_news` says whether another item or another plan has become current.
+    /// The pause after a report of the phase; `is_news`: another item or another plan has become
+    /// current.
     pub(crate) fn reported(
         before: Option<Self>,
         phases: [Option<PlanPhase>; 2],
@@ -49,7 +50,7 @@ impl PlanPause {
 }
 
 impl Vehicle {
-    /// Whether it has paused in the plan that it flies.
+    /// Whether the vehicle has paused in the plan that it flies.
     pub fn has_paused(&self) -> bool {
         let reports_it = self.plan.phase == Some(PlanPhase::Paused);
         self.flies_plan() && (reports_it || self.plan.pause.is_some())
@@ -63,7 +64,8 @@ impl Vehicle {
         };
     }
 
-    /// Ends a pause if the vehicle has left its plan or flies on, at this speed in m/s.
+    /// Ends a pause if the vehicle has left its plan or is flying on; `speed_m_s` is its speed in
+    /// m/s.
     pub fn note_speed(&mut self, speed_m_s: f32) {
         let is_on_its_way = self.flies_plan() && self.landed != LandedState::Landing;
         let pause = self.plan.pause.filter(|_| is_on_its_way);

@@ -9,7 +9,7 @@ use crate::geo::LatLon;
 use crate::plan::command::{is_flown_to, is_jump, is_navigation};
 use crate::plan::{HeightFrame, Item};
 
-/// The items that fences and rally points consist of.
+/// The commands of the items in fences and rally points.
 mod command {
     use super::MavCmd;
 
@@ -91,14 +91,15 @@ impl Plan {
         &self.items[skip..]
     }
 
-    /// Whether a jump decides where the plan continues from an item: one comes before the next command that navigates.
+    /// Whether a jump decides where the plan continues from an item: a jump comes before the next
+    /// navigation command.
     pub fn jumps_from(&self, item: u16) -> bool {
         let ahead = self.items.iter().skip(usize::from(item));
         let mut decisive = ahead.filter(|it| is_jump(it.command) || is_navigation(it.command));
         decisive.next().is_some_and(|it| is_jump(it.command))
     }
 
-    /// Whether it begins with a takeoff without a place, after which the way leads on from home.
+    /// Whether it begins with a takeoff without a place, so that the path starts at home.
     pub fn takes_off_in_place(&self) -> bool {
         let mut flown = self.flown().iter();
         let first = flown.find(|item| is_flown_to(item.command));

@@ -187,9 +187,9 @@ pub struct Battery {
     pub voltage_v: Option<f32>,
     /// Amperes drawn; `None` if unknown or negative.
     pub current_a: Option<f32>,
-    /// Charge used since power-up.
+    /// Charge used since power-up, in mAh.
     pub consumed_mah: Option<f32>,
-    /// Energy used since power-up.
+    /// Energy used since power-up, in Wh.
     pub consumed_wh: Option<f32>,
     /// Charge left, 0 to 100 percent.
     pub remaining_percent: Option<u8>,
@@ -250,7 +250,7 @@ pub struct PlanProgress {
     pub pause: Option<PlanPause>,
     /// When the current item became current, by the vehicle's clock.
     pub since: Option<Duration>,
-    /// When the vehicle arrived where it stays for the current item, by its clock.
+    /// When the vehicle arrived at the place where it stays for the current item, by its clock.
     pub arrived: Option<Duration>,
     /// When this program last set the item at which the vehicle continues.
     pub asked: Option<Duration>,
@@ -277,7 +277,7 @@ pub struct Fence {
     pub breached: bool,
     /// The number of breaches so far.
     pub breaches: u16,
-    /// `FENCE_BREACH` kind of the last breach.
+    /// The kind of the last breach (`FENCE_BREACH`).
     pub breach_type: u8,
 }
 
@@ -321,9 +321,9 @@ pub struct LinkQuality {
     pub lost: bool,
     /// The number of frames received from the vehicle.
     pub received: u64,
-    /// Frames missing according to the gaps in its sequence numbers.
+    /// The number of frames missing, from the gaps in its sequence numbers.
     pub missing: u64,
-    /// Round trip by TIMESYNC.
+    /// The round-trip time, measured with TIMESYNC.
     pub round_trip: Option<Duration>,
     /// The number of reboots observed.
     pub reboots: u32,
@@ -341,7 +341,7 @@ impl LinkQuality {
     }
 }
 
-/// STATUSTEXT, chunks joined, cleaned of control characters.
+/// A STATUSTEXT, with its chunks joined and without control characters.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct StatusText {
     pub severity: Severity,
@@ -349,8 +349,8 @@ pub struct StatusText {
     pub at: Duration,
 }
 
-/// The position of a vehicle out of radio contact: the mission needs it for jamming and shadows, but the operator does
-/// not see it.
+/// The position of a vehicle out of radio contact: the mission needs it for jamming and radio
+/// shadows, but the operator does not see it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unheard {
     pub at: LatLon,

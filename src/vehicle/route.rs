@@ -12,9 +12,9 @@ use crate::plan::{HeightFrame, Item, command};
 
 /// The maximum number of items that are followed: jumps can make a plan of any length.
 const MOST_ITEMS: usize = 5000;
-/// `DO_JUMP`: a number of repetitions that never ends.
+/// The number of repetitions of a `DO_JUMP` that never ends.
 const FOR_EVER: f32 = -1.0;
-/// A vehicle closer to its place, or to the circle around it, than this has arrived.
+/// A vehicle closer than this to its place, or to the circle around it, has arrived.
 const ARRIVED_M: f64 = 3.0;
 /// A vehicle that sinks faster than this is landing.
 const SINKING_M_S: f32 = 0.2;
@@ -26,7 +26,7 @@ pub(super) struct Route<'a> {
     is_copter: bool,
 }
 
-/// Where a vehicle is on its way, and its speed over ground, if known.
+/// A vehicle's position on its way, and its speed over ground, if known.
 #[derive(Clone, Copy)]
 struct Waystate {
     at: LegStart,
@@ -47,7 +47,7 @@ impl<'a> Route<'a> {
         self.plan.items.get(usize::from(number))
     }
 
-    /// The place that the vehicle flies to with an item.
+    /// The place to which an item takes the vehicle.
     pub fn goal(&self, number: u16) -> Option<LatLon> {
         let item = self.item(number)?;
         match item.command {
@@ -57,7 +57,8 @@ impl<'a> Route<'a> {
         }
     }
 
-    /// Whether the vehicle is where it stays for an item; items without a stay have no such place.
+    /// Whether the vehicle is at the place where it stays for an item; `None` for an item without a
+    /// stay.
     pub fn is_there(&self, number: u16) -> Option<bool> {
         let item = self.item(number)?;
         let stay_s = self.pace(self.usual_m_s()).stay_s(item);
@@ -69,7 +70,7 @@ impl<'a> Route<'a> {
         Some(off_m.abs() < ARRIVED_M)
     }
 
-    /// The seconds until the next item begins, with the stay at this one's place.
+    /// The seconds until the next item begins, including the stay at the current place.
     pub fn current_s(&self, number: u16) -> Option<f64> {
         let mut way = self.start(number)?;
         self.whole_s(self.item(number)?, &mut way, true)
@@ -106,7 +107,7 @@ impl<'a> Route<'a> {
         None
     }
 
-    /// The present state of the vehicle.
+    /// The current position and speed of the vehicle.
     fn start(&self, number: u16) -> Option<Waystate> {
         let global = self.vehicle.global?;
         let mut passed = self.plan.items.iter().take(usize::from(number)).rev();
@@ -126,12 +127,13 @@ impl<'a> Route<'a> {
         })
     }
 
-    /// The speed over ground before any has been measured; only that of copters is the same for most of them.
+    /// The speed over ground before any has been measured; only for copters, most of which have the
+    /// same default.
     fn usual_m_s(&self) -> Option<f64> {
         self.is_copter.then(|| Pace::default().speed_m_s)
     }
 
-    /// The seconds to an item's end, with the stay there.
+    /// The seconds until the end of an item, including the stay there.
     fn whole_s(&self, item: &Item, way: &mut Waystate, is_current: bool) -> Option<f64> {
         let stay_s = self.pace(way.speed_m_s).stay_s(item)?;
         let arrived = self.vehicle.plan.arrived.filter(|_| is_current);
@@ -175,7 +177,7 @@ impl<'a> Route<'a> {
         u16::try_from(tagged).ok()
     }
 
-    /// The seconds of the path to an item's end, which becomes the new state.
+    /// The seconds of the path to an item's end; `way` is set to the state there.
     fn way_s(&self, item: &Item, way: &mut Waystate, is_current: bool) -> Option<f64> {
         let height_m = self.height_m(item).unwrap_or(way.at.height_m);
         match item.command {
@@ -211,12 +213,12 @@ impl<'a> Route<'a> {
         }
     }
 
-    /// The seconds of a straight leg, at whose end the vehicle then is.
+    /// The seconds of a straight leg; moves `way` to its end.
     fn leg_s(&self, way: &mut Waystate, place: LatLon, height_m: f64) -> Option<f64> {
         way.at.fly(place, height_m, self.pace(way.speed_m_s))
     }
 
-    /// How fast it flies at a speed over ground.
+    /// The pace at a speed over ground: that of a copter, or only the speed.
     fn pace(&self, speed_m_s: Option<f64>) -> LegPace {
         match speed_m_s {
             Some(speed_m_s) if self.is_copter => LegPace::Copter(Pace {
@@ -251,7 +253,7 @@ impl<'a> Route<'a> {
         (whole_s > 0.0).then(|| (whole_s - passed_s.unwrap_or(0.0)).max(0.0))
     }
 
-    /// An item's height above home.
+    /// An item's height above home, in metres.
     fn height_m(&self, item: &Item) -> Option<f64> {
         let height_m = f64::from(item.altitude_m()?);
         match item.height_frame() {

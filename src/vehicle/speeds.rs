@@ -30,7 +30,7 @@ impl AskedSpeeds {
         }
     }
 
-    /// The speed over ground.
+    /// The commanded speed over ground, in m/s.
     pub fn ground_m_s(&self) -> Option<f64> {
         self.ground_m_s
     }

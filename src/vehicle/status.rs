@@ -26,7 +26,7 @@ pub enum SystemStatus {
 }
 
 impl SystemStatus {
-    /// From the wire number.
+    /// The variant for a number in a message.
     pub fn from_wire(number: u8) -> Self {
         const NAMED: [(MavState, SystemStatus); 6] = [
             (MavState::MAV_STATE_BOOT, SystemStatus::Boot),
@@ -152,7 +152,7 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// From the wire number; unknown numbers become `Debug`.
+    /// The variant for a number in a message; unknown numbers become `Debug`.
     pub fn from_wire(number: u8) -> Self {
         const NAMED: [(MavSeverity, Severity); 7] = [
             (MavSeverity::MAV_SEVERITY_EMERGENCY, Severity::Emergency),

@@ -7,11 +7,13 @@ use crate::geo::LatLon;
 use crate::geo::maths;
 use crate::plan::effort::{Effort, Pace};
 
-/// The mean current follows the measured one with this time constant, so that a short climb does not count for long.
+/// The mean current follows the measured one with this time constant, so that a short climb has
+/// little effect.
 const LOAD_TIME_S: f32 = 15.0;
 /// Below this current the motors count as stopped, in amperes.
 const IDLE_A: f32 = 1.0;
-/// Charge is reported in whole percent, so the capacity cannot be estimated until this much is used.
+/// The percentage that must be used before the capacity can be estimated: charge is reported in
+/// whole percent.
 const USED_AT_LEAST: f32 = 2.0;
 /// The battery reserve after landing, in percent, where no mission sets another.
 pub const USUAL_RESERVE_PERCENT: f64 = 20.0;
@@ -19,7 +21,7 @@ pub const USUAL_RESERVE_PERCENT: f64 = 20.0;
 /// The mean current of a vehicle over the last seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeanCurrent {
-    /// Its mean, in amperes.
+    /// The mean current, in amperes.
     pub mean_a: f32,
     at: Duration,
 }
@@ -35,7 +37,7 @@ pub struct WayHome {
     pub left: Duration,
 }
 
-/// The result of the comparison.
+/// Whether the remaining charge is enough for the way home.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum HomeReach {
     /// More charge remains than the way home and the reserve need.
@@ -106,7 +108,7 @@ fn return_flight(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) 
     Pace::default().homeward(from.distance_m(home), height_m, headwind_m_s)
 }
 
-/// The seconds of a return from a place and a height, until the motors have stopped.
+/// The duration of a return from a place and a height until the motors have stopped, in seconds.
 pub(super) fn return_s(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> f64 {
     return_flight(from, home, height_m, wind).time_s
 }

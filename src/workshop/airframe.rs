@@ -10,9 +10,10 @@ use crate::geo::maths;
 use crate::sim::{GRAVITY_M_S2, SEA_LEVEL_DENSITY};
 use crate::text::rounded;
 
-/// The lean of the reference flight in the frame file.
+/// The lean of the reference flight in the frame file, in degrees.
 const REFERENCE_LEAN_DEG: f64 = 30.0;
-/// The share of the squared term in thrust over command; the autopilot has the same value.
+/// The share of the squared term in the curve of thrust over command; the autopilot uses the same
+/// value.
 const EXPO: f64 = 0.65;
 /// Rate gains of the default quad, and its control authority: thrust over weight per metre of diagonal.
 const RATE_GAIN: f64 = 0.135;
@@ -51,7 +52,8 @@ fn model(motors: u8) -> &'static str {
     }
 }
 
-/// The frame file: its reference flight is the computed hover, with a drag from the frame's area.
+/// The frame file: its reference flight is the computed hover, and its drag follows from the
+/// frame's area.
 fn frame(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Value {
     let lean = REFERENCE_LEAN_DEG.to_radians();
     let weight_n = figures.mass_kg * GRAVITY_M_S2;

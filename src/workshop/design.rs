@@ -167,7 +167,7 @@ impl Design {
         self.in_slot(slot).first().map(|part| &part.spec)
     }
 
-    /// Cells of its battery in series.
+    /// The number of cells of its battery in series.
     pub(super) fn cells(&self) -> Option<u8> {
         match self.spec(PartSlot::Battery)? {
             Spec::Battery(battery) => Some(battery.cells),

@@ -47,8 +47,9 @@ impl Drive<'_> {
         f64::from(self.frame.motors)
     }
 
-    /// One motor that gives a thrust in air of a density: the propeller's coefficients give speed and torque, the
-    /// torque constant `30 / (pi Kv)` the current, and resistance and back-EMF the voltage.
+    /// One motor at this thrust, in air of this density: the propeller's coefficients give speed
+    /// and torque, the torque constant `30 / (pi Kv)` gives the current, and resistance and
+    /// back-EMF give the voltage.
     pub fn turning(&self, thrust_n: f64, density: f64) -> Turning {
         let propeller = self.propeller;
         let diameter_m = self.diameter_m();
@@ -83,8 +84,9 @@ impl Drive<'_> {
         self.motors() * hover.electric_w * INTERACTION + electronics_w
     }
 
-    /// The largest thrust of all motors together, in newtons, at a charge in percent: the lowest of the limits by the
-    /// motor's voltage and power, the speed controller's current, the propeller's speed, and the battery's current.
+    /// The maximum thrust of all motors together, in newtons, at a charge in percent: limited by
+    /// the motor's voltage and power, the speed controller's current, the propeller's speed, and
+    /// the battery's current, whichever is reached first.
     pub fn max_thrust_n(&self, pack: &Pack, charge: f64, electronics_w: f64, density: f64) -> f64 {
         let bears = |thrust_n: f64| {
             let one = self.turning(thrust_n, density);

@@ -78,7 +78,7 @@ pub struct Figures {
     pub hover_voltage_v: f64,
     /// Revolutions of the propellers per minute.
     pub hover_rpm: f64,
-    /// Share of the thrust that the hover needs, with a full battery.
+    /// The share of the maximum thrust that the hover needs, with a full battery.
     pub hover_throttle: f64,
     /// Hover time with the usable part of the charge, in seconds.
     pub hover_time_s: f64,
@@ -86,15 +86,15 @@ pub struct Figures {
     pub hover_80_s: f64,
     /// The charge in percent below which the voltage is too low for the hover; `None` if that is within the reserve.
     pub sags_at: Option<f64>,
-    /// The speed of least power and so of the longest flight time.
+    /// The speed of least power and so of the longest flight time, in m/s.
     pub endurance_speed_m_s: f64,
     /// The flight time at that speed, in seconds.
     pub longest_s: f64,
-    /// The speed of the longest range.
+    /// The speed of the longest range, in m/s.
     pub range_speed_m_s: f64,
     /// The range at that speed without wind, in metres.
     pub range_m: f64,
-    /// The highest speed in level flight, limited by lean and thrust.
+    /// The highest speed in level flight, limited by lean and thrust, in m/s.
     pub top_speed_m_s: f64,
     /// The greatest lean in level flight, in degrees.
     pub most_lean_deg: f64,
@@ -102,7 +102,7 @@ pub struct Figures {
     pub capacity_ah: f64,
     /// Nominal energy of the battery, in watt hours.
     pub energy_wh: f64,
-    /// The largest current of a climb at full thrust, and the battery's continuous limit, in amperes.
+    /// The battery's continuous current limit, in amperes.
     pub max_current_a: f64,
     /// The mass that can be added until the thrust is [`GOOD_THRUST`] times the weight, in kilograms; negative if the
     /// drone is too heavy.
@@ -222,7 +222,7 @@ impl<'a> FigureInputs<'a> {
             .unwrap_or_default()
     }
 
-    /// The speed with the largest value of `worth`.
+    /// The speed with the largest value of `worth`, and that value.
     fn best(&self, worth: impl Fn(f64, f64) -> f64) -> (f64, f64) {
         let top = self.top_speed_m_s().max(SPEED_STEP_M_S);
         speeds()
@@ -290,7 +290,8 @@ impl Figures {
 }
 
 impl Radio {
-    /// The maximum distance that leaves the fade margin. `more_dbi` is the additional gain of the drone's antenna.
+    /// The maximum distance that leaves the fade margin, in metres. `more_dbi` is the additional
+    /// gain of the drone's antenna.
     fn range_m(&self, height_m: f64, more_dbi: f64) -> f64 {
         let budget_db = self.budget_db(self.air_dbi, self.ground_dbi) - FADE_MARGIN_DB + more_dbi;
         let height_m = height_m.max(LOWEST_ANTENNA_M);

@@ -12,7 +12,8 @@ const INDUCED: f64 = 1.15;
 const SAVED: f64 = 0.5;
 /// Profile power grows with the square of the advance ratio (Glauert).
 const PROFILE: f64 = 4.65;
-/// The speed above which the arms no longer block the air stream; below it, they block less, the faster the drone is.
+/// The speed above which the arms no longer block the air stream; below it, they block less as the
+/// speed increases.
 const CLEAN_M_S: f64 = 15.0;
 const ROUNDS: u32 = 40;
 

@@ -37,7 +37,8 @@ const ION: [(f64, f64); 12] = [
     (90.0, 4.02),
     (100.0, 4.15),
 ];
-/// Capacity by temperature: degrees, and shares of the nominal capacity; typical of lithium polymer packs.
+/// Capacity by temperature: degrees Celsius, and shares of the nominal capacity; typical of lithium
+/// polymer packs.
 const CAPACITY: [(f64, f64); 5] = [
     (-20.0, 0.60),
     (-10.0, 0.75),
@@ -45,7 +46,7 @@ const CAPACITY: [(f64, f64); 5] = [
     (10.0, 0.95),
     (25.0, 1.0),
 ];
-/// The growth of the resistance with each degree below 25 °C.
+/// The relative growth of the resistance with each degree below 25 °C.
 const COLD_RESISTANCE: f64 = 0.03;
 const ROOM_TEMPERATURE_C: f64 = 25.0;
 /// A step of the discharge, in percent.
@@ -59,7 +60,7 @@ pub(super) struct Pack {
     pub capacity_ah: f64,
     pub resistance_ohm: f64,
     pub max_current_a: f64,
-    /// The part of the charge that a flight may use.
+    /// The share of the charge that a flight may use.
     pub usable: f64,
 }
 
@@ -99,8 +100,8 @@ impl Pack {
         self.cells * 3.7 * self.capacity_ah
     }
 
-    /// The state under a power at a charge in percent; `None` if the voltage breaks down, so that no current gives
-    /// this power.
+    /// The voltage and current under a power at a charge in percent; `None` if the voltage breaks
+    /// down, so that no current gives this power.
     pub fn loaded(&self, charge: f64, power_w: f64) -> Option<Loaded> {
         let resting = self.resting_v(charge);
         let root = resting * resting - 4.0 * self.resistance_ohm * power_w;
@@ -114,8 +115,9 @@ impl Pack {
         })
     }
 
-    /// How long a full pack supplies a power, in seconds: until a share of the charge is used, or the voltage is too
-    /// low for the motors. Also the charge at the end, in percent.
+    /// How long a full pack supplies a power, in seconds, and the charge at the end, in percent.
+    /// The end is reached when `share` of the charge is used, or when the voltage falls below
+    /// `needed_v`.
     pub fn lasts(&self, power_w: f64, share: f64, needed_v: f64) -> (f64, f64) {
         let (mut charge, mut time_s) = (100.0, 0.0);
         while charge > 100.0 * (1.0 - share) {

@@ -140,7 +140,7 @@ pub(super) struct Frame {
     pub largest_propeller_in: f64,
     /// Drag coefficient times area.
     pub drag_area_m2: f64,
-    /// The share of the thrust lost to the air stream on the arms.
+    /// The share of the thrust lost because the arms block the air stream.
     pub download: f64,
 }
 
@@ -208,7 +208,7 @@ pub struct Radio {
     pub air_dbi: f64,
     /// Gain of the antenna on the ground.
     pub ground_dbi: f64,
-    /// Losses in cables, by obstructions, and by antenna alignment.
+    /// Losses from cables, obstructions and antenna misalignment.
     pub losses_db: f64,
     /// Whether it always relays the signals of other radios of its kind.
     pub relays: bool,
@@ -231,7 +231,7 @@ impl Part {
         }
     }
 
-    /// Whether it is used up in flight, so that several of it may be on board.
+    /// Whether it is used up in flight, so that several pieces may be on board.
     pub fn is_load(&self) -> bool {
         matches!(self.spec, Spec::Load)
     }

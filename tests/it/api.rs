@@ -32,7 +32,7 @@ impl Served {
             .stdout(Stdio::piped())
             .spawn()
             .expect("the program runs");
-        // The socket is open before the console says anything.
+        // The socket is open before the console prints anything.
         let mut output = BufReader::new(child.stdout.take().expect("it is piped"));
         let mut greeting = String::new();
         output.read_line(&mut greeting).expect("a line");
@@ -189,7 +189,7 @@ fn ten_thousand_requests_are_answered_in_order_beside_fifty_clients_that_never_r
             &json!({"do": "watch", "what": ["vehicles", "ledger", "notices"], "every_s": 0.05}),
         );
         one.write.set_nonblocking(true).expect("a socket");
-        // The console stops reading it once its answers find no room.
+        // The console stops reading requests once there is no room for its answers.
         let request = "{\"do\": \"get\", \"what\": \"vehicles\"}\n".repeat(2000);
         drop(one.write.write(request.as_bytes()));
         deaf.push(one);
@@ -229,7 +229,7 @@ fn hostile_lines_end_nothing_but_their_own_connection() {
             hostile.next_of("fault");
         }
     }
-    // The rest of a line that is too long is not read, so that writing it fails.
+    // The rest of a line that is too long is not read, so writing it fails.
     drop(hostile.write.write_all(&vec![b'{'; 10 << 20]));
     let mut other = served.connect();
     other.send(&json!({"id": 9, "do": "get", "what": "vehicles"}));

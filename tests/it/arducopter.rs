@@ -9,7 +9,8 @@ use std::time::{Duration, Instant};
 
 use crate::fleet::{Console, signing};
 
-/// SITL's TCP port is 5760 and ten more per instance; this number avoids ports that other programs usually use.
+/// The number of the SITL instance: its TCP port is 5760 plus ten per instance, which avoids ports
+/// that other programs usually use.
 const INSTANCE: u16 = 83;
 
 /// The parameters that a new vehicle needs before it can be armed: a frame, and calibrations that are not all zero.
@@ -125,7 +126,7 @@ fn logging(folder: &Path, serial: &str) -> Sitl {
     Sitl(sitl.expect("SORTIE_ARDUCOPTER can be started"))
 }
 
-/// Downloads the vehicle's log; returns its bytes and the row's explanation.
+/// Downloads the vehicle's log; returns its bytes and the explanation in its row.
 async fn download(console: &mut Console, folder: &Path) -> (Vec<u8>, String) {
     let begun = Instant::now();
     let order = console.give(&format!("logs download to {}", folder.display()), &[7]);
@@ -196,8 +197,8 @@ async fn a_log_of_a_real_arducopter_is_the_same_by_files_and_by_messages() {
     }
 }
 
-/// An instance whose serial ports are TCP servers: serial 0, which always takes unsigned frames, and serial 1, which does
-/// not once there is a key.
+/// An instance whose serial ports are TCP servers: serial 0, which always accepts unsigned frames,
+/// and serial 1, which rejects them once there is a key.
 fn with_ports(folder: &Path, instance: u16) -> Sitl {
     fs::write(folder.join("copter.parm"), parameters()).expect("written");
     let sitl = Command::new(program())

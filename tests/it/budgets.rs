@@ -1,4 +1,5 @@
-//! The embedded missions' budgets: every mission can be flown with drones that its budget pays for.
+//! The embedded missions' budgets: every mission can be flown with drones that are within its
+//! budget.
 
 use sortie::mission::{Mission, Need};
 use sortie::store;

@@ -71,7 +71,7 @@ impl Course {
         report
     }
 
-    /// Every flight of these tests is scored again from its record, with an identical result.
+    /// Scores a flight again from its record, with an identical result.
     fn rescore(&self, report: &Report, record: &str) {
         let again = Stored::read(record).and_then(|stored| stored.rescore(WithoutEnd::Over));
         let again = again.unwrap_or_else(|fault| panic!("{}: {fault}", self.name));

@@ -78,7 +78,8 @@ fn end_of(process: &mut Child) -> Option<ExitStatus> {
     None
 }
 
-/// Runs a script against its own vehicle. `prefix` makes an address of HOST:PORT as the client spells it.
+/// Runs a script against its own vehicle. `prefix` comes before HOST:PORT in the address that the
+/// client expects.
 fn run(script: &str, modules: &[&str], prefix: &str, speedup: u8) {
     let python = interpreter();
     assert!(
@@ -170,7 +171,7 @@ fn dronekit_flies() {
     run("dronekit_flight.py", &["dronekit", "past"], "tcp:", 5);
 }
 
-/// Runs a script for MAVSDK. Until version 3, the package mavsdk was what `mavsdk_grpc` is now.
+/// Runs a script for MAVSDK. Until version 3, the package `mavsdk` was the present `mavsdk_grpc`.
 fn run_mavsdk(script: &str) {
     let modules: &[&str] = if has_modules(&interpreter(), &["mavsdk_grpc"]) {
         &["mavsdk_grpc"]

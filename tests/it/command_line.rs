@@ -24,7 +24,7 @@ fn sortie(arguments: &[&str]) -> Output {
         .expect("the program runs")
 }
 
-/// The program in a folder that is also its user's folder for settings and records.
+/// Runs the program in a folder that is also its user's folder for settings and records.
 fn sortie_in(folder: &Path, arguments: &[&str]) -> Output {
     let program = program();
     Command::new(&program[0])
@@ -234,7 +234,8 @@ fn a_flight_that_is_not_over_has_no_debrief() {
         assert!(refused.stdout.is_empty());
         assert!(text(&refused.stderr).contains("this flight is not over"));
     }
-    // A script that flies the same world must not show it either, nor a copy of the record.
+    // A script that flies the same world must not show the truth either, nor must a copy of the
+    // record.
     let again = sortie_in(folder.path(), &[&arguments[..], &["--no-record"]].concat());
     assert_eq!(truth(&again), 0, "{}", text(&again.stdout));
     let copy = folder.path().join("copy.run.jsonl");

@@ -34,7 +34,7 @@ struct Flight {
 }
 
 impl Flight {
-    /// Hovers at 20 m. No failsafe brings the vehicle home before its battery is empty.
+    /// A vehicle that hovers at 20 m. No failsafe takes it home before its battery is empty.
     fn hovering(airframe: Airframe) -> Self {
         let start = Start {
             at: LatLon::new(-35.363_262, 149.165_237),
@@ -122,7 +122,8 @@ fn compare(name: &str, what: &str, computed: f64, found: f64, within: f64) {
     );
 }
 
-/// Seconds in the hover from a full battery until a share of its charge is used. The takeoff counts as hover.
+/// The seconds of hovering from a full battery until a share of its charge is used. The takeoff
+/// counts as hovering.
 fn endurance_s(flight: &mut Flight, capacity_ah: f64, share: f64) -> f64 {
     let begun = flight.truth();
     let before_s = begun.battery_consumed_mah * 3.6 / begun.battery_current_a;

@@ -1,5 +1,5 @@
-//! The same seed and the same messages at the same simulated times make the vehicles send the same bytes: at any pace,
-//! with any number of threads, in a bare world and behind the server.
+//! With the same seed and the same messages at the same simulated times, the vehicles send the same
+//! bytes: at any pace, with any number of threads, in a bare world and behind the server.
 
 use std::time::Duration;
 
@@ -20,7 +20,7 @@ use tokio_util::sync::CancellationToken;
 const VEHICLES: usize = 21;
 /// The simulated time that is compared, in milliseconds.
 const COMPARED_MS: u64 = 36_000;
-/// The interval in which a server at full speed serves its ground stations, in milliseconds.
+/// The interval at which a server at full speed serves its ground stations, in milliseconds.
 const ROUND_MS: u64 = 100;
 const HOME: LatLon = LatLon {
     lat_deg: 50.0,
@@ -62,7 +62,8 @@ fn set(name: &str, value: f32) -> MavMessage {
     })
 }
 
-/// The items of a list, each at metres north and east of home, sent without waiting for requests.
+/// The items of a list, each at an offset north and east of home in metres, sent without waiting
+/// for requests.
 fn list(from_ms: u64, kind: MavMissionType, items: &[(MavCmd, f32, [f64; 2])]) -> Script {
     let count = MavMessage::MISSION_COUNT(MISSION_COUNT_DATA {
         count: items.len() as u16,
@@ -91,7 +92,7 @@ fn list(from_ms: u64, kind: MavMissionType, items: &[(MavCmd, f32, [f64; 2])]) -
     std::iter::once((from_ms, count)).chain(told).collect()
 }
 
-/// Two vehicles share each mission, so that they meet.
+/// The mission of a vehicle; two vehicles share each mission, so that they meet.
 fn mission(vehicle: usize) -> Script {
     let aside_m = (vehicle / 6 * 6) as f64 * 5.0;
     let items = [
@@ -127,8 +128,8 @@ fn goto(p: [f32; 3]) -> MavMessage {
     })
 }
 
-/// Every third vehicle flies a mission, every fourth one within a fence; those without a mission are sent to a place,
-/// each with another fault.
+/// Every third vehicle flies a mission, every fourth one within a fence; vehicles without a mission
+/// are sent to a place, each with a different fault.
 fn script(vehicle: usize) -> Script {
     let interval = |id| command(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, [id, 1e5, 0.0]);
     let mut script: Script = [2.0, 24.0, 26.0, 29.0, 30.0, 33.0, 42.0, 147.0, 168.0, 193.0]

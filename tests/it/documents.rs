@@ -184,7 +184,7 @@ fn every_room_has_a_row() {
     }
 }
 
-/// The variables of the environment that a text names.
+/// The environment variables that a text names.
 fn variables(text: &str) -> BTreeSet<String> {
     let pieces = text.split(|c: char| !(c.is_ascii_uppercase() || c == '_'));
     let ours = pieces.filter(|piece| piece.starts_with("SORTIE_"));

@@ -4,15 +4,16 @@ use std::path::Path;
 
 use sortie::fidelity::{self, Comparison, Flight, Recording};
 
-/// The greatest root-mean-square difference of positions, at speeds up to [`FAST_M_S`].
+/// The maximum root-mean-square difference of positions, in metres, at speeds up to [`FAST_M_S`].
 const POSITION_RMS_M: f64 = 1.5;
 const FAST_M_S: f64 = 10.4;
-/// The greatest difference of arrival times: a share, or a number of seconds for short flights.
+/// The maximum difference of arrival times: in percent, or in seconds for short flights.
 const ARRIVAL_PERCENT: f64 = 5.0;
 const ARRIVAL_S: f64 = 0.25;
 
-/// Manoeuvres that miss a limit: the recording, the manoeuvre, its second in the recording, and the greatest measured
-/// difference in position (metres) and in arrival (percent). All others keep the limits.
+/// Manoeuvres that exceed a limit: the recording, the manoeuvre, its second in the recording, and
+/// the maximum measured difference in position (metres) and in arrival (percent). All others keep
+/// the limits.
 const EXCEPTIONS: &[(&str, &str, f64, f64, f64)] = &[
     // The command is 20 m/s and drag allows 10.3: the real path runs a little ahead of the vehicle, and stops later.
     ("b_classic", "velocity 0 0 0", 156.0, 1.8, 5.0),
@@ -64,7 +65,7 @@ fn arrival_is_off(flight: &Flight) -> bool {
     late > ARRIVAL_S && late > real * ARRIVAL_PERCENT / 100.0
 }
 
-/// The missed limits, in words.
+/// The exceeded limits, as text.
 fn faults(name: &str, comparison: &Comparison) -> Vec<String> {
     let mut faults = Vec::new();
     let mut excused: Vec<_> = EXCEPTIONS

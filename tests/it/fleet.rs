@@ -158,7 +158,7 @@ impl Console {
             .map(|vehicle| Arc::clone(&vehicle.borrow()))
     }
 
-    /// Gives a line of the grammar to vehicles, and returns its entry in the ledger.
+    /// Gives a line of the command language to vehicles, and returns its entry in the ledger.
     pub fn give(&mut self, line: &str, targets: &[VehicleId]) -> EntryId {
         let context = Context {
             vehicles: targets,

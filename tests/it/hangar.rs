@@ -43,7 +43,7 @@ fn config(folder: &Path, program: PathBuf) -> HangarSetup {
     }
 }
 
-/// A hangar for a test, with the program of its instances.
+/// A hangar for a test, with the program that its instances run.
 struct Stand {
     hangar: Hangar,
     _folder: tempfile::TempDir,
@@ -176,8 +176,8 @@ impl Attached {
 }
 
 impl Attached {
-    /// Heartbeats come once a simulated second: in real time, three intervals between them take that long. An instance
-    /// runs ten times as fast until it is ready.
+    /// Checks that an instance runs in real time: it sends a heartbeat once a simulated second, so
+    /// three intervals take that long. It runs ten times as fast until it is ready.
     async fn assert_real_time(&mut self) {
         self.forget().await;
         self.heartbeat().await;

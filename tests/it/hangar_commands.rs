@@ -21,7 +21,7 @@ impl Place {
         path
     }
 
-    /// The program with its own home folder, without any settings of this machine.
+    /// Runs the program with its own home folder, without any settings of this machine.
     fn sortie(&self, arguments: &[&str]) -> Output {
         Command::new(env!("CARGO_BIN_EXE_sortie"))
             .args(arguments)
@@ -160,7 +160,7 @@ fn what_cannot_be_started_is_wrong_usage() {
         let said = place.sortie(&[&["hangar", "command"], options].concat());
         let told = text(&said.stderr);
         assert_eq!(said.status.code(), Some(2), "{options:?}: {told}");
-        // A command without a model is right as well.
+        // A command without a model is valid as well.
         assert!(
             told.contains(expected) || expected == "use the model y6",
             "{told}"

@@ -29,12 +29,12 @@ pub struct Console {
 }
 
 impl Console {
-    /// On the home screen, with one mission.
+    /// A console on the home screen, with one mission.
     pub fn new() -> Self {
         Self::set_up(|_| {})
     }
 
-    /// On the home screen, with another setup.
+    /// A console on the home screen, with another setup.
     pub fn set_up(change: impl FnOnce(&mut Setup)) -> Self {
         let mut setup = Setup {
             missions: vec![fixtures::listing()],
@@ -50,12 +50,12 @@ impl Console {
         console
     }
 
-    /// On the home screen, with the texts of a language.
+    /// A console on the home screen, with the texts in a language.
     pub fn in_language(language: Language) -> Self {
         Self::set_up(|setup| setup.locale = Arc::new(Locale::new(language)))
     }
 
-    /// In free flight with `count` vehicles on the ground.
+    /// A console in free flight with `count` vehicles on the ground.
     pub fn flying(count: u16) -> Self {
         Self::new().in_flight(count)
     }
@@ -78,7 +78,7 @@ impl Console {
         self.hear(SessionEvent::Started(Box::new(Self::started(activity))));
     }
 
-    /// Starts the session again, as by `r`.
+    /// Starts the session again, as the key `r` does.
     pub fn start_again(&mut self, activity: Activity) {
         self.hear(SessionEvent::Started(Box::new(Started {
             is_again: true,
@@ -112,7 +112,7 @@ impl Console {
         self
     }
 
-    /// Sets the clock.
+    /// Sets the console's clock, in seconds.
     pub fn at(&mut self, seconds: u64) -> &mut Self {
         let now = Duration::from_secs(seconds);
         self.hear(Event::Tick { now, wall: now })

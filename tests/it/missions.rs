@@ -12,7 +12,8 @@ mod faults;
 mod guide;
 mod mutants;
 
-/// The refusal of each file of `tests/data/bad_missions`: one fault each, without faults that only follow from it.
+/// The refusal of each file in `tests/data/bad_missions`: one fault each, without consequential
+/// faults.
 const REFUSALS: &[&str] = &[
     "bad-id.toml:2:6: a mission's id is 1 to 40 lower-case letters, digits and `-`",
     "duplicate-id.toml:41:6: the id `cells` is used twice",
@@ -73,7 +74,7 @@ fn faults(path: &Path) -> Vec<String> {
     }
 }
 
-/// A line without the list of known names, which grows with the kinds.
+/// A line without the list of known names, which grows as kinds are added.
 fn without_list(line: &str) -> String {
     let Some((start, list)) = line.split_once("; known: ") else {
         return line.to_owned();
@@ -304,7 +305,7 @@ fn what_a_mission_lists_has_its_gates() {
     }
 }
 
-/// The share of the battery that a brief names, in percent, after one of these words or before them.
+/// The battery charge that a brief states, in percent, in English or Ukrainian.
 fn battery_in(brief: &str) -> Option<f64> {
     let brief = brief.split_whitespace().collect::<Vec<_>>().join(" ");
     let number = |text: &str| text.split(' ').next_back().and_then(|it| it.parse().ok());

@@ -5,7 +5,7 @@ mod film;
 #[path = "../../examples/screenshot/svg.rs"]
 mod svg;
 
-/// On other platforms, the last digits of a flight may differ with the mathematics library.
+/// Skipped on other platforms: the last digits of a flight may differ with the mathematics library.
 #[cfg(all(target_os = "linux", target_arch = "x86_64"))]
 #[test]
 fn the_pictures_are_current() {

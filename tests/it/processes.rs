@@ -262,7 +262,8 @@ fn without_a_screen_the_stages_are_lines_and_the_flight_waits_for_them() {
         "--arducopter",
         program,
     ];
-    // The stand-in's script needs its shell only by an absolute path.
+    // The stand-in's script calls its shell by an absolute path, so it does not need the `PATH`
+    // that `plain` hides.
     let (code, said, wrong) = plain(&arguments, "all guided\nall arm\nhangar\nall disarm\n");
     assert_eq!(code, Some(0), "{said}{wrong}");
     for words in ["2 vehicles are ready to arm", "all arm", "1-2 ready"] {

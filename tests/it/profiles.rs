@@ -46,7 +46,7 @@ fn said(data: &Path, arguments: &[&str]) -> String {
     out
 }
 
-/// The error output of a command that ends with an exit code.
+/// The error output of a command that ends with this exit code.
 fn refused(data: &Path, arguments: &[&str], code: i32) -> String {
     let output = sortie(data, arguments);
     let (out, err) = (text(&output.stdout), text(&output.stderr));
@@ -73,7 +73,7 @@ fn folder_of_anna() -> tempfile::TempDir {
     data
 }
 
-/// The number of stored flights of Anna.
+/// The number of Anna's stored flights.
 fn flights(data: &Path) -> u64 {
     let shown = json(&said(data, &["profile", "show", "Anna", "--json"]));
     shown["flights"].as_u64().expect("a number")
@@ -236,7 +236,8 @@ fn a_folder_that_cannot_be_written_is_named_and_nothing_is_flown() {
         fs::set_permissions(data.path(), fs::Permissions::from_mode(0o500)).expect("ours");
         let refusal = refused(data.path(), &["profile", "list"], 1);
         assert!(refusal.contains("profiles.sqlite"), "{refusal}");
-        // Profiles in such a folder are read, and nothing is flown that could not be stored.
+        // Profiles in such a folder can be read, but no flight begins whose result could not be
+        // stored.
         let data = folder_of_anna();
         let mode = |mode| fs::set_permissions(data.path(), fs::Permissions::from_mode(mode));
         mode(0o500).expect("ours");

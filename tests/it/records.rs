@@ -1,4 +1,4 @@
-//! Recorded runs as files: of other programs, damaged, on a full disk, of a killed console.
+//! Recorded runs as files: from other programs, damaged, on a full disk, from a killed console.
 
 use std::fs::{self, File};
 use std::io::Write as _;
@@ -19,7 +19,7 @@ mod verified;
 /// How long the console may take to record something.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The program with its data in a folder; `before` are words of a shell in front of it, if any.
+/// The program with its data in a folder; `before` is shell code that precedes it, if any.
 fn sortie(data: &Path, before: &str, arguments: &[&str]) -> Command {
     let mut command = Command::new("bash");
     let program = program();
@@ -105,7 +105,7 @@ fn a_scripts_flight_is_recorded_like_one_of_the_console() {
     let frames = fs::File::open(record["frames"].as_str().expect("a path")).expect("it is there");
     let frames: Result<Vec<_>, _> = TlogReader::new(std::io::BufReader::new(frames)).collect();
     let frames = frames.expect("a sound tlog");
-    // The source system of each frame, behind the start byte: MAVLink 2.
+    // The source system of each MAVLink 2 frame: the sixth byte.
     let is_from = |system: u8| frames.iter().filter(|it| it.bytes[5] == system).count();
     assert!(
         is_from(1) > 1000 && is_from(255) > 100,
@@ -116,7 +116,7 @@ fn a_scripts_flight_is_recorded_like_one_of_the_console() {
     assert!(frames.is_sorted_by_key(|it| it.unix_us));
     let verified = run(&data, "", &["verify"]);
     assert_eq!(verified.status.code(), Some(0), "{}", said(&verified));
-    // By its number and by its name, too.
+    // Also by its number and by its name.
     for named in ["1", record["name"].as_str().expect("a name")] {
         for command in ["verify", "debrief"] {
             let output = run(&data, "", &[command, named]);
@@ -326,7 +326,8 @@ fn a_console_that_is_killed_leaves_a_record_to_be_read() {
     endings::assert_verified_as_far_as_it_goes(data.path());
 }
 
-/// The score in the debrief of a record without an end: of practice, or of a flight that counts and so was left.
+/// The score in the debrief of a record without an end: of practice, or of a flight that counts and
+/// was therefore left early.
 fn score_without_end(folder: &Path, record: &str, counts: bool) -> u64 {
     let (head, lines) = record.split_once('\n').expect("a head");
     let mut head: serde_json::Value = serde_json::from_str(head).expect("a head");

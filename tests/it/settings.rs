@@ -1,4 +1,4 @@
-//! Configuration, keymaps and themes as the user meets them.
+//! Configuration, keymaps and themes from the user's point of view.
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt as _;

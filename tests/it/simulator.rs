@@ -249,7 +249,8 @@ async fn hundreds_of_connections_leave_nothing_behind() {
     }
     other.is_served().await;
     server.connections(1).await;
-    // More stations than a port has room for: the surplus is turned away, and there is room again when they leave.
+    // More stations than a port has room for: the surplus ones are turned away, and there is room
+    // again when the others leave.
     let mut crowd = Vec::new();
     for _ in 0..100 {
         crowd.push(

@@ -12,13 +12,14 @@ use sortie::workshop::{Air, Design, Figures};
 use crate::arducopter;
 use crate::fleet::Console;
 
-/// SITL's TCP port is 5760 and ten more per instance; these numbers avoid ports that other programs usually use.
+/// The number of the first SITL instance: its TCP port is 5760 plus ten per instance, which avoids
+/// ports that other programs usually use.
 const FIRST_INSTANCE: u16 = 84;
 const VEHICLE: VehicleId = 7;
 const SPEEDUP: &str = "10";
 /// The share of the charge that is flown; the endurance is extrapolated from it.
 const STRETCH: f64 = 0.1;
-/// The greatest difference between both simulators and the computed figures, as a share.
+/// The maximum difference between either simulator and the computed figures, as a share.
 const WITHIN: f64 = 0.15;
 
 const DESIGNS: [&str; 3] = [
@@ -106,7 +107,7 @@ async fn endurance_s(console: &mut Console, figures: &Figures) -> f64 {
     (now_s - begun_s) * 0.8 * figures.capacity_ah * 1000.0 / (taken_mah - before_mah)
 }
 
-/// The speed that the vehicle reaches on a long straight leg.
+/// The speed that the vehicle reaches on a long straight leg, in m/s.
 async fn top_speed_m_s(console: &mut Console) -> f64 {
     // A new leg resets the speed to its default.
     console.give("goto n 4000 e 0 up 20", &[VEHICLE]);

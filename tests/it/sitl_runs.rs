@@ -83,7 +83,8 @@ impl Scene {
         serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", said(&output)))
     }
 
-    /// Starts it, and waits until it reports the beginning of the mission; also returns its later output.
+    /// Starts the run, and waits until it reports the beginning of the mission; also returns its
+    /// later output.
     fn fly(&self) -> (Child, JoinHandle<String>) {
         let mut command = self.run("01-air-sample", &["--speedup", "1"]);
         let command = command.stdout(Stdio::null()).stderr(Stdio::piped());
@@ -98,7 +99,7 @@ impl Scene {
         });
         assert!(begins, "{told:#?}");
         assert!(!self.processes().is_empty());
-        // Its further output must be read.
+        // The remaining output must be read, so that the program is not blocked.
         let rest = thread::spawn(move || lines.collect::<Vec<_>>().join("\n"));
         (child, rest)
     }
@@ -264,7 +265,7 @@ fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator(
         .output()
         .expect("it runs");
     let embedded: serde_json::Value = serde_json::from_slice(&embedded.stdout).expect("JSON");
-    // No faster, so that even on a busy machine the pilot reacts soon enough.
+    // No faster, so that the pilot reacts soon enough even on a busy machine.
     let real = scene.report("01-air-sample", &["--json", "--speedup", "5"]);
     assert_eq!(real["passed"], true, "{real:#}");
     let score = |report: &serde_json::Value| report["score"].as_i64().expect("a number");
@@ -277,8 +278,8 @@ fn the_reference_pilot_scores_on_a_real_arducopter_as_on_the_embedded_simulator(
     scene.assert_nothing_is_left();
 }
 
-/// Missions whose score must be the same: the basics, three drones that fly together, detectors over a lane, and a map
-/// with a time limit.
+/// Missions whose scores on both simulators must agree: the basics, three drones that fly together,
+/// detectors over a lane, and a map with a time limit.
 const SAME_ON_BOTH: [&str; 4] = [
     "00-first-flight",
     "02-formation",

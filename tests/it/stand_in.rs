@@ -15,11 +15,12 @@ mod program;
 
 use program::Program;
 
-/// The longest life of a stand-in, even if its test has not ended it.
+/// The maximum life of a stand-in, in case its test does not end it.
 const LIFE: Duration = Duration::from_secs(300);
 /// A file of this name in its folder makes a running stand-in crash, once.
 pub const CRASH_FILE: &str = "crash-now";
-/// A file in its folder that grows by one byte at each start, as SITL stores its parameters there.
+/// A file in its folder that grows by one byte at each start; SITL stores its parameters in a file
+/// of this name.
 pub const MEMORY_FILE: &str = "eeprom.bin";
 
 const BEHAVIOUR: &str = "SORTIE_STAND_IN";
@@ -48,9 +49,9 @@ pub enum Behaviour {
     NeverReady,
     /// It works and has started a child, whose pid it prints as `child PID`.
     HasChildren,
-    /// It works and does not end with its parent process; needs `setpriv`, of Linux.
+    /// It works and does not end with its parent process; needs `setpriv` (Linux).
     OutlivesItsOwner,
-    /// It ends at once for its first starts in a folder, this many times, and then works.
+    /// It ends at once on its first starts in a folder, this many times, and then works.
     FailsAtFirst(u32),
 }
 

@@ -52,7 +52,7 @@ pub struct Terminal {
 struct Pace {
     bytes_per_s: Mutex<Option<usize>>,
     changed: Condvar,
-    /// Whether the terminal goes away after its next read.
+    /// Whether the terminal closes after its next read.
     gone: AtomicBool,
 }
 
@@ -62,7 +62,7 @@ impl Pace {
         self.changed.notify_all();
     }
 
-    /// The room for the next bytes, once they may be read.
+    /// The part of the buffer for the next bytes; waits until they may be read.
     fn room<'a>(&self, buffer: &'a mut [u8]) -> &'a mut [u8] {
         let stalled = |pace: &mut Option<usize>| *pace == Some(0);
         let pace = self.bytes_per_s.lock().expect("no test panics here");
@@ -163,7 +163,7 @@ impl Terminal {
         self
     }
 
-    /// Reads as over a slow line.
+    /// Reads slowly, as over a line of this rate.
     pub fn read_slowly(&mut self, bytes_per_s: usize) -> &mut Self {
         self.pace.set(Some(bytes_per_s));
         self
@@ -224,7 +224,7 @@ impl Terminal {
         self.wait(&format!("{text:?}"), |screen| screen.contains(text))
     }
 
-    /// Waits until `text` was written, though it may have scrolled off the screen.
+    /// Waits until `text` has been written, even if it has scrolled off the screen.
     pub fn see_in_scrollback(&mut self, text: &str) -> &mut Self {
         self.until(&format!("{text:?}"), |terminal| {
             terminal.raw().contains(text)
@@ -309,9 +309,9 @@ impl Terminal {
         self.child.process_id().expect("it runs")
     }
 
-    /// The terminal goes away, as when an SSH connection breaks; waits for the end of the program.
+    /// Closes the terminal, as when an SSH connection breaks, and waits for the end of the program.
     pub fn go_away(&mut self) {
-        // The reader ends with the program's next bytes, which its running clock produces.
+        // The reader ends at the next bytes of the program, which come from its running clock.
         self.pace.gone.store(true, Ordering::SeqCst);
         self.keyboard = Box::new(std::io::sink());
         self.master = None;
@@ -356,7 +356,7 @@ impl Terminal {
 
 impl Drop for Terminal {
     fn drop(&mut self) {
-        // A failed test must not leave a process; an error means that it has ended already.
+        // A failed test must not leave a process behind; an error means that it has ended already.
         self.pace.set(None);
         drop(self.child.kill());
     }

@@ -66,7 +66,7 @@ fn a_terminal_that_reads_a_kilobyte_a_second_gets_the_newest_state_and_is_told_t
     let log = folder.path().join("log");
     let mut terminal = logged_flight(&log);
     terminal.read_slowly(1000);
-    // A new size needs a complete screen: some seconds on such a line.
+    // A new size needs a complete screen, which takes some seconds on such a line.
     terminal.resize(118, 38);
     terminal.press(":").press("all guided").press("\r");
     Terminal::wait_for_log(&log, "guided of four vehicles", |log| {
@@ -183,12 +183,12 @@ fn a_mission_that_was_suspended_and_stopped_stood_still_and_can_be_verified() {
     let sortie = program().join(" ");
     terminal.see("shell>").press(&format!("{sortie} fly 00\r"));
     terminal.see("MISSION").press("\r").see("STABILIZE");
-    // Before that, the mission would end without a question.
+    // Before its clock has started, the mission would end without a question.
     terminal.wait("the mission's clock", |screen| {
         let head = screen.lines().find(|line| line.contains("First flight"));
         head.is_some_and(|head| !head.trim_end().ends_with("00:00"))
     });
-    // Longer than a vehicle may be silent.
+    // The sleep is longer than a vehicle may be silent.
     terminal.press("\u{1a}").see("Stopped");
     terminal
         .press("sleep 4; echo 'it '\"slept\"\r")
@@ -321,7 +321,8 @@ fn what_is_refused_in_a_pipe_makes_its_exit_code_1() {
     }
 }
 
-/// A question takes no line away: what it asks about is not done, and the next line is carried out.
+/// A question does not consume a line: without an answer, the action in question is not carried
+/// out, but the next line is.
 #[test]
 fn a_question_that_a_pipe_does_not_answer_is_an_error() {
     let vehicles = ["fly", "--plain", "--vehicles", "1", "--speedup", "10"];
@@ -358,7 +359,7 @@ fn a_mission_whose_input_ends_early_has_its_debrief_and_is_not_passed() {
 
 #[test]
 fn a_wait_in_a_pipe_takes_flight_time() {
-    // By the wall clock, 30 s would be five minutes of the mission, which then is over.
+    // By the wall clock, 30 s would be five minutes of the mission, which would then be over.
     let lines = "wait 30s\nall guided\nall arm\n";
     let (said, _) = plain(&["fly", "00", "--plain", "--speedup", "10"], lines);
     let met = "objective met: armed within a minute";

@@ -251,7 +251,8 @@ fn no_word_of_a_message_breaks_a_line_of_the_screen() {
 /// Messages that name a key which no keymap changes: the answer to a question, and the plain console, which has no
 /// keymap.
 const FIXED_KEYS: &[&str] = &["ask-taken-back", "plain-asks"];
-/// Words and signs that are not keys: articles, and the signs of legends and of the grammar.
+/// Messages whose words and signs are not keys: articles, and the signs of legends and of the
+/// grammar.
 const SIGN_LEGENDS: &[&str] = &["debrief-timeline", "standing-chart", "verb-int", "grammar-"];
 
 /// The keys that a message names literally, without the keymap.
@@ -293,7 +294,7 @@ fn no_message_names_a_key_that_a_keymap_could_change() {
     assert_eq!(literal_keys("{ $key } shows a list"), [""; 0]);
 }
 
-/// Phrases that docs/style.md forbids, apart from those that only some uses make wrong.
+/// Phrases that docs/style.md forbids, except those that are wrong only in some uses.
 const FORBIDDEN: [&str; 13] = [
     "nobody",
     "somebody",

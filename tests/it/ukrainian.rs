@@ -19,7 +19,7 @@ use sortie::store;
 use sortie::text::{Language, Locale, Text, messages};
 use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 
-/// Names that are in no table: of things, keys and figures, and words that are typed.
+/// Names that are in no table: of things, keys and figures, and words that the user types.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
     "AHRS ASCII failsafe ArduCopter ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON Linux MAVFTP MAVLink NAT RC RTK RX SITL SQLite TOML DataFlash TCP TX UDP USB UTC UTF",
@@ -94,7 +94,8 @@ fn parts(text: &str) -> impl Iterator<Item = &str> {
         .filter(|word| word.contains(|c: char| c.is_ascii_alphabetic()))
 }
 
-/// The words of a text that are neither Ukrainian nor names. Text between backticks is to be typed.
+/// The words of a text that are neither Ukrainian nor names. Text between backticks is skipped,
+/// because the user types it.
 fn strangers<'a>(text: &'a str, known: &BTreeSet<String>) -> Vec<&'a str> {
     let outside = text.split('`').step_by(2);
     outside

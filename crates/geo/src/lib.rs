@@ -96,7 +96,7 @@ impl LatLon {
         wrap_360(maths::atan2(east, north).to_degrees())
     }
 
-    /// Metres per degree of latitude and of longitude here.
+    /// Metres per degree of latitude and of longitude at this point.
     fn metres_per_degree(self) -> (f64, f64) {
         let lat = self.lat_deg.clamp(-89.9, 89.9).to_radians();
         let w2 = 1.0 - ECCENTRICITY_SQUARED * maths::powi(maths::sin(lat), 2);
@@ -106,14 +106,14 @@ impl LatLon {
     }
 }
 
-/// An angle brought into 0 (included) to 360 (excluded) degrees.
+/// An angle wrapped into the range from 0 (inclusive) to 360 (exclusive) degrees.
 pub fn wrap_360(angle_deg: f64) -> f64 {
     let wrapped = angle_deg.rem_euclid(360.0);
     // rem_euclid of a tiny negative number rounds up to 360 itself.
     if wrapped >= 360.0 { 0.0 } else { wrapped }
 }
 
-/// An angle brought into -180 (excluded) to 180 (included) degrees.
+/// An angle wrapped into the range from -180 (exclusive) to 180 (inclusive) degrees.
 pub fn wrap_180(angle_deg: f64) -> f64 {
     let wrapped = wrap_360(angle_deg);
     if wrapped > 180.0 {

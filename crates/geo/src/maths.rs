@@ -1,8 +1,9 @@
 //! Functions whose results are the same to the last bit on every machine.
 //!
-//! `+ - * /` and the square root are exact everywhere; the other functions of `std` come from the platform's library
-//! and differ between machines. Scores must not depend on the machine, so the whole workspace uses these functions,
-//! which are musl's in Rust ([`libm`]). The linter forbids the others (`.clippy.toml`).
+//! `+ - * /` and the square root are exact everywhere; the other functions of `std` come from the
+//! platform's library and differ between machines. Scores must not depend on the machine, so the
+//! whole workspace uses these functions, which are those of musl, ported to Rust ([`libm`]). Clippy
+//! forbids the others (`.clippy.toml`).
 
 /// Sine of an angle in radians.
 #[must_use]
@@ -106,7 +107,7 @@ pub fn powf(base: f64, exponent: f64) -> f64 {
     libm::pow(base, exponent)
 }
 
-/// `base` to a whole power, by squaring: the order of the products is fixed.
+/// `base` to an integer power, by squaring: the order of the products is fixed.
 #[inline]
 #[must_use]
 pub fn powi(base: f64, exponent: i32) -> f64 {

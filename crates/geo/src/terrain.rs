@@ -23,7 +23,7 @@ pub struct Square {
     pub lon: i16,
 }
 
-/// The content of a file is not a square of heights; contains its length in bytes.
+/// A file that is not a square of heights; contains its length in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WrongSize(pub usize);
 
@@ -69,8 +69,8 @@ impl Grid {
         })
     }
 
-    /// The height interpolated between the four points around a place, which is given as shares of the square from its
-    /// south-west corner; `None` if one of them was not measured.
+    /// The height interpolated between the four points around a place, given as fractions of a side
+    /// from the square's south-west corner; `None` if one of the four was not measured.
     fn at(&self, north: f64, east: f64) -> Option<f64> {
         let last = self.side - 1;
         let (row, column) = ((1.0 - north) * last as f64, east * last as f64);
@@ -142,7 +142,7 @@ mod tests {
 
     const HERE: Square = Square { lat: 50, lon: 30 };
 
-    /// A square whose heights come from row and column.
+    /// A square with heights computed from row and column.
     fn terrain(side: usize, height: impl Fn(usize, usize) -> i16) -> Terrain {
         let points = (0..side * side).map(|at| height(at / side, at % side));
         let bytes: Vec<u8> = points.flat_map(i16::to_be_bytes).collect();

@@ -12,9 +12,9 @@ pub const DOTS_ACROSS: u16 = 2;
 /// Dots in a cell, one above the other.
 pub const DOTS_DOWN: u16 = 4;
 
-/// Widths of a column in metres within a decade: Renard's series of ten, rounded.
+/// Widths of a column in metres within a decade: the Renard series R10, rounded.
 const STEPS: [f64; 10] = [1.0, 1.25, 1.6, 2.0, 2.5, 3.2, 4.0, 5.0, 6.4, 8.0];
-/// The steps of the ladder per key press.
+/// Steps of the series per key press.
 const STRIDE: i8 = 2;
 
 /// The width of a column on the ground, from a fixed series, so that a fitted view does not change with every metre.
@@ -111,7 +111,7 @@ pub struct Viewport {
 }
 
 impl Viewport {
-    /// A view of a place and what lies around it.
+    /// A view of a place and its surroundings.
     pub fn new(centre: LatLon, zoom: Zoom, size: GridSize) -> Self {
         let dots_per_m = f64::from(DOTS_ACROSS) / zoom.metres_per_column();
         let (north, east) = centre.metres_per_degree();

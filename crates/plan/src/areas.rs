@@ -7,7 +7,7 @@ use crate::{Item, command};
 /// One area, with points on the earth or in metres.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FenceArea<P> {
-    /// Whether the vehicle must stay inside it instead of outside.
+    /// Whether the vehicle must stay inside the area rather than outside it.
     pub keeps_in: bool,
     /// The outline of the area.
     pub shape: AreaShape<P>,
@@ -28,7 +28,7 @@ pub enum AreaShape<P> {
 }
 
 impl<P> FenceArea<P> {
-    /// The same area with other points.
+    /// The same area with each point converted by `point`.
     pub fn map<Q>(&self, point: impl Fn(&P) -> Q) -> FenceArea<Q> {
         FenceArea {
             keeps_in: self.keeps_in,
@@ -82,7 +82,7 @@ pub fn is_inside<P: Copy + Into<[f64; 2]>>(point: P, corners: &[P]) -> bool {
     inside
 }
 
-/// The fault of an invalid fence, shown in the vehicle's own words.
+/// The fault of an invalid fence; its text is the vehicle's own.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum FenceError {
     /// A polygon that claims fewer than three corners.

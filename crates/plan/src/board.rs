@@ -25,10 +25,10 @@ pub enum Refusal {
     /// A command that no list accepts.
     #[error("invalid command")]
     Invalid,
-    /// A command that the vehicle does not know, or that does not belong in the list.
+    /// A command that the vehicle does not support, or that does not belong in the list.
     #[error("unsupported command")]
     Command,
-    /// A frame that the vehicle does not know.
+    /// A frame that the vehicle does not support.
     #[error("unsupported frame")]
     Frame,
     /// A parameter, from 1 to 7, that is infinite, not set or out of range.
@@ -298,7 +298,7 @@ mod tests {
             // Turns and radii that do not fit into their byte are limited to its maximum.
             (18, [300.0, 0.0, 3000.0, 0.0], [255.0, 0.0, 2550.0, 0.0]),
             (17, [0.0, 0.0, -70_000.0, 0.0], [0.0, 0.0, -4464.0, 0.0]),
-            // Values beyond a field wrap.
+            // Values too large for a field wrap.
             (181, [300.5, -1.0, 0.0, 0.0], [44.0, 255.0, 0.0, 0.0]),
             (16, [70_000.0, 0.0, 0.0, 0.0], [4464.0, 0.0, 0.0, 0.0]),
             (223, [0.0, 0.0, 0.0, 4.0], [0.0, 0.0, 0.0, 0.0]),

@@ -25,7 +25,7 @@ pub enum VehicleKind {
 }
 
 impl VehicleKind {
-    /// The kind of a `MAV_TYPE`, if it is one of these.
+    /// The kind of vehicle that a `MAV_TYPE` number means; `None` for other types.
     pub const fn of_mav_type(number: u8) -> Option<Self> {
         match number {
             2..=4 | 13..=15 | 29 | 35 => Some(Self::Copter),
@@ -77,7 +77,8 @@ pub struct CheckOptions {
     pub radius_m: Option<f32>,
     /// Whether the vehicle has terrain data for the area.
     pub has_terrain: bool,
-    /// Whether the ground may be lower than home, so that a height below home need not lead into it.
+    /// Whether the ground may be lower than home, so that a height below home need not be
+    /// underground.
     pub may_slope: bool,
 }
 
@@ -129,7 +130,7 @@ pub enum FindingKind {
     },
     /// A parameter that the vehicle would store with a different value.
     UnstorableValue(UnstorableValue),
-    /// More items than the vehicle keeps, with home.
+    /// The list has more items, with home, than the vehicle keeps.
     TooMany {
         /// The number of items in the list.
         count: usize,
@@ -240,12 +241,12 @@ pub enum FindingKind {
     },
 }
 
-/// An area of the fence in which, or outside of which, a place must not lie.
+/// A fence area whose rule a place breaks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BrokenArea {
     /// The area, counted from 0.
     pub area: usize,
-    /// Whether the area is one to stay out of.
+    /// Whether it is an exclusion area.
     pub is_exclusion: bool,
 }
 
@@ -333,7 +334,8 @@ pub fn check(document: &Document, options: &CheckOptions) -> Vec<Finding> {
     findings
 }
 
-/// The faults of a list for the upload: items that the vehicle would refuse, skip or store with a different value.
+/// The faults that concern the upload of a list: items that the vehicle would refuse, skip or store
+/// with a different value.
 fn check_items(
     document: &Document,
     kind: ListKind,

@@ -32,7 +32,7 @@ pub const PAYLOAD_PLACE: u16 = 94;
 pub const LAST_NAVIGATION: u16 = 95;
 /// Continues at another item: parameter 1 is its number, parameter 2 the number of repetitions.
 pub const DO_JUMP: u16 = 177;
-/// Waits before the next item that is flown to.
+/// Delays the next `DO` command.
 pub const CONDITION_DELAY: u16 = 112;
 /// Sets the speed from here on.
 pub const DO_CHANGE_SPEED: u16 = 178;
@@ -40,7 +40,7 @@ pub const DO_CHANGE_SPEED: u16 = 178;
 pub const DO_SET_HOME: u16 = 179;
 /// Switches the fence on or off.
 pub const DO_FENCE_ENABLE: u16 = 207;
-/// Moves a switch of the remote control: parameter 1 is its function.
+/// Acts like a switch of the remote control: parameter 1 is the auxiliary function.
 pub const DO_AUX_FUNCTION: u16 = 218;
 /// The start of the return path.
 pub const DO_RETURN_PATH_START: u16 = 188;
@@ -56,7 +56,7 @@ pub const JUMP_TAG: u16 = 600;
 pub const DO_JUMP_TAG: u16 = 601;
 /// The place to which a vehicle returns after a fence breach.
 pub const FENCE_RETURN_POINT: u16 = 5000;
-/// A corner of an inclusion polygon; parameter 1 is the number of its corners.
+/// A corner of an inclusion polygon; parameter 1 is the number of the polygon's corners.
 pub const FENCE_POLYGON_INCLUSION: u16 = 5001;
 /// A corner of an exclusion polygon.
 pub const FENCE_POLYGON_EXCLUSION: u16 = 5002;

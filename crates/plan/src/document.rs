@@ -1,4 +1,4 @@
-//! The content of a file.
+//! The content of a plan file.
 
 use crate::{Item, ListKind};
 
@@ -37,7 +37,7 @@ pub struct Origin {
     pub firmware: u8,
     /// The number of a `MAV_TYPE`.
     pub vehicle: u8,
-    /// The speed of a fixed wing, in m/s.
+    /// The cruise speed of a fixed-wing aircraft, in m/s.
     pub cruise_speed_m_s: f32,
     /// The speed of a multicopter, in m/s.
     pub hover_speed_m_s: f32,

@@ -29,7 +29,7 @@ fn target_of(item: &Item) -> Option<usize> {
     is_jump.then(|| item.params[0] as usize - 1)
 }
 
-/// Changes the target of each jump.
+/// Changes the target of each jump to the index that `moved` returns for it.
 fn aimed(mut items: Vec<Item>, moved: impl Fn(usize) -> usize) -> Vec<Item> {
     for item in &mut items {
         if let Some(target) = target_of(item) {
@@ -70,7 +70,7 @@ pub fn insert(items: &[Item], at: usize, new: &[Item]) -> Result<Vec<Item>, Edit
 /// Deletes items. Jumps among them are deleted with them.
 ///
 /// # Errors
-/// There are no such items, or a jump outside of them leads to one of them.
+/// The range is empty or out of bounds, or a jump outside it leads to one of its items.
 pub fn delete(items: &[Item], range: Range<usize>) -> Result<Vec<Item>, EditError> {
     checked(items, &range)?;
     let mut rest = items.iter().enumerate();
@@ -93,7 +93,7 @@ pub fn delete(items: &[Item], range: Range<usize>) -> Result<Vec<Item>, EditErro
 /// Moves items so that the first of them gets the index `to` of the new list.
 ///
 /// # Errors
-/// No such items, or the new index is beyond the end.
+/// The range is empty or out of bounds, or the new index is beyond the end.
 pub fn relocate(items: &[Item], range: Range<usize>, to: usize) -> Result<Vec<Item>, EditError> {
     checked(items, &range)?;
     if to + range.len() > items.len() {
@@ -110,7 +110,7 @@ pub fn relocate(items: &[Item], range: Range<usize>, to: usize) -> Result<Vec<It
 /// Puts a waypoint in the middle of the leg that leads to an item.
 ///
 /// # Errors
-/// No leg leads there, or its two ends measure their heights differently.
+/// No leg leads there, or the heights of its two ends have different references.
 pub fn split(items: &[Item], at: usize) -> Result<Vec<Item>, EditError> {
     let end = *items.get(at).ok_or(EditError::NoItem(items.len()))?;
     let has_place = |item: &&Item| command::is_flown_to(item.command) && (item.x, item.y) != (0, 0);
@@ -123,7 +123,7 @@ pub fn split(items: &[Item], at: usize) -> Result<Vec<Item>, EditError> {
     }
     let middle = |a: i32, b: i32| i32::midpoint(a, b);
     let east = i64::from(end.y) - i64::from(start.y);
-    // The short way across the date line.
+    // Takes the short way across the date line.
     let y = if east.abs() > 1_800_000_000 {
         let far = i64::midpoint(i64::from(start.y), i64::from(end.y));
         (far - far.signum() * 1_800_000_000) as i32
@@ -154,7 +154,7 @@ pub enum HeightChange {
 /// Changes the heights of the items of a range that have a place, or are a takeoff.
 ///
 /// # Errors
-/// There are no such items.
+/// The range is empty or out of bounds.
 pub fn change_height(
     items: &[Item],
     range: Range<usize>,
@@ -190,10 +190,11 @@ pub enum FrameChange<'a> {
     },
 }
 
-/// Changes what the heights of a range are measured from; `frame` is the number of a global `MAV_FRAME`.
+/// Changes what the heights of a range are measured from; `frame` is the number of a global
+/// `MAV_FRAME`.
 ///
 /// # Errors
-/// There are no such items, or a height that is needed is not known.
+/// The range is empty or out of bounds, or a required height is unknown.
 pub fn change_frame(
     items: &[Item],
     range: Range<usize>,

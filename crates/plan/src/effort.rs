@@ -13,7 +13,7 @@ use sortie_geo::maths;
 const CLIMBING: f64 = 1.3;
 /// The growth of power with the square of the airspeed, from a measurement of 12 % more at 10 m/s.
 const DRAG_PER_SPEED2: f64 = 0.0012;
-/// The steps in which the highest speed of a short leg is found.
+/// The number of bisection steps that find the highest speed of a short leg.
 const TOP_SPEED_STEPS: u32 = 14;
 /// The default of `CIRCLE_RATE`, in degrees per second.
 const CIRCLE_RATE_DEG_S: f64 = 20.0;
@@ -21,9 +21,9 @@ const CIRCLE_RATE_DEG_S: f64 = 20.0;
 const RETURN_HEIGHT_M: f64 = 15.0;
 /// `RTL_CONE_SLOPE`: near home, a return stays below a cone of this slope above home.
 const CONE_SLOPE: f64 = 3.0;
-/// The time of a return for acceleration and braking.
+/// The time that acceleration and braking add to a return, in seconds.
 const RETURN_CHANGES_S: f64 = 5.0;
-/// `RTL_LOIT_TIME`.
+/// `RTL_LOIT_TIME`, in seconds.
 const RETURN_WAIT_S: f64 = 5.0;
 /// The time from the touchdown until the motors stop.
 const STOP_S: f64 = 2.0;
@@ -154,8 +154,8 @@ impl Pace {
             + self.above_home(top_m)
     }
 
-    /// The seconds lost by braking and accelerating where the way turns by an angle: a copter nearly stops at a right
-    /// angle, and hardly slows down where the way goes nearly straight on.
+    /// The seconds lost by braking and accelerating where the path turns by an angle: a copter
+    /// nearly stops at a right angle, and hardly slows down where the path is nearly straight.
     pub fn corner_s(&self, turn_deg: f64) -> f64 {
         let share = 1.0 - maths::cos(turn_deg.to_radians());
         share.min(1.0) * self.start_s()
@@ -166,7 +166,8 @@ impl Pace {
         self.speed_m_s / self.accel_m_s2 + self.accel_m_s2 / self.jerk_m_s3
     }
 
-    /// The seconds of turns around a place (`LOITER_TURNS`); with a radius of 0, the vehicle turns in place.
+    /// The time that turns around a place take, in seconds (`LOITER_TURNS`); with a radius of 0,
+    /// the vehicle turns in place.
     pub fn circle_s(&self, turns: f64, radius_m: f64) -> f64 {
         let radius_m = radius_m.abs();
         let fastest_m_s = self
@@ -181,10 +182,11 @@ impl Pace {
         turns.max(0.0) * std::f64::consts::TAU / rate
     }
 
-    /// The effort of a flight from place to place in calm air, from rest to rest; points are in metres.
+    /// The effort of a flight from place to place in calm air, from rest to rest; points are in
+    /// metres.
     ///
-    /// A corner is passed at the share of the speed that the turn leaves: all of it straight ahead, half of it at 90
-    /// degrees, none at a reversal.
+    /// The speed at a corner depends on the turn: full speed straight ahead, half at 90 degrees,
+    /// zero at a reversal.
     pub fn path(&self, points: &[DVec2]) -> Effort {
         let legs: Vec<DVec2> = points
             .windows(2)

@@ -78,9 +78,9 @@ pub enum Syntax {
     Unexpected(char),
     /// A string or an escape that is not closed or not valid.
     Text,
-    /// Something after the end of the document.
+    /// Content after the end of the document.
     Trailing,
-    /// More levels than any such file has.
+    /// Nested more deeply than any such file.
     TooDeep,
 }
 
@@ -120,10 +120,10 @@ pub enum ArchiveFault {
     TooLarge,
 }
 
-/// An assumption of a reader, or a value that it left out.
+/// An assumption that a reader made, or a value that it left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
-    /// The list that it is about.
+    /// The list that the note concerns.
     pub list: ListKind,
     /// The place, in bytes of the text.
     pub span: Range<usize>,
@@ -147,7 +147,7 @@ pub enum NoteKind {
 /// Why a document cannot be written in a format without loss.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum Unwritable {
-    /// The format has no room for a list that is not empty.
+    /// The format cannot store a list that is not empty.
     #[error("the format has no {0:?} list")]
     List(ListKind),
     /// Rally points of `.plan` files are above home, but this one, counted from 0, is not.

@@ -17,7 +17,7 @@ pub enum FieldUnit {
     Degrees,
     /// A rate of turn, in degrees per second.
     DegreesPerSecond,
-    /// Microseconds, of a servo's pulse.
+    /// The length of a servo pulse, in microseconds.
     Microseconds,
     /// A share or a level, in percent.
     Percent,
@@ -56,7 +56,7 @@ impl Field {
         item.params.get(self.index).copied().unwrap_or_default()
     }
 
-    /// Gives it a value in an item.
+    /// Sets its value in an item.
     pub fn set(&self, item: &mut Item, value: f32) {
         if let Some(param) = item.params.get_mut(self.index) {
             *param = value;
@@ -268,8 +268,8 @@ pub fn word(command: u16) -> Option<&'static str> {
         .or_else(|| board::name(command))
 }
 
-/// The command of a plan that a word means: its short word, or its name in MAVLink without `MAV_CMD_`. Case does not
-/// matter.
+/// The plan command that a word stands for: its short word, or its name in MAVLink without
+/// `MAV_CMD_`. Case does not matter.
 pub fn command_of(written: &str) -> Option<u16> {
     let mut short = WORDS.iter().filter(|(number, ..)| is_of_plan(*number));
     let by_word = short.find(|(_, word, _)| word.eq_ignore_ascii_case(written));
@@ -302,7 +302,7 @@ pub fn fields(command: u16) -> &'static [Field] {
     row(command).map_or(NUMBERED, |(_, _, fields)| *fields)
 }
 
-/// The parameter of a command with this number, from 1; `None` for numbers without a name.
+/// The parameter of a command by its number, from 1; `None` for numbers without a name.
 pub fn field_numbered(command: u16, number: u8) -> Option<Field> {
     let mut known = fields(command).iter().chain(NUMBERED);
     known
@@ -310,7 +310,7 @@ pub fn field_numbered(command: u16, number: u8) -> Option<Field> {
         .copied()
 }
 
-/// The parameter of a command with this name; `p1` to `p4` name the parameters of every command.
+/// The parameter of a command by its name; `p1` to `p4` name the parameters of every command.
 pub fn field_named(command: u16, name: &str) -> Option<Field> {
     let mut known = fields(command).iter().chain(NUMBERED);
     known

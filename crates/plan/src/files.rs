@@ -1,4 +1,4 @@
-//! The formats of files: how each is recognised, and one module for each.
+//! The file formats: how each is recognised, and one module for each.
 
 use std::ops::Range;
 
@@ -43,14 +43,14 @@ pub enum FileFormat {
     Wpl(ListKind),
     /// QGroundControl's `.plan`, with all lists.
     QgcPlan,
-    /// KML with all lists: shapes to look at, and every field of the items as extended data.
+    /// KML with all lists: shapes for display, and every field of the items as extended data.
     Kml,
     /// `GeoJSON` with all lists, in the same way.
     GeoJson,
 }
 
 impl FileFormat {
-    /// The format by the ending of a file's name, without the dot.
+    /// The format for a file-name extension, given without the dot.
     pub fn of_ending(ending: &str) -> Option<Self> {
         match ending.to_ascii_lowercase().as_str() {
             "waypoints" | "wpl" | "txt" | "mission" => Some(Self::Wpl(ListKind::Plan)),
@@ -69,7 +69,8 @@ impl FileFormat {
 pub struct ReadOptions {
     /// The height above home of shapes without heights, in metres.
     pub height_m: f32,
-    /// Whether a vehicle must stay inside the polygons of KML and `GeoJSON`, or outside.
+    /// Whether a vehicle must stay inside the polygons of KML and `GeoJSON` files rather than
+    /// outside them.
     pub polygons_keep_in: bool,
 }
 

@@ -50,16 +50,16 @@ pub enum Task {
     },
     /// An expanding square from a datum (IAMSAR), in pieces.
     Square {
-        /// The most likely place.
+        /// The most probable position of the search object.
         datum: LatLon,
         /// The distance between the turns, in metres.
         spacing_m: f64,
-        /// From the datum to the last turn, in metres.
+        /// The distance from the datum to the last turn, in metres.
         radius_m: f64,
     },
     /// A sector search around a datum (IAMSAR); each vehicle flies all of it, rotated and at a height of its own.
     Sector {
-        /// The most likely place.
+        /// The most probable position of the search object.
         datum: LatLon,
         /// The length of a leg, in metres.
         radius_m: f64,
@@ -85,7 +85,7 @@ pub enum Task {
 /// The direction of parallel lines.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Course {
-    /// The one that takes the least energy.
+    /// The direction that takes the least energy.
     #[default]
     Best,
     /// Along the longer side (IAMSAR: parallel sweep).
@@ -109,7 +109,7 @@ pub struct Manner {
     pub fence: Vec<Item>,
 }
 
-/// Why there are no plans.
+/// Why no plans can be generated.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum GenerateError {
     /// There is no vehicle to make a plan for.
@@ -121,7 +121,7 @@ pub enum GenerateError {
     /// The area needs more lines than this maximum.
     #[error("more than {0} lines")]
     TooMany(usize),
-    /// Lanes of several vehicles that are closer together than this, in metres.
+    /// The lanes of several vehicles are closer together than this, in metres.
     #[error("lanes closer than {0} m")]
     TooNarrow(u32),
     /// The fence is not valid.
@@ -175,12 +175,12 @@ impl Idle {
     pub const ALL: [Self; 3] = [Self::NoWay, Self::Far, Self::Spare];
 }
 
-/// The plans of all vehicles that have something to do.
+/// The plans of all vehicles that have a part.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Generated {
-    /// In the order of the vehicles.
+    /// The plans, in the order of the vehicles.
     pub parts: Vec<Part>,
-    /// The vehicles without a part, counted from 0.
+    /// The vehicles without a part, counted from 0, with the reason for each.
     pub idle: Vec<(usize, Idle)>,
     /// The share of the area that is not covered because of the fence, from 0 to 1.
     pub uncovered: f64,

@@ -87,7 +87,7 @@ impl Item {
         HeightFrame::of(self.frame)
     }
 
-    /// Whether the vehicle flies to it at a height above the ground.
+    /// Whether the vehicle flies to the item at a height above the ground.
     pub fn is_above_terrain(&self) -> bool {
         command::is_flown_to(self.command) && self.height_frame() == HeightFrame::Terrain
     }

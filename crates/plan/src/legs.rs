@@ -7,10 +7,11 @@ use crate::{Item, command};
 
 /// Legs shorter than this have no direction, in metres.
 const SAME_PLACE_M: f64 = 1.0;
-/// `DO_CHANGE_SPEED`: the kinds of speed over ground, as air speed and as ground speed.
+/// The values of the first parameter of `DO_CHANGE_SPEED` for a horizontal speed: 0 is airspeed, 1
+/// is ground speed.
 const GROUND_SPEEDS: std::ops::RangeInclusive<f32> = 0.0..=1.0;
 
-/// How a vehicle comes to the start of a leg.
+/// How a vehicle arrives at the start of a leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LegMotion {
     /// It is on the leg already, in any direction.
@@ -28,14 +29,14 @@ pub struct LegStart {
     pub place: LatLon,
     /// Above home, in metres.
     pub height_m: f64,
-    /// How the vehicle comes there.
+    /// How the vehicle arrives there.
     pub motion: LegMotion,
 }
 
 /// How fast a vehicle flies legs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LegPace {
-    /// A copter, whose rates are the same for most of them.
+    /// A copter, with rates that most copters share.
     Copter(Pace),
     /// Another vehicle, of which only the speed over ground is known, in m/s; `None` before it has been measured.
     Other(Option<f64>),
@@ -51,7 +52,8 @@ impl LegPace {
         speed_m_s.filter(|speed_m_s| *speed_m_s > 0.0)
     }
 
-    /// The seconds of a climb, or of a descent if `up_m` is negative; 0 for vehicles whose rates are not known.
+    /// The duration of a climb, or of a descent if `up_m` is negative, in seconds; 0 for vehicles
+    /// whose rates are unknown.
     pub fn rise_s(self, up_m: f64) -> f64 {
         match self {
             Self::Copter(pace) => pace.rise(up_m).time_s,
@@ -89,8 +91,9 @@ impl LegPace {
 }
 
 impl LegStart {
-    /// The seconds of a straight leg to a place and a height, where the next leg then starts: horizontally at the speed
-    /// over ground, vertically no faster than the vehicle climbs and sinks. `None` if its speed is not known.
+    /// The duration of a straight leg to a place and a height, where the next leg then starts, in
+    /// seconds. The vehicle flies horizontally at the speed over ground, vertically no faster than
+    /// its climb and descent rates. `None` if its speed is unknown.
     pub fn fly(&mut self, place: LatLon, height_m: f64, pace: LegPace) -> Option<f64> {
         let across_m = self.place.distance_m(place);
         let steep_s = pace.rise_s(height_m - self.height_m);
@@ -105,7 +108,7 @@ impl LegStart {
     }
 }
 
-/// The new speed over ground in m/s, if the item changes that.
+/// The new speed over ground in m/s, if the item changes it.
 pub fn changed_speed_m_s(item: &Item) -> Option<f64> {
     let [kind, speed_m_s, ..] = item.params;
     let is_ground = item.command == command::DO_CHANGE_SPEED && GROUND_SPEEDS.contains(&kind);
@@ -125,7 +128,7 @@ pub fn turns_m(item: &Item) -> f64 {
     circles_m(f64::from(item.params[0]), circle_m(item))
 }
 
-/// The length of turns on a circle of a radius, in metres.
+/// The length of a number of turns on a circle, in metres.
 pub fn circles_m(turns: f64, radius_m: f64) -> f64 {
     turns.max(0.0) * std::f64::consts::TAU * radius_m
 }

@@ -1,8 +1,10 @@
 //! The lists that a MAVLink vehicle carries on board: its plan, its fence and its rally points
-//! (`MAV_MISSION_TYPE`). Items keep every field of the wire, so that what was read can be written back unchanged.
+//! (`MAV_MISSION_TYPE`). Items keep every field of the wire format, so a file that was read can be
+//! written back unchanged.
 //!
-//! [`read`] turns a file into a [`Document`], and finds the format by the content; [`write()`] does the reverse. Faults
-//! carry their place in the file, but no text: the program that shows them supplies it.
+//! [`read`] turns a file into a [`Document`], and finds the format by the content; [`write()`] does
+//! the reverse. Faults carry their place in the file, but no text: the program that shows them
+//! supplies it.
 //!
 //! ```
 //! use sortie_plan::{FileFormat, ListKind, ReadOptions, read, write};

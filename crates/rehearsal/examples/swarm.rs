@@ -1,4 +1,4 @@
-//! How long a rehearsal takes: 32 vehicles that fly for about ten minutes, side by side.
+//! Measures how long a rehearsal takes: 32 vehicles that fly for about ten minutes, side by side.
 //!
 //! `cargo run --release -p sortie-rehearsal --example swarm`
 
@@ -25,7 +25,7 @@ fn item(command: u16, at: LatLon, z: f32) -> Item {
     }
 }
 
-/// There and back along a line to the north, and home.
+/// A vehicle that flies north along a line, back again, and home.
 fn participant(number: u32) -> Participant {
     let start = LatLon::new(50.4501, 30.5234).moved(0.0, SPACING_M * f64::from(number));
     let (x, y) = start.to_e7();

@@ -9,7 +9,7 @@ pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
 
 /// The distance at the start below which two vehicles have a smaller horizontal limit, as a factor on the usual limit.
 const NEIGHBOURS_FACTOR: f64 = 1.3;
-/// That limit as a share of their distance at the start.
+/// The horizontal limit of such neighbours, as a share of their distance at the start.
 const NEIGHBOURS_SHARE: f64 = 0.75;
 /// The smallest horizontal limit, in metres.
 const LEAST_LIMIT_M: f64 = 1.0;
@@ -77,8 +77,8 @@ impl Default for SeparationLimits {
     }
 }
 
-/// The rule of two vehicles: the usual limits everywhere, except that neighbours may be closer while one of them is
-/// beside its start.
+/// The separation rule for two vehicles: the usual limits everywhere, except that neighbours may be
+/// closer while one of them is beside its start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Separation {
     /// The starts, in metres north and east, if they are known.
@@ -89,8 +89,8 @@ pub struct Separation {
 }
 
 impl Separation {
-    /// The rule by the starts of the two vehicles, in metres north and east; without starts, the usual limits apply
-    /// everywhere.
+    /// The rule for two vehicles with these starts, in metres north and east; without starts, the
+    /// usual limits apply everywhere.
     pub fn new(starts_m: Option<[[f64; 2]; 2]>, usual: SeparationLimits) -> Self {
         let apart_m = starts_m.map_or(f64::INFINITY, |[a, b]| {
             maths::hypot(a[0] - b[0], a[1] - b[1])
@@ -136,7 +136,7 @@ fn neighbours_limit_m(apart_m: f64, usual_m: f64) -> f64 {
     }
 }
 
-/// The rule of two vehicles of a rehearsal, by their starts in metres north and east.
+/// The separation rule for two vehicles of a rehearsal, from their starts in metres north and east.
 pub(crate) fn between(starts_m: [[f64; 2]; 2]) -> Separation {
     Separation::new(Some(starts_m), SeparationLimits::default())
 }
@@ -155,7 +155,7 @@ pub(crate) struct Closest {
 }
 
 impl Closest {
-    /// No approaches yet, of vehicles that start at these points, in metres north and east.
+    /// No approaches yet, for vehicles that start at these points, in metres north and east.
     pub(crate) fn new(starts_m: &[[f64; 2]]) -> Self {
         let rules = starts_m.iter().enumerate().flat_map(|(a, first)| {
             let others = starts_m[a + 1..].iter();

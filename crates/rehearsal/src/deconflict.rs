@@ -42,7 +42,7 @@ impl Remedy {
         match self {
             Self::Nothing => {}
             Self::Delay(seconds) => {
-                // No time of the day: -1.
+                // -1 means no time of day.
                 let wait_s = (seconds + LIFTS_AFTER_ARMING_S) as f32;
                 let wait = Item {
                     command: command::DELAY,
@@ -92,10 +92,11 @@ pub struct Proposal {
     pub outcome: Outcome,
 }
 
-/// Finds later starts, or layers `layer_m` apart, that leave no conflict even if a vehicle is [`LATE_S`] late,
-/// whichever loses less time; without that margin if it cannot be reached; `None` if there is always a conflict.
-/// Vehicles are placed one after the other, each as early or as low as those before it allow, in the order that loses
-/// the least in all: of all orders for a few vehicles, of many for more. The participants' own delays are taken as 0.
+/// Finds later starts, or layers `layer_m` apart, that leave no conflict even if a vehicle is
+/// [`LATE_S`] late, whichever loses less time; without that margin if it cannot be reached; `None`
+/// if there is always a conflict. Vehicles are placed one after the other, each as early or as low
+/// as those before it allow. The order is the one that loses the least time in total: for a few
+/// vehicles all orders are tried, for more only some. The participants' own delays are taken as 0.
 ///
 /// # Errors
 /// See [`RehearsalError`].
@@ -197,7 +198,7 @@ pub(crate) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// The rehearsal with the changes.
+    /// Rehearses the plans with the changes.
     fn tried(&self, remedies: Vec<Remedy>) -> Result<Proposal, RehearsalError> {
         // The plans as they would be written, so that the result also holds for the files.
         let pairs = self.participants.iter().zip(&remedies);
@@ -295,7 +296,7 @@ fn delays_in(order: &[usize], pairs: &mut Pairs<'_>) -> Option<Vec<u32>> {
     Some(delays)
 }
 
-/// Whether a pair stays apart at a difference of its delays; each answer is computed once.
+/// Whether pairs stay apart at given differences of their delays; each result is computed once.
 struct Pairs<'a> {
     tracks: &'a [Track],
     /// The factor on the squares of the limits.
@@ -332,7 +333,8 @@ impl<'a> Pairs<'a> {
     }
 }
 
-/// The rule of two vehicles, by the places at which they leave the ground; `None` if one stays there.
+/// The separation rule for two vehicles, from the places at which they leave the ground; `None` if
+/// one never leaves it.
 fn rule(a: &Track, b: &Track) -> Option<Separation> {
     let first = |track: &Track| {
         let [north, east, _] = track.points.iter().flatten().next().copied()?;
@@ -381,8 +383,8 @@ mod tests {
         }
     }
 
-    /// One vehicle stays at a place for a long time, and two pass it early: a delay of the one costs less than one of
-    /// both.
+    /// One vehicle stays at a place for a long time, and two pass it early: delaying the one costs
+    /// less than delaying both.
     #[test]
     fn the_order_with_the_least_delay_is_found() {
         let long = [0.0; 30];

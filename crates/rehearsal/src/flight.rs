@@ -21,8 +21,8 @@ pub(crate) const DISARM_DELAY: &str = "DISARM_DELAY";
 const RETRY: u32 = 50;
 const ATTEMPTS: u32 = 30;
 
-/// A vehicle that stays on the ground for this long at a return does not leave it any more; a landing takes a few
-/// seconds.
+/// A vehicle that stays on the ground for this long during a return will not take off again; a
+/// landing takes a few seconds.
 const STUCK_S: f64 = 60.0;
 
 /// The messages that are kept, and the time between two of them in microseconds: `SYS_STATUS`, `SYSTEM_TIME`,
@@ -49,7 +49,7 @@ pub(crate) struct Flight {
     vehicle: usize,
     port: Option<PortId>,
     encoder: Encoder,
-    /// What the vehicle has sent; `None` if nobody listens.
+    /// The bytes that the vehicle has sent; `None` without a listener.
     heard: Option<Vec<u8>>,
     stage: Stage,
     /// The start time, in samples.
@@ -162,7 +162,7 @@ impl Flight {
         self.heard = Some(Vec::new());
     }
 
-    /// What the vehicle has sent since the last call.
+    /// The bytes that the vehicle has sent since the last call.
     pub(crate) fn take_heard(&mut self, world: &mut World) -> Vec<u8> {
         let Some(heard) = &mut self.heard else {
             return Vec::new();
@@ -233,7 +233,8 @@ impl Flight {
         }
     }
 
-    /// The vehicle judges a fence that is switched on. If it is off, the vehicle should still keep to its areas.
+    /// Whether the fence is broken: by the vehicle's own judgement if the fence is switched on,
+    /// otherwise by the areas of its list.
     fn is_fence_broken(&self, truth: &Truth, point: [f64; 2]) -> bool {
         if self.is_fence_on {
             return truth.broken_fences != 0;
@@ -295,7 +296,8 @@ impl Flight {
         self.commands.get(index).copied()
     }
 
-    /// Whether an item, counted from 1, leads to a place in the air: on its way, there is no ground.
+    /// Whether an item, counted from 1, leads to a place in the air, so the vehicle must not touch
+    /// the ground on the way.
     fn flies_to(&self, item: u16) -> bool {
         self.command_of(item).is_some_and(|command| {
             matches!(

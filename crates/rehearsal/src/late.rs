@@ -56,7 +56,7 @@ pub(crate) fn points_in(seconds: u32) -> usize {
     seconds as usize * per_second
 }
 
-/// Whether the boxes around two tracks are apart, so that no lateness brings the vehicles together.
+/// Whether the boxes around two tracks are apart, so no delay brings the vehicles together.
 fn are_far(a: &Track, b: &Track) -> bool {
     let (Some(a), Some(b)) = (bounds(a), bounds(b)) else {
         return true;

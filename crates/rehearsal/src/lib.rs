@@ -27,16 +27,16 @@ pub use late::LATE_S;
 pub struct Participant {
     /// The lists on board.
     pub document: Document,
-    /// The airframe; the standard quadcopter if there is none.
+    /// The airframe; `None` for the standard quadcopter.
     pub airframe: Option<Arc<Airframe>>,
     /// The time at which its motors start, in seconds.
     pub delay_s: f64,
-    /// The charge of its battery at the start, in percent; full if there is none.
+    /// The charge of its battery at the start, in percent; `None` for a full battery.
     pub charge_percent: Option<f64>,
     /// Parameters of this vehicle alone; those that the simulator does not have are left out.
     pub parameters: Vec<(String, f32)>,
-    /// Whether a command has switched the fence on or off; `None` if `FENCE_ENABLE` decides. Only the command switches
-    /// the lower limit on (`FENCE_ALT_MIN`).
+    /// Whether a command has switched the fence on or off; `None` if `FENCE_ENABLE` decides. Only a
+    /// command switches on the lower limit (`FENCE_ALT_MIN`).
     pub fence_switch: Option<bool>,
 }
 
@@ -113,7 +113,7 @@ pub enum FlightEnding {
 /// The outcome for one vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flown {
-    /// From the start of its motors to the end, in seconds.
+    /// The time from the start of its motors to the end of the flight, in seconds.
     pub time_s: f64,
     /// The charge that the flight used, in percent of the battery's capacity; at most 100.
     pub energy_used_percent: f64,
@@ -170,7 +170,7 @@ impl Outcome {
             .all(|approach| approach.is_apart(late_s))
     }
 
-    /// Whether every vehicle flew as planned, apart from the others.
+    /// Whether every vehicle flew as planned and no pair came into conflict.
     pub fn is_as_planned(&self) -> bool {
         self.vehicles.iter().all(Flown::is_as_planned) && self.conflicts().next().is_none()
     }
@@ -207,9 +207,9 @@ pub fn rehearse(
 pub struct Heard<'a> {
     /// The time since the start of the rehearsal, in seconds.
     pub at_s: f64,
-    /// The vehicle, counted from 0; as a system it has the next number.
+    /// The vehicle, counted from 0; its system id is one higher.
     pub vehicle: usize,
-    /// One or more MAVLink frames, none of them cut.
+    /// One or more complete MAVLink frames.
     pub bytes: &'a [u8],
 }
 

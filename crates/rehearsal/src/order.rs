@@ -5,8 +5,8 @@ const ALL_ORDERS: usize = 5;
 /// For more vehicles, the maximum number of rounds in which all neighbours in the order are exchanged.
 const SWAP_ROUNDS: usize = 12;
 
-/// The best result of all orders of the vehicles: the one with the lowest cost. Of more than [`ALL_ORDERS`] vehicles,
-/// neighbours are exchanged as long as that helps.
+/// The best result of all orders of the vehicles: the one with the lowest cost. For more than
+/// [`ALL_ORDERS`] vehicles, neighbours are exchanged as long as that helps.
 pub(crate) fn best_order<R>(
     vehicles: usize,
     mut result: impl FnMut(&[usize]) -> Option<(u32, R)>,

@@ -33,7 +33,7 @@ pub(crate) struct Place {
     /// The vehicle's number, from 0.
     pub(crate) vehicle: usize,
     pub(crate) start: Start,
-    /// How far the start is to the east of its home.
+    /// How far the start is east of the vehicle's home, in metres.
     pub(crate) moved_east_m: f64,
 }
 

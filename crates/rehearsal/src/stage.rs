@@ -123,7 +123,7 @@ impl Stage {
         }
     }
 
-    /// Hands over what the vehicles have sent since the last sample.
+    /// Hands over the bytes that the vehicles have sent since the last sample.
     fn hand_over(&mut self, sample: u32, listener: &mut dyn FnMut(Heard<'_>)) {
         let at_s = f64::from(sample) * sample_s();
         for (vehicle, flight) in self.flights.iter_mut().enumerate() {
@@ -180,7 +180,7 @@ fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, wo
     }
 }
 
-/// Whether a plan begins with a wait on the ground, without a given time after which the vehicle disarms.
+/// Whether a plan begins with a wait on the ground, and no `DISARM_DELAY` is given.
 fn waits_armed(participant: &Participant, conditions: &Conditions) -> bool {
     let items = participant.document.plan.iter();
     let mut before_takeoff = items.take_while(|item| !command::is_takeoff(item.command));

@@ -183,7 +183,8 @@ fn a_plan_that_empties_the_battery_does_not_fly_on_for_ever() {
     );
 }
 
-/// An item far below home, as after a mistaken reference of its height: the vehicle flies into the ground on the way to it.
+/// An item far below home, as with a wrong height reference: the vehicle flies into the ground on
+/// the way to it.
 #[test]
 fn a_plan_that_leads_into_the_ground_does_not_land() {
     let mut low = vehicle((0.0, 0.0), &[(60.0, 0.0), (120.0, 0.0), (180.0, 0.0)]);

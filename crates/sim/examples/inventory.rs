@@ -1,4 +1,4 @@
-//! Prints what the simulator has, as the rows of the table in `docs/simulator.md`.
+//! Prints the simulator's inventory as the rows of the table in `docs/simulator.md`.
 //!
 //! `cargo run -p sortie-sim --example inventory`
 

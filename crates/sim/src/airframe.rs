@@ -1,5 +1,6 @@
-//! The airframe of a multirotor, described as in `ArduPilot`'s `SIM_Frame` by figures of a reference flight. Drag,
-//! thrust and current follow from them by the same relations, so that one file gives both simulators the same drone.
+//! The airframe of a multirotor, described as in `ArduPilot`'s `SIM_Frame` by figures of a
+//! reference flight. Drag, thrust and current follow from them by the same relations, so one file
+//! gives both simulators the same drone.
 
 mod figures;
 mod file;
@@ -24,7 +25,7 @@ pub const SEA_LEVEL_DENSITY: f64 = 1.225;
 /// The share of the required throttle that remains after the autopilot's compensation of density and voltage: fitted
 /// to 36 % in the hover of the default quad, whose `hoverThrOut` is 39 % at 593 m.
 const COMPENSATED: f64 = 0.9777;
-/// Rotation decays at this divided by the frame's `refRotRate`, as in `SIM_Frame`.
+/// The decay rate of rotation is this value divided by the frame's `refRotRate`, as in `SIM_Frame`.
 const ROTATION_DRAG_DEG_S: f64 = 400.0;
 /// The share of the full voltage below which the battery cannot turn the motors.
 const DEAD_VOLTAGE_SHARE: f64 = 0.1;
@@ -68,11 +69,12 @@ impl Default for Airframe {
 }
 
 impl Airframe {
-    /// Reads a frame file (`SIM_Frame` JSON, `#` starts a comment). Fields that are absent keep the value of the
-    /// default quad. Also returns warnings about fields that no simulator knows.
+    /// Reads a frame file (`SIM_Frame` JSON, `#` starts a comment). Fields that are absent keep the
+    /// value of the default quad. Also returns warnings about fields that no simulator reads.
     ///
     /// # Errors
-    /// A file that is not JSON, has a value of a wrong type, or is physically impossible, with its line and column.
+    /// A file that is not JSON, has a value of a wrong type, or is physically impossible, with its
+    /// line and column.
     pub fn from_json(text: &str) -> Result<(Self, Vec<AirframeError>), AirframeError> {
         let (figures, warnings) = file::read(text)?;
         let airframe = Self {
@@ -162,7 +164,7 @@ impl Airframe {
         }
     }
 
-    /// The type in a heartbeat.
+    /// The vehicle type in a heartbeat.
     pub(super) fn vehicle_type(&self) -> MavType {
         match self.motors() {
             6 => MavType::MAV_TYPE_HEXAROTOR,
@@ -242,7 +244,7 @@ impl Airframe {
         (share * GRAVITY_M_S2).clamp(0.0, self.thrust_max(inflow_m_s, conditions))
     }
 
-    /// Watts for a thrust per mass.
+    /// The power for a thrust per mass, in watts.
     pub(super) fn power_w(&self, thrust: f64) -> f64 {
         self.hover_power_w * thrust.abs() / GRAVITY_M_S2
     }

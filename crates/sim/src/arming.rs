@@ -57,7 +57,7 @@ pub(super) struct Safety {
     pub(super) reports_at: Duration,
     /// Whether the last check found no reason not to arm.
     pub(super) may_arm: bool,
-    /// The time since which the vehicle has been idle on the ground.
+    /// The time at which the vehicle became idle on the ground.
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
 }
@@ -111,7 +111,7 @@ impl Safety {
         self.reports_at = Duration::ZERO;
     }
 
-    /// Whether a landing that touched down at `touched` is over, so that the motors stop.
+    /// Whether a landing that touched down at `touched` is over and the motors stop.
     pub(super) fn ends_landing(touched: Duration, now: Duration) -> bool {
         now >= touched + DISARMED_AFTER_TOUCH
     }

@@ -1,8 +1,9 @@
-//! AUTO: carrying out the mission, one navigation command and one parallel action at a time (`AP_Mission` with
-//! `ArduCopter`'s `mode_auto`).
+//! AUTO: carrying out the mission, one navigation command and one parallel action at a time
+//! (`AP_Mission` with `ArduCopter`'s `mode_auto`).
 //!
-//! The vehicle's plans contain the list; this module has the position in it. A navigation command becomes the vehicle's
-//! task, so that takeoffs, returns and landings are the same as in the other modes.
+//! The vehicle's plans contain the list; this module keeps the position in it. A navigation command
+//! becomes the vehicle's task, so that takeoffs, returns and landings are the same as in the other
+//! modes.
 
 mod advance;
 mod command;

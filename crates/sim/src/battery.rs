@@ -79,7 +79,8 @@ impl Battery {
         battery
     }
 
-    /// Draws a power for one step. A change of `set_v` (`SIM_BATT_VOLTAGE`) charges or drains the battery at once.
+    /// Draws `power_w` for one step. A change of `set_v` (`SIM_BATT_VOLTAGE`) charges or drains the
+    /// battery at once.
     pub(super) fn step(&mut self, power_w: f64, set_v: f64, airframe: &Airframe) {
         if (set_v - self.set_v).abs() > 1e-6 {
             self.charge(airframe, set_v);
@@ -130,7 +131,7 @@ pub fn resting_voltage_v(charge_percent: f64, airframe: &Airframe) -> f64 {
     airframe.full_voltage_v() * cell_v.unwrap_or(0.001) / CELL_FULL_V
 }
 
-/// The charge of a cell with that voltage.
+/// The charge of a cell at this resting voltage, in percent.
 fn charge_percent(cell_v: f64) -> f64 {
     between(cell_v, CELL.iter().copied())
         .unwrap_or(0.0)

@@ -18,7 +18,8 @@ const DRAG_LAG_S: f64 = 0.2;
 const BOOST_LEAST: f64 = 0.5;
 /// The throttle of idling motors.
 const IDLE_THROTTLE: f64 = 0.01;
-/// The rotation rate from a collision per metre per second, and its limit, in radians per second.
+/// The rotation rate that a collision causes per metre per second of speed, and its limit, in
+/// radians per second.
 const SPIN_PER_M_S: f64 = 2.0;
 const SPIN_MAX_RAD_S: f64 = 12.0;
 
@@ -45,7 +46,7 @@ struct RotorStream {
     inflow_m_s: f64,
 }
 
-/// Position, motion and attitude: the truth of one vehicle.
+/// Position, motion and attitude: the true state of one vehicle.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Body {
     /// Metres north, east and down from the start.
@@ -210,7 +211,7 @@ impl Body {
         }
     }
 
-    /// Forward, right and up.
+    /// The body's axes: forward, right and up.
     fn axes(&self) -> [DVec3; 3] {
         if let Some(upset) = &self.upset {
             return upset.axes();

@@ -1,8 +1,8 @@
 //! Vehicles that touch each other or an obstacle.
 //!
-//! After every step of the world, its vehicles are put into a grid, so that the cost grows with their number and not
-//! with its square. Vehicles are spheres. The result depends only on the state after the step, not on the order of
-//! processing.
+//! After every step of the world, its vehicles are put into a grid, so the cost grows linearly with
+//! their number, not quadratically. Vehicles are spheres. The result depends only on the state
+//! after the step, not on the order of processing.
 
 mod grid;
 mod obstacle;
@@ -21,7 +21,7 @@ use super::autopilot::Autopilot;
 use super::body::Body;
 use sortie_geo::LatLon;
 
-/// Up to this many bodies, looking at every pair is faster than a grid.
+/// Up to this many bodies, checking every pair is faster than a grid.
 const FEW: usize = 16;
 /// The largest radius of a vehicle, in metres; larger ones are reduced to it.
 const RADIUS_MAX_M: f64 = 5.0;
@@ -32,14 +32,14 @@ const LANDING_M_S: f64 = 1.0;
 /// The minimum vertical component of the surface normal for that.
 const LANDING_SLOPE: f64 = 0.7;
 
-/// A collision that broke something.
+/// A collision that caused damage.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Collision {
     /// Simulated time since the world began.
     pub at: Duration,
     /// The vehicle, from 0; the first one of two vehicles.
     pub vehicle: usize,
-    /// The thing that the vehicle hit: an obstacle or another vehicle.
+    /// The object that the vehicle hit: an obstacle or another vehicle.
     pub with: Met,
     /// The position of the vehicle.
     pub place: LatLon,
@@ -49,7 +49,7 @@ pub struct Collision {
     pub speed_m_s: f64,
 }
 
-/// The thing that a vehicle collided with.
+/// The object that a vehicle collided with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Met {
     /// Another vehicle, counted from 0.

@@ -60,7 +60,7 @@ impl Command {
         LatLon::from_e7(self.x, self.y)
     }
 
-    /// A parameter without its fraction. NaN is denied here, because it crashes the real vehicle.
+    /// A parameter without its fraction; `None` for NaN, which would crash the real vehicle.
     fn whole(&self, parameter: usize) -> Option<i32> {
         let value = self.p.get(parameter).copied()?;
         (!value.is_nan()).then_some(value as i32)

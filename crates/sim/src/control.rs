@@ -38,7 +38,7 @@ pub(super) struct Limits {
 
 impl Limits {
     /// The limits for a path that climbs or descends too fast: its vertical speed may change faster
-    /// (`POSCONTROL_OVERSPEED_GAIN_Z`), so that a velocity is obeyed regardless of speed limits.
+    /// (`POSCONTROL_OVERSPEED_GAIN_Z`), so a velocity is obeyed regardless of speed limits.
     pub(super) fn overspeed(self, down_m_s: f64) -> Self {
         let most = if down_m_s < 0.0 {
             self.speed_up_m_s
@@ -284,7 +284,8 @@ impl PositionControl {
         let mut delta_m = self.velocity_m_s * STEP_S + self.accel_m_s2 * (0.5 * STEP_S * STEP_S);
         let along = |v: DVec2| v.dot(self.saturated);
         if along(delta_m.truncate()) > 0.0 && along(self.last_error_m) > 0.0 {
-            // ArduPilot stops and starts in every step, so that the path keeps its distance from the body.
+            // ArduPilot stops and starts in every step, so the path keeps its distance from the
+            // body.
             let most_m = (self.last_moving_m_s.length() * STEP_S).min(delta_m.truncate().length());
             delta_m = (delta_m.truncate().normalize_or_zero() * most_m).extend(delta_m.z);
         }

@@ -12,7 +12,7 @@ const LOOK: Duration = Duration::from_millis(100);
 /// The vertical speed below which the vehicle hovers; the time constant of learning its throttle.
 const HOVER_CLIMB_M_S: f64 = 0.6;
 const HOVER_LEARNT_S: f64 = 10.0;
-/// The minimum change of the hover throttle in a flight that is reported.
+/// The minimum change of the hover throttle that is reported after a flight.
 const HOVER_MOVED: f32 = 0.001;
 
 /// Counts not stored yet.

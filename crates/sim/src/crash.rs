@@ -39,7 +39,7 @@ pub(super) struct CrashWatch {
 /// The inputs of the checks.
 pub(super) struct CrashInputs<'a> {
     pub(super) body: &'a Body,
-    /// Armed and not landed.
+    /// Whether the vehicle is armed and has not landed.
     pub(super) is_flying: bool,
     /// Whether `FS_CRASH_CHECK` is set.
     pub(super) checks_crash: bool,

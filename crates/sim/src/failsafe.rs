@@ -160,7 +160,7 @@ impl Failsafe {
     }
 }
 
-/// `X Failsafe`, with its action.
+/// The text `X Failsafe`, with its action.
 fn announce(what: &str, outcome: Option<&str>) -> Reaction {
     let text = match outcome {
         Some(outcome) => format!("{what} Failsafe - {outcome}"),

@@ -62,7 +62,8 @@ impl FenceRules {
         if self.is_enabled { self.kinds } else { 0 }
     }
 
-    /// The greatest height above home with the margin to the ceiling.
+    /// The greatest height above home, in metres: the ceiling less the margin; `None` without a
+    /// ceiling.
     pub(super) fn highest_m(&self) -> Option<f64> {
         (self.active() & CEILING != 0).then_some(self.ceiling_m - self.margin_m)
     }
@@ -203,7 +204,7 @@ impl Geofence {
         !outside
     }
 
-    /// The largest distance that the vehicle is outside fences of these kinds.
+    /// The largest distance, in metres, by which the vehicle is outside fences of these kinds.
     fn farthest_m(&self, kinds: u8) -> f64 {
         [
             (CEILING, &self.ceiling),

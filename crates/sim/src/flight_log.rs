@@ -18,7 +18,7 @@ pub(super) const EVERY_STEPS: u64 = 50;
 const MOST_SAMPLES: usize = 2400;
 const MOST_NOTES: usize = 200;
 const MOST_LOGS: usize = 3;
-/// Memory for samples is allocated for this many at once.
+/// The number of samples for which memory is allocated at a time.
 const PIECE: usize = 120;
 /// How long a log continues after disarming.
 const PERSISTS_FOR: Duration = Duration::from_secs(15);

@@ -96,8 +96,8 @@ pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
     }
 }
 
-/// Carries out an attitude. It is ignored without a thrust or with an invalid quaternion; on the ground a climb starts
-/// a takeoff.
+/// Carries out an attitude target. It is ignored without a thrust or with an invalid quaternion; on
+/// the ground a climb starts a takeoff.
 pub(super) fn take_attitude(vehicle: &mut Vehicle, asked: &AttitudeTarget) {
     let rates = asked.rates_rad_s.map(f64::from);
     let finite = asked.thrust.is_finite() && rates.iter().all(|rate| rate.is_finite());
@@ -260,7 +260,7 @@ fn goal_of(vehicle: &Vehicle, setpoint: &Setpoint) -> Option<DVec3> {
     }
 }
 
-/// Turns a vector of the body's frames to north and east.
+/// Converts a vector of the body's frames to north and east.
 fn in_north_east(vehicle: &Vehicle, setpoint: &Setpoint, v: DVec3) -> DVec3 {
     if !is_body_frame(setpoint) {
         return v;

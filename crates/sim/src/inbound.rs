@@ -21,7 +21,7 @@ use super::{guided, schedule, texts};
 use sortie_geo::LatLon;
 use sortie_wire::{Content, Frame, Outgoing, first_channels};
 
-/// The bit of `SET_MODE` without which its custom mode does not count.
+/// The bit of `SET_MODE` without which its custom mode is ignored.
 const CUSTOM_MODE: u8 = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED.bits();
 const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 

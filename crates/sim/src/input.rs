@@ -2,7 +2,7 @@
 
 use super::Serial;
 
-/// Something that has entered a [`World`](super::World).
+/// One input of a [`World`](super::World).
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Input {
     /// The number of steps that the world had made before.

@@ -30,7 +30,7 @@ pub struct Inventory {
     pub switches: Vec<String>,
     /// Numbers of functions without an effect.
     pub idle_switches: Vec<String>,
-    /// The beginnings of the names of listed parameters, up to the first underscore.
+    /// The prefixes of the names of listed parameters, up to the first underscore.
     pub parameters: Vec<String>,
     /// Parameters (an `ENABLE` or a `TYPE`) that add others to the list.
     pub sub_trees: Vec<String>,
@@ -69,7 +69,7 @@ fn without_digits(name: &str) -> &str {
     name.trim_end_matches(|c: char| c.is_ascii_digit())
 }
 
-/// The name of a `MAV_CMD` without its prefix, or its number if the dialect does not know it.
+/// The name of a `MAV_CMD` without its prefix, or its number if the dialect lacks it.
 fn command_name(number: u16) -> String {
     let mut payload = [0; 33];
     payload[28..30].copy_from_slice(&number.to_le_bytes());

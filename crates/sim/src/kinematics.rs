@@ -1,4 +1,5 @@
-//! Shared by all parts that move: gravity, the time step, the distance to a target.
+//! Constants and functions for all parts that move: gravity, the time step, the approach to a
+//! target.
 
 /// Standard gravity, in metres per second squared.
 pub const GRAVITY_M_S2: f64 = 9.806_65;

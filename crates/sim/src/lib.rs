@@ -1,11 +1,12 @@
-//! Simulated `ArduCopters` with `MAVLink`, stepped by the caller: for tests of ground stations and of other
-//! programs.
+//! Simulated `ArduCopters` with `MAVLink`, stepped by the caller: for tests of ground stations and
+//! of other programs.
 //!
-//! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push bytes in and take
-//! bytes out; nothing else goes in or out, so a program cannot tell the simulator from a SITL behind a socket. There
-//! is no clock, no thread, no file and no socket: the world is a function of its configuration, the bytes it received
-//! and the [steps](World::step) of 10 ms between them. Behaviour and figures follow an `ArduCopter` 4.6 SITL: modes,
-//! arming checks, failsafes, fences, plans, parameters, files, logs, signing, faults of sensors and motors, wind.
+//! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push
+//! bytes in and take bytes out; nothing else goes in or out, so a program cannot tell the simulator
+//! from a SITL behind a socket. There is no clock, no thread, no file and no socket: the world is a
+//! function of its configuration, the bytes it received and the [steps](World::step) of 10 ms
+//! between them. Behaviour and figures follow an `ArduCopter` 4.6 SITL: modes, arming checks,
+//! failsafes, fences, plans, parameters, files, logs, signing, faults of sensors and motors, wind.
 //!
 //! ```
 //! use sortie_sim::geo::LatLon;
@@ -36,25 +37,31 @@
 //! assert!(!world.truth(0).armed);
 //! ```
 //!
-//! `examples/takeoff.rs` arms the vehicle, takes off and reads its position, as a test of another program would.
+//! `examples/takeoff.rs` arms the vehicle, takes off and reads its position, as a test of another
+//! program would.
 //!
 //! # How the parts fit
-//! The modules in order from the bottom up. A module uses only those before it, and no two modules use each other.
+//! The modules in order from the bottom up. A module uses only those before it, and no two modules
+//! use each other.
 //!
-//! - The physics: `kinematics`, `airframe`, `battery`, `wind`, `body`; `upset` and `mixer` after the loss of a motor.
-//! - Facts: `config` (the content of a world), `parameters`, `mode`, `cmd`, `frame` and `mask` (the numbers of
-//!   MAVLink), `plan` (lists of items), `place` (points and places on the earth), `radio` (sticks), `texts`, `payload`.
-//! - Parts that own their state, get the state of others as arguments, and return their requests (`reaction`):
-//!   `estimator` (the estimated motion), `control` and `yaw` (the path and the heading), `task` (the current task, with
-//!   a cockpit lent to it), `trail`, `rally`, `fence`, `boot`, `arming`, `failsafe`, `crash`, `counters`, `workbench`
-//!   (tests on the ground), `flight_log`. `tuning` holds their parameters in SI units.
-//! - `vehicle` combines all that flies; `auto_plan` flies the mission of AUTO with it; `autopilot` decides, and steps
-//!   all parts in order. Its `telemetry` builds the messages.
-//! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) carry out their requests;
-//!   `inbound` reads them. `schedule`, `signing`, `link` and `port` connect them; `slot` is a vehicle with its
-//!   connections, `truth` its true state. `collision` finds collisions. `input` describes the inputs of a world,
-//!   `inventory` lists what a vehicle has, and `fingerprint` hashes a vehicle's state: to repeat a flight, and to
-//!   compare the two.
+//! - The physics: `kinematics`, `airframe`, `battery`, `wind`, `body`; `upset` and `mixer` after
+//!   the loss of a motor.
+//! - Facts: `config` (the content of a world), `parameters`, `mode`, `cmd`, `frame` and `mask` (the
+//!   numbers of MAVLink), `plan` (lists of items), `place` (points and places on the earth),
+//!   `radio` (sticks), `texts`, `payload`.
+//! - Parts that own their state, get the state of others as arguments, and return their requests
+//!   (`reaction`): `estimator` (the estimated motion), `control` and `yaw` (the path and the
+//!   heading), `task` (the current task, with a cockpit lent to it), `trail`, `rally`, `fence`,
+//!   `boot`, `arming`, `failsafe`, `crash`, `counters`, `workbench` (tests on the ground),
+//!   `flight_log`. `tuning` holds their parameters in SI units.
+//! - `vehicle` combines all that flies; `auto_plan` flies the mission of AUTO with it; `autopilot`
+//!   decides, and steps all parts in order. Its `telemetry` builds the messages.
+//! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) carry
+//!   out their requests; `inbound` reads them. `schedule`, `signing`, `link` and `port` connect
+//!   them; `slot` is a vehicle with its connections, `truth` its true state. `collision` finds
+//!   collisions. `input` describes the inputs of a world, from which a flight can be repeated;
+//!   `fingerprint` hashes a vehicle's state, to compare two flights; `inventory` lists what a
+//!   vehicle has.
 
 #![warn(missing_docs)]
 
@@ -164,7 +171,7 @@ impl PortId {
     }
 }
 
-/// Vehicles and the ground stations on them.
+/// Vehicles, and the ground stations connected to them.
 #[derive(Debug)]
 pub struct World {
     slots: Vec<VehicleSlot>,
@@ -172,7 +179,7 @@ pub struct World {
     connections: usize,
     steps: u64,
     collisions: Collisions,
-    /// The inputs since the last call, if they are kept.
+    /// The inputs that have not been taken yet; `None` if inputs are not kept.
     inputs: Option<Vec<Input>>,
 }
 
@@ -239,8 +246,9 @@ impl World {
         self.steps
     }
 
-    /// A hash of the whole state of a vehicle, counted from 0. Vehicles that differ in any state that determines how
-    /// they fly on have different hashes, except with a probability of 1 in 2^64.
+    /// A hash of the whole state of a vehicle, counted from 0. Vehicles that differ in any state
+    /// that determines how their flight continues have different hashes, except with a probability
+    /// of 1 in 2^64.
     ///
     /// # Panics
     /// If there is no such vehicle ([`vehicles`](Self::vehicles) returns their number).
@@ -361,7 +369,7 @@ impl World {
         }
     }
 
-    /// Advances every vehicle by [`STEP`] and sends what is due.
+    /// Advances every vehicle by [`STEP`] and sends the messages that are due.
     pub fn step(&mut self) {
         self.step_in_parts(1, |parts| {
             for part in parts {
@@ -412,7 +420,7 @@ impl World {
             .find(|speedup| *speedup > 0.0 && (*speedup - 1.0).abs() > f64::EPSILON)
     }
 
-    /// The truth about a vehicle, counted from 0.
+    /// The true state of a vehicle, counted from 0.
     ///
     /// # Panics
     /// If there is no such vehicle ([`vehicles`](Self::vehicles) returns their number).
@@ -426,7 +434,7 @@ impl World {
 pub struct Part<'a>(&'a mut [VehicleSlot]);
 
 impl Part<'_> {
-    /// Advances these vehicles by [`STEP`] and sends what is due.
+    /// Advances these vehicles by [`STEP`] and sends the messages that are due.
     pub fn step(self) {
         for slot in self.0 {
             slot.step();

@@ -67,7 +67,7 @@ pub(super) const SMART_RTL: u8 = CopterMode::COPTER_MODE_SMART_RTL as u8;
 pub(super) const ZIGZAG: u8 = CopterMode::COPTER_MODE_ZIGZAG as u8;
 pub(super) const AUTO_RTL: u8 = CopterMode::COPTER_MODE_AUTO_RTL as u8;
 
-/// Facts in the order: autonomous, controls the height, armable.
+/// All modes. The flags of a row are, in this order: autonomous, controls the height, armable.
 const MODES: &[Mode] = &[
     mode(
         STABILIZE,
@@ -143,22 +143,23 @@ pub(super) fn all() -> impl Iterator<Item = &'static Mode> {
     MODES.iter()
 }
 
-/// Modes that take setpoints from a ground station.
+/// Whether the mode takes setpoints from a ground station.
 pub(super) fn is_guided(number: u8) -> bool {
     matches!(number, GUIDED | GUIDED_NOGPS)
 }
 
-/// Modes in which a command changes the speed.
+/// Whether a command changes the speed in the mode.
 pub(super) fn changes_speed(number: u8) -> bool {
     matches!(number, AUTO | GUIDED | RTL | GUIDED_NOGPS | SMART_RTL)
 }
 
-/// Modes that fly along waypoints, at the speeds of the parameters.
+/// Whether the mode flies along waypoints, at the speeds of the parameters.
 pub(super) fn follows_waypoints(number: u8) -> bool {
     matches!(number, AUTO | RTL | SMART_RTL)
 }
 
-/// Modes that take off by command; `ALT_HOLD` only if the vehicle need not hold its place.
+/// Whether the mode takes off by command; `ALT_HOLD` does only if the vehicle need not hold its
+/// place.
 pub(super) fn takes_off(number: u8, navigates: bool) -> bool {
     matches!(number, GUIDED | LOITER | POSHOLD | ZIGZAG) || (number == ALT_HOLD && !navigates)
 }

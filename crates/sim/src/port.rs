@@ -216,7 +216,7 @@ impl Port {
         }
     }
 
-    /// Moves the bytes that wait.
+    /// Moves the waiting bytes to the end of `into`.
     pub(super) fn take_output(&mut self, into: &mut Vec<u8>) {
         into.append(&mut self.pending);
         if self.pending.capacity() > PENDING_KEPT {

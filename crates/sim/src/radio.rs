@@ -21,7 +21,7 @@ pub(super) const CHANNELS: usize = 16;
 /// from the ninth on).
 const UNCHANGED: u16 = u16::MAX;
 const GIVEN_BACK: u16 = u16::MAX - 1;
-/// A pulse that a receiver can send, in microseconds.
+/// The longest pulse that a receiver can send, in microseconds.
 const PULSE_MAX_US: u16 = 2500;
 /// The duration of an override that has no time limit.
 const FOR_EVER: Duration = Duration::from_secs(1 << 40);
@@ -29,9 +29,9 @@ const FOR_EVER: Duration = Duration::from_secs(1 << 40);
 const SWITCH_US: [u16; 5] = [1230, 1360, 1490, 1620, 1749];
 /// The number of further identical readings, at ten per second, before the switch counts.
 const STEADY_LOOKS: u8 = 2;
-/// Sticks held in the corner that arms count after this many checks.
+/// The number of checks for which the sticks must be held in the corner that arms.
 const CORNER_LOOKS: u8 = 20;
-/// The deflection of the yaw stick for that (-1 to 1).
+/// The minimum deflection of the yaw stick in that corner (-1 to 1).
 const CORNER: f64 = 4000.0 / 4500.0;
 
 /// The rules for the channels, from `RCn_*`, `RC_OVERRIDE_TIME` and others.
@@ -169,7 +169,7 @@ impl Sticks {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Radio {
     overrides: [(u16, Duration); CHANNELS],
-    /// The time at which overrides end at the latest.
+    /// The latest time at which overrides end.
     pub(super) until: Duration,
     switch: (usize, u8),
     /// The position of the mode switch that was obeyed last; `None` before the first.

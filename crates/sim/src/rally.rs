@@ -14,7 +14,7 @@ use sortie_geo::LatLon;
 pub(super) struct RallyRules {
     /// Rally points farther away than this do not count; zero means that all count.
     limit_m: f64,
-    /// Whether home counts as one of them.
+    /// Whether home counts as a rally point.
     with_home: bool,
 }
 

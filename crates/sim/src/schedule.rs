@@ -149,7 +149,8 @@ impl Schedule {
         schedule
     }
 
-    /// Handles the first client after a time without clients: each message is due at once, and only once.
+    /// Handles the first client after a period without clients: each message is due at once, and
+    /// only once.
     pub(super) fn resume(&mut self) {
         self.earliest_ms = 0;
     }
@@ -290,7 +291,7 @@ fn rate_name(serial: Serial, stream: &str) -> String {
     format!("SR{}_{stream}", serial.index())
 }
 
-/// The interval of a stream with a rate.
+/// The interval of a stream sent at `rate_hz`, in milliseconds.
 fn interval_ms(rate_hz: u16) -> u64 {
     1000_u64.checked_div(u64::from(rate_hz)).unwrap_or(0)
 }
@@ -371,7 +372,7 @@ mod tests {
             times(&mut schedule, ATTITUDE_DATA::ID, 0),
             [1000, 2000, 3000]
         );
-        // One that is set later joins the others.
+        // A message that is set later joins the others.
         assert!(times(&mut early, VFR_HUD_DATA::ID, 0).is_empty());
         let mut late = Schedule::new(Duration::ZERO);
         late.set(ATTITUDE_DATA::ID, 1_000_000, Duration::ZERO);

@@ -1,8 +1,8 @@
-//! `MAVLink` 2 signing as the vehicle does it.
+//! `MAVLink` 2 signing as the vehicle implements it.
 //!
-//! All serial ports share one key and the table against replays. Each has a clock that counts the packets sent and
-//! follows later timestamps of other senders. Serial 0 is meant for a cable and still accepts everything; the others
-//! silently drop packets without a valid signature.
+//! All serial ports share one key and the table against replays. Each has a clock that counts the
+//! packets sent and follows later timestamps of other senders. Serial 0 is meant for a cable and
+//! still accepts everything; the others silently drop packets without a valid signature.
 
 use super::Serial;
 use sortie_wire::{Frame, SigningKey, Stamp, is_signed_with};
@@ -49,7 +49,7 @@ impl Signing {
         self.clocks = [timestamp.saturating_add(MARGIN); Serial::ALL.len()];
     }
 
-    /// The key and the time survive a reboot; the known senders do not.
+    /// Handles a reboot: the key and the time survive it, the known senders do not.
     pub(super) fn reboot(&mut self) {
         self.streams.clear();
         let stored = self.clocks.into_iter().max().unwrap_or_default();

@@ -67,7 +67,7 @@ impl VehicleSlot {
         }
     }
 
-    /// Advances by one step and sends what is due.
+    /// Advances by one step and sends the messages that are due.
     pub(super) fn step(&mut self) {
         if self.autopilot.vehicle.boot.awaits_client()
             && !self.ports.iter().any(|(_, port)| port.open)
@@ -95,7 +95,7 @@ impl VehicleSlot {
         }
     }
 
-    /// Sends what the boot prints on the first serial port.
+    /// Sends the text that the boot prints on the first serial port.
     fn print(&mut self) {
         for text in self.autopilot.vehicle.boot.take_console() {
             for (_, port) in &mut self.ports {

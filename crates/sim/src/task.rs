@@ -47,7 +47,7 @@ pub(super) struct Cockpit<'a> {
     pub(super) sticks: Sticks,
     /// The heading that "forward" means for the sticks, in degrees; `None` for the nose.
     pub(super) stick_heading_deg: Option<f64>,
-    /// Whether a ground station overrides the transmitter, so that a pilot sets the throttle.
+    /// Whether a ground station overrides the transmitter, so a pilot sets the throttle.
     pub(super) piloted: bool,
     /// Home, in metres north, east and down from the start.
     pub(super) home_m: DVec3,
@@ -121,7 +121,7 @@ pub(super) struct Circle {
     pub(super) angle_rad: f64,
     pub(super) rate_rad_s: f64,
     pub(super) down_m: f64,
-    /// The pilot's pitch stick changes the radius, the roll stick the rate.
+    /// The radius, which the pilot's pitch stick changes; the roll stick changes the rate.
     pub(super) radius_m: f64,
     pub(super) asked_deg_s: f64,
 }

@@ -1,4 +1,5 @@
-//! The way back of `SMART_RTL`: breadcrumbs of the flight, simplified and freed of loops (`AP_SmartRTL`).
+//! The return path of `SMART_RTL`: breadcrumbs of the flight, simplified and freed of loops
+//! (`AP_SmartRTL`).
 
 use std::time::Duration;
 
@@ -8,7 +9,7 @@ use super::parameters::Parameters;
 
 /// The time between breadcrumbs, in steps.
 pub(super) const EVERY_STEPS: u64 = 33;
-/// The path is abandoned after this time without a position, or without room.
+/// The path is abandoned after this time without a position, or without room for breadcrumbs.
 const PATIENCE: Duration = Duration::from_secs(15);
 /// The maximum number of breadcrumbs that are ever kept.
 const POINTS_MAX: f64 = 500.0;
@@ -221,7 +222,7 @@ mod tests {
         let (mut trail, reasons) = flown(out.chain(across));
         assert!(reasons.is_empty() && trail.points_m.len() <= RULES.points);
         trail.tidy(&RULES);
-        // The one on the ground, the climb, the corner and the end.
+        // The point on the ground, the climb, the corner and the end.
         assert!((3..=5).contains(&trail.points_m.len()), "{trail:?}");
     }
 

@@ -35,7 +35,8 @@ pub(super) struct Transfers {
     links: u32,
 }
 
-/// Stores a whole list as an upload would, with home in that of a plan; `false` if the vehicle refuses it.
+/// Stores a whole list as an upload would; a plan begins with home. `false` if the vehicle refuses
+/// it.
 pub(super) fn load(autopilot: &mut Autopilot, kind: ListKind, items: &[Item]) -> bool {
     plan_file::take_list(autopilot, kind, items)
 }

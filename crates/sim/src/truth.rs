@@ -26,7 +26,7 @@ pub struct Truth {
     pub on_ground: bool,
     /// The flight mode as `ArduCopter`'s `custom_mode` (0 is STABILIZE).
     pub mode: u8,
-    /// The number of the item of the plan under way or flown last; 0 before the first.
+    /// The number of the plan item under way or flown last; 0 before the first.
     pub plan_item: u16,
     /// Whether the plan was flown to its end.
     pub plan_complete: bool,
@@ -43,7 +43,7 @@ pub struct Truth {
 }
 
 impl Truth {
-    /// The truth about a vehicle now.
+    /// The current true state of a vehicle.
     pub(super) fn of(autopilot: &Autopilot) -> Self {
         let body = &autopilot.vehicle.plant.body;
         let here = autopilot.vehicle.truly_here();

@@ -27,7 +27,8 @@ pub(crate) struct Tuning {
     pub(crate) ground_station: u8,
     pub(crate) only_ground_station: bool,
     pub(crate) wind: WindRules,
-    /// `SIM_BATT_VOLTAGE`, in volts; when it changes, the battery is charged or drained to it.
+    /// `SIM_BATT_VOLTAGE`, in volts; when it changes, the battery is charged or drained to this
+    /// voltage.
     pub(crate) battery_set_v: f64,
     pub(crate) motor_fault: Option<MotorFault>,
     pub(crate) crash_check: bool,

@@ -55,7 +55,7 @@ pub(super) struct Upset {
     /// Radians per second about the body's axes.
     pub(super) rates_rad_s: DVec3,
     pub(super) mixer: Mixer,
-    /// Between the wanted and the real direction of the thrust.
+    /// The angle between the wanted and the real direction of the thrust, in radians.
     pub(super) error_rad: f64,
     /// The thrust of all motors together per mass, from which the power follows.
     pub(super) thrust_m_s2: f64,
@@ -88,7 +88,7 @@ pub(super) struct Drive<'a> {
     pub(super) airframe: &'a Airframe,
     pub(super) conditions: &'a Conditions,
     pub(super) fault: Option<MotorFault>,
-    /// All propellers are broken.
+    /// Whether all propellers are broken.
     pub(super) wrecked: bool,
 }
 
@@ -114,7 +114,7 @@ impl Upset {
         }
     }
 
-    /// Forward, right and up.
+    /// The body's axes: forward, right and up.
     pub(super) fn axes(&self) -> [DVec3; 3] {
         let turn = DMat3::from_quat(self.attitude);
         [turn.x_axis, turn.y_axis, -turn.z_axis]

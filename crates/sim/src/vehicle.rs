@@ -293,7 +293,7 @@ impl Vehicle {
         self.flight.trail.begin(here_m, rules, now);
     }
 
-    /// Drops a breadcrumb where one is due.
+    /// Drops a breadcrumb when one is due.
     pub(super) fn watch_trail(&mut self) {
         if !self.safety.armed || self.flight.mode.number == mode::SMART_RTL {
             return;
@@ -355,7 +355,7 @@ impl Vehicle {
         }
     }
 
-    /// Logs what is due after a step. A log contains the autopilot's estimate.
+    /// Writes the log records that are due after a step. A log contains the autopilot's estimate.
     pub(super) fn record(&mut self) {
         if !self.steps.is_multiple_of(flight_log::EVERY_STEPS) {
             return;

@@ -29,12 +29,12 @@ pub(super) struct WindRules {
 /// The profile of the mean wind with height (`SIM_WIND_T`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Profile {
-    /// Up to a height, with the root of the height.
+    /// Grows with the square root of the height, up to a full height.
     Root {
         full_height_m: f64,
     },
     Constant,
-    /// Linear above a height.
+    /// Grows linearly above a height.
     Linear {
         height_m: f64,
         per_s: f64,
@@ -104,7 +104,8 @@ impl WindRules {
 }
 
 impl Wind {
-    /// Each vehicle has its own stream of random numbers, so that adding a vehicle does not change the others.
+    /// Gusts for one vehicle. Each vehicle has its own stream of random numbers, so adding a
+    /// vehicle does not change the others.
     pub(super) fn new(seed: u64, vehicle: u64) -> Self {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         rng.set_stream(vehicle);

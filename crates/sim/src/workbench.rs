@@ -18,18 +18,18 @@ const COMPASSES: u8 = 0b111;
 pub(super) struct Workbench {
     pub(super) motor_test: Option<MotorTest>,
     pub(super) compasses: CompassCalibration,
-    /// The safety switch blocks the motors.
+    /// Whether the safety switch blocks the motors.
     pub(super) safety_on: bool,
-    /// The parachute was enabled.
+    /// Whether the parachute is enabled.
     pub(super) parachute: bool,
     pub(super) relay_on: bool,
-    /// The remote control is being calibrated.
+    /// Whether the remote control is being calibrated.
     pub(super) radio_calibrates: bool,
     /// When a calibration last kept the vehicle busy.
     pub(super) initialised_at: Option<Duration>,
     /// When the level or the accelerometers were last calibrated in one position.
     pub(super) accelerometers_calibrated: Duration,
-    /// The stored parameters were erased: the next boot begins with the defaults.
+    /// Whether the stored parameters were erased: the next boot then begins with the defaults.
     pub(super) erased: bool,
 }
 
@@ -46,8 +46,8 @@ pub(super) struct MotorTest {
 }
 
 impl MotorTest {
-    /// A test as the command asks for it: motor, kind of throttle (`MOTOR_TEST_THROTTLE_TYPE`) and number of motors;
-    /// the throttle in that kind; seconds.
+    /// A test as commanded: motor, kind of throttle (`MOTOR_TEST_THROTTLE_TYPE`) and number of
+    /// motors; the throttle in that kind; seconds.
     pub(super) fn new(
         [motor, kind, motors]: [i32; 3],
         throttle: f32,
@@ -98,7 +98,8 @@ impl MotorTest {
     }
 }
 
-/// Compasses that are being calibrated, a bit each. Since the vehicle is not turned by hand, it never succeeds.
+/// Compasses that are being calibrated, a bit each. Since the vehicle is not turned by hand, the
+/// calibration never succeeds.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct CompassCalibration {
     running: u8,
@@ -106,7 +107,7 @@ pub(super) struct CompassCalibration {
 }
 
 impl CompassCalibration {
-    /// Begins with the compasses of a mask (zero: all); false if there is another bit in it.
+    /// Begins with the compasses of a mask (zero: all); `false` if the mask contains any other bit.
     pub(super) fn start(&mut self, mask: u8) -> bool {
         let mask = if mask == 0 { COMPASSES } else { mask };
         if mask & !COMPASSES != 0 {
@@ -117,7 +118,7 @@ impl CompassCalibration {
         true
     }
 
-    /// Accepts results; false while there are none yet.
+    /// Accepts the results of a calibration; `false` while there are none.
     pub(super) fn accept(&self, mask: u8) -> bool {
         let mask = if mask == 0 { COMPASSES } else { mask };
         self.running & mask == 0

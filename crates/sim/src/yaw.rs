@@ -41,7 +41,7 @@ pub(super) struct Turning {
     pub(super) fastest_deg_s: f64,
     /// The acceleration at the beginning and end of a pilot's turn.
     pub(super) accel_deg_s2: f64,
-    /// The vehicle tumbles: the heading is not under control.
+    /// Whether the vehicle tumbles: the heading is then not under control.
     pub(super) is_upset: bool,
 }
 
@@ -128,7 +128,7 @@ impl YawControl {
         self.stick_deg_s + wrap_180(self.setpoint_deg - yaw_deg) / LAG_S
     }
 
-    /// By how many degrees the setpoint moves in this step.
+    /// The angle by which the setpoint moves in this step, in degrees.
     fn change(&mut self, moving: DVec2, here: DVec2, fastest: f64) -> f64 {
         let most = fastest * STEP_S;
         match &mut self.demand {

@@ -43,7 +43,8 @@ pub fn frame_len(head: [u8; 3]) -> Option<usize> {
     Some(header_len + usize::from(payload_len) + CHECKSUM_LEN + signature_len)
 }
 
-/// The bytes of a frame with zeros for its payload, to show a message with a secret. Bytes that are not a frame stay.
+/// The bytes of a frame with zeros for its payload, to show a message with a secret. Bytes that are
+/// not a frame are returned unchanged.
 pub fn without_payload(bytes: &[u8]) -> Vec<u8> {
     let mut shown = bytes.to_vec();
     if let Some(frame) = Anatomy::of(bytes) {

@@ -11,7 +11,7 @@ mod tests;
 
 pub(super) const STX_V1: u8 = 0xFE;
 pub(super) const STX_V2: u8 = 0xFD;
-/// The only incompatibility flag that this program understands: the frame is signed.
+/// The only incompatibility flag that this program supports: the frame is signed.
 pub(super) const FLAG_SIGNED: u8 = 0x01;
 pub(super) const SIGNATURE_LEN: usize = 13;
 /// Consumed bytes are removed from the buffer once this many have accumulated.
@@ -93,13 +93,13 @@ impl Decoder {
         self.counters
     }
 
-    /// Whether the buffer holds what may be the beginning of a frame. Ask when [`Self::next_frame`] has returned
-    /// `None`.
+    /// Whether the buffer holds bytes that may begin a frame. Call it when [`Self::next_frame`] has
+    /// returned `None`.
     pub fn has_tail(&self) -> bool {
         self.position < self.buffer.len()
     }
 
-    /// The next frame, intact or of an unknown message, or `None` until more bytes come.
+    /// The next frame, intact or of an unknown message, or `None` until more bytes arrive.
     pub fn next_frame(&mut self) -> Option<Frame> {
         loop {
             self.seek_start();

@@ -168,7 +168,7 @@ impl Encoder {
 #[derive(Debug, Clone, Copy)]
 struct HeaderFields {
     version: MavlinkVersion,
-    /// The message's number in MAVLink.
+    /// The message id.
     id: u32,
     signed: bool,
     /// Length of the payload in bytes.

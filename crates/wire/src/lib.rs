@@ -92,7 +92,7 @@ pub struct Frame {
     pub seal: Seal,
     /// Bytes on the wire, header, checksum and signature included.
     pub wire_len: u16,
-    /// The payload, decoded as far as the dialect knows it.
+    /// The payload, decoded as far as the dialect allows.
     pub content: Content,
 }
 
@@ -122,7 +122,7 @@ pub enum Content {
 }
 
 impl Frame {
-    /// Whether the checksum was right, so that the sender and the content are reliable.
+    /// Whether the checksum was right and the sender and the content are therefore reliable.
     pub fn is_verified(&self) -> bool {
         !matches!(self.content, Content::Unknown { .. })
     }

@@ -18,7 +18,8 @@ pub struct SequenceStep {
     /// The change in the number of missing frames: the length of a gap, or -1 for a late frame that was counted as
     /// missing.
     pub missing: i16,
-    /// The number is lower than one already received: the frame is late, or another sender has the same ids.
+    /// Whether the number is lower than one already received: the frame is late, or another sender
+    /// has the same ids.
     pub is_late: bool,
 }
 
@@ -34,7 +35,7 @@ pub struct LossMeter {
 #[derive(Debug, Clone)]
 struct Numbering {
     last: u8,
-    /// Which of the numbers before the last one have not been heard.
+    /// Which of the numbers before the last one have not been received.
     missing: [bool; 256],
     /// The newest number behind the last one, if the last frame was late.
     behind: Option<u8>,
@@ -90,7 +91,7 @@ impl Numbering {
         if self.repeated < RESTART_AFTER {
             return 0;
         }
-        // The frames taken for late ones were new, so the missing ones are still missing.
+        // The frames taken for late ones were new, so the missing frames are still missing.
         let found = self.found;
         self.missing = [false; 256];
         self.move_to(sequence);

@@ -19,7 +19,7 @@ pub struct Stamp {
     pub timestamp: u64,
 }
 
-/// The value of a frame's signature to a receiver.
+/// The result of checking a frame's signature.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Seal {
     /// The frame has no signature.

@@ -88,7 +88,7 @@ pub enum PlansAction {
     NewDraft,
     /// Write a line that opens a file.
     OpenDraft,
-    /// Open what the vehicles have on board.
+    /// Open the lists that the vehicles have on board.
     TakePlan,
     /// Write a line that saves the draft.
     SaveDraft,

@@ -11,7 +11,7 @@ pub enum ViewAction {
     /// Sort by the next column.
     Sort,
     SortReverse,
-    /// The next vehicle by number.
+    /// Go to the next vehicle by number.
     NextVehicle,
     PreviousVehicle,
     /// Show the next page where the screen is too small for all.

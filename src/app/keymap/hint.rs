@@ -69,7 +69,8 @@ impl Keymap {
         self.first(meaning, place).map(Press::symbol)
     }
 
-    /// The label of that key for a message, with a fallback where no key has the meaning.
+    /// The label of the first key with a meaning at a place, for a message; a fallback text if no
+    /// key has it.
     pub fn key(&self, meaning: impl Into<Meaning>, place: Place) -> Text {
         let label = self.label(&meaning.into(), place);
         label.map_or_else(|| text!("key-none"), Text::verbatim)
@@ -162,7 +163,8 @@ impl Keymap {
         .map(|binding| binding.press)
     }
 
-    /// Whether a key has its general meaning at a place: there, it has neither another one nor none.
+    /// Whether a key has its general meaning at a place: the place neither redefines nor disables
+    /// it.
     pub fn is_general(&self, press: Press, place: Place) -> bool {
         let is_silent = self.silent.contains(&(press, place));
         let mut here = self.bindings.iter().filter(|it| it.place == place);

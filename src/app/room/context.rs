@@ -45,7 +45,7 @@ fn drafts(state: &State) -> Listed {
     Listed::Names(named.collect())
 }
 
-/// The parameters of the item under the cursor of the room of plans, with their values.
+/// The parameters of the plan item under the cursor, with their values.
 fn item_fields(state: &State) -> Vec<Named> {
     let room = &state.rooms.plans;
     let item = room.row().and_then(|row| room.items().get(row));
@@ -97,10 +97,10 @@ impl State {
         })
     }
 
-    /// Refuses vehicles that have not been heard: the grammar accepts every number.
+    /// Refuses vehicles that have not been heard from, because the grammar accepts every number.
     ///
     /// # Errors
-    /// The first vehicle that is unknown, with the known ones.
+    /// The first unknown vehicle, with the list of known ones.
     pub(in crate::app) fn check_known(&self, ids: &[VehicleId]) -> Result<(), Text> {
         let known = &self.session.vehicles;
         let Some(unknown) = ids.iter().find(|id| !known.contains_key(id)) else {

@@ -24,10 +24,10 @@ const DEAF: Duration = Duration::from_secs(1);
 
 /// The width of the text in columns.
 pub const TEXT_WIDTH: u16 = 80;
-/// The minimum number of columns to show the truth beside the text.
+/// The minimum width in columns of the map of the truth beside the text.
 const TRUTH_LEAST: u16 = 60;
-/// The minimum number of screen rows for a summary with the height curve; then the rows of the head of that summary,
-/// and the fewest and the most rows of its components.
+/// The minimum number of screen rows for a summary with the height curve. The next three constants:
+/// the rows of that summary's head, and the minimum and maximum number of rows for its components.
 const TALL: u16 = 36;
 const SUMMARY_HEAD: u16 = 4;
 const SUMMARY_LEAST: u16 = 6;
@@ -42,7 +42,7 @@ pub struct Debrief {
     pub(in crate::app) scroll: usize,
     /// Whether the map of the truth replaces the text, on a screen too narrow for both.
     pub(in crate::app) map: bool,
-    /// The time it opened, after which keys are ignored for a moment.
+    /// When the debrief opened; keys are ignored for a moment after that.
     pub(in crate::app) since: Duration,
     /// The greatest height of any vehicle in metres, at equal intervals.
     pub(in crate::app) heights: Heights,

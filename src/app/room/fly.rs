@@ -174,7 +174,7 @@ impl RoomModel for Fly {
         Some(Vec::new())
     }
 
-    /// Esc clears the filter last.
+    /// Clears the filter, but only if no typed list and no selection is left to undo.
     fn escape(state: &mut State) -> Answer {
         let is_all_else_taken_back =
             state.typing.targets.is_empty() && state.session.choice.selection.is_empty();

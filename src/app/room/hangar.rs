@@ -174,7 +174,7 @@ pub fn order(state: &mut State, deed: ProcessDeed, vehicle: VehicleId) -> Effect
     Effects::from(effect)
 }
 
-/// The question before a deed, and the notice after it.
+/// The question before an action on a process, and the notice after it.
 fn words(deed: ProcessDeed, vehicle: VehicleId) -> (Text, Text) {
     match deed {
         ProcessDeed::Restart => (

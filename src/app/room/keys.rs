@@ -1,4 +1,4 @@
-//! The default keys: those of every room, and those of several.
+//! The default keys: those of single rooms, and those shared by several.
 
 use crossterm::event::KeyCode;
 

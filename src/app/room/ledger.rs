@@ -1,4 +1,4 @@
-//! All commands: which are shown, and which one is open.
+//! All commands: the filter, and the open command.
 
 use crate::app::State;
 use crate::app::action::{Action, LedgerAction, Step, ViewAction};
@@ -34,9 +34,9 @@ pub struct Ledger {
 pub enum Outcome {
     #[default]
     Any,
-    /// Commands that failed for a vehicle.
+    /// Commands that failed for at least one vehicle.
     Failed,
-    /// Commands still in progress for a vehicle.
+    /// Commands still in progress for at least one vehicle.
     UnderWay,
     /// Commands that every vehicle has completed.
     Done,
@@ -224,7 +224,7 @@ pub fn filter(state: &mut State, text: &str) {
     find(state);
 }
 
-/// Updates the list if needed; returns whether it was.
+/// Updates the list if it is outdated; returns whether it was.
 pub fn tick(state: &mut State) -> bool {
     let is_due = state.rooms.ledger.stale && state.room == Room::Ledger;
     if is_due {

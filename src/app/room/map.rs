@@ -18,10 +18,11 @@ pub use scene::{PAUSED, PYLON, Sketch, SketchKind, planned, shows_leg, sketches,
 pub use trail::Trail;
 pub use watch::{began, heard, leg, measured, refit, tick};
 
-/// Columns and rows by which a followed vehicle may leave the centre before the map moves.
+/// The distance from the centre that a followed vehicle may reach before the map moves, in columns
+/// and in rows.
 const LEASH_COLUMNS: f64 = 12.0;
 const LEASH_ROWS: f64 = 4.0;
-/// How far ahead of the vehicle the map is then centred, as a share of that distance.
+/// How far ahead of the vehicle the map is then centred, as a fraction of the distance it moved.
 const AHEAD: f64 = 0.7;
 
 /// The minimum screen size with room for the legend.
@@ -36,7 +37,7 @@ const OTHER_ROWS: u16 = ROWS_ABOVE + 2;
 /// The map's own state.
 #[derive(Debug, Clone, Default)]
 pub struct Map {
-    /// The content on which the view is fixed.
+    /// The target on which the view is centred.
     pub(in crate::app) aim: Aim,
     /// The position of the cursor; `None` for the centre of the view.
     pub(in crate::app) cursor: Option<LatLon>,
@@ -54,7 +55,7 @@ pub struct Map {
     pub(in crate::app) overview: Overview,
 }
 
-/// The content on which the view is fixed: everything, a place or a vehicle.
+/// The target on which the view is centred: everything, a place or a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Aim {
     /// Everything, at the scale that fits.
@@ -67,7 +68,7 @@ pub enum Aim {
 }
 
 impl Map {
-    /// The content on which the view is fixed.
+    /// The target on which the view is centred.
     pub fn aim(&self) -> Aim {
         self.aim
     }
@@ -240,13 +241,13 @@ impl Map {
         }
     }
 
-    /// Whether the legend is shown on a screen of some size.
+    /// Whether the legend is shown on a screen of this size.
     pub fn shows_legend(&self, screen: GridSize) -> bool {
         let has_room = screen.columns >= LEGEND_LEAST.columns && screen.rows >= LEGEND_LEAST.rows;
         self.legend.unwrap_or(has_room)
     }
 
-    /// The canvas of the room on a screen of some size.
+    /// The size of the room's canvas on a screen of this size.
     pub fn canvas(&self, screen: GridSize) -> GridSize {
         let legend = if self.shows_legend(screen) {
             LEGEND_WIDTH

@@ -1,4 +1,4 @@
-//! The inspector: every message on the links, by link, system, component and message.
+//! The inspector: every message on the links, by link, system, component and message type.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -30,7 +30,7 @@ pub struct Messages {
     pub(in crate::app) traffic: Vec<LinkTraffic>,
     /// Whether the display is paused.
     pub(in crate::app) paused: bool,
-    /// Only messages whose name or number contains this are shown.
+    /// The filter: only messages whose name or number contains it are shown.
     pub(in crate::app) filter: String,
     /// The order of a component's messages.
     pub(in crate::app) sort: Sort,
@@ -136,7 +136,7 @@ impl Messages {
         self.paused
     }
 
-    /// Only messages whose name or number contains this are shown.
+    /// The filter: only messages whose name or number contains it are shown.
     pub fn filter_text(&self) -> &str {
         &self.filter
     }

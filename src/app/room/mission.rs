@@ -1,5 +1,5 @@
-//! The mission's brief, objectives and rules: of the mission in flight, otherwise of the one under the home screen's
-//! cursor.
+//! The brief, objectives and rules of the mission in flight; without one, of the mission under the
+//! home screen's cursor.
 
 use crate::app::State;
 use crate::app::action::{Action, Step};
@@ -44,7 +44,8 @@ impl Mission {
     }
 }
 
-/// The mission shown before anything has flown in it. Until then a sketch of its area replaces the map.
+/// The mission in the room while its flight has not begun; until then, a sketch of its area
+/// replaces the map.
 pub fn unflown(state: &State) -> Option<&Listing> {
     let has_begun = state.session.activity.is_some() && !state.session.is_reading();
     shown(state).filter(|_| !has_begun)
@@ -67,7 +68,7 @@ const BRIEF_HINTS: &[KeyHint] = &[
     footer_keys::BACK,
 ];
 
-/// The hints while the mission's clock is stopped.
+/// The key hints while the mission's clock is stopped for reading.
 const READING_HINTS: &[KeyHint] = &[
     hint(&[Action::Submit], "hint-start"),
     footer_keys::BACK,
@@ -177,7 +178,7 @@ pub fn visible(lines: usize, rows: u16) -> usize {
     }
 }
 
-/// The number of possible first lines; at least one.
+/// The number of scroll positions; at least one.
 pub fn positions(lines: usize, rows: u16) -> usize {
     (lines + 1).saturating_sub(visible(lines, rows)).max(1)
 }

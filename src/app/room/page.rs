@@ -34,7 +34,7 @@ pub struct PageLine {
 #[derive(Debug)]
 pub struct TextPage<'a> {
     pub locale: &'a Locale,
-    /// Columns that a line may have.
+    /// The maximum number of columns of a line.
     pub width: usize,
     lines: Vec<PageLine>,
 }

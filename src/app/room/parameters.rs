@@ -38,7 +38,7 @@ pub use rows::{Row, coming, extra, rows};
 pub struct Parameters {
     /// The known parameters of each vehicle.
     pub(in crate::app) lists: BTreeMap<VehicleId, ParameterSnapshot>,
-    /// The name under the cursor; if it is hidden, the next one counts.
+    /// The name under the cursor; if it is hidden, the cursor is on the next one.
     pub(in crate::app) cursor: String,
     /// The filter by name.
     pub(in crate::app) filter: String,
@@ -54,7 +54,7 @@ pub struct Parameters {
     pub(in crate::app) batch: Option<Batch>,
     /// Vehicles whose lists must be downloaded again.
     anew: BTreeSet<VehicleId>,
-    /// Vehicles that were asked and have not started to answer, with the time of the request.
+    /// Vehicles whose list was requested but has not begun to arrive, with the time of the request.
     asked: BTreeMap<VehicleId, Duration>,
 }
 
@@ -85,7 +85,7 @@ impl Parameters {
         &self.lists
     }
 
-    /// The name under the cursor; if it is hidden, the next one counts.
+    /// The name under the cursor; if it is hidden, the cursor is on the next one.
     pub fn cursor(&self) -> &str {
         &self.cursor
     }
@@ -322,14 +322,14 @@ pub fn cursor_row(state: &State, rows: &[Row<'_>]) -> usize {
     at.min(rows.len().saturating_sub(1))
 }
 
-/// Downloads the lists of the vehicles again.
+/// Downloads the list of the vehicle under the cursor again.
 pub fn fetch(state: &mut State) {
     let vehicles: Vec<VehicleId> = state.session.choice.cursor.into_iter().collect();
     state.rooms.parameters.anew.extend(vehicles);
 }
 
-/// Takes a vehicle's known parameters. They are dropped after the end of a session, and a reboot of the vehicle
-/// cancels earlier confirmations.
+/// Stores a vehicle's known parameters. They are ignored after the end of a session, and a reboot
+/// of the vehicle cancels earlier confirmations.
 pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: ParameterSnapshot) {
     if state.session.activity.is_none() {
         return;
@@ -343,7 +343,7 @@ pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: ParameterSnapsho
     }
 }
 
-/// The state of a ledger's command with a vehicle.
+/// The state of a command in the ledger for one vehicle.
 pub fn outcome(
     state: &State,
     entry: EntryId,
@@ -365,7 +365,8 @@ fn edit_under_cursor(state: &mut State) {
     state.prompt(Purpose::Parameter { name, vehicles }, value);
 }
 
-/// Stops setting values; otherwise cancels the last filter of the list. False if there is neither.
+/// Stops setting values; if none are being set, removes the last filter or the comparison. Returns
+/// false if there is nothing to close.
 fn close(state: &mut State) -> bool {
     state.hush();
     let room = &mut state.rooms.parameters;

@@ -52,7 +52,8 @@ pub struct Drawing {
     list: ListKind,
     /// The item under the cursor, from 0; if there are fewer, the last one counts.
     row: usize,
-    /// Where the marked items begin.
+    /// The index of the item where marking began; `None` if only the item under the cursor is
+    /// marked.
     mark: Option<usize>,
     /// The view of the map and its cursor.
     map: Map,
@@ -67,9 +68,9 @@ pub struct Drawing {
     divided: DividedWork,
     /// The outcome of the last trial, until a draft changes.
     tried: Option<Tried>,
-    /// The first line of the trial's figures that is shown in place of the items, if they are.
+    /// The first visible line of the trial's figures, while they are shown in place of the items.
     figures_top: Option<usize>,
-    /// The unsaved drafts that the data folder has.
+    /// The unsaved drafts that are stored in the data folder.
     written: KeptContent,
 }
 
@@ -144,7 +145,7 @@ impl Drawing {
         &self.uploads
     }
 
-    /// Notes the entries of an upload.
+    /// Stores the ledger entries of an upload.
     pub(in crate::app) fn note_uploads(&mut self, entries: Vec<EntryId>) {
         self.uploads = entries;
     }
@@ -248,7 +249,7 @@ impl RoomModel for Drawing {
         }
     }
 
-    /// Drafts belong to the user, not to a session.
+    /// Forgets the uploads only: drafts belong to the user, not to a session.
     fn forget_session(&mut self) {
         self.uploads.clear();
     }

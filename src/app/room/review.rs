@@ -1,5 +1,5 @@
-//! The review of a recorded flight: the plan, the course, the reasons and the next steps. The score is explained once
-//! the pilot has answered the last two.
+//! The review of a recorded flight: the plan, the course, the reasons and the next steps. The score
+//! is explained only after the pilot has written the reasons and the next steps.
 
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ mod page;
 
 /// Rows of the screen outside a page: header, tabs, keys, footer.
 const OTHER_ROWS: u16 = 4;
-/// The curves of two flights get one row in this many.
+/// The divisor of a page's rows that gives the rows for the curves of two flights.
 const CURVE_SHARE: u16 = 3;
 /// The greatest width of a page.
 const WIDEST: u16 = 100;
@@ -73,7 +73,7 @@ impl ReviewPage {
         to.and_then(|to| Self::ALL.get(to)).copied().unwrap_or(self)
     }
 
-    /// The next page; after the last comes the first.
+    /// The next page, or the first after the last.
     fn next(self) -> Self {
         match self.moved(1) {
             same if same == self => Self::default(),

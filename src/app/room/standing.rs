@@ -50,7 +50,7 @@ pub enum Pane {
     /// The skills, and the evidence for the one under the cursor.
     #[default]
     Skills,
-    /// The missions flown, and the scores of the one under the cursor.
+    /// The missions flown, and the scores of the mission under the cursor.
     Scores,
     /// Credits and experience over time.
     Wealth,
@@ -152,7 +152,7 @@ fn walk(state: &mut State, step: Step) {
     }
 }
 
-/// Switches to the next level of advice, which applies at once, also in flight.
+/// Switches to the next level of advice; the change applies at once, even in flight.
 pub fn change_aids(state: &mut State) -> Vec<RoomRequest> {
     let Some(career) = &state.training.career else {
         let key = state.key(Action::Profiles);

@@ -1,4 +1,4 @@
-//! One vehicle in detail: the one under the cursor of the swarm.
+//! The vehicle under the cursor of the swarm, in detail.
 
 use crossterm::event::KeyCode;
 

@@ -1,9 +1,9 @@
-//! The workshop: a design on the bench with the parts that fit and the effect of each; all designs; a comparison of
-//! two; and the seats of a mission's fleet.
+//! The workshop: a design on the bench with the parts that fit and the effect of each; all designs;
+//! a comparison of two designs; and the seats of a mission's fleet.
 //!
-//! Any part may be tried on the bench; parts that the career does not own must be bought before they fly. The design
-//! stays on the bench when the room is left. Unsaved changes are replaced only after a question, and that can be
-//! undone.
+//! Any part may be tried on the bench; parts that the career does not own must be bought before
+//! they fly. The design stays on the bench when the room is left. Unsaved changes are replaced only
+//! after a question, and the replacement can be undone.
 
 use crate::app::State;
 use crate::mission::Listing;
@@ -33,7 +33,7 @@ pub struct Workshop {
     /// The design on the bench.
     pub(in crate::app) bench: Bench,
     pub(in crate::app) page: Page,
-    /// The list of the bench with the cursor.
+    /// The bench's list that has the cursor.
     pub(in crate::app) pane: Pane,
     /// The view beside the lists.
     pub(in crate::app) view: View,
@@ -45,7 +45,7 @@ pub struct Workshop {
     pub(in crate::app) scroll: usize,
     /// The design that the bench is compared with.
     pub(in crate::app) compared: Option<(Design, Sheet)>,
-    /// How the bench meets the mission's needs.
+    /// How well the design on the bench meets the mission's needs.
     pub(in crate::app) fit: Option<Fit>,
 }
 
@@ -67,7 +67,7 @@ impl Workshop {
         self.page
     }
 
-    /// The list of the bench with the cursor.
+    /// The bench's list that has the cursor.
     pub fn pane(&self) -> Pane {
         self.pane
     }
@@ -97,7 +97,7 @@ impl Workshop {
         self.compared.as_ref()
     }
 
-    /// How the bench meets the mission's needs.
+    /// How well the design on the bench meets the mission's needs.
     pub fn fit(&self) -> Option<&Fit> {
         self.fit.as_ref()
     }
@@ -108,7 +108,7 @@ pub enum Page {
     #[default]
     Bench,
     Designs,
-    /// A comparison with the design on the bench.
+    /// A comparison of another design with the one on the bench.
     Compare,
     /// The seats of a mission's fleet.
     Fleet,
@@ -126,13 +126,13 @@ pub enum Pane {
 /// The view beside the lists.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum View {
-    /// Figures, and problems of the design.
+    /// The design's figures and problems.
     #[default]
     Figures,
     Polar,
     /// Hover time by payload.
     Payload,
-    /// The mission's needs, and the design's values.
+    /// The mission's needs, and the design's values for them.
     Mission,
 }
 
@@ -147,7 +147,7 @@ impl View {
     }
 }
 
-/// The air for which figures are given.
+/// The air conditions for which figures are computed.
 pub fn air() -> Air {
     Air::default()
 }

@@ -16,18 +16,18 @@ const FLICKER: Duration = Duration::from_secs(10);
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Standing {
     pub alert: Alert,
-    /// When it reached its current severity, on the program's clock.
+    /// When the alert reached its current severity, on the program's clock.
     pub since: Duration,
     /// Whether it is acknowledged.
     pub acknowledged: bool,
-    /// When the condition ended, while it may still return.
+    /// When the condition ended; `None` while it lasts.
     ended: Option<Duration>,
 }
 
 /// The most urgent kind of unacknowledged alert, with all its vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pressing<'a> {
-    /// The first of them: the most serious, then the oldest.
+    /// The alert of this kind that is most serious; of several, the oldest.
     pub first: &'a Standing,
     /// The vehicles that have the same kind of alert, sorted.
     pub vehicles: Vec<VehicleId>,
@@ -45,7 +45,7 @@ pub struct ActiveAlerts {
     /// Vehicles whose processes have ended.
     pub(in crate::app) down: BTreeSet<VehicleId>,
     muted: Vec<AlertKind>,
-    /// The vehicles that are too close to others.
+    /// For each vehicle that is too close to others, the closest of them.
     close: BTreeMap<VehicleId, CloseVehicle>,
     /// Alerts that have begun and need a notice.
     begun: Vec<(VehicleId, Alert)>,
@@ -57,21 +57,21 @@ impl ActiveAlerts {
         self.muted = kinds.to_vec();
     }
 
-    /// Notes which vehicles are too close to each other.
+    /// Replaces the set of vehicles that are too close to each other.
     pub fn note_close(&mut self, close: BTreeMap<VehicleId, CloseVehicle>) {
         self.close = close;
     }
 
-    /// The alert that another vehicle is too close to this one.
+    /// The alert that another vehicle is too close to this one; `None` if none is.
     pub fn separation(&self, vehicle: VehicleId) -> Option<Alert> {
         self.close.get(&vehicle).map(separation)
     }
 
-    /// Updates a vehicle's alerts: new or worse ones ring, ended ones disappear. The vehicle has to land with a reserve of
-    /// its battery. Returns whether anything changed.
+    /// Updates a vehicle's alerts: new or worse ones ring, ended ones disappear. The vehicle must
+    /// land with at least `reserve_percent` of its battery. Returns whether anything changed.
     pub fn observe(&mut self, vehicle: &Vehicle, reserve_percent: f64, now: Duration) -> bool {
         let is_down = self.down.contains(&vehicle.id);
-        // The lost link is a consequence of that.
+        // A lost link is a consequence of the ended process.
         let process = is_down.then(process_ended);
         let others = alerts(vehicle, reserve_percent, now)
             .filter(|one| !is_down || one.kind != AlertKind::LinkLost);
@@ -147,7 +147,8 @@ impl ActiveAlerts {
         self.muted.contains(&kind)
     }
 
-    /// The worst unacknowledged alert. A vehicle on the ground that is not ready is not urgent.
+    /// The worst unacknowledged alert. A vehicle that is on the ground and not ready does not count
+    /// as urgent.
     pub fn pressing(&self) -> Option<Pressing<'_>> {
         let open = || self.open();
         let (_, first) = open().min_by_key(|(_, one)| (one.alert.severity, one.since))?;
@@ -204,8 +205,8 @@ impl ActiveAlerts {
         }
     }
 
-    /// Whether the alert of another vehicle says the same: of two vehicles that are closest to each other, only the
-    /// one with the lower number has a notice.
+    /// Whether another vehicle's alert already reports the same condition: of two vehicles that are
+    /// each other's closest, only the one with the lower number gets a notice.
     fn is_told_of_other(&self, id: VehicleId, kind: AlertKind) -> bool {
         let closest = |id| self.close.get(&id).map(|close| close.vehicle);
         let other = closest(id).filter(|_| kind == AlertKind::Separation);
@@ -213,7 +214,7 @@ impl ActiveAlerts {
     }
 }
 
-/// The alert with its current condition: one that has become worse counts as new.
+/// The alert updated to its current condition; if it has become worse, it counts as new.
 fn renewed(old: Option<Standing>, alert: Alert, since: impl Fn(AlertKind) -> Duration) -> Standing {
     match old {
         Some(old) if alert.severity >= old.alert.severity => Standing {
@@ -239,7 +240,7 @@ fn fading(old: Standing, now: Duration) -> Option<Standing> {
     })
 }
 
-/// When a condition began: a lost link counts as lost since its last message.
+/// When a condition began: a lost link counts from the last message received.
 fn began(vehicle: &Vehicle, now: Duration) -> impl Fn(AlertKind) -> Duration {
     let last_heard = vehicle.link.last_heard;
     move |kind| {

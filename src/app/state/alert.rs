@@ -1,4 +1,5 @@
-//! The alerts of a vehicle that its telemetry gives now. [`ActiveAlerts`](super::ActiveAlerts) keeps since when they last.
+//! The current alerts of a vehicle, derived from its telemetry.
+//! [`ActiveAlerts`](super::ActiveAlerts) stores when each of them began.
 
 use std::time::Duration;
 
@@ -17,14 +18,14 @@ const TEXT_LIFE: Duration = Duration::from_secs(60);
 /// A condition that needs attention now.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Alert {
-    /// The condition that raises the alert.
     pub kind: AlertKind,
     pub severity: Severity,
     /// The cause in a few words, the most important ones first.
     pub text: Text,
 }
 
-/// A vehicle's most serious condition, if it has any. It has to land with a reserve of its battery.
+/// A vehicle's most serious condition, if it has any. The vehicle must land with at least
+/// `reserve_percent` of its battery.
 pub fn alert(vehicle: &Vehicle, reserve_percent: f64, now: Duration) -> Option<Alert> {
     alerts(vehicle, reserve_percent, now).min_by_key(|alert| alert.severity)
 }
@@ -82,8 +83,8 @@ fn recent_text<'a>(vehicle: &'a Vehicle, now: Duration, words: &[&str]) -> Optio
     found.map(|line| line.text.as_str())
 }
 
-/// The alert of a vehicle that has hit the ground, or is falling disarmed, until it is armed again. One that falls
-/// with a dead motor often stays armed on the ground.
+/// The alert for a vehicle that has hit the ground, or is falling disarmed; it lasts until the
+/// vehicle is armed again. A vehicle that falls with a dead motor often stays armed on the ground.
 fn crashed(vehicle: &Vehicle) -> Option<Alert> {
     let says = |text| Some(condition(AlertKind::Crash, Severity::Emergency, text));
     let armed = vehicle.armed();
@@ -176,8 +177,9 @@ fn battery(vehicle: &Vehicle) -> Option<Alert> {
     }
 }
 
-/// The alert that the way home needs nearly all the remaining battery, or more. A vehicle that is already returning or
-/// landing is not told to turn back; the alert that home is out of reach ends only in LAND.
+/// The alert that returning home needs nearly all the remaining battery, or more. A vehicle that is
+/// already returning or landing gets no advice to turn back; the alert that home is out of reach
+/// ends only in LAND.
 fn way_home(vehicle: &Vehicle, reserve_percent: f64) -> Option<Alert> {
     let way_home = vehicle.way_home()?;
     let mode = vehicle.mode()?;

@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The minimum severity for a signal.
+/// The least serious severity that gives a signal.
 const LEAST: Severity = Severity::Critical;
 /// The time between two rings.
 const RING_EVERY: Duration = Duration::from_secs(5);
@@ -27,11 +27,9 @@ const OLD_NEWS: Duration = Duration::from_secs(10);
 /// An alert that may need a signal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct BellCall {
-    /// The condition that raised the alert.
     pub kind: AlertKind,
-    /// The severity of the alert.
     pub severity: Severity,
-    /// The vehicle, if any.
+    /// The vehicle; `None` if the alert concerns no single vehicle.
     pub vehicle: Option<VehicleId>,
     pub text: Text,
     /// Whether it has just become more serious.
@@ -45,7 +43,7 @@ pub struct Due {
     pub note: Option<Text>,
 }
 
-/// An alert of a vehicle that was signalled, and when. Texts are distinguished by content, other alerts by kind.
+/// An alert that was signalled, and when. Messages are distinguished by text, other alerts by kind.
 #[derive(Debug, Clone)]
 struct Told {
     vehicle: Option<VehicleId>,
@@ -85,7 +83,7 @@ impl Bell {
         self.owed.push(call);
     }
 
-    /// Whether the same alert was signalled recently; it counts as signalled from now on.
+    /// Whether the same alert was signalled recently; records it as signalled now.
     fn is_old_news(&mut self, now: Duration, call: &BellCall) -> bool {
         self.news
             .retain(|told| now.saturating_sub(told.at) < OLD_NEWS);

@@ -17,7 +17,7 @@ pub struct Career {
     pub history: Vec<CareerEntry>,
     /// The standing that follows from the history.
     pub standing: CareerStanding,
-    /// The growth over time.
+    /// Credits, attempts and skills over time.
     pub growth: Growth,
     /// The missions of the career.
     pub course: MissionCourse,
@@ -25,7 +25,7 @@ pub struct Career {
     pub designs: Vec<Design>,
     /// Today, in days since 1970 (UTC).
     pub day: i64,
-    /// Makes the trainee's exams differ from those of others.
+    /// The key that makes the trainee's exams different from those of others.
     pub exams: ExamKey,
     /// The level of automatic advice.
     pub aids: Aids,
@@ -34,7 +34,7 @@ pub struct Career {
 }
 
 impl Career {
-    /// A career from its history.
+    /// A career with this history.
     pub fn new(name: impl Into<String>, history: Vec<CareerEntry>, course: MissionCourse) -> Self {
         let translated = |entry| match entry {
             CareerEntry::Flight(flight) => CareerEntry::Flight(course.translated(flight)),

@@ -8,7 +8,7 @@ use crate::vehicle::{VehicleId, Vehicles};
 /// Vehicles chosen one by one.
 pub type Selection = BTreeSet<VehicleId>;
 
-/// The vehicles that commands without targets go to, and the groups that commands may name.
+/// The vehicles that receive commands without targets, and the groups that commands may name.
 #[derive(Debug, Clone, Default)]
 pub struct Choice {
     /// The selected vehicles; without any, commands go to the one under the cursor.
@@ -22,7 +22,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// Takes over a choice of an earlier view; the cursor only if the user has placed it.
+    /// Takes over an earlier choice; its cursor only if the user has placed it.
     pub(super) fn keep(&mut self, before: Self) {
         let placed = before.cursor_placed;
         *self = Self {
@@ -41,13 +41,14 @@ impl Choice {
         }
     }
 
-    /// Puts the cursor on a vehicle and keeps it there.
+    /// Puts the cursor on a vehicle; it then no longer moves by itself.
     pub(in crate::app) fn place_cursor(&mut self, id: VehicleId) {
         self.cursor = Some(id);
         self.cursor_placed = true;
     }
 
-    /// Until the user moves the cursor, it is on the vehicle with the lowest number.
+    /// Handles a new vehicle: until the user moves the cursor, it is on the vehicle with the lowest
+    /// number.
     pub(super) fn note(&mut self, id: VehicleId) {
         let is_lower = |cursor| id < cursor && !self.cursor_placed;
         if self.cursor.is_none_or(is_lower) {
@@ -62,7 +63,7 @@ impl Choice {
         groups.map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Drops a vehicle; the cursor moves to the nearest of those that remain.
+    /// Drops a vehicle; its cursor moves to the nearest remaining vehicle by number.
     pub(super) fn forget(&mut self, vehicle: VehicleId, remaining: &Vehicles) {
         self.selection.remove(&vehicle);
         for members in self.groups.values_mut() {

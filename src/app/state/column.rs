@@ -16,7 +16,7 @@ pub enum SortKey {
 }
 
 impl Column {
-    /// A vehicle's sort key. Words are sorted in English.
+    /// A vehicle's sort key. Words are sorted by their English form.
     pub fn key(self, vehicle: &Vehicle, session: &FlightView) -> SortKey {
         match self {
             Self::Name => SortKey::word(FlightView::class(vehicle)),
@@ -60,7 +60,8 @@ impl Column {
         }
     }
 
-    /// The value in a column, in the column's unit; words are numbered by importance.
+    /// The value in a column, in the column's unit; states are numbered by importance. `None` for
+    /// columns of text and unknown values.
     pub fn number(self, vehicle: &Vehicle, session: &FlightView) -> Option<f64> {
         let battery = vehicle.battery();
         let place = vehicle.global.map(|global| global.at_point);
@@ -130,7 +131,7 @@ impl Column {
     }
 }
 
-/// The share of the vehicle's messages that arrive, in percent.
+/// The percentage of the vehicle's messages that arrive.
 fn heard(vehicle: &Vehicle) -> f64 {
     if vehicle.link.lost {
         0.0
@@ -139,7 +140,7 @@ fn heard(vehicle: &Vehicle) -> f64 {
     }
 }
 
-/// Armed first, then ready, then the rest.
+/// A number by which armed vehicles come first, then those ready to arm.
 fn armed(vehicle: &Vehicle) -> f64 {
     match (vehicle.armed(), vehicle.ready_to_arm()) {
         (true, _) => 0.0,
@@ -148,7 +149,7 @@ fn armed(vehicle: &Vehicle) -> f64 {
     }
 }
 
-/// The most serious first; acknowledged after unacknowledged.
+/// A number by which the most serious alerts come first, and acknowledged ones after the others.
 fn seriousness(session: &FlightView, one: &Standing) -> f64 {
     let calm = if session.alerts.is_calm(one) {
         10.0

@@ -15,7 +15,8 @@ pub fn is_too_small((columns, rows): (u16, u16)) -> bool {
 pub struct Display {
     /// The size of the terminal: columns and rows.
     pub(in crate::app) size: (u16, u16),
-    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
+    /// The throughput of the terminal's line in bytes per second while it is too slow for the
+    /// screen; otherwise `None`.
     pub(in crate::app) slow_line: Option<u32>,
     /// Whether rooms are drawn; the plain console has none.
     pub(in crate::app) has_rooms: bool,
@@ -37,12 +38,13 @@ impl Display {
         GridSize::new(columns, rows)
     }
 
-    /// Whether the terminal is too small, so that keys would be pressed blindly.
+    /// Whether the terminal is too small to show anything, so keys would be pressed blindly.
     pub fn is_too_small(&self) -> bool {
         is_too_small(self.size)
     }
 
-    /// The bytes per second that the line to the terminal carries, while it cannot keep up.
+    /// The throughput of the terminal's line in bytes per second while it is too slow for the
+    /// screen; otherwise `None`.
     pub fn slow_line(&self) -> Option<u32> {
         self.slow_line
     }

@@ -52,7 +52,7 @@ impl VehicleFilter {
 }
 
 impl FilterTerm {
-    /// An unfinished word (`!`, `@`) matches everything.
+    /// A term of the filter; `None` for an unfinished word (`!`, `@`), which matches everything.
     fn new(word: &str) -> Option<Self> {
         let (negated, word) = match word.strip_prefix('!') {
             Some(rest) => (true, rest),
@@ -100,7 +100,7 @@ fn comparison(word: &str) -> Option<Test> {
     })
 }
 
-/// Whether a property of a vehicle begins with `start`, in lower case.
+/// Whether a property of a vehicle begins with `start`, which must be in lower case.
 fn says(start: &str, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -> bool {
     let begins = |word: &str| word.to_lowercase().starts_with(start);
     let mode = vehicle.mode().map(|mode| mode.to_string());

@@ -1,4 +1,4 @@
-//! The session; dropped as a whole when it ends.
+//! The console's view of a session. It is dropped as a whole when the session ends.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -28,11 +28,11 @@ pub struct FlightView {
     pub(in crate::app) activity: Option<Activity>,
     /// The room to show once its vehicles are there.
     pub(in crate::app) first_room: Room,
-    /// The vehicles that belong to it; empty for all that are received.
+    /// The vehicles that belong to the session; if empty, every vehicle heard belongs to it.
     pub(in crate::app) expected: BTreeSet<VehicleId>,
     /// The vehicles with their latest telemetry.
     pub(in crate::app) vehicles: Vehicles,
-    /// The histories of their readings.
+    /// The histories of the vehicles' readings.
     pub(in crate::app) histories: Histories,
     pub(in crate::app) alerts: ActiveAlerts,
     /// The planned paths of vehicles in a joint manoeuvre.
@@ -98,7 +98,8 @@ impl FlightView {
         self.rehearsed.keep_trials(before.rehearsed);
     }
 
-    /// Notes when the session began. In free flight, its clock starts at zero; in a mission, the mission starts it.
+    /// Records when the session began. In free flight, the session's clock starts at zero; in a
+    /// mission, the mission starts it.
     pub(in crate::app) fn begin(&mut self, now: Duration) {
         self.timing.began_at = now;
         if self.activity == Some(Activity::Free) {
@@ -106,18 +107,18 @@ impl FlightView {
         }
     }
 
-    /// Session time for a time of the program's clock; in a mission, mission time.
+    /// Converts a time of the program's clock to session time; in a mission, to mission time.
     pub fn time(&self, at: Duration) -> Duration {
         self.timing.at(at)
     }
 
-    /// Notes the result of a rehearsal.
+    /// Stores the result of a rehearsal.
     pub(in crate::app) fn note_rehearsal(&mut self, findings: RehearsalFindings) {
         self.rehearsed.note(findings, &self.vehicles);
     }
 
-    /// Why an order needs a confirmation although its verb does not: by the state of its vehicles, or because the plans
-    /// that it starts have failed in a rehearsal or are the same.
+    /// Why an order needs a confirmation although its verb does not: the state of its vehicles, or
+    /// plans to be started that failed in a rehearsal or are identical.
     pub fn hazard(&self, order: &Order) -> Option<Text> {
         let of_vehicles = order.hazard(&self.vehicles);
         of_vehicles.or_else(|| match order.act {
@@ -153,17 +154,18 @@ impl FlightView {
         Text::new(format!("class-{}", Self::class(vehicle)), Vec::new())
     }
 
-    /// Why no vehicle is received, as found by the link doctor; a closed link shows its own error.
+    /// The doctor's explanation why no vehicle is heard; `None` for a closed link, which shows its
+    /// own error.
     pub fn worst_finding(&self) -> Option<&LinkFinding> {
         self.connections.worst_finding()
     }
 
-    /// Whether its vehicles are still starting.
+    /// Whether the session's vehicles are still starting.
     pub fn is_starting(&self) -> bool {
         self.hangar.as_ref().is_some_and(|hangar| !hangar.begun)
     }
 
-    /// The charge that a vehicle has to keep for after its landing, in percent.
+    /// The battery charge that a vehicle must have left after landing, in percent.
     pub fn reserve_percent(&self) -> f64 {
         let mission = self.task.listing.as_ref();
         mission.map_or(USUAL_RESERVE_PERCENT, |it| it.land_reserve_percent)
@@ -199,7 +201,7 @@ impl FlightView {
         self.vehicles.insert(vehicle.id, vehicle);
     }
 
-    /// The vehicles of the target `all`.
+    /// The vehicles to which the target `all` refers.
     pub fn all(&self) -> impl Iterator<Item = VehicleId> + '_ {
         let ids = self.vehicles.keys().copied();
         ids.filter(|id| self.expects(*id))

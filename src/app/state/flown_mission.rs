@@ -3,7 +3,7 @@
 use super::{Heights, MissionListing};
 use crate::mission::{Area, Progress};
 
-/// The mission that is being flown, and how far it has come.
+/// The mission that is being flown, and its progress.
 #[derive(Debug, Clone, Default)]
 pub struct FlownMission {
     /// The mission, if there is one.
@@ -14,6 +14,6 @@ pub struct FlownMission {
     pub(in crate::app) over: bool,
     /// Its areas that are known from the start.
     pub(in crate::app) areas: Vec<Area>,
-    /// The greatest height of any vehicle, by mission time.
+    /// The greatest height of any vehicle by mission time, in metres above home.
     pub(in crate::app) heights: Heights,
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use crate::comparison::{Anchors, ComparedFlight};
 use crate::moment::Alignment;
 
-/// Another flight, and how its time is aligned with that of the current one.
+/// Another flight, and how its time is aligned with the current flight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ghost {
     pub other: Arc<ComparedFlight>,
@@ -25,12 +25,12 @@ impl Ghost {
         }
     }
 
-    /// The alignment of the two times.
+    /// How the times of both flights are aligned.
     pub fn alignment(&self) -> Alignment {
         self.alignment
     }
 
-    /// Changes the alignment; returns false if the event is missing in one of the flights.
+    /// Changes the alignment; returns false if the aligning event is missing in one of the flights.
     pub fn align(&mut self, alignment: Alignment) -> bool {
         let is_in_both = self.anchors(alignment).is_some();
         if is_in_both {
@@ -45,7 +45,7 @@ impl Ghost {
         (elapsed + anchors.other).checked_sub(anchors.own)
     }
 
-    /// The times of the aligning event in both flights.
+    /// The times of the aligning event in both flights; `None` if one of them lacks it.
     fn anchors(&self, alignment: Alignment) -> Option<Anchors> {
         match &self.own {
             Some(own) => ComparedFlight::anchors(own, &self.other, alignment),

@@ -11,9 +11,9 @@ pub struct Instance {
     pub vehicle: VehicleId,
     /// The hangar service that runs it; `None` for this program.
     pub host: Option<String>,
-    /// The stage that its start has reached.
+    /// The stage of the process's start.
     pub stage: SitlStage,
-    /// The parameters received, and their number; 0 while unknown.
+    /// The number of parameters received, and the total; 0 while unknown.
     pub parameters: [u16; 2],
     /// The process id, while it runs.
     pub pid: Option<u32>,
@@ -23,7 +23,7 @@ pub struct Instance {
     pub memory_bytes: u64,
     /// Recent processor use, in percent of a core.
     pub processor_percent: Option<f32>,
-    /// Why it ended, unless it was stopped on request.
+    /// Why the process ended; `None` if it was stopped on request.
     pub fault: Option<String>,
     /// The condition that is not met yet, or the next step.
     pub hint: Option<String>,
@@ -69,7 +69,7 @@ impl Instance {
         }
     }
 
-    /// Whether it has ended without a request.
+    /// Whether the process has ended unrequested.
     pub fn has_crashed(&self) -> bool {
         self.stage == SitlStage::Ended && self.fault.is_some()
     }
@@ -84,9 +84,9 @@ pub struct Hangar {
     pub(in crate::app) expected: usize,
     /// Why the processes could not be started.
     pub(in crate::app) fault: Option<Text>,
-    /// The output of the process on the screen.
+    /// The output of the process shown on the screen, oldest line first.
     pub(in crate::app) printed: Option<(VehicleId, Vec<String>)>,
-    /// Whether all have been ready at the same time; then the flight begins.
+    /// Whether all processes have been ready at the same time; then the flight begins.
     pub(in crate::app) begun: bool,
 }
 
@@ -106,7 +106,7 @@ impl Hangar {
         self.fault.as_ref()
     }
 
-    /// Whether all have been ready at the same time; then the flight begins.
+    /// Whether all processes have been ready at the same time; then the flight begins.
     pub fn has_begun(&self) -> bool {
         self.begun
     }
@@ -117,7 +117,8 @@ impl Hangar {
         all.find(|instance| instance.vehicle == vehicle)
     }
 
-    /// A process's output, oldest first; for the one on the screen, more than the last lines.
+    /// A process's output, oldest line first. For the process on the screen, it is longer than
+    /// [`Instance::output`].
     pub fn output<'a>(&'a self, instance: &'a Instance) -> &'a [String] {
         match &self.printed {
             Some((vehicle, lines)) if *vehicle == instance.vehicle => lines,

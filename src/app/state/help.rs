@@ -26,7 +26,7 @@ const NOTE_WIDTH: usize = 66;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum HelpLine {
     Title(String),
-    /// A key or a command, and what it does.
+    /// A key or a command, and its effect.
     Entry(String, String),
     /// An explanation below an entry.
     Note(String),
@@ -67,7 +67,7 @@ impl HelpPage {
         found(&lines, &self.search)
     }
 
-    /// The indices of the titles among those lines.
+    /// The indices of the titles among [`lines`](Self::lines).
     pub fn titles(&self, scene: HelpScene<'_>, locale: &Locale) -> Vec<usize> {
         let lines = self.lines(scene, locale).into_iter().enumerate();
         let titles = lines.filter(|(_, line)| matches!(line, HelpLine::Title(_)));
@@ -113,7 +113,7 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
 pub struct HelpScene<'a> {
     pub keymap: &'a Keymap,
     pub here: Room,
-    /// Whether a recorded flight is shown, which takes no commands.
+    /// Whether a recorded flight is shown; it takes no commands.
     pub is_replay: bool,
 }
 
@@ -168,7 +168,8 @@ pub fn command_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
     lines
 }
 
-/// The part of the help about commands to the console itself, of the verbs that are wanted.
+/// The part of the help about commands to the console itself, for the verbs that `is_wanted`
+/// selects.
 fn console_help(
     channel: Channel,
     is_wanted: impl Fn(&VerbRow) -> bool,
@@ -185,7 +186,7 @@ fn summarised(row: &VerbRow, locale: &Locale) -> Vec<HelpLine> {
     explained(&row.usage(), &locale.text(&row.summary()))
 }
 
-/// A verb with its summary beside its usage, or below if one of them is long.
+/// A verb with its summary beside its usage; the summary is below if either is long.
 fn explained(usages: &[String], summary: &str) -> Vec<HelpLine> {
     if let [usage] = usages
         && usage.width() <= SHORT_USAGE
@@ -198,7 +199,7 @@ fn explained(usages: &[String], summary: &str) -> Vec<HelpLine> {
     lines
 }
 
-/// A usage on separate lines.
+/// A usage without a summary, wrapped to several lines if needed.
 fn alone(usage: &str) -> Vec<HelpLine> {
     let parts = wrap(usage, USAGE_WIDTH);
     let indents = std::iter::once("").chain(std::iter::repeat("    "));
@@ -248,7 +249,8 @@ fn keys(scene: HelpScene<'_>, place: Place, locale: &Locale) -> Vec<HelpLine> {
 }
 
 impl HelpScene<'_> {
-    /// The description of a key in the section of a place; `None` if it belongs to another, or has no effect.
+    /// The description of a key in the section of a place; `None` if the key belongs to another
+    /// section, or has no effect.
     fn description(&self, binding: &Binding, place: Place) -> Option<Text> {
         let usual = || self.keymap.description(&binding.meaning);
         // The section of general keys lists only those that the current room leaves as they are.
@@ -271,7 +273,7 @@ impl HelpScene<'_> {
         }
     }
 
-    /// Whether the replay takes a key before the rooms do.
+    /// Whether a replay handles a key before the rooms do.
     fn is_of_replay(&self, press: Press) -> bool {
         let mut bindings = self.keymap.bindings().iter();
         bindings.any(|it| it.place == Place::Replay && it.press == press)
@@ -343,7 +345,7 @@ mod tests {
         assert!(all.iter().all(|(_, meaning)| *meaning != pause), "{all:#?}");
     }
 
-    /// Home practises with `p`, which pauses in the other rooms.
+    /// On the home screen, `p` starts practice; in the other rooms it pauses.
     #[test]
     fn each_key_is_listed_once_with_the_meaning_that_it_has_in_the_room() {
         let locale = Locale::new(Language::English);

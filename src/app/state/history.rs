@@ -1,4 +1,5 @@
-//! The vehicles' readings of the last minutes: a bounded ring per vehicle, sampled at a fixed rate.
+//! The vehicles' readings of the last ten minutes: a bounded ring per vehicle, sampled at a fixed
+//! rate.
 
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
@@ -6,7 +7,8 @@ use std::time::Duration;
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
 pub const SAMPLE_EVERY: Duration = Duration::from_millis(500);
-/// The number of samples kept: ten minutes. At 14 bytes each that is 16.8 kB a vehicle, 17 MB for a thousand.
+/// The number of samples kept: ten minutes. At 14 bytes each, that is 16.8 kB per vehicle and 17 MB
+/// for a thousand vehicles.
 const SAMPLES_KEPT: usize = 1200;
 /// The value of an unknown reading.
 const UNKNOWN: i16 = i16::MIN;
@@ -135,8 +137,8 @@ impl History {
         }
     }
 
-    /// How long the vehicle has been armed, or was the last time, to half a second, as far as it was received. Zero if
-    /// it has not been armed since it booted.
+    /// How long the vehicle has been armed, or was armed last, to half a second; times without
+    /// contact are not counted. Zero if it has not been armed since it booted.
     pub fn armed_for(&self) -> Duration {
         self.armed_for
     }
@@ -154,8 +156,8 @@ impl History {
         (self.is_armed, self.reboots) = (is_armed, vehicle.link.reboots);
     }
 
-    /// The readings of a channel within a span, oldest first, one per sample; `None` where unknown. There are fewer
-    /// than the span holds if the vehicle is newer.
+    /// The readings of a channel within a span, oldest first, one per sample; `None` where unknown.
+    /// There are fewer than the span holds if the vehicle was heard only recently.
     pub fn readings(
         &self,
         channel: Channel,

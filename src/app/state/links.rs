@@ -1,4 +1,4 @@
-//! The links: their counters, their forwards, and what is wrong with them.
+//! The links: their counters, their forwards, and their faults.
 
 use std::collections::BTreeSet;
 use std::time::Duration;
@@ -21,12 +21,13 @@ pub struct Connections {
 }
 
 impl Connections {
-    /// Whether a finding is reported for the first time; it counts as reported afterwards.
+    /// Records a finding as reported; returns whether it was not reported before.
     pub(in crate::app) fn report(&mut self, finding: &LinkFinding) -> bool {
         self.told.insert((finding.link, finding.cause.name()))
     }
 
-    /// Why no vehicle is received, as found by the link doctor; a closed link shows its own error.
+    /// The doctor's explanation why no vehicle is heard; `None` for a closed link, which shows its
+    /// own error.
     pub(super) fn worst_finding(&self) -> Option<&LinkFinding> {
         let worst = self.findings.first()?;
         let is_reported = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
@@ -34,12 +35,12 @@ impl Connections {
     }
 }
 
-/// The counters of a forward: other ground stations that use the links.
+/// The counters of a forward, through which other ground stations use the links.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ForwardSummary {
     /// Its address and its filters.
     pub name: String,
-    /// Whether it carries data.
+    /// Whether the forward carries data.
     pub up: bool,
     /// Why the forward passes no data.
     pub error: Option<Text>,
@@ -53,11 +54,12 @@ pub struct ForwardSummary {
     pub sent_bytes: u64,
     /// Messages sent to the stations.
     pub sent_messages: u64,
-    /// Messages to the stations that were dropped: a station does not read fast enough.
+    /// Messages to the stations that were dropped because a station does not read fast enough.
     pub dropped: u64,
     /// Messages to the stations that the filters left out.
     pub filtered: u64,
-    /// Messages from stations that were not passed on: the forward is read-only, or the receiver is unknown.
+    /// Messages from the stations that were not passed on because the forward is read-only, or the
+    /// receiver is unknown.
     pub held_back: u64,
     /// Messages that arrived a second time, over another path.
     pub repeated: u64,
@@ -69,7 +71,7 @@ pub struct LinkSummary {
     pub name: Text,
     /// Its state as text, such as `up` or `down, next try in 4 s`.
     pub state: Text,
-    /// Whether it carries data.
+    /// Whether the link carries data.
     pub up: bool,
     /// Why the link carries no data.
     pub error: Option<Text>,
@@ -83,7 +85,7 @@ pub struct LinkSummary {
     pub messages_out_per_s: f64,
     /// The counters of the link itself; `None` in a replay, because a record contains only frames.
     pub counters: Option<LinkCounters>,
-    /// Round trip by TIMESYNC.
+    /// The round-trip time measured with TIMESYNC.
     pub round_trip: Option<Duration>,
 }
 
@@ -100,18 +102,19 @@ pub struct LinkCounters {
     pub unknown: u64,
     /// Messages that the dialect could not decode.
     pub undecoded: u64,
-    /// Frames missing by sequence numbers, per sender.
+    /// Frames missing according to their sequence numbers, by sender.
     pub lost: Vec<((SystemId, ComponentId), u64)>,
     /// Messages that could not be sent.
     pub unsent: u64,
     /// The number of reconnections.
     pub reconnects: u32,
-    /// Frames of all senders by their signatures; `None` if no signatures are used on the link.
+    /// The number of frames of all senders by the state of their signature; `None` if no signatures
+    /// are used on the link.
     pub seals: Option<SealCounts>,
 }
 
 impl LinkCounters {
-    /// Frames missing by sequence numbers, of all senders.
+    /// Frames missing according to their sequence numbers, of all senders.
     pub fn all_lost(&self) -> u64 {
         self.lost.iter().map(|(_, count)| count).sum()
     }

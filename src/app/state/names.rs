@@ -19,7 +19,7 @@ impl<R: fmt::Debug> Names for State<R> {
                 Listed::Names(missions.map(|it| named(&it.id, it.title.clone())).collect())
             }
             NameList::Inject => self.injects(),
-            // The rooms know their own names.
+            // The rooms check these names.
             NameList::Draft | NameList::ItemField => Listed::Anything,
             NameList::PlanFile => Listed::Names(self.typing.plan_files()),
             NameList::Macro => {

@@ -9,15 +9,16 @@ use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
 pub const LINES_KEPT: usize = 1000;
-/// How long after its first notice a line accepts identical ones.
+/// How long after its first notice a line also counts identical ones.
 const FOLD_TIME: Duration = Duration::from_secs(10);
 
-/// Lines for texts of one vehicle within [`FOLD_TIME`]: as many as it sends when it starts.
+/// The maximum number of lines for texts of one vehicle within [`FOLD_TIME`]: as many as it sends
+/// when it starts.
 const TEXTS_OF_ONE: usize = 10;
-/// Lines for texts of all vehicles together within [`FOLD_TIME`].
+/// The maximum number of lines for texts of all vehicles together within [`FOLD_TIME`].
 const TEXTS_OF_ALL: usize = 30;
 
-/// The number of lines searched for an identical one, to limit the cost of a flood.
+/// The number of lines searched for an identical notice, to limit the cost of a flood.
 const LINES_SEARCHED: usize = 50;
 
 /// One line: a text, its count, and its vehicles.
@@ -25,7 +26,7 @@ const LINES_SEARCHED: usize = 50;
 pub struct NoticeLine {
     /// The first notice of the line.
     pub notice: Notice,
-    /// The number of notices.
+    /// The number of notices counted on the line.
     pub count: u32,
     pub vehicles: BTreeSet<VehicleId>,
     /// The time of the last notice on the line.
@@ -36,7 +37,7 @@ pub struct NoticeLine {
 /// The notices that a line represents.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum LineContent {
-    /// The notice that the line repeats.
+    /// One notice and its repetitions.
     Notice,
     /// The texts of vehicles that are counted but not listed.
     UnlistedTexts,
@@ -62,7 +63,7 @@ impl NoticeLine {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct NoticeLog {
     lines: VecDeque<NoticeLine>,
-    /// The number of lines listed so far, also of those dropped since.
+    /// The number of lines listed so far, including those dropped since.
     total: u64,
     /// The times of each vehicle's newest [`TEXTS_OF_ONE`] texts, oldest first.
     texts: BTreeMap<VehicleId, VecDeque<Duration>>,
@@ -90,8 +91,8 @@ impl NoticeLog {
         }
     }
 
-    /// Whether a kind of alert of a vehicle has been reported since `since`. A line accepts notices for `FOLD_TIME`, so
-    /// earlier lines cannot contain any since then.
+    /// Whether a kind of alert of a vehicle has been reported since `since`. Lines older than
+    /// `FOLD_TIME` before that cannot contain such a report, so they are not searched.
     pub fn reports(&self, kind: AlertKind, vehicle: VehicleId, since: Duration) -> bool {
         let may_report = |line: &&NoticeLine| line.notice.at.saturating_add(FOLD_TIME) >= since;
         let mut newest_first = self.lines.iter().rev().take_while(may_report);
@@ -101,7 +102,7 @@ impl NoticeLog {
         })
     }
 
-    /// The number of lines listed so far, also of those dropped since.
+    /// The number of lines listed so far, including those dropped since.
     pub fn listed(&self) -> u64 {
         self.total
     }
@@ -127,8 +128,8 @@ impl NoticeLog {
         }
     }
 
-    /// Whether a notice exceeds the number of texts of its vehicle, or of all vehicles, so that it would crowd out the
-    /// console's own notices.
+    /// Whether a text exceeds the limit for its vehicle or for all vehicles; it would then crowd
+    /// out the console's own notices.
     fn is_flooded(&mut self, notice: &Notice) -> bool {
         let is_text = notice.source == NoticeSource::Vehicle;
         let Some(vehicle) = notice.vehicle.filter(|_| is_text) else {
@@ -153,7 +154,7 @@ impl NoticeLog {
         is_flood
     }
 
-    /// Counts a text on the line of unlisted ones, which stays open during the flood.
+    /// Counts a text on the line for unlisted texts, which stays open during the flood.
     fn count_unlisted(&mut self, notice: &Notice) {
         let mut newest_first = self.lines.iter_mut().rev().take(LINES_SEARCHED);
         let open = newest_first.find(|line| {

@@ -19,7 +19,7 @@ pub enum Overlay {
     Palette(Palette),
     /// A question before a dangerous action.
     Confirm(Confirm),
-    /// A prompt for a line.
+    /// A prompt for a line of text.
     Prompt(Prompt),
     Profiles {
         /// The index of the chosen line.
@@ -33,7 +33,7 @@ pub enum Overlay {
     },
 }
 
-/// A log to look back through.
+/// A list that can be searched backwards.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Log {
     Notices,
@@ -58,7 +58,7 @@ pub struct Palette {
     pub(in crate::app) outcome: Option<Text>,
     /// The fault of a finished word, or of the line when Enter was pressed.
     pub(in crate::app) fault: Option<Diagnostic>,
-    /// The line before Tab was pressed first.
+    /// The line before the first press of Tab.
     pub(in crate::app) before_tab: String,
     /// The history line shown, counted from the newest.
     pub(in crate::app) history_at: Option<usize>,
@@ -103,8 +103,9 @@ impl Palette {
     }
 }
 
-/// A question that only the exact answer confirms; any other key cancels it. After a wrong key, further ones are
-/// swallowed until Enter or Esc, because they were not meant for the screen below either.
+/// A question that only the exact answer confirms; any other key cancels it. After a wrong key,
+/// further keys are ignored until Enter or Esc, because they are not meant for the screen below
+/// either.
 #[derive(Debug, Clone)]
 pub struct Confirm {
     /// The action and its targets: `KILL vehicles 1 3 5`.
@@ -181,7 +182,7 @@ impl Confirm {
 #[derive(Debug, Clone)]
 pub enum Consequence {
     Order(Order),
-    /// Uploads of the lists of drafts.
+    /// Upload the lists of drafts.
     Uploads(Vec<Order>),
     /// Close the current draft of a plan.
     CloseDraft,
@@ -200,7 +201,8 @@ pub struct ParameterSetting {
     pub value: f32,
     /// The vehicles to set it on, in ascending order.
     pub vehicles: Vec<VehicleId>,
-    /// How many times to send it again if there is no answer: setting the same value twice does no harm.
+    /// How many more times to send the command if there is no answer; setting the same value twice
+    /// does no harm.
     pub again: u8,
 }
 
@@ -216,7 +218,7 @@ impl ParameterSetting {
     }
 }
 
-/// The number of repeats.
+/// The number of repeats by default.
 const AGAIN: u8 = 2;
 
 /// A prompt for a line.
@@ -227,7 +229,7 @@ pub struct Prompt {
     pub(in crate::app) input: Input,
     /// Whether the line is still the proposed text: the first letter typed replaces it.
     pub(in crate::app) is_proposal: bool,
-    /// The fault of the last entry.
+    /// The error of the last entry.
     pub(in crate::app) fault: Option<Text>,
 }
 
@@ -241,7 +243,7 @@ impl Prompt {
         &self.input
     }
 
-    /// The fault of the last entry.
+    /// The error of the last entry.
     pub fn fault(&self) -> Option<&Text> {
         self.fault.as_ref()
     }
@@ -291,7 +293,7 @@ pub enum Purpose {
 }
 
 impl Purpose {
-    /// Whether every key takes effect, not only Enter.
+    /// Whether the entry takes effect at every key, not only at Enter.
     pub fn is_live(&self) -> bool {
         matches!(self, Self::Filter(_))
     }

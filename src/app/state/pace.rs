@@ -5,13 +5,13 @@ use crate::text::figure;
 /// The speed-up of simulated time over the wall clock.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SessionPace {
-    /// The speed-up at the start of the session.
+    /// The speed-up at the start of the session, to which it returns.
     pub usual: f64,
     pub now: f64,
 }
 
 impl SessionPace {
-    /// A pace with this speed-up as the usual one.
+    /// A pace whose current and usual speed-up are this one.
     pub fn new(usual: f64) -> Self {
         Self { usual, now: usual }
     }
@@ -28,7 +28,7 @@ impl Default for SessionPace {
     }
 }
 
-/// A rate without trailing zeros: `4`, `0.5`, `0.25`.
+/// A speed-up without trailing zeros: `4`, `0.5`, `0.25`.
 pub fn rate(speedup: f64) -> String {
     let exact = figure(speedup, 2);
     match exact.split_once('.') {

@@ -14,26 +14,27 @@ use crate::vehicle_id::ranges;
 /// The failures of the newest rehearsals.
 #[derive(Debug, Clone, Default)]
 pub struct PlanFailures {
-    /// Where vehicles come too close to each other in the newest rehearsal of either.
+    /// The places where two vehicles came too close in the newest rehearsal of either.
     meetings: Vec<Meeting>,
     /// The plans that failed in the newest rehearsal of each vehicle.
     on_board: BTreeMap<VehicleId, FailedRehearsal>,
-    /// Why plans failed in the newest rehearsal of drafts.
+    /// Why plans failed in the newest rehearsal as drafts, by the plan's hash.
     trials: BTreeMap<ContentHash, Text>,
 }
 
 impl PlanFailures {
-    /// Where vehicles come too close to each other in the newest rehearsal of either.
+    /// The places where two vehicles came too close in the newest rehearsal of either.
     pub fn meetings(&self) -> &[Meeting] {
         &self.meetings
     }
 
-    /// Takes the failures of drafts from the previous session: drafts outlast it.
+    /// Takes over the failures of drafts from the previous session, because drafts outlast a
+    /// session.
     pub(in crate::app) fn keep_trials(&mut self, before: Self) {
         self.trials = before.trials;
     }
 
-    /// Notes the result of a rehearsal.
+    /// Stores the result of a rehearsal.
     pub(in crate::app) fn note(&mut self, findings: RehearsalFindings, vehicles: &Vehicles) {
         let failed = findings.failed.iter().map(|failed| failed.vehicle);
         let flown: BTreeSet<VehicleId> = failed.chain(findings.passed.iter().copied()).collect();
@@ -51,7 +52,7 @@ impl PlanFailures {
             .extend(failed.map(|failed| (failed.vehicle, failed)));
     }
 
-    /// Notes how plans of drafts were flown.
+    /// Stores the verdicts on the plans of rehearsed drafts.
     pub(in crate::app) fn note_trial(&mut self, verdicts: &[PlanVerdict]) {
         for PlanVerdict { plan, .. } in verdicts {
             self.trials.remove(plan);
@@ -64,7 +65,8 @@ impl PlanFailures {
         self.trials.extend(failed);
     }
 
-    /// Why it is dangerous to start the plans of an order's targets: they have failed in a rehearsal, or are the same.
+    /// Why it is dangerous to start the plans of an order's targets: they failed in a rehearsal, or
+    /// are identical.
     pub fn hazard(&self, order: &Order, vehicles: &Vehicles) -> Option<Text> {
         let failed = self.failed_plans(order, vehicles);
         failed.or_else(|| same_plan(order, vehicles))
@@ -117,7 +119,8 @@ fn carried(vehicle: VehicleId, vehicles: &Vehicles) -> Option<ContentHash> {
     Some(ContentHash::of(plan.flown()))
 }
 
-/// Names the pairs, and what helps if one of the vehicles is not among the targets.
+/// Names the pairs, and suggests a rehearsal of the targets alone if a pair includes another
+/// vehicle.
 fn too_close(met: &[[VehicleId; 2]], order: &Order) -> Vec<Text> {
     if met.is_empty() {
         return Vec::new();
@@ -132,7 +135,7 @@ fn too_close(met: &[[VehicleId; 2]], order: &Order) -> Vec<Text> {
     std::iter::once(named).chain(again).collect()
 }
 
-/// Two targets that carry the same plan would meet.
+/// The warning that two targets carry the same plan and would meet.
 fn same_plan(order: &Order, vehicles: &Vehicles) -> Option<Text> {
     let mut known = BTreeMap::new();
     order.targets.iter().find_map(|id| {
@@ -187,8 +190,8 @@ mod tests {
         }
     }
 
-    /// A plan that fails in a rehearsal is begun only after a confirmation, until another plan is on board or the same
-    /// one passes.
+    /// A plan that failed in a rehearsal is started only after a confirmation, until another plan
+    /// is on board or the same plan passes.
     #[test]
     fn a_failed_rehearsal_makes_the_start_of_its_plan_dangerous() {
         let mut view = FlightView::default();
@@ -219,7 +222,7 @@ mod tests {
         assert_eq!(view.hazard(&start), None, "it passes now");
     }
 
-    /// The question names the other vehicle, and how to rehearse without it.
+    /// The question names the other vehicle and the command that rehearses without it.
     #[test]
     fn a_plan_that_met_another_names_it() {
         let mut view = FlightView::default();
@@ -245,7 +248,8 @@ mod tests {
         );
     }
 
-    /// A later rehearsal of other vehicles leaves the pair known; one of either of its vehicles replaces it.
+    /// A later rehearsal of other vehicles keeps the pair; a rehearsal of either of its vehicles
+    /// replaces it.
     #[test]
     fn a_pair_stays_known_until_one_of_it_is_rehearsed_again() {
         let mut view = FlightView::default();
@@ -307,7 +311,8 @@ mod tests {
         assert!(!reason.contains("plan rehearse"), "{reason}");
     }
 
-    /// The same holds for a draft that fails before it is uploaded.
+    /// A draft that fails before its upload makes the start of its plan dangerous, as a plan on
+    /// board does.
     #[test]
     fn a_failed_rehearsal_of_a_draft_makes_the_start_of_its_plan_dangerous() {
         let mut view = FlightView::default();

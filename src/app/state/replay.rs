@@ -12,7 +12,7 @@ use crate::review::Review;
 use crate::scoring::Report;
 use crate::vehicle::VehicleId;
 
-/// How long a moment counts as shown: two frames.
+/// How long after a moment's time the moment counts as shown: two frames.
 const SAME_MOMENT: Duration = Duration::from_millis(200);
 
 /// A replayed recording and the position in it.
@@ -20,7 +20,7 @@ const SAME_MOMENT: Duration = Duration::from_millis(200);
 pub struct ReplayView {
     /// The name of its file.
     pub name: String,
-    /// Its start: microseconds since 1970 (UTC).
+    /// The start of the recording, in microseconds since 1970 (UTC).
     pub began_unix_us: u64,
     pub length: Duration,
     /// Its clock for the time of day, with the pauses.
@@ -33,7 +33,8 @@ pub struct ReplayView {
     pub moments: Arc<Vec<Moment>>,
     /// The gaps of the recording found so far, earliest first.
     pub gaps: Arc<Vec<Range<Duration>>>,
-    /// The curves of the vehicles' logs that were joined to it. Their seconds count from the start of the recording.
+    /// The curves from vehicle logs joined to the recording. Their seconds count from the start of
+    /// the recording.
     pub log_curves: Arc<BTreeMap<VehicleId, LogCurves>>,
     /// The mission's report, once it is known.
     pub report: Option<Arc<Report>>,
@@ -46,7 +47,7 @@ pub struct ReplayView {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReplayPosition {
     pub at: Duration,
-    /// How far the recording has been indexed: up to there, jumps are immediate.
+    /// How far the recording has been indexed; jumps within this part are immediate.
     pub indexed: Duration,
     /// The rate as a multiple of the recorded speed.
     pub rate: f64,
@@ -58,7 +59,7 @@ pub struct ReplayPosition {
     pub stops: Vec<MomentKind>,
     /// The length of the gap in the recording at this position, if there is one.
     pub gap: Option<Duration>,
-    /// The time that it is jumping to, while the jump is under way.
+    /// The target of the jump under way; `None` without a jump.
     pub goal: Option<Duration>,
 }
 
@@ -127,7 +128,8 @@ impl ReplayView {
         here.map(|it| it.at)
     }
 
-    /// The index of the moment at the current position, or of the last one before; the first if none has passed.
+    /// The index of the moment at the current position, or of the last one before it; the first one
+    /// if none has passed. `None` without moments.
     pub fn current_index(&self) -> Option<usize> {
         let passed = self.moments.partition_point(|it| it.at <= self.position.at);
         (!self.moments.is_empty()).then(|| passed.saturating_sub(1))

@@ -19,29 +19,30 @@ pub fn separation_limits(config: &AlertsConfig) -> SeparationLimits {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CloseVehicle {
     pub vehicle: VehicleId,
-    /// The distance across, in metres.
+    /// The horizontal distance, in metres.
     pub across_m: f64,
     /// The difference in height, in metres.
     pub height_m: f64,
 }
 
-/// A vehicle in the air, in metres north, east and up.
+/// A vehicle in the air, with its position in metres north, east and up.
 struct Flyer {
     vehicle: VehicleId,
     point: [f64; 3],
-    /// The place from which it takes off, in metres north and east.
+    /// The place from which it took off, in metres north and east.
     start: Option<[f64; 2]>,
 }
 
-/// The vehicles in the air, in square cells as wide as the limit across: only vehicles in the same or in neighbouring
-/// cells can be too close to each other, so that the cost grows with their number and not with its square.
+/// The vehicles in the air, in square cells as wide as the horizontal limit: only vehicles in the
+/// same or in neighbouring cells can be too close to each other, so the cost grows with their
+/// number and not with its square.
 struct CellGrid {
     flyers: Vec<Flyer>,
     cells: HashMap<u64, Vec<usize>>,
     limits: SeparationLimits,
 }
 
-/// Each vehicle that is too close to another one, with the closest.
+/// Each vehicle that is too close to others, with the closest of them.
 pub fn too_close(
     vehicles: &Vehicles,
     limits: SeparationLimits,
@@ -95,7 +96,8 @@ impl CellGrid {
         others.filter(|other| other.vehicle != flyer.vehicle)
     }
 
-    /// How near two vehicles are by the rule of a rehearsal: less than 1 is too close.
+    /// The distance of two vehicles relative to the limits, by the rules of a rehearsal; less than
+    /// 1 is too close.
     fn nearness(&self, flyer: &Flyer, other: &Flyer) -> f64 {
         let starts = flyer.start.zip(other.start);
         let rule = Separation::new(starts.map(<[_; 2]>::from), self.limits);
@@ -217,7 +219,7 @@ mod tests {
         }
     }
 
-    /// Two vehicles from pads 4 m apart, north of their pads and this far apart.
+    /// Two vehicles from pads 4 m apart, `north_m` north of their pads and `apart_m` apart.
     fn neighbours(north_m: f64, apart_m: f64) -> Vehicles {
         swarm([
             with_home(at(1, [north_m, 0.0, 5.0]), 0.0),
@@ -244,7 +246,8 @@ mod tests {
         assert_eq!(ids(&too_close(&swarm(same), LIMITS)).len(), 2);
     }
 
-    /// 3.6 m across are farther below the limit of 5 m than 2.9 m of height are below that of 3 m.
+    /// A horizontal distance of 3.6 m is farther below its limit of 5 m than a height difference of
+    /// 2.9 m is below its limit of 3 m.
     #[test]
     fn the_closest_vehicle_is_that_nearest_to_the_limits() {
         let near = [

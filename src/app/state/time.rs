@@ -5,11 +5,12 @@ use std::time::Duration;
 /// The time between two marks: within a second, a mission's pace hardly changes.
 const MARK_EVERY: Duration = Duration::from_secs(1);
 
-/// The relation between session time and the program's clock. Session time may run faster or slower, and unevenly where
-/// the vehicles keep the time.
+/// The relation between session time and the program's clock. Session time may run faster or
+/// slower, and unevenly if the vehicles' clocks determine it.
 #[derive(Debug, Clone, Default)]
 pub struct SessionTime {
-    /// Pairs of the program's time and session time, beginning with the last moment at zero; linear between two pairs.
+    /// Pairs of program time and session time, beginning with the last moment at zero; interpolated
+    /// linearly between pairs.
     marks: Vec<(Duration, Duration)>,
     /// The pace after the last mark, relative to the program's clock; zero if only marks advance session time.
     pace: f64,
@@ -36,7 +37,7 @@ impl SessionTime {
         self.pace = pace;
     }
 
-    /// Session time at `then`: zero before the start, `None` where unknown.
+    /// Session time at the program time `then`: zero before the start, `None` where unknown.
     pub fn at(&self, then: Duration) -> Option<Duration> {
         let next = self.marks.partition_point(|(now, _)| *now < then);
         let before = next.checked_sub(1).and_then(|last| self.marks.get(last));

@@ -1,4 +1,4 @@
-//! The missions, designs and drones of the trainee, and the results so far.
+//! The missions, designs and fleets of the trainee, and the results so far.
 
 use std::collections::BTreeMap;
 
@@ -14,9 +14,9 @@ use crate::workshop::Design;
 #[derive(Debug, Clone, Default)]
 pub struct Training {
     pub(in crate::app) missions: Vec<MissionListing>,
-    /// The trainee's attempts at their current revisions, by the mission's id, oldest first.
+    /// The trainee's attempts at the missions' current revisions, by mission id, oldest first.
     pub(in crate::app) tries: BTreeMap<String, Vec<TryReport>>,
-    /// The trainee's newest review of each mission, by the mission's id.
+    /// The trainee's newest review of each mission, by mission id.
     pub(in crate::app) reviews: BTreeMap<String, Review>,
     /// The trainee's career; `None` without a profile.
     pub(in crate::app) career: Option<Career>,
@@ -24,8 +24,8 @@ pub struct Training {
     pub(in crate::app) reward: Option<Reward>,
     /// The names of all profiles.
     pub(in crate::app) profiles: Vec<String>,
-    /// The drones chosen for missions, by the mission's id: one for all seats or one per seat; empty for the mission's
-    /// own.
+    /// The designs chosen for missions, by mission id: one for all seats or one per seat; empty if
+    /// the mission lends its drones.
     pub(in crate::app) fleets: BTreeMap<String, Vec<Design>>,
     /// The designs that come with the program.
     pub(in crate::app) stock: Vec<Design>,
@@ -34,7 +34,7 @@ pub struct Training {
 /// One line of the list of profiles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Trainee {
-    /// A trainee with a profile.
+    /// A profile's name.
     Known(String),
     /// The entry to create a profile.
     New,
@@ -62,14 +62,16 @@ impl Training {
         self.tries.get(mission).map_or(&[], Vec::as_slice)
     }
 
-    /// The trainee's best attempt that counts and earned points; of several equal ones, the first.
+    /// The trainee's best attempt that counts and earned points; the first one if several are
+    /// equal.
     pub fn best_try(&self, mission: &str) -> Option<&TryReport> {
         let tries = self.tries(mission).iter();
         let ended = tries.filter(|one| one.score > Some(0) && !one.is_practice);
         ended.rev().max_by_key(|one| one.score)
     }
 
-    /// The drones chosen for a mission: one for all seats or one per seat; empty for the mission's own.
+    /// The designs chosen for a mission: one for all seats or one per seat; empty if the mission
+    /// lends its drones.
     pub fn fleet(&self, mission: &str) -> &[Design] {
         self.fleets.get(mission).map_or(&[], Vec::as_slice)
     }
@@ -82,7 +84,7 @@ impl Training {
         }
     }
 
-    /// Why the mission is locked for the trainee; `None` without a profile.
+    /// Why the mission is locked for the trainee; `None` if it is open, or without a profile.
     pub fn lock(&self, mission: &str) -> Option<Text> {
         self.career.as_ref()?.lock(mission)
     }

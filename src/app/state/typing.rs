@@ -1,4 +1,4 @@
-//! The unfinished input of the user, and earlier lines.
+//! The user's unfinished input, and earlier lines.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -19,7 +19,7 @@ pub struct Typing {
     pub(in crate::app) macro_lines: VecDeque<String>,
     /// The command history, oldest first.
     pub(in crate::app) history: VecDeque<String>,
-    /// The folder whose files the command line offers; `None` while it needs none.
+    /// The folder whose files the command line offers as completions; `None` while none are needed.
     pub(in crate::app) folder: Option<Folder>,
     /// When the previous key answered a question that changed the session, by the wall clock.
     pub(in crate::app) answered_at: Option<Duration>,
@@ -60,7 +60,7 @@ impl Typing {
         self.history.back().map(String::as_str)
     }
 
-    /// The files of plans in the folder that is being typed, and the folders in it.
+    /// The plan files in the folder that is being typed, and its subfolders.
     pub(in crate::app) fn plan_files(&self) -> Vec<Named> {
         let Some(folder) = &self.folder else {
             return Vec::new();
@@ -75,7 +75,7 @@ impl Typing {
             .collect()
     }
 
-    /// Adds a line to the history, without duplicates.
+    /// Adds a line to the history, and removes earlier copies of it.
     pub(in crate::app) fn remember(&mut self, line: &str) {
         self.history.retain(|known| known != line);
         self.history.push_back(line.to_owned());
@@ -85,7 +85,7 @@ impl Typing {
     }
 }
 
-/// Whether a file may hold a plan, by its ending.
+/// Whether a file may hold a plan, judged by its extension.
 fn is_plan_file(name: &str) -> bool {
     let Some((_, ending)) = name.rsplit_once('.') else {
         return false;

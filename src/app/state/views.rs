@@ -30,7 +30,8 @@ impl<R> State<R> {
         self.wall
     }
 
-    /// The workload of the flight that is replayed, once it is known, with a mark at the moment shown.
+    /// The workload of the replayed flight, with a mark at the moment shown; `None` while it is
+    /// unknown.
     pub fn workload_strips<'a>(
         &'a self,
         locale: &'a Locale,
@@ -167,8 +168,8 @@ impl FlightView {
         self.timing.pace
     }
 
-    /// Whether the program may be stopped for a while: in the embedded simulator, that is a pause, which exams and some
-    /// missions do not allow.
+    /// Whether the program may be suspended: with the embedded simulator, that pauses the session,
+    /// which exams and some missions do not allow.
     pub fn may_be_stopped(&self) -> bool {
         let listing = self.task.listing.as_ref().filter(|_| !self.task.over);
         self.hangar.is_some() || listing.is_none_or(|it| it.pausable)
@@ -184,13 +185,13 @@ impl FlightView {
         self.timing.flow == TimeFlow::AwaitsReader
     }
 
-    /// Whether its mission's clock has started.
+    /// Whether the session's mission clock has started.
     pub fn has_flight_begun(&self) -> bool {
         let mission = self.task.progress.as_ref();
         mission.is_some_and(|progress| !progress.elapsed.is_zero())
     }
 
-    /// Lets the mission begin if it waits for the brief to be left.
+    /// Starts the mission if it is waiting for the brief to be left.
     pub(in crate::app) fn leave_brief(&mut self) {
         if self.is_reading() {
             self.timing.flow = TimeFlow::Passes;

@@ -11,7 +11,7 @@ use crate::vehicle::Severity;
 /// Carries out a command.
 ///
 /// # Errors
-/// The fault of the vehicles that it names.
+/// The vehicles that it names are invalid, with the reason.
 pub fn carry_out(state: &mut State, line: AlertLine) -> Result<(), Text> {
     match line {
         AlertLine::Mute(kind) => mute(state, kind),

@@ -56,7 +56,7 @@ pub fn advance(state: &mut State) -> Effects {
     effects
 }
 
-/// Sends a `param set` without a question.
+/// Sends a `param set` without asking for confirmation.
 ///
 /// # Errors
 /// The fault of the line, such as a missing target vehicle.

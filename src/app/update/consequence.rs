@@ -1,4 +1,4 @@
-//! Carries out actions after a confirmation, or actions that need none.
+//! Carries out actions that have been confirmed, or that need no confirmation.
 
 use super::{batch, order};
 use crate::app::State;
@@ -8,7 +8,7 @@ use crate::app::state::{Consequence, FlightView};
 use crate::text;
 use crate::vehicle::Severity;
 
-/// Carries out what was confirmed, or needed no question.
+/// Carries out an action that has been confirmed, or that needs no confirmation.
 pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
     match consequence {
         Consequence::Order(order) => Effects::from(order::send(state, order).effect),
@@ -31,7 +31,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
     }
 }
 
-/// Changes of the session that take effect before the shell has done its part.
+/// Applies those changes of the session that take effect before the shell has done its part.
 fn announce(state: &mut State, effect: &SessionEffect) {
     match effect {
         SessionEffect::Leave => go_home(state),

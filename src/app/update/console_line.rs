@@ -115,7 +115,7 @@ fn inform(state: &mut State, report: &Report) {
     }
 }
 
-/// Says which vehicles carry the same list.
+/// Shows which vehicles carry the same list.
 fn carried(state: &mut State, kind: ListKind, targets: &Targets) -> Result<(), Text> {
     let selection = state.addressed();
     let ids = state.with_context(|context| targets.resolve(&selection, context))?;

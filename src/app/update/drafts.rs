@@ -14,7 +14,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// Carries out a line.
+/// Carries out a line about drafts.
 ///
 /// # Errors
 /// The reason why it is not possible.

@@ -1,4 +1,4 @@
-//! The end of a session or of the program: with a question if something would be lost.
+//! The end of a session or of the program, after a question if something would be lost.
 
 use super::consequence;
 use crate::app::State;
@@ -40,7 +40,7 @@ pub fn leave(state: &mut State) -> Effects {
     )
 }
 
-/// The loss if the session ended now; `None` if nothing would be lost.
+/// The text of the loss if the session ended now; `None` if nothing would be lost.
 pub fn loss(state: &State) -> Option<Text> {
     let session = &state.session;
     // A mission that has not begun is only cancelled.

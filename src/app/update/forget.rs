@@ -13,8 +13,8 @@ use crate::vehicle_id::ranges;
 /// Forgets vehicles whose link is lost: the chosen ones, or all.
 ///
 /// # Errors
-/// One of them is still in contact, none of them is known, no link is lost, or the vehicles are simulated and
-/// would appear again.
+/// One of them is still heard, none of them is known, no link is lost, or the session is not one
+/// with running vehicles: simulated ones would appear again.
 pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effects, Text> {
     if !matches!(state.session.activity, Some(Activity::Connected { .. })) {
         return Err(text!("forget-not-here"));
@@ -50,7 +50,7 @@ pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effec
     Ok(Effects::from(Effect::Session(SessionEffect::Forget(ids))))
 }
 
-/// The vehicles with a property.
+/// The vehicles that meet a condition.
 fn of(state: &State, is_so: impl Fn(&Vehicle) -> bool) -> Vec<VehicleId> {
     let vehicles = state.session.vehicles.iter();
     vehicles

@@ -51,8 +51,8 @@ pub fn carry_out(state: &mut State, line: ForwardLine) -> Result<Effects, Text> 
     ))))
 }
 
-/// Notes the state of the forwards. In a mission, a notice names each forward whose stations have sent messages, because
-/// these do not reach the vehicles.
+/// Stores the state of the forwards. In a mission, a notice names each forward whose stations have
+/// sent messages, because these do not reach the vehicles.
 pub fn changed(state: &mut State, forwards: Vec<ForwardSummary>) {
     let is_mission = state.session.activity.as_ref().is_some_and(is_mission);
     let before = std::mem::replace(&mut state.session.connections.forwards, forwards);

@@ -52,8 +52,9 @@ fn not_aligned(ghost: &Ghost, alignment: Alignment) -> Text {
     }
 }
 
-/// Refuses a flight that may not be shown beside this one: in an exam any, and in a flight that counts any but the
-/// trainee's own best one, because another pilot's flight would give the solution away.
+/// Refuses a flight that may not be shown beside this one. In an exam, none may be shown. In a
+/// flight that counts, only the trainee's own best one may, because another pilot's flight would
+/// give the solution away.
 fn admit(state: &State, source: &GhostSource) -> Result<(), Text> {
     let Some(Activity::Mission { stake, .. }) = &state.session.activity else {
         return Err(text!("ghost-no-mission"));

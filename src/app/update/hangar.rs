@@ -15,7 +15,7 @@ use crate::vehicle::{Severity, VehicleId};
 /// The maximum number of lines of output kept of the process on the screen.
 const LINES_KEPT: usize = 500;
 
-/// Takes the processes' state, and adds notices of important changes.
+/// Stores the state of the processes, and adds notices of important changes.
 pub fn changed(state: &mut State, instances: &[Instance]) {
     let Some(known) = &mut state.session.hangar else {
         return;
@@ -42,7 +42,7 @@ pub fn changed(state: &mut State, instances: &[Instance]) {
     }
 }
 
-/// Handles processes that could not be started.
+/// Reports that the processes could not be started.
 pub fn not_launched(state: &mut State, text: Text) {
     if let Some(known) = &mut state.session.hangar {
         known.fault = Some(text.clone());
@@ -50,7 +50,7 @@ pub fn not_launched(state: &mut State, text: Text) {
     telemetry::failed(state, text);
 }
 
-/// Takes new output of a process. A scrolled view keeps showing the same lines.
+/// Stores new output of a process. A scrolled view keeps showing the same lines.
 pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec<String>) {
     let Some(known) = &mut state.session.hangar else {
         return;
@@ -66,7 +66,7 @@ pub fn printed(state: &mut State, vehicle: VehicleId, anew: bool, mut lines: Vec
     known.printed = Some((vehicle, lines));
 }
 
-/// Notes that all vehicles are ready: a user who waited in the hangar goes to the flight.
+/// Begins the flight once all vehicles are ready; a user who waited in the hangar is taken to it.
 fn begin(state: &mut State, count: usize) {
     let ready = Notice::general(
         state.now,
@@ -109,7 +109,7 @@ fn news(before: Option<&Instance>, instance: &Instance, state: &State) -> Option
     None
 }
 
-/// Why a process ended, its last output, and what to do.
+/// The text about a process that ended: the reason, its last output, and the next step.
 fn crash(instance: &Instance, keymap: &Keymap) -> Text {
     let reason = instance.fault.clone().unwrap_or_default();
     let last = instance

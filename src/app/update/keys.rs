@@ -1,4 +1,4 @@
-//! Keys: to the overlay if one is open, otherwise through the keymap.
+//! Key presses: handled by the overlay if one is open, otherwise through the keymap.
 
 use std::time::Duration;
 
@@ -17,7 +17,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// An Enter within this time after an answer belongs to that answer.
+/// An Enter within this time after an answer counts as part of that answer.
 const ANSWER_ENDS_WITHIN: Duration = Duration::from_secs(1);
 
 pub fn press(state: &mut State, key: KeyEvent) -> Effects {
@@ -44,7 +44,8 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
     }
 }
 
-/// Whether this is an Enter after an answer whose last character was enough: it was not meant for the next screen.
+/// Whether a key is an Enter after an answer that was already complete without it: it is not meant
+/// for the next screen.
 fn ends_an_answer(state: &mut State, key: KeyEvent) -> bool {
     let answered_at = state.typing.answered_at.take();
     let is_fresh = answered_at.is_some_and(|at| state.wall.saturating_sub(at) < ANSWER_ENDS_WITHIN);
@@ -84,7 +85,7 @@ fn unseen(state: &State, key: KeyEvent) -> Effects {
     }
 }
 
-/// A click on an element drawn for an action. Overlays take keys only.
+/// Handles a click on an element drawn for an action. Overlays take keys only.
 pub fn choose(state: &mut State, action: Action) -> Effects {
     if state.display().is_too_small() || state.is_deaf() || state.overlay.is_some() {
         return Effects::none();
@@ -96,7 +97,7 @@ pub fn paste(state: &mut State, text: &str) {
     if state.display().is_too_small() {
         return;
     }
-    // Terminals end pasted lines as the Enter key does.
+    // Terminals end pasted lines with the character of the Enter key.
     let mut lines = text
         .split(['\n', '\r'])
         .filter(|line| !line.trim().is_empty());
@@ -157,7 +158,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     }
 }
 
-/// A key's command with the typed vehicle list as targets, unless it names its own.
+/// A key's command line with the typed vehicle list as targets, unless the line names its own.
 fn addressed(state: &mut State, line: &str) -> String {
     let typed = std::mem::take(&mut state.typing.targets);
     let names_targets = words(line).first().is_some_and(Word::is_targets);
@@ -168,10 +169,11 @@ fn addressed(state: &mut State, line: &str) -> String {
     }
 }
 
-/// Only the exact answer confirms; any other key means no. Enter, Esc, their replacements in a keymap file, and `n`
-/// close the question at once; the command line's key opens the command line, as everywhere. After another character
-/// the question stays, cancelled, and swallows further keys; otherwise a line typed blindly would act on the screen
-/// below.
+/// Handles a key while a question is open. Only the exact answer confirms; any other key means no.
+/// Enter, Esc, their replacements in a keymap file, and `n` close the question at once; the command
+/// line's key opens the command line, as everywhere. After any other character, the question stays
+/// on the screen as cancelled and ignores further keys; otherwise a line typed blindly would act on
+/// the screen below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let opens = state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine);

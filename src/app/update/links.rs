@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// The time within which a vehicle on a new link should be heard.
+/// How long after the start of a session the absence of vehicles is not reported.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Stores the doctor's findings, and adds notices of those that need action.

@@ -36,16 +36,17 @@ impl MacroLine<'_> {
     }
 }
 
-/// Checks the lines of a macro before the first one is given, so that no fault appears after others have been sent. The
-/// effect of earlier lines is not known yet, so the groups that they define, and the selection, count as all vehicles.
-/// Nothing is checked after a line that starts another session.
+/// Checks the lines of a macro before the first one is given, so that no fault appears after others
+/// have been sent. The effect of earlier lines is not known yet, so groups that they define count
+/// as all vehicles, and the selection is not checked. Nothing is checked after a line that starts
+/// another session.
 ///
 /// # Errors
 /// The first fault, placed at `at`, the call of the macro.
 pub fn check(state: &State, name: &str, at: Range<usize>) -> Result<(), Diagnostic> {
     let mut groups = state.session.choice.groups.clone();
     let mut seen = BTreeSet::new();
-    // A stack, whose last element is the next line.
+    // A stack: its last element is the next line.
     let mut left: Vec<MacroLine<'_>> = Vec::new();
     let mut called = Some(name);
     loop {
@@ -80,7 +81,8 @@ fn lines_backwards<'a>(state: &'a State, name: &'a str) -> impl Iterator<Item = 
     })
 }
 
-/// Checks a line as far as it does not depend on earlier ones; returns it if it is for the console itself.
+/// Checks those parts of a line that do not depend on earlier lines; returns the line if it is for
+/// the console itself.
 fn check_now(
     state: &State,
     line: &str,

@@ -62,7 +62,7 @@ pub fn go_on(state: &mut State) -> Effects {
     Effects::none()
 }
 
-/// Notes that the session was paused or resumed.
+/// Records that the session was paused or resumed.
 pub fn paused(state: &mut State, paused: bool) {
     state.session.timing.flow = if paused {
         TimeFlow::Paused
@@ -77,7 +77,7 @@ pub fn paused(state: &mut State, paused: bool) {
     state.say(Severity::Notice, text);
 }
 
-/// Why the session cannot be paused.
+/// The reason why the session cannot be paused; `None` if it can.
 fn obstacle(state: &State) -> Option<Text> {
     let session = &state.session;
     let forbidden = || session.task.listing.as_ref().is_some_and(|it| !it.pausable);

@@ -13,7 +13,8 @@ use crate::text::{Locale, Text};
 
 /// The maximum number of lines offered.
 const SHOWN: usize = 100;
-/// With fewer letters than this, only the words of the lines are searched, not their meaning.
+/// If fewer letters than this are typed, only the words of the lines are searched, not their
+/// meaning.
 const FEW: usize = 3;
 /// The maximum number of vehicles offered.
 const VEHICLES_SHOWN: usize = 20;
@@ -27,7 +28,7 @@ enum Nearness {
     Words,
     /// Every word of the text is the beginning of a word of the line or of its meaning.
     Meaning,
-    /// The letters occur in order, scattered.
+    /// The letters occur in order, but not together.
     Scattered,
 }
 
@@ -51,9 +52,10 @@ impl Nearness {
     }
 }
 
-/// The lines that match the text, in the line itself or in its meaning, best first. A few letters match nearly
-/// everywhere, so they are compared only with the beginnings of words. More letters are also compared with the meaning.
-/// Scattered letters count only if there is no better match, and never for the verbs of vehicles.
+/// The lines that match the text, in the line itself or in its meaning, best first. Fewer than
+/// `FEW` letters would match nearly everywhere, so they are compared only with the beginnings of
+/// the line's words. More letters are also compared with the meaning. Scattered letters count only
+/// if there is no better match, and never for the verbs of vehicles.
 pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let mut all = state.with_context(language::lines);
     if state.replay.is_none() {
@@ -111,7 +113,8 @@ fn needs_replay(state: &State, line: &str) -> bool {
     })
 }
 
-/// Synonyms of a line's verb, or the name of the room it leads to, in the screen's language.
+/// Synonyms of a line's verb, or the title of the room that the line opens, in the screen's
+/// language.
 fn synonyms(line: &str, locale: &Locale) -> Option<String> {
     let mut words = line.split(' ');
     let row = language::row(words.next()?)?;

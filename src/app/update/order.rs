@@ -1,4 +1,5 @@
-//! From a command to its vehicles: targets, the question before a dangerous one, the ledger.
+//! From a command to its vehicles: the targets, the question before a dangerous command, the
+//! ledger.
 
 use crate::app::State;
 use crate::app::action::Action;
@@ -52,7 +53,8 @@ pub fn read_for(state: &State, line: &str, selection: &[VehicleId]) -> Result<Gi
     })
 }
 
-/// Refuses a download of several vehicles into one file: the first one would take the name.
+/// Refuses a download from several vehicles into one file, because each would need a file of its
+/// own.
 fn check_file(order: &Order, line: &str) -> Result<(), Diagnostic> {
     let Act::Command(Command::Plan(PlanCommand {
         deed: PlanDeed::Download { file },
@@ -114,7 +116,8 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
     }
 }
 
-/// Whether a line needs no time to pass: it asks for a hint, rates the workload, or pledges something before launch.
+/// Whether a line may be given while time is stopped: it asks for a hint, rates the workload, or
+/// pledges something before launch.
 fn moves_nothing(state: &State, statement: &Statement) -> bool {
     match (&statement.meaning, statement.verb.counts_as) {
         (Meaning::Act(_), CountsAs::Pledge) => state.can_pledge(),
@@ -123,7 +126,7 @@ fn moves_nothing(state: &State, statement: &Statement) -> bool {
     }
 }
 
-/// The effect of Enter on an order, as text.
+/// A text that describes what Enter would do with an order.
 pub fn announced(state: &State, order: &Order) -> Text {
     if order.verb.counts_as.is_said_to_mission() {
         let key = state.keymap.key(Action::Submit, Place::Prompt);
@@ -171,7 +174,7 @@ pub fn give(state: &mut State, order: Order) -> Effects {
     Effects::none()
 }
 
-/// Sends the uploads of a draft's lists; if one of them is dangerous, it asks once for all.
+/// Sends the uploads of a draft's lists; if any of them is dangerous, asks once for all of them.
 pub fn give_uploads(state: &mut State, orders: Vec<Order>) -> Effects {
     let is_dangerous = |order: &&Order| state.session.hazard(order).is_some();
     let Some(worst) = orders.iter().find(is_dangerous).cloned() else {
@@ -191,7 +194,7 @@ pub struct SentOrder {
     pub effect: Effect,
 }
 
-/// Opens the ledger's entry of an order.
+/// Opens a ledger entry for an order.
 pub fn send(state: &mut State, order: Order) -> SentOrder {
     let now = state.now;
     if !order.verb.counts_as.is_said_to_mission() {

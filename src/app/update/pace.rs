@@ -1,4 +1,4 @@
-//! The speed-up of simulated time: higher while nothing happens, back to usual when something does.
+//! The speed-up of simulated time: higher while nothing happens, and reset when something does.
 
 use std::collections::BTreeSet;
 
@@ -21,8 +21,8 @@ const FREE_FLIGHT_MOST: f64 = 100.0;
 /// The factor per key press.
 const KEY_FACTOR: f64 = 2.0;
 
-/// Doubles the speed-up, up to the limit. In a mission, the key does so only while a command is under way: pressed once
-/// too often, it would spend the mission's time and the battery.
+/// Doubles the speed-up, up to the limit. In a mission, the key works only while a command is under
+/// way; otherwise an extra key press would use up the mission's time and the battery.
 pub fn faster(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::change_rate(state, true);
@@ -111,12 +111,12 @@ fn is_anything_under_way(state: &State) -> bool {
 
 /// The state before an event, to decide whether the event needs attention.
 pub struct Watch {
-    /// A reason that the event itself states.
+    /// The reason found in the event itself.
     reason: Option<Text>,
     alerts: BTreeSet<(VehicleId, AlertKind)>,
 }
 
-/// Watches an event while time runs faster than usual.
+/// Captures the state before an event; `None` unless time runs faster than usual.
 pub fn watch(state: &State, event: &Event) -> Option<Watch> {
     (state.session.timing.pace.is_fast() && state.replay.is_none()).then(|| Watch {
         reason: reason(state, event),
@@ -124,7 +124,8 @@ pub fn watch(state: &State, event: &Event) -> Option<Watch> {
     })
 }
 
-/// Why time must return to its usual pace: a reason in the event, or a new alert.
+/// The reason to return to the usual pace: one in the event itself, or a new alert; `None` without
+/// one.
 pub fn news(state: &State, before: Watch) -> Option<Text> {
     before.reason.or_else(|| new_alert(state, &before.alerts))
 }
@@ -151,7 +152,7 @@ fn new_alert(state: &State, known: &BTreeSet<(VehicleId, AlertKind)>) -> Option<
     Some(text!("speedup-alert", vehicle = vehicle, alert = alert))
 }
 
-/// Why an event needs attention, if it does.
+/// The reason why an event needs attention; `None` if it needs none.
 fn reason(state: &State, event: &Event) -> Option<Text> {
     match event {
         Event::Vehicle(VehicleEvent::Row(row)) => end_of_movement(state, row),
@@ -206,7 +207,7 @@ fn most(state: &State) -> f64 {
     listing.map_or(FREE_FLIGHT_MOST, |listing| listing.most_speedup)
 }
 
-/// Why a speed-up is not possible.
+/// The reason why a speed-up is not possible; `None` if it is.
 fn obstacle(state: &State, speedup: f64) -> Option<Text> {
     let session = &state.session;
     match &session.activity {

@@ -100,7 +100,7 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     state.overlay = Some(Overlay::Palette(palette));
 }
 
-/// Notes the folder of the file name at the cursor.
+/// Stores the folder of the file name at the cursor.
 fn look_into_folder(state: &mut State, line: &str, cursor: usize) {
     let begun = state.with_context(|context| language::file_begun(line, cursor, context));
     let folder = begun.map(|begun| begun.rfind('/').map_or("", |at| &begun[..=at]));
@@ -144,7 +144,8 @@ pub fn listed(state: &mut State, path: &str, names: Vec<String>) {
     }
 }
 
-/// A line typed in the Ukrainian layout, converted to the Latin keys, if that is a valid command.
+/// The line with Ukrainian letters converted to the Latin keys in their positions, if the result is
+/// a valid command.
 fn in_latin(state: &State, line: &str) -> Option<String> {
     let letters = line.chars().map(|letter| latin(letter).unwrap_or(letter));
     let typed = letters.collect::<String>();
@@ -184,7 +185,7 @@ fn byte_cursor(input: &Input) -> usize {
     at.map_or(input.value().len(), |(at, _)| at)
 }
 
-/// Inserts the next (or previous) completion; a single one is completed with a space.
+/// Inserts the next or the previous completion; a single one is followed by a space.
 fn complete(state: &mut State, mut palette: Palette, forward: bool) {
     let count = palette.completions.len();
     if count == 0 {
@@ -317,19 +318,19 @@ fn carry_out(state: &mut State, line: &str) -> Result<Effects, Diagnostic> {
     }
 }
 
-/// Whether the line typed so far is for the console itself.
+/// Whether the line typed so far is addressed to the console itself.
 pub fn is_to_console(state: &State, line: &str) -> bool {
     let said = state.with_context(|context| language::said(line, context));
     said.is_ok_and(|row| !row.scope.takes_targets())
 }
 
-/// Whether the line typed so far is for the mission, not for a vehicle.
+/// Whether the line typed so far is addressed to the mission, not to a vehicle.
 fn is_to_mission(state: &State, line: &str) -> bool {
     let said = state.with_context(|context| language::said(line, context));
     said.is_ok_and(|row| row.scope.takes_targets() && row.verb.counts_as.is_said_to_mission())
 }
 
-/// The targets of the line typed so far, so that the user need not guess them.
+/// The targets of the line typed so far, shown to the user before Enter.
 fn recipients(state: &State, line: &str) -> Text {
     let is_to_none = is_to_console(state, line) || is_to_mission(state, line);
     if is_to_none || state.session.vehicles.is_empty() {

@@ -12,7 +12,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Opens the list. A mission must end first: its result belongs to its trainee.
+/// Opens the list. During a mission it is refused, because the result belongs to the mission's
+/// trainee.
 pub fn open(state: &mut State) {
     let is_mission = matches!(state.session.activity, Some(Activity::Mission { .. }));
     if is_mission && !state.session.task.over && state.replay.is_none() {
@@ -30,7 +31,7 @@ pub fn open(state: &mut State) {
     state.overlay = Some(Overlay::Profiles { cursor });
 }
 
-/// Handles a key while the list is open.
+/// Handles a key while the list of profiles is open.
 pub fn key(state: &mut State, cursor: usize, key: KeyEvent) -> Effects {
     let trainees = state.training().trainees();
     let cursor = match state.keymap.action(key, Place::List) {
@@ -78,8 +79,8 @@ pub fn created(state: &mut State, entered: &str) -> Result<Effects, Text> {
     ))))
 }
 
-/// Stores the trainee's career. Another trainee, or one more flight, puts the home screen's cursor on the recommended
-/// mission.
+/// Stores the trainee's career. If the trainee is another one or has one more flight, the home
+/// screen's cursor moves to the recommended mission.
 pub fn arrived(state: &mut State, career: Option<Career>) {
     let seen = |career: &Career| (career.name.clone(), career.standing.flights());
     let before = state.training.career.as_ref().map(seen);
@@ -93,7 +94,7 @@ pub fn arrived(state: &mut State, career: Option<Career>) {
     home::point_at(state, next.as_deref());
     let name = |seen: &Option<(String, u32)>| seen.as_ref().map(|(name, _)| name.clone());
     if name(&before) != name(&now) {
-        // The fleets chosen were those of another trainee.
+        // The chosen fleets belong to another trainee.
         state.training.fleets.clear();
         if let Some(language) = state
             .training

@@ -1,4 +1,5 @@
-//! Lines of programs: carried out like the user's, without disturbing the user's input and open questions.
+//! Lines from programs: carried out like the user's, without disturbing the user's input and open
+//! questions.
 
 use super::order::{self, Given};
 use super::{consequence, console_line};
@@ -14,7 +15,7 @@ use crate::operator::first_word;
 use crate::text;
 use crate::verb::Danger;
 
-/// Carries out a program's line, and answers it.
+/// Carries out a program's line, and sends the answer.
 pub fn give(state: &mut State, said: &ProgramLine) -> Effects {
     // A question to the user stays open; a question that the line raises is not put to the user.
     let overlay = state.overlay.take();
@@ -65,7 +66,7 @@ fn carry_out(
     }
 }
 
-/// Refuses lines that no program may give now.
+/// Refuses lines that programs may not give, or not now.
 fn permit(state: &State, line: &str) -> Result<(), ProgramFault> {
     let is_exam = matches!(
         state.session.activity,
@@ -83,7 +84,7 @@ fn permit(state: &State, line: &str) -> Result<(), ProgramFault> {
     Err(Diagnostic::new(first_word(line), text).into())
 }
 
-/// Refuses a line that the program has not confirmed.
+/// Refuses a dangerous line that the program has not confirmed.
 fn asks(said: &ProgramLine, fault: Diagnostic) -> Result<(), ProgramFault> {
     if said.confirmed {
         return Ok(());

@@ -40,7 +40,8 @@ pub fn key(state: &mut State, mut prompt: Prompt, key: KeyEvent) -> Effects {
     effects
 }
 
-/// Applies a key to the line; false if it is not an editing key. A letter replaces a proposed text.
+/// Applies a key to the line; returns false if it is not an editing key. A letter replaces a
+/// proposed text.
 fn edit(prompt: &mut Prompt, key: KeyEvent) -> bool {
     let commands = KeyModifiers::CONTROL | KeyModifiers::ALT;
     let is_letter = matches!(key.code, KeyCode::Char(_)) && !key.modifiers.intersects(commands);

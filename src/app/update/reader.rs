@@ -44,7 +44,8 @@ pub fn help(state: &mut State, mut page: HelpPage, key: KeyEvent) {
     state.overlay = Some(Overlay::Help(page));
 }
 
-/// Adds a character to the search, or deletes the last one; false if the key means something else.
+/// Adds a character to the search, or deletes the last one; returns false if the key means
+/// something else.
 fn write(page: &mut HelpPage, key: KeyEvent) -> bool {
     let plain = KeyModifiers::NONE | KeyModifiers::SHIFT;
     match key.code {
@@ -58,7 +59,7 @@ fn write(page: &mut HelpPage, key: KeyEvent) -> bool {
     true
 }
 
-/// Handles a key in a log; a cursor on the newest entry follows newer ones.
+/// Handles a key in a log; a cursor on the newest entry moves to new ones as they arrive.
 pub fn log(state: &mut State, log: Log, cursor: Option<usize>, key: KeyEvent) -> Effects {
     let cursor = match state.keymap.action(key, Place::Reader) {
         Some(Action::Escape) if log == Log::Moments && key.code == KeyCode::Enter => {

@@ -58,7 +58,7 @@ pub fn act(state: &mut State, action: ReplayAction) -> Effects {
     let replay = state.replay.as_ref();
     let is_playing = replay.is_some_and(|it| it.position.is_playing);
     let effect = match action {
-        // In a replay, both mean the flight that is shown.
+        // In a replay, both actions mean the flight that is shown.
         ReplayAction::ReplayNewest if replay.is_some() => {
             show(state, Room::Fly);
             ReplayEffect::Seek(SeekTarget::At(Duration::ZERO))
@@ -100,7 +100,7 @@ pub fn open(state: &mut State, path: Option<String>, review: bool) -> Effects {
     ending::guarded(state, question, effect)
 }
 
-/// Goes to a moment of the list; `None` for the last.
+/// Goes to the moment with this index in the list; `None` for the last.
 pub fn go_to(state: &State, moment: Option<usize>) -> Effects {
     let moments = state.replay.iter().flat_map(|it| it.moments.iter());
     let chosen = match moment {
@@ -131,7 +131,7 @@ pub fn carry_out(state: &mut State, line: ReplayLine) -> Effects {
     Effects::from(Effect::Replay(effect))
 }
 
-/// The answer to a control whose effect is not visible at once.
+/// The confirmation of a control whose effect is not visible at once.
 fn confirmation(effect: &ReplayEffect) -> Option<Text> {
     match effect {
         ReplayEffect::StopAt(kinds) if kinds.is_empty() => Some(text!("stopat-off")),

@@ -42,7 +42,7 @@ pub fn carry_out(state: &mut State, line: ReviewLine) -> Result<Effects, Text> {
     Ok(kept)
 }
 
-/// Shows the review of the replay; without one, that of the newest record.
+/// Shows the review of the replay; without a replay, the review of the newest record.
 fn open(state: &mut State) -> Effects {
     if state.replay.is_none() {
         return replay::open(state, None, true);
@@ -51,7 +51,8 @@ fn open(state: &mut State) -> Effects {
     Effects::none()
 }
 
-/// The time that a point refers to: the moment under the cursor if moments are shown, otherwise the replay's position.
+/// The time to which a review's point refers: the moment under the cursor if moments are shown,
+/// otherwise the replay's position.
 fn pointed(state: &State) -> Duration {
     let room = &state.rooms.review;
     let chosen = match room.page {
@@ -72,7 +73,7 @@ fn pointed(state: &State) -> Duration {
         .unwrap_or_default()
 }
 
-/// Exports the review as a document.
+/// Writes the review to a file as a document.
 fn export(state: &State, path: String) -> Effects {
     let Some(view) = &state.replay else {
         return Effects::none();

@@ -53,7 +53,7 @@ fn toggle(state: &mut State) {
     }
 }
 
-/// Selects the vehicles in the table: those hidden by a filter are never selected.
+/// Selects the vehicles in the table; vehicles hidden by a filter are not selected.
 fn select_all(state: &mut State) {
     state.session.choice.selection = state.rooms.fly.rows().iter().copied().collect();
 }
@@ -75,7 +75,7 @@ pub fn type_ids(state: &mut State, c: char) {
     }
 }
 
-/// Cancels the typed list; without one, the selection.
+/// Cancels the typed list; without one, clears the selection.
 pub fn cancel(state: &mut State) {
     state.hush();
     if state.typing.targets.is_empty() {

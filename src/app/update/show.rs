@@ -10,7 +10,7 @@ pub fn show(state: &mut State, room: Room) {
     room::entered(state, room);
 }
 
-/// Opens a log: notices at the newest entry, moments at the one shown.
+/// Opens a log: notices at the newest entry, moments at the moment shown.
 pub fn look_back(state: &mut State, log: Log) {
     let cursor = match log {
         Log::Notices => None,

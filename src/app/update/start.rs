@@ -57,7 +57,7 @@ fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
     state.session.alerts.mute(&state.config.alerts.mute);
 }
 
-/// The session before anything is known of its vehicles.
+/// A new session, with no data of its vehicles yet.
 fn session(state: &State, started: Started) -> FlightView {
     let mut session = FlightView::new(started.activity, started.places);
     session.task.listing = started.mission;

@@ -20,7 +20,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 
-/// How long ago a message may have announced an alert that begins now.
+/// If a notice reported an alert's condition within this time before the alert begins, the alert
+/// gets no notice of its own.
 const ANNOUNCED_WITHIN: Duration = Duration::from_secs(5);
 /// How often distances between vehicles are checked, in milliseconds.
 const SEPARATION_MS: u128 = 500;
@@ -61,7 +62,7 @@ pub fn pass(state: &mut State, now: Duration) {
     }
 }
 
-/// Stores a vehicle's snapshot; one that arrives after its session has ended is dropped.
+/// Stores a vehicle's snapshot, unless its session has ended.
 pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     let session = &mut state.session;
     let is_known = |known: &Arc<Vehicle>| Arc::ptr_eq(known, &vehicle);
@@ -86,7 +87,7 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     state.touch();
 }
 
-/// Adds notices of alerts that no message has announced.
+/// Adds notices of alerts that have begun and were not reported yet.
 fn note_begun(state: &mut State) {
     let since = state.now.saturating_sub(ANNOUNCED_WITHIN);
     for (vehicle, alert) in state.session.alerts.take_begun() {
@@ -99,7 +100,8 @@ fn note_begun(state: &mut State) {
     }
 }
 
-/// Looks for vehicles that are too close to each other. A mission has its own rules about distances.
+/// Finds vehicles that are too close to each other. In a mission, the mission's own rules about
+/// distances apply instead.
 fn watch_separation(state: &mut State) {
     let session = &mut state.session;
     if matches!(
@@ -221,7 +223,7 @@ pub fn ended(state: &mut State, report: Box<Report>) {
     }
 }
 
-/// Notes how many notices were dropped.
+/// Stores the number of dropped notices.
 pub fn dropped(state: &mut State, count: u64) {
     state.notices.dropped = count;
     state.touch();
@@ -282,7 +284,7 @@ mod tests {
         assert_eq!(said_in(Room::Mission, Some(one), Severity::Warning), None);
     }
 
-    /// A vehicle in the air, this many metres to the east.
+    /// A vehicle in the air, `east_m` metres to the east.
     fn flying(id: u8, east_m: f64) -> Arc<Vehicle> {
         let mut flying = Vehicle::new(id, 1);
         flying.landed = LandedState::InAir;

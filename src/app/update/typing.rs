@@ -6,7 +6,7 @@ use tui_input::{Input, InputRequest};
 /// The maximum number of bytes of a line. A line is parsed after every key, and no command comes near this length.
 const LONGEST_LINE: usize = 400;
 
-/// Applies a key to a line of text; false if it is not an editing key.
+/// Applies a key to a line of text; returns false if it is not an editing key.
 pub fn edit(input: &mut Input, key: KeyEvent) -> bool {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let alt = key.modifiers.contains(KeyModifiers::ALT);
@@ -35,7 +35,7 @@ pub fn edit(input: &mut Input, key: KeyEvent) -> bool {
     true
 }
 
-/// Inserts a text at the cursor, as much of it as fits.
+/// Inserts as much of a text at the cursor as fits.
 pub fn insert(input: &mut Input, text: &str) {
     let room = LONGEST_LINE.saturating_sub(input.value().len());
     for c in text.chars().take(room) {

@@ -18,11 +18,11 @@ pub struct FlightClaim<'a> {
     pub flown_by: Option<FlownBy>,
     /// The day on which it ended, in days since 1970 (UTC).
     pub ended: i64,
-    /// Whether the record was repeated and matches; true for a report, which has none.
+    /// Whether a repeated flight matches the record; also true for a report, which has no record.
     pub is_confirmed: bool,
 }
 
-/// The purpose for which a finished flight counts.
+/// How a finished flight counts.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SettledFlight {
     pub stake: Stake,
@@ -80,8 +80,8 @@ impl FlightClaim<'_> {
     }
 }
 
-/// The day of a finished flight, and its stake. A flight with the seed of a day belongs to that day, even if it ends
-/// on the next one; with any other seed it is practice.
+/// The day of a finished flight, and its stake. A daily flight belongs to the day of its seed, even
+/// if it ends on the next day; with any other seed it is practice.
 pub fn day_and_stake(stake: Stake, seed: u64, ended: i64) -> (i64, Stake) {
     if stake != Stake::Daily {
         return (ended, stake);

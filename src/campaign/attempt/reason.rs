@@ -26,7 +26,7 @@ pub enum PracticeReason {
         /// The parts, and how to get them.
         parts: Vec<(&'static Part, PartState)>,
     },
-    /// The airframes are files of the user.
+    /// The airframes are the user's own files.
     OwnAirframes,
     /// Time runs slower than in reality.
     SlowMotion,

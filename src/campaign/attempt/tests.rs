@@ -111,7 +111,7 @@ fn an_exam_that_was_taken_is_never_given_again() {
     assert_ne!(second.seed, first.seed);
 }
 
-/// The layout of a colleague's exam may be practised: it is never that of one's own.
+/// A colleague's exam layout may be practised, because no two trainees get the same one.
 #[test]
 fn no_two_trainees_get_the_same_exam() {
     let newcomer = Newcomer::new();
@@ -131,7 +131,7 @@ fn no_two_trainees_get_the_same_exam() {
     let seeds: BTreeSet<u64> = colleagues.collect();
     assert_eq!(seeds.len(), 500);
     assert_eq!(exam_of("Anna", since), exam_of("anna", since));
-    // A profile that was deleted and created again.
+    // A profile that was deleted and created again gets another exam.
     assert_ne!(
         exam_of("Anna", since),
         exam_of("Anna", "2026-11-20T08:00:01Z")
@@ -155,7 +155,7 @@ fn a_guest_gets_another_exam_each_time() {
 }
 
 proptest! {
-    /// Seeds that the console draws for any other flight, or that a trainee types for practice.
+    /// Covers the seeds drawn for graded, daily and practice flights.
     #[test]
     fn a_seed_that_was_practised_is_never_drawn_as_an_exam(
         random in any::<u64>(),

@@ -27,7 +27,8 @@ use crate::wire::{
 
 /// Time per message in Table 2 of the paper that this program follows.
 const PAPER_NS_PER_MESSAGE: f64 = 24_500.0;
-/// Each variant is measured this often, in rotation; the fastest round counts, since it was disturbed the least.
+/// The number of measurements of each variant, in rotation; the fastest one counts, since it was
+/// disturbed the least.
 const ROUNDS: usize = 7;
 
 /// Options of `sortie bench decode`.
@@ -168,7 +169,8 @@ fn give(session: &mut Session, line: &str, now: Duration) {
     }
 }
 
-/// The floor: the mavlink crate's reader finds frames and checks their checksums, without decoding.
+/// The baseline: the mavlink crate's reader finds frames and checks their checksums, without
+/// decoding.
 fn find_frames(bytes: &[u8]) -> u64 {
     let mut reader = MavlinkReader::new(bytes);
     let mut frames = 0;

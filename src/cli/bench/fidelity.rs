@@ -1,4 +1,5 @@
-//! `sortie bench fidelity`: the embedded simulator beside recordings of the real `ArduCopter`.
+//! `sortie bench fidelity`: the embedded simulator compared with recordings of the real
+//! `ArduCopter`.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -38,7 +39,7 @@ struct Compared {
     comparison: Comparison,
 }
 
-/// Flies, compares and prints.
+/// Repeats the recorded flights in the simulator, compares them, and prints the differences.
 pub(in crate::cli) fn fidelity(options: &FidelityArguments) -> Result<ExitCode, Failure> {
     let folder = options.against.clone().unwrap_or_else(|| RECORDINGS.into());
     let mut compared = Vec::new();

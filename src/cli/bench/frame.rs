@@ -186,7 +186,8 @@ fn flying(id: VehicleId, frame: u32) -> Vehicle {
         at,
     });
     vehicle.global = Some(GlobalPosition {
-        // Each flies along a line of its own: near another one, an alert would hide the rest.
+        // Each vehicle flies along a line of its own; close to another one, it would raise an alert
+        // that hides the rest.
         at_point: home.moved(20.0 * f64::from(id), 5.0 * f64::from(frame)),
         altitude_amsl_m: 180.0 + far % 60.0,
         altitude_m: far % 60.0,

@@ -23,7 +23,7 @@ const QUIET: Duration = Duration::from_millis(120);
 const STARTING: Duration = Duration::from_secs(10);
 /// A key without any output for this long is a fault.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// The console's query to a terminal, and the terminal's answer.
+/// The console's query to a terminal. The next constant is the terminal's answer.
 const QUESTION: &[u8] = b"\x1b[5n";
 const ANSWER: &[u8] = b"\x1b[0n";
 
@@ -131,7 +131,8 @@ impl Typist {
             ws_ypixel: 0,
         };
         let pty = openpty(&size, None)?;
-        // Raw from the beginning: otherwise the kernel's own echo would be measured.
+        // The terminal is raw from the beginning: otherwise the kernel's own echo would be
+        // measured.
         let mut mode = tcgetattr(&pty.slave)?;
         cfmakeraw(&mut mode);
         tcsetattr(&pty.slave, SetArg::TCSANOW, &mode)?;
@@ -162,7 +163,8 @@ impl Typist {
         })
     }
 
-    /// Presses keys one after another, each in a pause of the program; returns the time until each one showed.
+    /// Presses keys one after another, each while the program is quiet; returns the time until the
+    /// effect of each was shown.
     fn type_keys(&mut self, program: &str, keys: u32) -> Result<Vec<Duration>, Failure> {
         self.press(b"j")?;
         self.wait(STARTING)

@@ -66,7 +66,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         preferences: Preferences::default(),
     };
     let seconds = |seconds| Duration::from_secs(seconds);
-    // A kilometre at 10 m/s lasts longer than the measurement.
+    // A kilometre at 10 m/s takes longer than the measurement.
     let lines = [
         (seconds(3), "all guided"),
         (seconds(4), "all arm"),

@@ -67,7 +67,8 @@ struct ReplayCost {
     seek_ms_p99: f64,
     rss_mb: f64,
     recording_core_percent: f64,
-    /// The time to record and write a frame, in nanoseconds; a session that is not recorded saves it.
+    /// The time to record and write a frame, in nanoseconds; an unrecorded session does not need
+    /// it.
     recording_frame_ns: f64,
 }
 

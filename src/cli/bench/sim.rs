@@ -16,7 +16,7 @@ use crate::wire::{Decoder, Encoder};
 
 /// The time after which the vehicles are in flight.
 const WARM_UP: Duration = Duration::from_secs(30);
-/// Messages streamed, and how often: `GLOBAL_POSITION_INT` and `ATTITUDE`.
+/// The streamed messages: `GLOBAL_POSITION_INT` and `ATTITUDE`. The next constant is their rate.
 const STREAMED: [u32; 2] = [33, 30];
 const RATE_HZ: u64 = 10;
 /// The output of this many steps is collected before it is counted.
@@ -104,7 +104,7 @@ fn measure(vehicles: u16, options: &BenchSimArguments) -> Result<SimCost, Failur
     })
 }
 
-/// A world in which all fly, with a ground station on each vehicle.
+/// A world in which all vehicles fly, with a ground station for each.
 struct SimSwarm {
     world: World,
     ports: Vec<PortId>,
@@ -183,7 +183,8 @@ impl SimSwarm {
         }
     }
 
-    /// Whether the measurement is valid: all vehicles in the air, and no streamed message missing.
+    /// Checks that the measurement is valid: all vehicles are in the air, and no streamed message
+    /// is missing.
     fn check(&self, heard: u64, seconds: u64) -> Result<(), Failure> {
         let vehicles = self.world.vehicles();
         let flying = (0..vehicles)

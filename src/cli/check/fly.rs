@@ -38,7 +38,8 @@ struct CheckFlight {
     score: u16,
     medal: Option<Medal>,
     sim_time_s: f64,
-    /// Simulated seconds per second of one flight, while as many fly as there are processors.
+    /// Simulated seconds per second of one flight, while one flight per processor runs at the same
+    /// time.
     realtime_factor: f64,
     /// Whether the result is as required.
     good: bool,

@@ -1,4 +1,4 @@
-//! Finds the mission of a pilot's script, so that the check knows its places and vehicles.
+//! Finds the mission of a pilot's script; the check takes places and vehicles from it.
 
 use std::path::{Path, PathBuf};
 

@@ -13,8 +13,8 @@ use super::mount::network_file_system;
 use crate::store::{KeyFile, KeyFileFault};
 use crate::text::Text;
 
-/// The cost of one idle or flying `ArduCopter` 4.6, measured with up to 32 of them: percent of a core, and resident
-/// memory in kibibytes.
+/// The processor use of one idle or flying `ArduCopter` 4.6, in percent of a core, measured with up
+/// to 32 of them. The next constant is its resident memory.
 const CORE_PERCENT: f64 = 3.1;
 const MEMORY_KIB: u64 = 8 * 1024;
 /// Files that one instance keeps open in this program: its connection, its listener, its output.
@@ -22,7 +22,7 @@ const FILES_EACH: u64 = 4;
 /// Files that this program keeps open without instances.
 const FILES_OWN: u64 = 64;
 
-/// The folders of the configuration, of the data and of the state.
+/// The configuration, data and state folders.
 pub(super) fn folders(settings: &CliSettings) -> Vec<HostFinding> {
     let Some(folders) = &settings.folders else {
         return vec![HostFinding::fault(
@@ -54,7 +54,7 @@ pub(super) fn database(settings: &CliSettings) -> Vec<HostFinding> {
     let data = settings.data.as_deref().into_iter();
     data.flat_map(|data| {
         let nearest = data.ancestors().find(|folder| folder.exists());
-        // The files lie behind a link, if the folder is one.
+        // If the folder is a link, its files are on the file system of the link's target.
         let real = nearest.and_then(|folder| folder.canonicalize().ok());
         let there = real.unwrap_or_else(|| data.to_owned());
         let far = on_network(&mounts, data, &there);

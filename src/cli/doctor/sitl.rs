@@ -8,7 +8,8 @@ use crate::hangar::programs::{self, Missing, PATIENCE, ProgramIdentity, Programs
 use crate::hangar::sockets::{self, ListeningSocket, Protocol};
 use crate::sitl::SitlKind;
 
-/// The first ports of SITL's TCP listeners and RC inputs, and the distance between those of two instances.
+/// The first port of SITL's TCP listeners. The next constants are the first port of its RC inputs,
+/// and the distance between the ports of two instances.
 const FIRST_TCP: u16 = 5760;
 const FIRST_RC: u16 = 5501;
 const APART: u16 = 10;

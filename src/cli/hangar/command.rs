@@ -140,7 +140,7 @@ fn parse_parameter(text: &str) -> Result<(String, f64), String> {
     Ok((name.to_uppercase(), value))
 }
 
-/// SITL accepts only a numeric address.
+/// Parses an address and resolves its host name, because SITL accepts only a numeric address.
 fn parse_address(text: &str) -> Result<SocketAddr, String> {
     let mut found = text
         .to_socket_addrs()

@@ -264,7 +264,7 @@ async fn report(mut seen: watch::Receiver<Instances>) {
     }
 }
 
-/// The log line about a change to an instance, if the change is worth one.
+/// The log line about a change to an instance; `None` for a change that is not logged.
 fn words(before: Option<&Instance>, now: &Instance) -> Option<String> {
     let is_new = before.is_none_or(|before| before.pid != now.pid);
     if let Some(pid) = now.pid.filter(|_| is_new) {

@@ -9,7 +9,7 @@ use super::super::settings::CliSettings;
 use crate::hangar::HangarToken;
 use crate::hangar::client::{HangarAddress, RemoteHangar};
 
-/// The file of the hangars' token in the folder of the state.
+/// The name of the hangars' token file in the state folder.
 const TOKEN_FILE: &str = "hangar-token";
 
 /// Options of commands that start SITL in hangars on other machines.
@@ -55,7 +55,7 @@ impl ServiceOptions {
     }
 }
 
-/// The path of the token file: as named, as set, or in the folder of the state.
+/// The path of the token file: the named one, the configured one, or the one in the state folder.
 pub(super) fn token_file(named: Option<&Path>, settings: &CliSettings) -> Result<PathBuf, Failure> {
     let set = settings.config.hangar.token_file.as_deref();
     let in_state = || Some(settings.folders.as_ref()?.state.join(TOKEN_FILE));

@@ -42,11 +42,11 @@ pub struct Bridge {
 #[derive(Debug)]
 struct ToolCall {
     id: Value,
-    /// The token under which the client wants to hear of progress.
+    /// The client's token for progress notifications; `None` if it requested none.
     progress: Option<Value>,
 }
 
-/// A command that is carried out.
+/// A command under way, with the call that gave it.
 #[derive(Debug)]
 struct Followed {
     call: ToolCall,
@@ -63,7 +63,7 @@ impl Bridge {
         }
     }
 
-    /// Takes a line of the client.
+    /// Handles a line from the client; returns the message that it causes, if any.
     pub fn hear_client(&mut self, line: &[u8]) -> Option<BridgeMessage> {
         if line.trim_ascii().is_empty() {
             return None;
@@ -83,7 +83,7 @@ impl Bridge {
         }
     }
 
-    /// Drops a call, which is not answered any more. Its command continues.
+    /// Drops a call, which then gets no answer. Its command continues.
     fn cancel(&mut self, id: &Value) {
         for call in self.unanswered.values_mut() {
             call.take_if(|call| call.id == *id);
@@ -136,7 +136,8 @@ impl Bridge {
         BridgeMessage::ToConsole(line)
     }
 
-    /// Takes a message of the console: its kind, and its content.
+    /// Handles a message from the console, given its kind and its content; returns the message for
+    /// the client, if any.
     pub fn hear_console(&mut self, kind: &str, content: Value) -> Option<Value> {
         match kind {
             "row" => self.row(content),
@@ -169,7 +170,7 @@ impl Bridge {
         None
     }
 
-    /// Keeps a final row, and reports it as progress if the client wants to hear of it.
+    /// Stores a final row; returns a progress notification if the client requested them.
     fn row(&mut self, content: Value) -> Option<Value> {
         let followed = self.followed.get_mut(&number(&content, "entry")?)?;
         let vehicle = number(&content, "vehicle")?;
@@ -200,7 +201,7 @@ impl Bridge {
         Some(tool_result(call.id, &outcome.to_string(), !is_done))
     }
 
-    /// Answers all open calls, because the console cannot be reached any more.
+    /// Answers all open calls, because the console can no longer be reached.
     pub fn lose_console(&mut self, reason: &str) -> Vec<Value> {
         let unanswered = std::mem::take(&mut self.unanswered).into_values().flatten();
         let followed = std::mem::take(&mut self.followed).into_values();
@@ -209,8 +210,8 @@ impl Bridge {
     }
 }
 
-/// The answer to `initialize`. The version is the newest one that is not newer than the client's: an older client knows
-/// the versions before its own, but not those after it.
+/// The answer to `initialize`. The version is the newest one that is not newer than the client's: a
+/// client supports the versions before its own, but not later ones.
 fn welcome(asked: &str) -> Value {
     let known = VERSIONS.iter().rfind(|version| **version <= asked);
     json!({

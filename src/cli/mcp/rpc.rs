@@ -22,7 +22,7 @@ pub enum Incoming {
         method: String,
         params: Params,
     },
-    /// An answer, although the server requests nothing.
+    /// An answer; it is ignored, because the server requests nothing.
     Answer,
 }
 

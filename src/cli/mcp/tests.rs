@@ -4,7 +4,7 @@ use super::*;
 
 mod hostile;
 
-/// What the bridge sends for a message of the client.
+/// The bridge's response to a message from the client.
 fn hear(bridge: &mut Bridge, message: &Value) -> Option<BridgeMessage> {
     bridge.hear_client(message.to_string().as_bytes())
 }
@@ -17,7 +17,7 @@ fn answer(bridge: &mut Bridge, message: &Value) -> Value {
     }
 }
 
-/// The request to the console that a call makes.
+/// The console request that a call makes.
 fn asked(bridge: &mut Bridge, message: &Value) -> Value {
     match hear(bridge, message) {
         Some(BridgeMessage::ToConsole(line)) => serde_json::from_str(&line).expect("JSON"),

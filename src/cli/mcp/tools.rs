@@ -1,4 +1,4 @@
-//! The tools for language models, and the requests to the console that they stand for.
+//! The tools for language models, and the console requests that they make.
 
 use serde::Deserialize;
 use serde_json::{Value, json};

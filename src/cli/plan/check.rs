@@ -75,7 +75,7 @@ pub(super) fn check(options: &CheckArguments, locale: &Locale) -> Result<ExitCod
     Ok(ExitCode::from(u8::from(faulty)))
 }
 
-/// How files are checked.
+/// The options of a check.
 #[derive(Debug, Default)]
 pub(in crate::cli) struct Checking {
     reading: ReadOptions,
@@ -84,7 +84,7 @@ pub(in crate::cli) struct Checking {
     ground: Option<GroundArguments>,
 }
 
-/// Prints what is wrong with a plan file; returns whether there is an error.
+/// Prints the faults of a plan file; returns whether one of them is an error.
 pub(in crate::cli) fn report(
     path: &Path,
     checking: &Checking,

@@ -97,7 +97,7 @@ fn remedy_words(remedy: Remedy, vehicle: usize, file: &str) -> Text {
     }
 }
 
-/// How late a vehicle may be.
+/// The text about how late a vehicle may be without a conflict.
 fn margin_words(proposal: &Proposal) -> Text {
     match proposal.late_s {
         0 => text!("plan-deconflict-tight", late = rehearsal::LATE_S),

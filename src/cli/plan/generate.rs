@@ -98,7 +98,7 @@ pub(super) struct OrbitArguments {
     team: TeamArguments,
 }
 
-/// Where the shape is.
+/// Options that give the shape.
 #[derive(Debug, Args)]
 struct ShapeArguments {
     /// A file with the shape: KML, KMZ, `GeoJSON`, the fence or the places of a plan.

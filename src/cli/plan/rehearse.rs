@@ -119,7 +119,7 @@ impl FlyingArguments {
 }
 
 impl AirArguments {
-    /// The plans with their names, to be flown.
+    /// Prepares plans with their names for a rehearsal.
     pub(super) fn cast(
         &self,
         plans: Vec<(String, PlanDocument)>,
@@ -254,7 +254,7 @@ pub(super) fn print(outcome: &Outcome, cast: &Cast, locale: &Locale) -> Result<(
     print_approaches(outcome, locale)
 }
 
-/// The pairs that come close to each other.
+/// Prints the pairs that come close to each other.
 pub(super) fn print_approaches(outcome: &Outcome, locale: &Locale) -> Result<(), Failure> {
     for (place, approach) in outcome.closest.iter().enumerate() {
         if approach.is_conflict() || place < LISTED {
@@ -307,7 +307,8 @@ struct PairRow {
     vertical_m: f64,
     at_s: f64,
     conflict: bool,
-    /// The shortest delay of one of them that brings them into conflict, in seconds; `null` if more than 3 s.
+    /// The shortest delay of one vehicle that brings the pair into conflict, in seconds; `null` if
+    /// more than 3 s.
     late_s: Option<u32>,
 }
 

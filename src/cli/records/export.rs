@@ -53,7 +53,7 @@ impl RecordsCommands<'_> {
         };
         let warning =
             written.map_err(|fault| Failure::Failed(anyhow::anyhow!(self.locale.text(&fault))))?;
-        // The reader of a stream gets the recording alone.
+        // The reader of a stream gets only the recording.
         if !is_stream(output) {
             let text = text!("export-done", path = output.display().to_string());
             say!("{}", self.locale.text(&text))?;

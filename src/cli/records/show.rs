@@ -29,7 +29,7 @@ struct ShownRecord {
 #[derive(Debug, Serialize)]
 struct ShownMoment {
     at_s: f64,
-    /// The mission's clock; absent without a mission.
+    /// The mission time in seconds; absent without a mission.
     #[serde(skip_serializing_if = "Option::is_none")]
     mission_s: Option<f64>,
     kind: &'static str,

@@ -235,7 +235,7 @@ fn find(all: &Seen, wanted: InstancePlace) -> Option<&Instance> {
     all.find_map(|(place, instance)| (*place == wanted).then_some(instance))
 }
 
-/// The state of a vehicle, and what it still waits for.
+/// The state of a vehicle, and the condition that is not met yet.
 fn words(instance: &Instance) -> String {
     let stage = match instance.stage {
         SitlStage::Queued => "waiting to be started".to_owned(),

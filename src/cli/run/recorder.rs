@@ -73,7 +73,7 @@ impl<'a> RunRecorder<'a> {
         recorder
     }
 
-    /// Prepares a flight for being recorded.
+    /// Configures a flight, and starts its recording if one is wanted.
     pub fn prepare<L>(&mut self, exercise: &mut Exercise<L>) {
         let flight = exercise.flight_mut();
         flight.set_attempt(self.plan.attempt);
@@ -103,7 +103,8 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Prepares a flight in the embedded simulator for being recorded.
+    /// Configures a flight in the embedded simulator, and starts its recording, with inputs, if one
+    /// is wanted.
     pub fn prepare_embedded(&mut self, exercise: &mut Exercise) {
         self.prepare(exercise);
         if self.record.is_some() {

@@ -27,7 +27,7 @@ pub(super) struct SettingPlace {
 }
 
 impl SettingSources {
-    /// Those before anything has been read.
+    /// The default settings, before anything has been read.
     pub fn new(file: Option<PathBuf>, is_file_named: bool) -> Self {
         Self {
             file,
@@ -44,7 +44,7 @@ impl SettingSources {
         read.err().unwrap_or_default()
     }
 
-    /// Whether the command line or the environment sets it.
+    /// Whether a setting comes from the command line or the environment.
     pub fn is_named(&self, setting: &str) -> bool {
         matches!(
             self.layers.origin(setting),
@@ -52,12 +52,12 @@ impl SettingSources {
         )
     }
 
-    /// Whether a flag of the command line sets it.
+    /// Whether a setting comes from a flag of the command line.
     pub fn is_flag(&self, setting: &str) -> bool {
         matches!(self.layers.origin(setting), Origin::Flag(_))
     }
 
-    /// Whether a file sets it.
+    /// Whether a setting comes from a file.
     pub fn is_of_file(&self, setting: &str) -> bool {
         matches!(self.layers.origin(setting), Origin::File { .. })
     }
@@ -86,7 +86,7 @@ impl SettingSources {
         }
     }
 
-    /// The place of its value, if a file sets it.
+    /// The place of a setting's value; `None` unless it comes from a file.
     pub(super) fn place_of(&self, setting: &str) -> Option<SettingPlace> {
         match self.layers.origin(setting) {
             Origin::File { name, span, .. } => {

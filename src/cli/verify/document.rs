@@ -18,7 +18,8 @@ use crate::vehicle::VehicleId;
 pub(super) enum Verdict {
     /// The repeated flight matches the record.
     Verified,
-    /// The repeated flight matches the record of a free flight as far as its input log goes, which has no end.
+    /// The repeated flight matches the record of a free flight as far as its input log goes; the
+    /// log has no end.
     VerifiedPart,
     /// The repeated flight matches the record of a mission that was left, as far as the record goes: it has no score.
     VerifiedLeft,
@@ -35,8 +36,8 @@ pub(super) enum Verdict {
 }
 
 impl Verdict {
-    /// The fields of the document that a record of a mission only states. Only the journal says whether a mission was
-    /// left or cut off.
+    /// The fields of the document that a mission's record states without proof. Only the journal
+    /// states whether a mission was left or cut off.
     pub(super) fn unproved(self) -> &'static [&'static str] {
         match self {
             Self::VerifiedLeft => &["program", "profile", "when", "flown_by", "attempt", "left"],
@@ -56,9 +57,10 @@ impl Verdict {
 pub(super) enum Reliance {
     /// The record is reliable.
     Good,
-    /// It is reliable as far as it goes, but the end of the flight, which may have been bad, is missing.
+    /// The record is reliable as far as it goes, but the end of the flight, which may have been
+    /// bad, is missing.
     Unfinished,
-    /// It differs, or nothing confirms it.
+    /// The record differs from the flight, or nothing confirms it.
     Bad,
 }
 
@@ -66,7 +68,8 @@ pub(super) enum Reliance {
 #[derive(Debug, Serialize)]
 pub(super) struct VerifyDocument {
     pub(super) verdict: Verdict,
-    /// The id of the mission that was compared, and its seed; `None` without a mission.
+    /// The id of the mission that was compared; `None` without a mission. The next field is its
+    /// seed.
     pub(super) mission: Option<String>,
     pub(super) seed: Option<u64>,
     /// The score that follows from the record; `None` without a mission.
@@ -83,7 +86,8 @@ pub(super) struct VerifyDocument {
     pub(super) flown_by: Option<FlyingHand>,
     /// The program that flew the original, as the record states.
     pub(super) program: String,
-    /// The pilot's profile and the date of the flight, as the record states; `None` without a mission.
+    /// The pilot's profile, as the record states; `None` without a mission. The next field is the
+    /// date of the flight.
     pub(super) profile: Option<String>,
     pub(super) when: Option<String>,
     /// The fields of this document that are only stated in the record: no comparison covers them.

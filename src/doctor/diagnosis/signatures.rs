@@ -1,11 +1,11 @@
-//! What the signatures of a vehicle's frames show.
+//! Findings about the signatures of a vehicle's frames.
 
 use super::super::{Chart, Sender};
 use super::Cause;
 use crate::signing::SECOND;
 use crate::wire::SystemId;
 
-/// The systems with a key on the link.
+/// The systems for which the console had a key at the last observation.
 pub(super) fn last_keyed(chart: &Chart) -> &[SystemId] {
     chart.last().map_or(&[], |last| &last.keyed)
 }

@@ -30,8 +30,8 @@ impl TrialOutcome<'_> {
         drafts.map(verdict).collect()
     }
 
-    /// The flights, and in words their figures, their conflicts, or the first plan that is not flown as planned, with the
-    /// number of further ones.
+    /// The flights, with a text: their figures, their conflicts, or the first plan that is not
+    /// flown as planned and the number of others.
     pub fn tried(&self) -> Tried {
         Tried {
             flight: Some(TrialFlight::of(self.drafts, self.outcome)),
@@ -65,7 +65,7 @@ impl TrialOutcome<'_> {
         }
     }
 
-    /// The ending of each plan that is not flown as intended by itself, with the reason.
+    /// The ending of each plan that fails apart from conflicts, with the reason.
     fn failures(&self) -> impl Iterator<Item = (FlightEnding, Text)> {
         let vehicles = self.outcome.vehicles.iter().enumerate();
         vehicles.filter_map(|(at, flown)| Some((flown.ending, self.failure(at)?)))
@@ -79,7 +79,7 @@ impl TrialOutcome<'_> {
         self.drafts.get(at).map_or("", |draft| &draft.name)
     }
 
-    /// Why a plan is not flown to its end inside its fence, if so.
+    /// Why a plan is not flown to its end inside its fence; `None` if it is.
     fn failure(&self, at: usize) -> Option<Text> {
         let flown = self.outcome.vehicles.get(at)?;
         let name = self.name(at);
@@ -154,7 +154,7 @@ impl TrialOutcome<'_> {
     }
 }
 
-/// Whether the flight ended in another vehicle, which is part of a conflict.
+/// Whether the flight ended in a collision with another vehicle, which is part of a conflict.
 fn is_struck(ending: FlightEnding) -> bool {
     ending == FlightEnding::Crashed
 }

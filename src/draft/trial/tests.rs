@@ -6,7 +6,7 @@ use crate::plan::{Home, Item, command};
 
 const HOME: LatLon = LatLon::new(50.45, 30.52);
 
-/// A flight from a place to another at 20 m, and back to the ground there.
+/// A flight from one place to another at 20 m, and a landing there.
 fn flight(name: &str, from_m: f64, to_m: f64) -> TrialDraft {
     let at = |east_m: f64| HOME.moved(0.0, east_m).to_e7();
     let item = |command, (x, y), z| Item {
@@ -124,7 +124,8 @@ fn all_pairs_that_come_too_close_are_named() {
     );
 }
 
-/// The text names one failure and counts the others; those of vehicles that strike each other belong to their conflict.
+/// The text names one failure and counts the others; those of vehicles that collide belong to their
+/// conflict.
 #[test]
 fn further_failures_are_counted() {
     let endless = |name, from_m| {

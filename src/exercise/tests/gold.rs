@@ -31,7 +31,8 @@ fn is_met(report: &Report, id: &str) -> bool {
     objectives.any(|objective| objective.id == id && objective.met)
 }
 
-/// A survey at the right speed is one command. Gold requires more: a look at another height.
+/// A survey at the right speed is one command. Gold requires more: a second look from another
+/// height.
 #[test]
 fn a_slow_survey_alone_earns_less_than_gold() {
     let mission = include_str!("../../../missions/01-air-sample.toml");
@@ -44,7 +45,7 @@ fn a_slow_survey_alone_earns_less_than_gold() {
     assert_eq!(whole.medal, Some(Medal::Gold), "{}", whole.score);
 }
 
-/// The ways home cross, so gold requires heights of their own.
+/// The ways home cross, so gold requires a different height for each vehicle.
 #[test]
 fn a_return_of_the_formation_at_one_height_earns_less_than_gold() {
     let mission = include_str!("../../../missions/02-formation.toml");

@@ -29,7 +29,7 @@ pub struct HangarView {
     pub life: Option<String>,
     /// Its instances, as last received.
     pub instances: Instances,
-    /// Why the connection is lost.
+    /// Why the connection is lost, if it is.
     pub lost: Option<Arc<ClientError>>,
 }
 
@@ -129,7 +129,7 @@ fn take_in(view: &watch::Sender<HangarView>, name: &str, data: &str) -> Result<(
             let Gone { id } = serde_json::from_str(data).map_err(wrong)?;
             view.send_modify(|view| drop(Arc::make_mut(&mut view.instances).remove(&id)));
         }
-        // An event of a newer hangar.
+        // An unknown event, from a newer hangar.
         _ => {}
     }
     Ok(())

@@ -17,7 +17,8 @@ use crate::hangar::process::{self, ProcessIdentity};
 
 /// How long a process may take to end after a signal, and to disappear after being killed.
 const GRACE: Duration = Duration::from_secs(2);
-/// How often to check whether a process is gone: it is not a child of this process, so there is no signal.
+/// How often to check whether a process is gone: it is not a child of this process, so its end is
+/// not signalled.
 const LOOK_EVERY: Duration = Duration::from_millis(20);
 /// The maximum size of a file that is read, in bytes.
 const LARGEST_FILE: u64 = 64 * 1024;
@@ -32,7 +33,8 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// `None` if there is no such process, or the system cannot tell processes apart.
+    /// The record of a running process; `None` if there is no such process, or the system cannot
+    /// tell processes apart.
     pub fn of(pid: u32, program: &Path) -> Option<Self> {
         Some(Self {
             process: process::identity(pid)?,

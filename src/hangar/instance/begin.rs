@@ -19,7 +19,7 @@ use crate::hangar::roster::Taken;
 use crate::hangar::{HangarRefusal, HangarShared, Instance, InstanceRequest, Launch, SitlStage};
 use crate::sitl::{Recipe, SerialEndpoint};
 
-/// The speed-up until an instance is ready: a real boot takes 42 s.
+/// The speed-up until an instance is ready: a boot in real time takes 42 s.
 const BOOT_SPEEDUP: f64 = 10.0;
 /// SITL's parameter file in its folder.
 const MEMORY: &str = "eeprom.bin";

@@ -24,7 +24,7 @@ impl InstanceMeter {
         }
     }
 
-    /// Reads the process if due; returns whether it did.
+    /// Takes a reading if one is due; returns whether it did.
     pub fn read(&mut self, now: Duration) -> bool {
         if self.last.is_some_and(|(at, _)| now < at + EVERY) {
             return false;
@@ -52,7 +52,7 @@ impl InstanceMeter {
             .map_or(0, |(_, usage)| usage.cpu.as_millis() as u64)
     }
 
-    /// The use as text, to distinguish a waiting process from a busy one.
+    /// The resource usage as text, to distinguish a waiting process from a busy one.
     pub fn told(&self) -> String {
         format!(", using {:.0} % of a core", 100.0 * self.cores)
     }

@@ -17,7 +17,7 @@ pub(in crate::hangar) enum LaunchError {
     /// The path is a folder.
     #[error("{0} is a folder: name the program in it")]
     Folder(PathBuf),
-    /// The file is not a program, or one for another architecture.
+    /// The file is not a program, or was built for another architecture.
     #[error(
         "{0} is not a program that this machine can run: it may be built for another one, or damaged"
     )]
@@ -82,7 +82,8 @@ impl LaunchError {
         }
     }
 
-    /// The error from the child's report, which has the failed step and the system's error number.
+    /// The error from the child's report, which names the failed step and the system's error
+    /// number.
     pub(super) fn of_report(report: &str, order: &LaunchOrder, memory_mib: u64) -> Self {
         let (step, errno) = report.trim_end().split_once(' ').unwrap_or_default();
         let errno = errno.parse().unwrap_or_default();

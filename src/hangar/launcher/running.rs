@@ -31,7 +31,7 @@ impl Drop for RunningProcess {
 }
 
 impl RunningProcess {
-    /// `None` if the child has ended and its status is known.
+    /// Takes over a child; `None` if it has ended and its status is known.
     pub(super) fn new(child: Child) -> Option<Self> {
         Some(Self {
             pid: Pid::from_raw(child.id()? as i32),

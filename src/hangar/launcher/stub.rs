@@ -87,12 +87,13 @@ fn become_program(words: &[OsString]) -> (StubStep, Errno) {
     let run = File::open("/dev/null")
         .map_err(|error| Errno::from_raw(error.raw_os_error().unwrap_or_default()))
         .and_then(dup2_stdin)
-        // Not through the standard library, which would run a file that is not a program with a shell.
+        // The standard library would run a file that is not a program with a shell, so `execv` is
+        // called directly.
         .and_then(|()| execv(path, words));
     (StubStep::Become, run.err().unwrap_or(Errno::UnknownErrno))
 }
 
-/// Tells the kernel to kill this process when the thread that created it ends.
+/// Makes the kernel kill this process when the thread that created it ends.
 fn end_with(owner: u64) -> nix::Result<()> {
     #[cfg(target_os = "linux")]
     nix::sys::prctl::set_pdeathsig(nix::sys::signal::Signal::SIGKILL)?;

@@ -74,7 +74,7 @@ async fn hear(running: &mut RunningProcess, word: &str) -> String {
     }
 }
 
-/// The numbers of two processes, from lines that begin with a word each.
+/// The ids of two processes, from lines that each begin with a word.
 pub(in crate::hangar) async fn hear_two(
     running: &mut RunningProcess,
     one: &str,

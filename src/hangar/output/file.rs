@@ -9,9 +9,9 @@ use std::time::Duration;
 use tokio::time::Instant;
 
 const NAME: &str = "output.log";
-/// The suffixes of older files, newest first.
+/// The names of older files, newest first.
 const OLDER: [&str; 2] = ["output.log.1", "output.log.2"];
-/// The size of a full file.
+/// The size of a full file, in bytes.
 const FILE_LEN: u64 = 1024 * 1024;
 /// How long to wait after a failed write.
 const AGAIN_AFTER: Duration = Duration::from_secs(10);

@@ -17,7 +17,7 @@ use crate::hangar::{Capacity, HangarRefusal, Instance, InstanceId, Launch, Outpu
 const IDLE_S: u32 = 60;
 /// How long a console waits for the hangars when it closes.
 const STOP_WITHIN: Duration = Duration::from_secs(2);
-/// The maximum number of vehicles ended at once: fewer than a hangar accepts connections.
+/// The maximum number of vehicles ended at once: fewer than the connections that a hangar accepts.
 const AT_ONCE: usize = 32;
 const SYSTEM_MAX: u8 = 254;
 
@@ -221,7 +221,8 @@ impl Far {
 }
 
 impl Drop for Far {
-    /// Asks the services to end the launched vehicles, within [`STOP_WITHIN`]; the rest ends on its own.
+    /// Requests the services to end the launched vehicles, within [`STOP_WITHIN`]; the others end
+    /// on their own.
     fn drop(&mut self) {
         self.cancel.cancel();
         let ours = std::mem::take(&mut *self.fleet.ours());

@@ -1,4 +1,4 @@
-//! Systems without `/proc`: every query is unknown.
+//! Systems without `/proc`: every answer is unknown.
 
 use std::path::PathBuf;
 

@@ -35,7 +35,7 @@ pub(super) fn identity(pid: u32) -> Option<ProcessIdentity> {
     })
 }
 
-/// The effective user id, which decides who may signal the process.
+/// The effective user id, which decides which users may signal the process.
 pub(super) fn user(pid: u32) -> Option<u32> {
     let status = read(pid, "status")?;
     let line = status.lines().find_map(|line| line.strip_prefix("Uid:"))?;

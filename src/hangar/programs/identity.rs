@@ -34,7 +34,8 @@ pub struct ProgramIdentity {
     pub version: String,
     /// The commit that it was built from, shortened.
     pub hash: String,
-    /// The sockets that others could reach although it was told to open none, if the host lists them.
+    /// The sockets that others could reach although it was started without any, if the host lists
+    /// them.
     pub sockets: Vec<ListeningSocket>,
 }
 
@@ -172,7 +173,7 @@ fn judge(
     }
 }
 
-/// A program on trial.
+/// A program that is being identified.
 struct IdentityTrial {
     process: RunningProcess,
     output: Option<ChildStdout>,

@@ -69,15 +69,16 @@ fn ends_of(stream: &TcpStream, peer: SocketAddr) -> Option<ConnectionEnds> {
     Some(ConnectionEnds::new(peer, local))
 }
 
-/// Whether a connection may enter, if there is room. Half of the room is reserved for the user's own
-/// programs on this host.
+/// Whether there is room for a connection. Half of the room is reserved for the user's own programs
+/// on this host.
 fn may_enter(room: &Semaphore, ends: Option<&ConnectionEnds>, state: &ServiceState) -> bool {
     let is_half_full = room.available_permits() < state.setup.bounds.connections / 2;
     let is_own = || ends.is_some_and(|ends| ends.is_own(state.setup.owner));
     !state.on_loopback || !is_half_full || is_own()
 }
 
-/// Answers the requests of one connection. After an upgrade to a tunnel it no longer counts.
+/// Answers the requests of one connection. After an upgrade to a tunnel it no longer counts towards
+/// the limit.
 async fn talk(stream: TcpStream, ends: ConnectionEnds, router: Router, state: &ServiceState) {
     // Answers are small and must not wait for one another; without this option, they are only slower.
     let _ = stream.set_nodelay(true);

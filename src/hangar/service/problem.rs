@@ -8,7 +8,7 @@ use utoipa::ToSchema;
 
 use crate::hangar::HangarRefusal;
 
-/// Why a request was not met.
+/// Why a request failed.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, ToSchema)]
 #[schema(as = Problem)]
 pub struct ServiceProblem {

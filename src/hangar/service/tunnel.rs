@@ -38,7 +38,7 @@ pub(super) async fn open(
     let upgrade = hyper::upgrade::on(&mut request);
     let cancel = state.cancel.clone();
     tokio::spawn(async move {
-        // A client that leaves before that releases the vehicle.
+        // If the client leaves earlier, the vehicle is released.
         if let Ok(upgraded) = upgrade.await {
             carry(pipe, TokioIo::new(upgraded), &cancel).await;
         }

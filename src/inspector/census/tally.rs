@@ -11,7 +11,7 @@ const SLOTS: usize = 8;
 #[derive(Debug, Clone, PartialEq)]
 pub struct MessageTally {
     pub count: u64,
-    /// Their bytes on the wire.
+    /// Their total size on the wire, in bytes.
     pub bytes: u64,
     /// The time of the first message.
     pub first_at: Duration,
@@ -19,7 +19,7 @@ pub struct MessageTally {
     pub last_at: Duration,
     /// Whether the checksum of the last one was verified by the dialect.
     pub is_verified: bool,
-    /// The last message, byte by byte.
+    /// The bytes of the last message.
     pub last: Vec<u8>,
     /// Whether the checksum of the first one was verified.
     pub(super) was_admitted_verified: bool,

@@ -58,7 +58,7 @@ impl Arguments {
             .map(|(_, value, _)| value)
     }
 
-    /// The position of an argument.
+    /// The position of an argument; `None` if it was not given.
     pub fn span(&self, name: &str) -> Option<Range<usize>> {
         self.values
             .iter()
@@ -125,10 +125,11 @@ impl Arguments {
         self.number(name).ok_or_else(|| Problem::missing(name))
     }
 
-    /// The meaning of a word of a [`Kind::Choice`](super::Kind::Choice).
+    /// The meaning of a word of a [`Kind::Choice`](super::Kind::Choice); `None` if the word is
+    /// missing.
     ///
     /// # Errors
-    /// The word has none.
+    /// The word has no meaning.
     pub fn choice<T: FromStr>(&self, name: &'static str) -> Result<Option<T>, Problem> {
         let word = self.word(name).map(str::parse).transpose();
         word.map_err(|_| Problem::new(name, text!("grammar-unknown-word")))

@@ -43,7 +43,7 @@ pub enum Kind {
     Message,
     /// A `MAV_CMD`, by name or number.
     MavCommand,
-    /// A name from a list that only the console knows.
+    /// A name from a list that the console provides.
     Name(NameList),
     /// The name of a group, existing or new, with or without `@`.
     Group,
@@ -70,7 +70,7 @@ impl Kind {
         !matches!(self, Self::Choice(words) if words.len() > CHOICES_IN_USAGE)
     }
 
-    /// The range of a number as text, or the words of a long choice.
+    /// The range of a number as text, or the words of a long choice; `None` for other kinds.
     pub(in crate::language) fn limits(self) -> Option<Text> {
         if let Self::Choice(words) = self
             && !self.fits_a_usage()

@@ -114,7 +114,7 @@ impl<S: ClientStream> StreamClient<S> {
         }
     }
 
-    /// Returns whether the client is still there.
+    /// Reads from the client; returns whether it is still there.
     fn read(&mut self, world: &mut World, input: &mut [u8]) -> bool {
         for _ in 0..READS_PER_ROUND {
             match self.stream.try_read(input) {
@@ -129,8 +129,8 @@ impl<S: ClientStream> StreamClient<S> {
         true
     }
 
-    /// Returns whether the connection is open: the vehicle closes it with a reboot. A client that has gone is detected
-    /// on reading.
+    /// Writes to the client; returns whether the connection is open: the vehicle closes it with a
+    /// reboot. A client that has gone is detected on reading.
     fn write(&mut self, world: &mut World) -> bool {
         self.flush();
         if self.output.is_empty() {

@@ -64,7 +64,7 @@ impl<R: Read> TlogSalvage<R> {
         self.offset
     }
 
-    /// The time of the last record, in microseconds since 1970 (UTC).
+    /// The time of the last record, in microseconds since 1970 (UTC); `None` before the first.
     pub fn last_us(&self) -> Option<u64> {
         self.last_us
     }
@@ -270,8 +270,8 @@ mod tests {
                 }
             }
             prop_assert_eq!(len, bytes.len() as u64);
-            // The end of the noise may look like the start of a frame of an unknown message, which cannot be checked
-            // and would swallow what follows.
+            // The end of the noise may look like the start of a frame of an unknown message. Such a
+            // frame cannot be checked, and would swallow the bytes that follow.
             let reach = noise.len() + LONGEST_FRAME;
             let touched = reach / records[0].bytes.len() + 2;
             prop_assert!(found >= 40 - touched, "{} of 40", found);

@@ -121,7 +121,7 @@ fn a_landing_that_begins_the_plan_anew_is_its_end() {
     bench.said();
     at(&mut bench, 1);
     assert_eq!(bench.said(), ["plan flown to its end"]);
-    // The motors may also still turn.
+    // The motors may also still be turning.
     let mut bench = flying(&[22, 16, 21]);
     at(&mut bench, 3);
     at(&mut bench, 1);

@@ -11,7 +11,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         let Some(circle) = circle(events, first) else {
             continue;
         };
-        // A circle is reported once, for its first event in the file.
+        // A cycle is reported once, for its first event in the file.
         if circle.iter().any(|&index| index < first) || is_begun(events, &circle) {
             continue;
         }
@@ -40,7 +40,7 @@ fn circle(events: &[Event], first: usize) -> Option<Vec<usize>> {
         if before == first {
             return Some(chain);
         }
-        // An event that leads into a circle without being part of it: the circle's own events report it.
+        // This event leads into a cycle without being part of it; the cycle's own events report it.
         if chain.contains(&before) {
             return None;
         }

@@ -103,7 +103,7 @@ impl LeastTime {
     }
 }
 
-/// The length of the shortest path from a pad through all gates.
+/// The length of the shortest path from a pad through all gates, in metres; `None` without gates.
 fn along_m(mission: &Mission, route: &GateRoute) -> Option<f64> {
     let gates = route.gates().iter();
     let points: Vec<Point> = gates

@@ -65,7 +65,7 @@ pub(crate) struct Engine {
     breakdowns: Breakdowns,
     alerts: Alerts,
     airspace: Airspace,
-    /// Each vehicle's link margin in dB; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty if the mission does not model the radio.
     margins_db: BTreeMap<VehicleId, f64>,
     gnss: needs::Gnss,
     demands: Demands,
@@ -76,7 +76,7 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// The threats of a flight; the seed decides everything random.
+    /// The threats of a flight; the seed determines all random values.
     pub fn new(mission: &Mission, seed: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(STREAM);
@@ -102,7 +102,7 @@ impl Engine {
         }
     }
 
-    /// Advances by a [`TICK`], the weather with it.
+    /// Advances events and weather by one [`TICK`].
     pub fn step(
         &mut self,
         mission: &Mission,
@@ -303,7 +303,7 @@ impl Engine {
         self.alerts.waiting(now)
     }
 
-    /// Each vehicle's link margin in dB; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty if the mission does not model the radio.
     pub fn margins_db(&self) -> &BTreeMap<VehicleId, f64> {
         &self.margins_db
     }

@@ -63,7 +63,7 @@ pub(crate) enum Victim {
     /// The vehicle with this index, from 0.
     One(usize),
     All,
-    /// A random one of those in the air; if none is, of all.
+    /// A random vehicle in the air or, if none is, any vehicle.
     Chance,
 }
 

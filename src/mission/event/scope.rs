@@ -46,7 +46,7 @@ pub(crate) struct Scope<'a> {
     pub alerts: BTreeSet<AlertLevel>,
     /// Which events have happened, in file order.
     pub fired: &'a [bool],
-    /// Each vehicle's link margin in dB; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty if the mission does not model the radio.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub wind_m_s: f64,
     /// The seed and the random stream for conditions with chance: each evaluation draws a new number.
@@ -168,7 +168,7 @@ impl<'a> Scope<'a> {
         })
     }
 
-    /// A vehicle's link margin in dB; infinite where radio does not matter.
+    /// A vehicle's link margin in dB; infinite if the mission does not model the radio.
     pub fn margin_db(&self, id: VehicleId) -> f64 {
         self.margins_db.get(&id).copied().unwrap_or(f64::INFINITY)
     }

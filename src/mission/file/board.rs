@@ -57,7 +57,7 @@ pub(super) fn board(table: &mut FileTable<'_>) -> Option<BoardSetup> {
     Some(setup)
 }
 
-/// Whether there are enough plans, for the pads and for the faults.
+/// Checks that there are enough plans for the pads and for the faults.
 fn check(table: &mut FileTable<'_>, setup: &BoardSetup) {
     let pads = table.draft().pads.len();
     if !setup.routes.is_empty() && setup.routes.len() != pads {

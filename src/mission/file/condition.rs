@@ -20,7 +20,7 @@ impl FileValue for ConditionValue {
         FileShape::Text("an expression", Some(LONGEST))
     }
 
-    /// Places a fault within its string.
+    /// Reads a condition; the position of a fault is within the string.
     fn read(
         &self,
         _: &str,

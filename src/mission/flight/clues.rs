@@ -19,11 +19,11 @@ pub(super) struct CluesGiven {
     given: Vec<GivenClue>,
 }
 
-/// A clue that was requested.
+/// A hint that was requested.
 #[derive(Debug, Clone, Copy)]
 struct GivenClue {
     at: Duration,
-    /// Its index among the mission's clues.
+    /// Its index among the mission's hints on request.
     index: usize,
     /// The hint or lesson step shown at that time.
     beside: Running,
@@ -77,7 +77,7 @@ impl CluesGiven {
 }
 
 impl Flight {
-    /// Gives the next suitable clue.
+    /// Gives the next suitable hint; returns its text, or the reason for the refusal.
     pub(super) fn give_clue(&mut self) -> Result<Text, Text> {
         if !self.mission.advice.gives_hints {
             return Err(text!("deed-exam-hint"));

@@ -24,8 +24,8 @@ pub struct Pledge {
 pub(super) type Done = Result<Option<Text>, Text>;
 
 impl Flight {
-    /// Carries a deed out for each vehicle, at the mission time of the last step; returns the ledger's rows, in
-    /// mission time.
+    /// Carries out a deed for each vehicle, at the mission time of the last step; returns the
+    /// ledger's rows, in mission time.
     pub fn act(&mut self, entry: EntryId, deed: &Deed, vehicles: &[VehicleId]) -> Vec<RowUpdate> {
         if let Some(recorder) = &mut self.recorder {
             recorder.act(deed, vehicles);
@@ -135,7 +135,7 @@ impl Flight {
         }
     }
 
-    /// Whether no vehicle has flown yet; otherwise the reason for the refusal.
+    /// Checks that no vehicle has flown yet; otherwise returns the reason for the refusal.
     pub(super) fn before_launch(&self) -> Result<(), Text> {
         if self.crafts.iter().any(|craft| craft.flown) {
             return Err(text!("deed-launched"));

@@ -33,7 +33,6 @@ pub(super) struct JournalEntry {
     pub text: Text,
 }
 
-/// The subject of an entry.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum JournalSubject {
     /// An alert that must be answered, by its index among the flight's alerts.
@@ -97,7 +96,7 @@ impl FlightJournal {
         });
     }
 
-    /// Records a broken rule; the notice appears once, however long that lasts.
+    /// Records a broken rule; the notice appears only once, however long the violation lasts.
     pub fn break_rule(&mut self, kind: SafetyKind, id: VehicleId, text: &Text) {
         if self.safety.note(kind, id, self.now, text) {
             let is_loss = kind.is_loss();
@@ -146,7 +145,7 @@ impl FlightJournal {
         self.safety.events()
     }
 
-    /// The line of feedback.
+    /// The feedback line, if any.
     pub fn feedback(&self) -> Option<&Text> {
         self.feedback.line()
     }

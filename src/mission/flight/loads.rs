@@ -22,7 +22,7 @@ const DROP_UP_TO_M: f64 = 40.0;
 const SPRAY_UP_TO_M: f64 = 20.0;
 /// A vehicle this close to a pad counts as on it.
 const ON_PAD_M: f64 = 3.0;
-/// A vehicle disarmed on a pad for this long gets its loads replaced.
+/// How long a vehicle must stay disarmed on a pad before its loads are replaced.
 const TURN_AROUND: Duration = Duration::from_secs(20);
 /// The maximum speed at which a sample can be taken.
 const SAMPLE_UP_TO_M_S: f64 = 1.0;
@@ -260,7 +260,7 @@ impl LoadsScene<'_> {
         Ok(Some(remark))
     }
 
-    /// A vehicle's index among those of the mission.
+    /// The index of one of the mission's vehicles; an error if the vehicle is not among them.
     fn seat(&self, vehicle: VehicleId) -> Result<usize, Text> {
         let index = self.crafts.iter().position(|craft| craft.id == vehicle);
         index.ok_or_else(|| text!("deed-no-position"))

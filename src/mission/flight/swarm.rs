@@ -81,7 +81,7 @@ impl SwarmAccount {
         self.times.figures(flown, now)
     }
 
-    /// The use of each of `wanted` vehicles; for one that was never heard, no use at all.
+    /// The use of `wanted` vehicles; a vehicle that was never heard from has zero use.
     pub fn uses(&self, wanted: usize) -> Vec<VehicleUse> {
         let heard = self.usage.iter().map(VehicleUsage::totals);
         let used: Vec<VehicleId> = heard.clone().map(|totals| totals.vehicle).collect();

@@ -1,4 +1,4 @@
-//! Hints, a prediction, a goal.
+//! Tests of hints, the prediction and the goal.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -19,7 +19,7 @@ use crate::vehicle::Severity;
 pub struct Inject {
     /// Its name in commands.
     pub name: String,
-    /// Its title for people.
+    /// Its title on the screen.
     pub title: Text,
 }
 

@@ -70,7 +70,7 @@ impl Flight {
         }
     }
 
-    /// The sensors' findings so far, for the waits of scripts.
+    /// The sensors' findings so far, for waits in scripts.
     pub fn findings(&self) -> Findings {
         let reading = |craft: &Craft| Some((craft.id, craft.probes.first()?.shown));
         Findings {
@@ -167,7 +167,8 @@ impl Flight {
         }
     }
 
-    /// A hint with the name of the first cell not yet sampled; once all are sampled, with the word for home.
+    /// A hint with the name of the first cell not yet sampled filled in, or `pad` once all are
+    /// sampled.
     pub(super) fn filled(&self, text: &Text) -> Text {
         let next = |survey: &Survey| {
             let cells = survey.plan.cells.iter().enumerate();

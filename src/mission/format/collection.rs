@@ -1,4 +1,4 @@
-//! Values made of values: lists, maps, tables with a reader of their own, and sections of such tables.
+//! Composite values: lists, maps, tables with a reader of their own, and sections of such tables.
 
 use std::borrow::Cow;
 
@@ -62,7 +62,7 @@ pub(in crate::mission) struct MapValue<V> {
     of: V,
 }
 
-/// A map with names that the author chooses; `names` describes what they name.
+/// A map with keys that the author chooses; `names` describes what the keys refer to.
 pub(in crate::mission) const fn map<V>(names: &'static str, of: V) -> MapValue<V> {
     MapValue { names, of }
 }

@@ -70,12 +70,12 @@ pub(in crate::mission) enum FileShape {
         form: &'static str,
     },
     Words(Vec<&'static str>),
-    /// One of a set of names, with the kind of thing that they name.
+    /// One of a set of names: the kind of item that they refer to, and the names.
     Named(&'static str, Vec<&'static str>),
     NumberOrWord(&'static str),
     /// A list: the form of its items, and the minimum and maximum count.
     List(Box<FileShape>, usize, usize),
-    /// Values by names that the author chooses, with the meaning of the names.
+    /// A map with keys that the author chooses: what the keys refer to, and the form of the values.
     Map(&'static str, Box<FileShape>),
     Table(FileTableDescription),
 }

@@ -48,10 +48,10 @@ pub(crate) struct NamedPlace {
 /// All names in a file.
 #[derive(Debug, Default)]
 pub(in crate::mission) struct Declared {
-    /// Of zones, places, hazards, objectives and sensors.
+    /// The names of zones, places, hazards, objectives and sensors.
     all: Vec<String>,
     pub events: Vec<String>,
-    /// Of the movers that events add.
+    /// The names of the movers that events add.
     pub movers: Vec<String>,
 }
 
@@ -64,7 +64,7 @@ impl Draft {
         }
     }
 
-    /// Adds the id of a table; a fault if the section already has it.
+    /// Adds the id of a table; also adds a fault if the section already has that id.
     pub fn add_id(&mut self, section: &'static str, id: &Spanned<String>) {
         let seen = self.ids.entry(section).or_default();
         if seen.contains(id.get_ref()) {
@@ -135,7 +135,7 @@ impl Draft {
         })
     }
 
-    /// Checks that this name occurs in the file.
+    /// Adds a fault if the file does not declare this name.
     pub fn check_declared(&mut self, what: &str, name: &Spanned<String>) {
         if !self.declared.all.contains(name.get_ref()) {
             let known: Vec<&str> = self.declared.all.iter().map(String::as_str).collect();

@@ -69,7 +69,7 @@ impl FileFaults {
         self.push(fault.with_nearest(name, known.iter().copied()));
     }
 
-    /// Reads a plain value; a fault in it is added, and gives `None`.
+    /// Reads a plain value; if it is invalid, adds a fault and returns `None`.
     pub fn read<'i, T: Deserialize<'i>>(&mut self, value: Spanned<DeValue<'i>>) -> Option<T> {
         let place = value.span();
         match T::deserialize(ValueDeserializer::from(value)) {

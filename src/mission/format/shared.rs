@@ -20,7 +20,7 @@ pub(in crate::mission) enum BetterMeasure {
 pub(in crate::mission) struct ObjectiveTarget {
     /// The measure that earns all points.
     pub met_at: f64,
-    /// The measure at which points begin.
+    /// The measure from which partial points are awarded.
     pub partial_from: f64,
 }
 
@@ -28,7 +28,7 @@ pub(in crate::mission) struct ObjectiveTarget {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::mission) struct CountTarget {
     pub met_at: usize,
-    /// The count at which points begin.
+    /// The count from which partial points are awarded.
     pub partial_from: usize,
 }
 
@@ -65,7 +65,8 @@ impl FileTable<'_> {
         self.draft().hazard(&id)
     }
 
-    /// The target, and the measure at which points begin, which must be worse than the target.
+    /// The target, and the measure from which partial points are awarded, which must be worse than
+    /// the target.
     pub fn need_target(
         &mut self,
         range: [f64; 2],
@@ -96,7 +97,7 @@ impl FileTable<'_> {
         Some(target)
     }
 
-    /// The target count, and the count at which points begin.
+    /// The target count, and the count from which partial points are awarded.
     pub fn need_count(&mut self, least: u32, most: u32, unit: &'static str) -> Option<CountTarget> {
         let asked = value::whole(least, most, unit);
         let needed = self.need("target", asked, "result that earns all points");

@@ -107,7 +107,7 @@ impl FileTable<'_> {
         value
     }
 
-    /// Runs the reader without values, so that only its requests remain.
+    /// Runs the reader without values and collects its requests.
     pub fn describe<T>(reader: Reader<T>, draft: &mut Draft) -> FileTableDescription {
         let content = TableContent::Described(FileTableDescription::default());
         let mut table = FileTable::new(content, 0..0, draft);
@@ -235,7 +235,7 @@ impl FileTable<'_> {
         Some(())
     }
 
-    /// A text, with its translation under the same name and `_uk`.
+    /// A text, with its translation under the same name with the suffix `_uk`.
     pub fn need_text(&mut self, name: &str, about: &'static str) -> Option<Text> {
         let english = self.need(name, value::text(""), about);
         self.translated(name, english)

@@ -3,7 +3,7 @@
 /// Wind below this counts as calm, because the formulas for wind divide by its speed.
 pub(super) const CALM_BELOW_M_S: f64 = 0.5;
 
-/// Pasquill's stability class of the air, very unstable to stable.
+/// Pasquill stability class of the air, from very unstable to stable.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Stability {
     A,

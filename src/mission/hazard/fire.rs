@@ -34,7 +34,7 @@ const SPRAY_PUTS_OUT: f64 = 0.6;
 /// Smoke rises to about this height before it drifts.
 const SMOKE_RISES_M: f64 = 12.0;
 
-/// An area with another fuel.
+/// An area with a different fuel.
 #[derive(Debug, Clone, Copy)]
 struct FuelPatch {
     /// West, south, east, north.

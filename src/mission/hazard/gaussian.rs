@@ -30,8 +30,8 @@ pub(super) fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f6
 }
 
 impl Plume {
-    /// The mean concentration; between calm air and the lowest wind for which the plume formula is valid, it is a
-    /// mixture of both.
+    /// The mean concentration; between calm air and the lowest wind for which the plume formula is
+    /// valid, it is a mixture of the concentrations in calm air and in wind.
     pub fn concentration_ug_m3(&self, wind: Wind, at: Point, height_m: f64) -> f64 {
         let windy = (wind.speed_m_s / CALM_BELOW_M_S).clamp(0.0, 1.0);
         let mut concentration = 0.0;

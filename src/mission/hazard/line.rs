@@ -141,7 +141,7 @@ impl Wire {
     }
 }
 
-/// The sag of a wire below its ends, at `x` along a span.
+/// The sag of a wire below its ends, at `x_m` along a span.
 fn drop_m(parameter_m: f64, span_m: f64, x_m: f64) -> f64 {
     if !parameter_m.is_finite() {
         return 0.0;

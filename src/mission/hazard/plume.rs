@@ -16,7 +16,8 @@ use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::weather::{Weather, Wind};
 use crate::mission::{Point, TICK};
 
-/// The time constant of the air over the whole site when the weather changes, in seconds.
+/// The time constant with which the air over the whole site follows a change of the weather, in
+/// seconds.
 const FOLLOWS_IN_S: f64 = 20.0;
 /// The correlation time of the meandering of the axis, in seconds.
 const MEANDER_TAU_S: f64 = 120.0;
@@ -25,8 +26,8 @@ const GUST_TAU_S: f64 = 3.0;
 /// The number of ticks after which gusts have left the site.
 const GUSTS_KEPT: usize = 3000;
 
-/// How the debrief shades a plume: the side of the squares, their number to each side of the source, the powers of ten
-/// covered, and the minimum strength.
+/// The shading of a plume in the debrief. In this order: the side of the squares, their number to
+/// each side of the source, the powers of ten covered, and the minimum strength.
 const SHADE_SIDE_M: f64 = 12.0;
 const SHADES_OUT: i32 = 25;
 const DECADES: f64 = 3.0;
@@ -35,7 +36,7 @@ const FAINTEST: f64 = 0.1;
 #[derive(Debug)]
 struct PlumeHazard {
     leak: LeakPlan,
-    /// Standard deviations: of the axis, and of the logarithm of the concentration.
+    /// The standard deviation of the axis; below, that of the logarithm of the concentration.
     meander_deg: f64,
     intermittency: f64,
 }

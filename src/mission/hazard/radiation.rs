@@ -246,7 +246,8 @@ mod tests {
         activity_gbq: 10.0,
     };
 
-    /// 927 / r2 exp(-0.0093 r) + 0.1, and for cobalt 3510 / r2 exp(-0.0071 r) + 0.1.
+    /// The expected values are `927 / r2 exp(-0.0093 r) + 0.1`, and for cobalt `3510 / r2
+    /// exp(-0.0071 r) + 0.1`.
     #[test]
     fn the_dose_rate_falls_with_the_square_of_the_distance_and_in_air() {
         for (isotope, expected) in [

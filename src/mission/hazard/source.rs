@@ -163,7 +163,7 @@ impl Leak {
         }
     }
 
-    /// Whether a quantity measures its substance.
+    /// Whether its substance is measured as this quantity.
     pub fn is_measured_in(&self, quantity: Quantity) -> bool {
         self.substance.quantity() == quantity
     }

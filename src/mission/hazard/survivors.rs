@@ -65,7 +65,8 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     }))
 }
 
-/// Weibull's distribution with shape 2: few people are lost early.
+/// A random survival time in seconds, from the Weibull distribution with shape 2: few people are
+/// lost early.
 fn lasting_s(scale_s: f64, random: &mut ChaCha8Rng) -> f64 {
     let share: f64 = random.sample(OpenClosed01);
     scale_s * (-maths::ln(share)).sqrt()

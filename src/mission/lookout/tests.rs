@@ -28,7 +28,7 @@ fn world(objects: Vec<Object>, light: Light) -> World {
     World::of_objects(weather, objects)
 }
 
-/// Flies over the origin from 10 m before to 10 m behind it; returns what is seen.
+/// Flies over the origin, from 10 m before it to 10 m beyond it; returns the number of sightings.
 fn pass(lookout: &mut Lookout, craft: &mut Craft, world: &World, now: &mut Duration) -> usize {
     let mut seen = 0;
     let steps = (20.0 / (craft.speed_m_s * TICK.as_secs_f64())) as u32;
@@ -60,7 +60,7 @@ fn share(passes: u32, sensor: &str, class: ObjectClass, height_m: f64, speed_m_s
     found.count() as f64 / SEEDS as f64
 }
 
-/// Four standard deviations of a share over this many seeds.
+/// Four standard deviations of a share over [`SEEDS`] seeds.
 fn sure(share: f64) -> f64 {
     4.0 * (share * (1.0 - share) / SEEDS as f64).sqrt()
 }

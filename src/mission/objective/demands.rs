@@ -68,7 +68,7 @@ impl DemandedTime {
 }
 
 impl Equipment {
-    /// Whether any vehicle of a fleet carries what is demanded.
+    /// Whether any vehicle of a fleet carries this equipment.
     pub fn is_carried(self, fleet: &[Fit]) -> bool {
         let has_sensor = |wanted: fn(&Sensor) -> bool| {
             let mut sensors = fleet.iter().flat_map(|fit| &fit.sensors);

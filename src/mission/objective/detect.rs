@@ -216,7 +216,7 @@ impl Detect {
                 .all(|craft| craft.lost || craft.is_down())
     }
 
-    /// Matches reports, in their order, with the nearest unreported object.
+    /// Matches each report, in order, with the nearest unreported object.
     fn tally(&self, objects: &[Object], marks: &[Mark]) -> DetectTally {
         let sought: Vec<&Object> = objects
             .iter()

@@ -1,4 +1,4 @@
-//! `rehearsed`, `mended`, `kept`: what is done with plans before vehicles fly them.
+//! `rehearsed`, `mended`, `kept`: conditions on plans before vehicles first fly them.
 
 use std::collections::BTreeSet;
 

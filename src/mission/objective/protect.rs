@@ -108,7 +108,7 @@ impl Tracker for Protect {
             fraction: if saved && begun {
                 1.0
             } else if begun {
-                // The unburnt rest of a partly burnt zone counts for half.
+                // The unburnt part of a partly burnt zone counts for half.
                 0.5 * (1.0 - lost as f64 / all.max(1) as f64)
             } else {
                 0.0

@@ -49,7 +49,8 @@ impl ObjectiveKind for Recover {
 }
 
 impl Recover {
-    /// A vehicle without battery reports cannot fail the battery check.
+    /// Whether a vehicle is disarmed on a pad with enough battery left. One without battery reports
+    /// passes the battery check.
     fn is_home(&self, craft: &Craft) -> bool {
         craft.is_down()
             && craft

@@ -1,4 +1,4 @@
-//! The radio model against closed forms.
+//! Tests of the radio model against closed-form results.
 
 use super::*;
 

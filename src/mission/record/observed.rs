@@ -181,7 +181,7 @@ impl ObservedVehicle {
         self.id
     }
 
-    /// A vehicle without any known values.
+    /// An empty vehicle with this id.
     pub fn vehicle(&self) -> Vehicle {
         // The id identifies the vehicle; its address on the wire does not matter here.
         Vehicle {

@@ -45,9 +45,9 @@ enum RecordEnding {
 /// How a flight whose record has no end is scored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum WithoutEnd {
-    /// As if its time had been over where the record ends.
+    /// As if the mission time had run out where the record ends.
     Over,
-    /// As left there, like a mission that the trainee abandons.
+    /// As if the trainee had abandoned the mission where the record ends.
     Left,
 }
 
@@ -64,7 +64,7 @@ impl Stored {
     /// Reads a record up to the first line that is damaged or goes back in time.
     ///
     /// # Errors
-    /// A text if it is not a record, or is one of another version.
+    /// The text is not a record, or is a record of another version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let mut all = text.split_inclusive('\n');
         let first = all.next().unwrap_or_default();
@@ -123,8 +123,7 @@ impl Stored {
         };
     }
 
-    /// The fault of a damaged line; `None` for a record that is whole or, like that of a flight that was left, only
-    /// lacks its end.
+    /// The fault of a damaged line; `None` for a record that is whole or only lacks its end.
     pub fn damaged_line(&self) -> Option<&Text> {
         match self.ending {
             RecordEnding::Score | RecordEnding::Open => None,
@@ -132,7 +131,7 @@ impl Stored {
         }
     }
 
-    /// Whether the lines are good as far as they go, and only the end is missing.
+    /// Whether all lines are valid, and only the end is missing.
     pub fn is_open(&self) -> bool {
         match self.ending {
             RecordEnding::Open | RecordEnding::Torn => true,
@@ -163,7 +162,7 @@ impl Stored {
         self.lines.last().and_then(RecordLine::end)
     }
 
-    /// Scores it again; without an end, as the career counts such a flight.
+    /// Scores the record again; `without_end` applies if it has no end.
     ///
     /// # Errors
     /// This program cannot read the mission in it.
@@ -244,7 +243,7 @@ pub struct Reenactment {
 }
 
 impl Reenactment {
-    /// Advances to a mission time, and returns the notices.
+    /// Advances to a mission time and returns the notices.
     pub fn advance(&mut self, until: Duration) -> Vec<Notice> {
         let lines = Arc::clone(&self.lines);
         while let Some(line) = lines.get(self.next) {
@@ -293,7 +292,8 @@ impl Reenactment {
             .map(|demand| (demand.vehicle, demand.want))
     }
 
-    /// The number of transmissions of commands to a vehicle whose rows have a wanted state.
+    /// The number of transmissions of the commands to a vehicle that are in a state accepted by
+    /// `is_wanted`.
     pub(super) fn tries_of(&self, vehicle: VehicleId, is_wanted: impl Fn(RowState) -> bool) -> u32 {
         let rows = self.ledger.entries().flat_map(|entry| &entry.rows);
         let counted = rows.filter(|row| row.vehicle == vehicle && is_wanted(row.state));
@@ -331,7 +331,8 @@ impl Reenactment {
         }
     }
 
-    /// Passes the steps without a line before that time, while the flight lasts: a damaged time may be years ahead.
+    /// Passes the steps without a line before `until`, while the flight lasts: a damaged time may
+    /// be years ahead.
     fn pass(&mut self, until: Duration) {
         while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until)
             && !self.flight.is_over()

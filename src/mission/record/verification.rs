@@ -48,9 +48,10 @@ pub enum RecordExtent {
 }
 
 impl Stored {
-    /// A sign that the record was changed after the flight, without flying it again: its checksum, an input log of the
-    /// embedded simulator beside a flight of a different simulator, or a mission, program or profile that the journal
-    /// beside it names differently; `None` if nothing does.
+    /// A sign that the record was changed after the flight, without flying it again: its checksum,
+    /// an input log of the embedded simulator beside a flight of a different simulator, or a
+    /// mission, program or profile that the journal beside it names differently; `None` if there is
+    /// no such sign.
     pub fn misstatement(
         &self,
         journal: Option<&JournalHead>,
@@ -72,7 +73,8 @@ impl Stored {
         (journal.profile != self.head.profile).then(|| text!("verify-other-profile"))
     }
 
-    /// How a journal fits the record, and the first frame beside it, in microseconds since 1970 (UTC), if known.
+    /// Whether a journal fits the record; `first_unix_us` is the time of the first frame beside the
+    /// record, in microseconds since 1970 (UTC), if known.
     pub fn journal_fit(&self, journal: &JournalHead, first_unix_us: Option<u64>) -> JournalFit {
         let beside = JournalNeighbours {
             mission: Some(&self.head.mission),
@@ -152,7 +154,7 @@ pub fn refly(config: &mut WorldConfig, inputs: &StoredInputs) -> Option<Divergen
     }
 }
 
-/// Two files of a record name different programs.
+/// The message that two files of a record name different programs.
 fn other_program(one: &str, other: &str) -> Text {
     text!("verify-programs", one = one, other = other)
 }

@@ -56,7 +56,7 @@ pub(crate) struct Look {
     pub told_apart: f64,
     /// Length of one independent look; `None` if a whole pass is one look.
     pub every_s: Option<f64>,
-    /// The kind for which the object is taken.
+    /// The kind that the object is taken for.
     pub taken_for: FindKind,
     /// Standard deviation of its position, on each axis.
     pub error_m: f64,

@@ -43,7 +43,7 @@ pub(crate) enum Response {
 /// The noise of a reading.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Noise {
-    /// As a share of the reading.
+    /// The noise as a share of the reading.
     pub share: f64,
     /// The noise floor, in the sensor's unit.
     pub floor: f64,

@@ -16,7 +16,8 @@ const GROWING: f32 = 0.0;
 const CONSTANT: f32 = 1.0;
 /// The default of [`FULL_FROM`], in metres.
 const USUAL_FULL_FROM_M: f32 = 60.0;
-/// The maximum factor by which an estimate is raised: one from near the ground says little about the wind above.
+/// The maximum factor by which an estimate is raised: an estimate from near the ground is a poor
+/// guide to the wind above.
 const MOST_GROWTH: f32 = 3.0;
 
 /// The wind, from the best source.
@@ -24,7 +25,7 @@ const MOST_GROWTH: f32 = 3.0;
 pub(super) struct KnownAir {
     wind: Wind,
     source: AirSource,
-    /// That of the vehicle that estimates the wind.
+    /// The profile of the vehicle that estimates the wind.
     profile: WindProfile,
     /// Whether a mission is flown, which sets the profile of its vehicles.
     is_mission: bool,
@@ -102,8 +103,8 @@ impl KnownAir {
         }
     }
 
-    /// Takes the wind from a simulated vehicle's parameters if it is not known otherwise, and its profile if that
-    /// vehicle estimates it.
+    /// Takes the wind from a simulated vehicle's parameters if no better source is known, and the
+    /// profile if that vehicle estimates the wind.
     pub(super) fn note_parameters(
         &mut self,
         vehicle: VehicleId,

@@ -1,4 +1,4 @@
-//! The result of a rehearsal: rows of the ledger, notices, and what the console remembers of it.
+//! The result of a rehearsal: rows of the ledger, notices, and the findings that the console keeps.
 
 use std::time::Duration;
 
@@ -123,8 +123,8 @@ pub(super) fn report(
     rehearsed
 }
 
-/// The pairs that come too close, or do so if one of them is late: the first ones, and the number of others; without
-/// any, the closest pair.
+/// Texts about the pairs that come too close, or would if one of them were late: the first ones,
+/// and the number of others; if there are none, the closest pair.
 fn approaches(seats: &[Seat], closest: &[Approach]) -> Vec<(Severity, Text)> {
     let near: Vec<&Approach> = closest.iter().filter(|it| it.late_s.is_some()).collect();
     if near.is_empty() {
@@ -169,7 +169,8 @@ fn words(seats: &[Seat], approach: &Approach) -> Text {
     )
 }
 
-/// The outcome for a vehicle: done if it flew as planned, apart from the others, with the charge that it has.
+/// The outcome for a vehicle: done if it flew as planned, far enough from the others, on the charge
+/// that it has.
 fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> RowEnding {
     let used = flown.energy_used_percent;
     let left = seat.charge_percent - used;

@@ -261,7 +261,7 @@ fn only_the_known_limits_of_a_fence_count() {
     assert_eq!(rehearsed(&circle), RowState::NoEffect);
 }
 
-/// The rows and rehearsals among some work.
+/// The states of the rows among some work, and the number of rehearsals.
 fn told(work: &[Dispatch]) -> (Vec<RowState>, usize) {
     let rows = work.iter().filter_map(|work| match work {
         Dispatch::Row(row) => Some(row.state),

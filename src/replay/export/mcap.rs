@@ -36,7 +36,7 @@ pub(super) fn write(film: &Film, to: &Path) -> io::Result<()> {
     fill(film, options().create(file).map_err(failed)?)
 }
 
-/// The same to a stream.
+/// Writes all messages that can be verified to a stream.
 pub(super) fn stream(film: &Film, mut to: impl io::Write) -> io::Result<()> {
     let options = options().disable_seeking(true);
     fill(film, options.create(NoSeek::new(&mut to)).map_err(failed)?)?;
@@ -99,7 +99,7 @@ impl<W: io::Write + io::Seek> McapFile<W> {
         self.add_place(unix_us, bytes)
     }
 
-    /// Also adds the position in Foxglove's own schema.
+    /// Adds the position in a message as well, in Foxglove's own schema.
     fn add_place(&mut self, unix_us: u64, bytes: &[u8]) -> Result<(), McapError> {
         let mut decoder = Decoder::new();
         decoder.push(bytes);

@@ -43,9 +43,9 @@ pub(super) fn time(unix_us: u64) -> String {
 /// The tracks of one vehicle, by the message that contains its position.
 #[derive(Debug, Default)]
 struct Stated {
-    /// From `GLOBAL_POSITION_INT`, which the vehicle sends once it knows its place.
+    /// From `GLOBAL_POSITION_INT`, which the vehicle sends once its position is known.
     global: Vec<TrackPoint>,
-    /// By `LOCAL_POSITION_NED` from the origin of its estimator.
+    /// From `LOCAL_POSITION_NED`, relative to the origin of the vehicle's estimator.
     local: Vec<TrackPoint>,
     origin: Option<Origin>,
 }

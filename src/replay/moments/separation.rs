@@ -10,7 +10,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
 
-/// Two vehicles become a moment below the separation required of them and this much, in metres.
+/// The margin above the required separation below which an approach becomes a moment, in metres.
 pub(super) const NEAR_MARGIN_M: f64 = 2.0;
 /// Vehicles below this height stand on neighbouring pads, take off or land.
 const FLYING_ABOVE_M: f64 = 2.0;
@@ -67,7 +67,7 @@ impl Lookout {
         }
     }
 
-    /// Ends the approaches of vehicles of which one no longer flies.
+    /// Ends the approaches in which one of the vehicles no longer flies.
     fn part(&mut self, flying: &BTreeSet<VehicleId>) {
         let ends = |pair: &Pair| !(flying.contains(&pair.one) && flying.contains(&pair.other));
         let ended: Vec<Pair> = self.pairs.keys().copied().filter(ends).collect();
@@ -136,7 +136,7 @@ mod tests {
         Pair { one, other }
     }
 
-    /// A lookout for vehicles of which 5 m are required: 7 m become a moment.
+    /// A lookout with a required separation of 5 m: approaches below 7 m become moments.
     fn lookout() -> Lookout {
         Lookout::new(Arc::default(), 5.0)
     }

@@ -17,7 +17,7 @@ use crate::wire::{Decoder, GROUND_STATION_SYSTEM, SystemId};
 /// The peer of all frames: a recording does not contain addresses.
 const PEER: u32 = 0;
 
-/// The vehicles that have been heard so far, and what the link has carried.
+/// The vehicles that have been heard so far, and the traffic of the link.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Scene {
     vehicles: BTreeMap<SystemId, Actor>,
@@ -68,7 +68,8 @@ impl Scene {
         }
     }
 
-    /// What the vehicles have to tell; in a gap of the recording, none of them counts as silent.
+    /// The vehicles' events since the last call; in a gap of the recording, no vehicle counts as
+    /// silent.
     pub fn tell(&mut self, now: Duration, is_gap: bool) -> Vec<Event> {
         let actors = self.vehicles.values_mut();
         actors
@@ -86,7 +87,7 @@ impl Scene {
         self.traffic.summary(film, now)
     }
 
-    /// The current traffic, for the room of messages.
+    /// The current traffic, for the *Messages* room.
     pub fn inspect(
         &mut self,
         request: &TrafficRequest,

@@ -93,10 +93,10 @@ impl FlightOutcome {
         self != Self::Flying
     }
 
-    /// Its name for people.
+    /// Its name on the screen.
     pub fn title(self) -> Text {
         match self {
-            // A report of such a flight is that of a record without an end.
+            // Only a record without an end gives a report of such a flight.
             Self::Flying => text!("mission-not-finished"),
             Self::Passed => text!("mission-passed"),
             Self::Failed => text!("mission-failed"),

@@ -16,7 +16,8 @@ const BURST: u32 = 500 * PIECE;
 const AT_ONCE: usize = 4;
 /// The cost of one piece when packets are lost. If a burst of all missing bytes would take less, a burst is requested.
 const PIECE_COST: Duration = Duration::from_millis(60);
-/// Bytes per second of a burst that has not been measured: a radio of 57600 baud.
+/// The assumed speed of a burst that has not been measured, in bytes per second: that of a radio
+/// with 57600 baud.
 const SLOW: f64 = 4000.0;
 /// If nothing arrives for this long, a request was lost or a burst has ended.
 const SILENCE: Duration = Duration::from_millis(600);
@@ -71,13 +72,13 @@ pub(super) enum Heard {
     Nothing,
     /// Bytes of which at least some were missing.
     Bytes(FileBytes),
-    /// The server no longer knows the session.
+    /// The server has lost the session.
     Lost(FtpNak),
     Fault(FtpFault),
 }
 
 impl FileFlow {
-    /// Begins to read a file that a request has opened and of which something is missing.
+    /// Begins to read the missing parts of a file that a request has opened.
     pub fn new(opened: &FtpRequest, session: u8, gaps: GapMap, now: Duration) -> Self {
         Self {
             session,
@@ -254,7 +255,8 @@ impl FileFlow {
         })
     }
 
-    /// Where to begin a burst: at the first gap if much of what follows is missing, otherwise at the longest gap.
+    /// The offset at which to begin a burst: the first gap if much of what follows is missing,
+    /// otherwise the longest gap. `None` if single pieces are faster or bursts are not supported.
     fn worth_a_burst(&self) -> Option<u32> {
         if self.bursts == Bursts::None {
             return None;

@@ -16,7 +16,7 @@ pub enum Sums {
     Right,
     /// The server returns wrong checksums.
     Wrong,
-    /// The server does not know the request.
+    /// The server does not support the request.
     None,
 }
 

@@ -326,7 +326,7 @@ proptest! {
     #[test]
     fn a_file_survives_the_channel(
         seed in any::<u64>(),
-        // With more losses, now and then nothing at all arrives for as long as the client waits.
+        // With more losses, sometimes nothing at all arrives for as long as the client waits.
         loss in 0.0..0.3,
         doubling in 0.0..0.3,
         delay in 0u32..20,

@@ -106,7 +106,7 @@ impl FileSearch {
         self.found = Some(LogFiles::none(reason));
     }
 
-    /// The logs and their files, once all folders were asked for.
+    /// The logs and their files, once all folders have been requested.
     pub fn finished(&mut self) -> Option<(Vec<ListedLog>, LogFiles)> {
         let files = self.found.take()?;
         Some((std::mem::take(&mut self.logs), files))

@@ -40,24 +40,24 @@ pub trait LogKeeper: Debug + Send + Sync {
     /// The parts of a log that are stored already.
     ///
     /// # Errors
-    /// A text if nothing can be stored there.
+    /// The log cannot be stored in its folder.
     fn find(&self, log: &VehicleLog) -> Result<KeptLog, Text>;
 
     /// Stores bytes, and then the gaps that remain.
     ///
     /// # Errors
-    /// A text if they cannot be written.
+    /// The bytes or the gaps cannot be written.
     fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text>;
 
     /// The checksum of a complete log ([`FtpChecksum`](crate::session::FtpChecksum)).
     ///
     /// # Errors
-    /// A text if the stored bytes cannot be read.
+    /// The stored bytes cannot be read.
     fn checksum(&self, log: &VehicleLog) -> Result<u32, Text>;
 
     /// Checks the length of a complete log, and gives its file the final name, which is returned.
     ///
     /// # Errors
-    /// A text if the length is wrong, or the file cannot be renamed.
+    /// The length is wrong, or the file cannot be renamed.
     fn finish(&self, log: &VehicleLog) -> Result<String, Text>;
 }

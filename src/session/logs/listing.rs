@@ -11,7 +11,7 @@ use crate::wire::{MavAddress, Outgoing};
 
 /// If nothing new arrives for this long, the list or its missing part is requested again.
 const SILENCE: Duration = Duration::from_secs(1);
-/// After this many requests without anything new, nothing more will come.
+/// After this many requests without anything new, the vehicle counts as having stopped sending.
 const FRUITLESS: u8 = 20;
 
 /// The reading of a list.

@@ -59,7 +59,7 @@ impl Reading {
     /// Begins to read a log; `later` are the logs that follow it.
     ///
     /// # Errors
-    /// A text if nothing can be stored there.
+    /// The log cannot be stored in its folder.
     pub fn begin(
         first: VehicleLog,
         later: VecDeque<ListedLog>,
@@ -219,7 +219,7 @@ impl Reading {
         }
     }
 
-    /// Writes the collected bytes. A file that is already complete needs nothing.
+    /// Writes the collected bytes. Does nothing for a file that was already complete.
     pub fn write(&mut self, keeper: &dyn LogKeeper, now: Duration) -> Result<(), Text> {
         self.written_at = now;
         let bytes = std::mem::take(&mut self.unwritten);
@@ -268,7 +268,7 @@ impl Reading {
         Ok(None)
     }
 
-    /// With all bytes received, compares the checksums and gives the file its final name.
+    /// Once all bytes have been received, compares the checksums and gives the file its final name.
     fn finish(&mut self, desk: &mut LogsDesk<'_>) -> Result<Option<WholeLog>, Text> {
         if let Some(file) = self.file.take() {
             self.leave(desk.ftp);

@@ -17,7 +17,8 @@ const AT_ONCE: usize = 16;
 /// The cost of one piece when many are requested at a time and some are lost. If a stream of all missing bytes would
 /// take less, a stream is requested.
 const PIECE_COST: Duration = Duration::from_millis(25);
-/// Bytes per second of a stream that has not been measured: a radio of 57600 baud.
+/// The assumed speed of a stream that has not been measured, in bytes per second: that of a radio
+/// with 57600 baud.
 const SLOW: f64 = 4000.0;
 /// If nothing arrives for this long, a request was lost or a stream has ended.
 const SILENCE: Duration = Duration::from_millis(600);
@@ -26,7 +27,8 @@ const LONGEST_WAIT: u32 = 2;
 /// If nothing new arrives for this long, the transfer has stalled.
 const PATIENCE: Duration = Duration::from_secs(30);
 
-/// The maximum number of gaps tracked; bytes that would split another one are dropped and requested later.
+/// The maximum number of gaps tracked; bytes that would split another gap are dropped and requested
+/// later.
 const MOST_GAPS: usize = 10_000;
 
 /// A stream that was requested.
@@ -43,7 +45,7 @@ struct Stream {
 pub(super) struct Transfer {
     number: u16,
     gaps: GapMap,
-    /// Bytes that must be the same as before.
+    /// Stored bytes that the vehicle's bytes must match.
     samples: Vec<FileBytes>,
     stream: Option<Stream>,
     /// Requested pieces, by their start: the end, and the time of the request.
@@ -88,7 +90,7 @@ impl Transfer {
         &self.gaps
     }
 
-    /// Whether the transfer has stalled.
+    /// Whether nothing new has arrived for [`PATIENCE`].
     pub fn is_stalled(&self, now: Duration) -> bool {
         now >= self.news_at + PATIENCE
     }

@@ -32,7 +32,7 @@ pub(super) struct Job {
 /// The end of an order.
 pub(super) struct FinishedJob {
     pub is_done: bool,
-    /// Whether it is known what the vehicle holds.
+    /// Whether the list that the vehicle holds is known.
     pub is_known: bool,
     /// Whether the list was one that the mission puts on board.
     pub is_of_stock: bool,
@@ -96,7 +96,7 @@ impl Job {
         self.transaction.hear_file(ticket, event, now);
     }
 
-    /// Begins a transfer, before which any reading makes way.
+    /// Begins a transfer; a reading in progress makes way for it.
     pub fn begin(
         order: Option<VehicleCommand>,
         command: PlanCommand,
@@ -152,7 +152,7 @@ impl Job {
         let writes = self.command.deed.writes();
         let is_over = match outcome {
             Outcome::Written(_) | Outcome::Same(_) => writes,
-            // The list before this transfer may itself be an incomplete one.
+            // The list before this transfer may itself be incomplete.
             Outcome::Kept(..) | Outcome::Restored(..) => self.transaction.is_stored(),
             Outcome::Read(_)
             | Outcome::Changed(_)

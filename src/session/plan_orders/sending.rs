@@ -24,7 +24,8 @@ use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, Outgoing};
 /// How long the first request may take before the length is sent again, and how many times it is sent.
 const FIRST_REQUEST_WITHIN: Duration = Duration::from_secs(1);
 const COUNTS: u8 = 8;
-/// A vehicle ends an upload after 8 s without an item.
+/// How long after the last requested item an upload counts as ended: a vehicle ends it after 8 s
+/// without an item.
 const GIVEN_UP_AFTER: Duration = Duration::from_millis(8500);
 /// A refusal counts if no request follows within this time, in which four would have come.
 const REFUSED_AFTER: Duration = Duration::from_secs(4);

@@ -29,7 +29,7 @@ pub trait PlanShelf: Debug + Send + Sync {
     /// Writes a new file and returns its path; no file is replaced.
     ///
     /// # Errors
-    /// A text if the file exists or cannot be written.
+    /// The file exists already or cannot be written.
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text>;
 
     /// Keeps the list of a vehicle while another one is sent, so that it is not lost with this program. A list that is
@@ -43,7 +43,8 @@ pub trait PlanShelf: Debug + Send + Sync {
     fn kept(&self, vehicle: VehicleId) -> Vec<(ListKind, String)>;
 }
 
-/// The files of a flight that counts: no plan with items that move home or switch the fence.
+/// The plan files of a flight that counts: a plan with items that move home or switch the fence is
+/// refused.
 #[derive(Debug)]
 pub struct GuardedShelf<S>(pub S);
 

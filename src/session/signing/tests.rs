@@ -12,7 +12,7 @@ use crate::language;
 use crate::ledger::EntryId;
 use crate::vehicle::{Heartbeat, Mode, SystemStatus, VehicleClass};
 
-/// What was asked of the keys, in its order.
+/// The requests that the key desk received.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Call {
     Begin,
@@ -353,7 +353,7 @@ fn seal() -> impl Strategy<Value = Seal> {
     ]
 }
 
-/// What the vehicle, or someone in its name, does.
+/// An action of the vehicle, or of an impostor.
 #[derive(Debug, Clone)]
 enum Turn {
     Beat(Seal),

@@ -168,7 +168,7 @@ fn a_parameter_is_read_by_the_name_that_the_firmware_has() {
 #[test]
 fn a_vehicle_with_neither_name_refuses_and_names_the_nearest() {
     let mut vehicle = Firmware::new("SIM_GPS_DISABLED");
-    // Its list is incomplete, so it must be asked.
+    // Its list is incomplete, so the vehicle must be queried.
     vehicle.say(u16::MAX);
     vehicle.set("SIM_GPS_DISABLE", 1.0);
     let says = "not sent: the vehicle has neither SIM_GPS_DISABLE nor SIM_GPS1_ENABLE; did you mean SIM_GPS_DISABLED?";

@@ -16,8 +16,8 @@ use crate::wire::{Content, Frame};
 
 /// How long status texts may follow a refusal to explain it.
 const REASON_PATIENCE: Duration = Duration::from_millis(300);
-/// How long after the telemetry that shows its effect the answer to a command may arrive: vehicles may send both in any
-/// order.
+/// The maximum delay from the telemetry that shows a command's effect to the command's answer:
+/// vehicles may send both in any order.
 const ANSWER_FOLLOWS_WITHIN: Duration = Duration::from_millis(300);
 /// The time-out after "in progress" until the next sign.
 const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);

@@ -48,7 +48,7 @@ async fn a_line_that_is_too_long_ends_the_connection_with_its_reason() {
     let (near, mut arrivals) = connected();
     let (mut read, mut write) = split(near);
     tokio::spawn(async move {
-        // The other end stops reading before the end.
+        // The other end may stop reading early.
         drop(write.write_all(&vec![b'x'; 2 * LONGEST_LINE]).await);
     });
     assert_eq!(
@@ -89,7 +89,7 @@ async fn a_program_that_does_not_read_is_asked_to_wait_and_holds_nobody_up() {
         near
     });
     let mut answered = 0;
-    // Each answer is longer than what the connection holds.
+    // Each answer is larger than the connection can buffer.
     let answer = "x".repeat(900);
     loop {
         let next = tokio::time::timeout(std::time::Duration::from_millis(200), arrivals.recv());

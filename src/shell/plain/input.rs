@@ -16,7 +16,7 @@ pub(super) enum PlainLine {
     Garbled(String),
 }
 
-/// Whether a line is more than empty or a comment.
+/// Whether a line is neither empty nor a comment.
 pub(super) fn is_said(line: &str) -> bool {
     !line.is_empty() && !line.starts_with('#')
 }

@@ -83,7 +83,7 @@ impl PlainOutput {
         self.prompted = false;
     }
 
-    /// Whether the output is still open.
+    /// Checks that the output is still open.
     ///
     /// # Errors
     /// The output is closed.
@@ -94,7 +94,7 @@ impl PlainOutput {
         }
     }
 
-    /// Writes the rest; with a short time limit if the program was told to end.
+    /// Writes the remaining lines, with a short time limit if the program was told to end.
     ///
     /// # Errors
     /// The output is closed.

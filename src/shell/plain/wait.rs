@@ -1,4 +1,4 @@
-//! The waits of lines, as in a script.
+//! Waits that delay the next line, as in a script.
 
 use crate::app::State;
 use crate::diagnostic::Diagnostic;
@@ -11,12 +11,12 @@ pub(super) struct PlainWait {
 }
 
 impl PlainWait {
-    /// Whether no line is delayed.
+    /// Whether the next line can run.
     pub fn is_over(&self) -> bool {
         self.pilot.is_none()
     }
 
-    /// Delays the following lines.
+    /// Runs a line that delays the following ones.
     ///
     /// # Errors
     /// The faults of the line.
@@ -26,7 +26,7 @@ impl PlainWait {
         Ok(())
     }
 
-    /// Looks whether it is over; returns the lines that have waited too long.
+    /// Advances the wait; returns the lines that have waited too long.
     pub fn look(&mut self, state: &State) -> Vec<String> {
         let Some(pilot) = &mut self.pilot else {
             return Vec::new();

@@ -18,7 +18,7 @@ use crate::vehicle::Severity;
 /// The open forwards of a session, and the state last shown.
 #[derive(Default)]
 pub(super) struct SessionForwards {
-    /// Each with its last notice.
+    /// The open forwards, each with its last notice.
     open: Vec<(ForwardFeed, LinkHeard)>,
     /// The state that was last shown.
     shown: Vec<ForwardSummary>,
@@ -43,7 +43,7 @@ impl SessionForwards {
         self.open.iter_mut().filter_map(notice).collect()
     }
 
-    /// Their state, if it has changed. Closed ones are left out.
+    /// The state of the forwards, if it has changed. Closed ones are left out.
     pub fn changed(&mut self) -> Option<Event> {
         self.open.retain(|(feed, _)| {
             let is_over = feed.status.borrow().state == LinkState::Ended;

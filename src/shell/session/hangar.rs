@@ -52,7 +52,7 @@ pub(super) struct Processes {
     hangars: Option<Arc<Hangars>>,
     seen: Option<watch::Receiver<Seen>>,
     usage: BTreeMap<InstancePlace, ProcessUsage>,
-    /// The number of restarts of each.
+    /// The number of restarts of each vehicle's process.
     restarts: BTreeMap<VehicleId, u32>,
     looking: Option<Looking>,
 }
@@ -73,7 +73,7 @@ struct Looking {
 pub(in crate::shell) struct SessionEnding(Option<watch::Receiver<Seen>>);
 
 impl SessionEnding {
-    /// Waits until they are gone, up to a time limit.
+    /// Waits until the processes have ended, for at most `patience`.
     pub async fn over(self, patience: Duration) {
         if let Some(mut seen) = self.0 {
             // They are also gone if the sender is gone.
@@ -254,14 +254,14 @@ impl Processes {
         Some((self.hangars.clone()?, *place))
     }
 
-    /// Reports when the processes are gone, once this is dropped.
+    /// A handle with which to wait for the end of the processes, once this is dropped.
     pub fn ending(&self) -> SessionEnding {
         SessionEnding(self.seen.clone())
     }
 }
 
 impl RunningSession {
-    /// The parts of the session that take a while to end, once this is dropped.
+    /// A handle with which to wait for the end of the session's processes, once this is dropped.
     pub fn ending(&self) -> SessionEnding {
         let processes = self.processes.as_ref();
         processes.map_or_else(SessionEnding::default, Processes::ending)

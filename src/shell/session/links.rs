@@ -17,7 +17,7 @@ use crate::wire::{ComponentId, SystemId};
 /// How long a link must stay up before it is reported as up again.
 const UP_HOLDS: Duration = Duration::from_secs(2);
 
-/// The status of the links of a session, and what was last reported of each.
+/// The status of a session's links, and what was last reported of each.
 #[derive(Default)]
 pub(super) struct SessionLinks {
     all: Vec<watch::Receiver<LinkStatus>>,
@@ -39,7 +39,7 @@ impl SessionLinks {
         &self.all
     }
 
-    /// Notices of the links: one is down and why, or up again.
+    /// Notices of links that are down, with the reason, or up again.
     pub fn hear(&mut self, now: Duration) -> impl Iterator<Item = Notice> {
         let links = self.all.iter().zip(&mut self.heard);
         links.filter_map(move |(link, heard)| {
@@ -86,8 +86,8 @@ impl LinkHeard {
         }
     }
 
-    /// The notice that is due. A link counts as up again only after a while; one that goes up and down repeats the
-    /// same notice, which is folded.
+    /// The notice that is due, if any. A link counts as up again only after `UP_HOLDS`; one that
+    /// goes up and down repeats the same notice, which is folded.
     pub fn note(&mut self, news: LinkNews, now: Duration) -> Option<LinkNews> {
         if news == LinkNews::Silent {
             return None;
@@ -163,7 +163,7 @@ fn round_trip(vehicles: &[watch::Receiver<Arc<Vehicle>>], link: LinkId) -> Optio
         .min()
 }
 
-/// The senders with missing frames, and their number.
+/// The senders with missing frames, and how many frames each is missing.
 fn lost(status: &LinkStatus) -> Vec<((SystemId, ComponentId), u64)> {
     let senders = status.numbered.iter();
     senders
@@ -202,7 +202,7 @@ fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
 mod tests {
     use super::*;
 
-    /// Checks ten times a second for a time; returns the notices.
+    /// Notes the state ten times a second during this time; returns the notices.
     fn said(heard: &mut LinkHeard, from_ms: u64, to_ms: u64, news: &LinkNews) -> Vec<LinkNews> {
         (from_ms..to_ms)
             .step_by(100)

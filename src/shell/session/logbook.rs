@@ -10,7 +10,7 @@ use crate::store::{RunFile, Runs, StoreError, utc};
 use crate::text;
 use crate::text::Text;
 
-/// The time between writes, and so the maximum that a crash loses.
+/// The time between writes, and so the most that a crash can lose.
 const WRITE_EVERY: Duration = Duration::from_secs(1);
 
 /// Writes the record of a flight.
@@ -73,7 +73,7 @@ impl Logbook {
         Some(unwritable(&fault))
     }
 
-    /// Writes the rest of a flight that was left.
+    /// Writes the rest of a flight that is left early.
     pub fn finish(self, flight: &mut Flight) {
         if let Ok(mut file) = self.file {
             // No console is left to show a fault.

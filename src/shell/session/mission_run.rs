@@ -30,7 +30,7 @@ pub(super) struct MissionRun {
     backend: FlightBackend,
     /// The number of steps of the embedded simulator, whose time is the mission's.
     steps: Option<watch::Receiver<u64>>,
-    /// The mission's demands on vehicles not sent yet, oldest first.
+    /// The mission's demands on vehicles that have not been sent yet, oldest first.
     wanted: VecDeque<Demand>,
     /// The vehicles whose processes have ended.
     lost: BTreeSet<VehicleId>,
@@ -39,7 +39,7 @@ pub(super) struct MissionRun {
     finished: Option<Finished>,
 }
 
-/// A mission that has come to its end.
+/// A mission that has ended.
 pub(in crate::shell) struct Finished {
     /// The mission that was flown.
     pub mission: Arc<Mission>,
@@ -61,8 +61,8 @@ impl MissionRun {
         self.driver.flight()
     }
 
-    /// A mission with the embedded simulator. Its time is that of the simulator's steps, so that neither a stopped
-    /// program nor a slow machine separates them.
+    /// A mission with the embedded simulator. Mission time is counted in the simulator's steps, so
+    /// the two stay together even if the program is stopped or the machine is slow.
     pub fn embedded(flight: Flight, steps: watch::Receiver<u64>) -> Self {
         let driver = FlightDriver::new(flight, FlightPace::Simulated);
         Self {
@@ -166,7 +166,7 @@ impl MissionRun {
         Some(Event::Notice(Notice::general(now, Severity::Warning, text)))
     }
 
-    /// Marks vehicles as lost whose processes have ended by themselves.
+    /// Marks vehicles as lost if their processes have ended by themselves.
     fn note_losses(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         if !self.driver.has_begun() {
             return Vec::new();
@@ -270,7 +270,7 @@ impl RunningSession {
         events
     }
 
-    /// The result of a mission that has just ended, once.
+    /// The result of a mission that has just ended; returned once.
     pub fn take_finished(&mut self) -> Option<Finished> {
         self.mission_run.as_mut()?.finished.take()
     }
@@ -292,8 +292,8 @@ impl RunningSession {
         Some(self.mission_run.as_mut()?.driver.flight_mut().inject(name))
     }
 
-    /// Whether everything can be stopped until the brief has been read: the simulator is the embedded one, and all
-    /// vehicles are heard.
+    /// Whether everything can be paused until the brief has been read: the simulator is the
+    /// embedded one, and all vehicles are heard.
     pub fn can_wait_for_reader(&self, vehicles: usize) -> bool {
         let mission = self.mission_run.as_ref().map(|run| run.driver.flight());
         self.processes.is_none() && mission.is_some_and(|it| vehicles >= it.mission().seats.count)
@@ -319,8 +319,8 @@ impl RunningSession {
         })
     }
 
-    /// Ends the record of a mission that is left and does not count: if its clock has not started, the record is
-    /// removed.
+    /// Ends the record of a mission that is left early and does not count. If its clock has not
+    /// started, the record is removed.
     pub fn close_record(&mut self) {
         let Some(run) = &mut self.mission_run else {
             return;

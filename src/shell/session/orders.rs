@@ -67,7 +67,7 @@ impl RunningSession {
         events.collect()
     }
 
-    /// Sends a command to one vehicle. A failure ends only its own row.
+    /// Sends a command to one vehicle. A failure ends only that vehicle's row.
     fn command(
         &mut self,
         vehicle: VehicleId,

@@ -15,7 +15,7 @@ use crate::text::Text;
 /// How long the end of a session may wait for the last inputs of the simulated vehicles.
 const LAST_INPUTS_WITHIN: Duration = Duration::from_millis(250);
 
-/// The time that a mission is still recorded after its end, so that a replay reaches the result.
+/// How long a mission is still recorded after its end, so that a replay shows the result.
 const AFTER_MISSION: Duration = Duration::from_secs(2);
 
 /// Records a session by the session's clock, which stops in a pause.
@@ -120,8 +120,8 @@ impl FlightRecorder {
         self.recording.is_some() && !self.has_ended
     }
 
-    /// Notes the regular end of the session, whose simulator was asked to end. A record that is not to be kept, or is
-    /// empty, is removed.
+    /// Ends the record, after the session's simulator was asked to end. A record that is not to be
+    /// kept, or is empty, is removed.
     pub fn end(&mut self, is_kept: bool) {
         self.inputs.wait_for_end(LAST_INPUTS_WITHIN);
         self.pass_inputs();

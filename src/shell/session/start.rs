@@ -192,7 +192,8 @@ impl RunningSession {
         Ok((running, started))
     }
 
-    /// Opens forwards. Others must not help to fly a mission.
+    /// Opens forwards. In a mission they are read-only: another ground station must not help to fly
+    /// it.
     fn share(&self, forwards: &[ForwardSpec]) -> Result<(), Text> {
         let is_mission = matches!(self.plan, SessionPlan::Mission(_));
         for spec in forwards {
@@ -282,7 +283,7 @@ impl RunningSession {
     }
 }
 
-/// The title of a flight, with its stake where that is not the usual one.
+/// The title of a flight, with its stake if it is not the usual one.
 fn titled(mission: &Mission, occasion: &Occasion) -> Text {
     let title = mission.title.clone();
     if occasion.profile.is_none() {

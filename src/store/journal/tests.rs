@@ -202,7 +202,7 @@ fn own_drones_wear_and_lent_ones_do_not() {
     assert!(standing.credits() < 500);
 }
 
-/// Starts the record of an exam of drill d00 with a seed, with a few seconds of flight in it.
+/// Starts the record of an exam of drill d00 with this seed and a few seconds of flight.
 fn exam(runs: &Runs, seed: u64) -> RunFile {
     exam_of(runs, seed, Duration::from_secs(12))
 }
@@ -293,7 +293,7 @@ fn a_graded_flight_that_was_killed_counts_as_left_once_and_is_told() {
     assert_eq!(recover(&mut profiles, &runs).expect("writable"), []);
 }
 
-/// A kill may come while a line is written.
+/// The program may be killed while a line is being written.
 #[test]
 fn a_graded_flight_whose_last_line_is_torn_counts_as_left() {
     let data = tempfile::tempdir().expect("a folder");

@@ -79,7 +79,7 @@ impl LogPart {
         Some(grown)
     }
 
-    /// Writes bytes, and then what is still missing.
+    /// Writes bytes, and then the list of those still missing.
     pub fn write(&self, stretches: &[FileBytes], gaps: &GapMap) -> Result<(), StoreError> {
         let written = self.open().and_then(|mut file| {
             for stretch in stretches {
@@ -107,7 +107,7 @@ impl LogPart {
         fs::rename(&part, &self.gaps)
     }
 
-    /// The checksum of the first bytes, as many as the log has.
+    /// The checksum of the first `size` bytes.
     pub fn checksum(&self, size: u32) -> Result<u32, StoreError> {
         let mut sum = FtpChecksum::default();
         let summed = File::open(&self.bytes).and_then(|file| {
@@ -136,12 +136,12 @@ impl LogPart {
         trimmed.map_err(|error| unwritable(&self.bytes, error))
     }
 
-    /// Forgets what is missing: the next download starts over.
+    /// Deletes the list of gaps: the next download starts over.
     pub fn forget_gaps(&self) {
         drop(fs::remove_file(&self.gaps));
     }
 
-    /// Removes both files, once the bytes have their final name.
+    /// Removes both files once the complete log has its final name.
     pub fn remove(&self) {
         drop(fs::remove_file(&self.bytes));
         self.forget_gaps();

@@ -22,7 +22,7 @@ pub enum ProfileError {
         path: PathBuf,
         /// The version of its tables.
         found: i32,
-        /// The newest version that this program knows.
+        /// The newest version that this program supports.
         known: i32,
     },
     /// An older version of the program wrote it, and it is read-only.

@@ -133,7 +133,8 @@ impl Profiles {
         Ok(runs)
     }
 
-    /// A profile's attempts at a revision of a mission, which are comparable, oldest first.
+    /// A profile's attempts at one revision of a mission, so that they are comparable, oldest
+    /// first.
     ///
     /// # Errors
     /// The database cannot be read.

@@ -46,7 +46,8 @@ struct RottenRow {
     key: String,
 }
 
-/// Restores unreadable rows from the newest copy that has them; others stay as they are.
+/// Restores unreadable rows from the newest copy in which they are readable; others stay as they
+/// are.
 pub(super) fn mend_rows(connection: &mut Connection, path: &Path) -> rusqlite::Result<MendedRows> {
     let (mut restored, mut lost) = (0, 0);
     for column in DOCUMENTS {

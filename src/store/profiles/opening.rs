@@ -25,7 +25,7 @@ impl Profiles {
             error,
         };
         match sharing::private_folder(data).and_then(|()| private(&path)) {
-            // `SQLite` keeps its log beside the file.
+            // `SQLite` must be able to write its log beside the file.
             Ok(_) if is_closed(data) => return Ok((Self::read_only(path)?, None)),
             Ok(_) => {}
             // The results belong to another user, or the folder is read-only.
@@ -57,7 +57,8 @@ impl Profiles {
         }
         Self::open(data).map_err(|error| match error {
             ProfileError::Unusable { path, error } => {
-                // Without permission to create it, the file is only missing for a reader.
+                // Without write permission, the file could not be created; a reader gets the reason
+                // why it cannot be read.
                 let error = fs::metadata(&path).err().unwrap_or(error);
                 ProfileError::Unreadable { path, error }
             }
@@ -65,7 +66,7 @@ impl Profiles {
         })
     }
 
-    /// No profiles, without any file.
+    /// An empty, read-only set of profiles without a file.
     fn none(path: PathBuf) -> Result<Self, ProfileError> {
         let empty = || {
             let mut connection = Connection::open_in_memory()?;
@@ -150,7 +151,7 @@ pub(super) fn private(path: &Path) -> io::Result<File> {
     sharing::open(file.create(true).truncate(false).write(true), path)
 }
 
-/// Whether the file exists and must not be written.
+/// Whether the error means that the file exists and must not be written.
 fn is_forbidden(error: &io::Error) -> bool {
     matches!(
         error.kind(),

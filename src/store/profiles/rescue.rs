@@ -42,8 +42,8 @@ impl Rescue {
     }
 }
 
-/// Checks a database before use. A damaged one is renamed, with its log, and the newest good copy replaces it. If
-/// several consoles see the damage, only one does it.
+/// Checks a database before use. A damaged one is renamed, together with its log, and the newest
+/// good copy replaces it. If several consoles detect the damage, only one of them does this.
 pub(super) fn rescue(path: &Path) -> io::Result<Option<Rescue>> {
     if damage(path).is_none() {
         return Ok(None);
@@ -85,8 +85,8 @@ fn lock_file(path: &Path) -> io::Result<File> {
     super::private(&beside(path, "lock"))
 }
 
-/// The damage of a database. A missing or empty file is a new database if there is no copy. A busy database or a
-/// refusing file system is not damage.
+/// The damage of a database, if any. A missing or empty file is a new database if there is no copy.
+/// A busy database or a file system that refuses access is not damage.
 fn damage(path: &Path) -> Option<Text> {
     if is_empty(path) {
         return good_copy(path).map(|_| text!("profiles-fault-empty"));
@@ -105,7 +105,7 @@ fn damage(path: &Path) -> Option<Text> {
     }
 }
 
-/// `SQLite`'s own messages are English in every language.
+/// The fault with `SQLite`'s own message, which is English in every language.
 fn faulty(words: String) -> Text {
     text!("profiles-fault-database", words = words)
 }
@@ -170,8 +170,8 @@ fn sync_folder(path: &Path) -> io::Result<()> {
     File::open(folder.unwrap_or(Path::new(".")))?.sync_all()
 }
 
-/// Backs the database up. The copy is checked before it replaces the last one. If another console is doing so, this
-/// one does not.
+/// Backs the database up. The copy is checked before it replaces the last one. If another console
+/// is making a backup, this one does not.
 pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<()> {
     let [newest, before] = COPIES.map(|name| beside(path, name));
     let fresh = beside(path, "backup-new");

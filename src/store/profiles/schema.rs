@@ -2,7 +2,7 @@
 
 use rusqlite::{Connection, TransactionBehavior};
 
-/// The changes from each version to the next.
+/// The changes from each version of the tables to the next.
 const STEPS: [&str; 1] = ["
     CREATE TABLE profiles (
         -- Never used again: whoever still holds a removed profile must not write into somebody else's.

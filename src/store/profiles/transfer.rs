@@ -18,9 +18,9 @@ mod claim;
 
 /// The version of the format.
 const SCHEMA: u32 = 1;
-/// The largest profile file.
+/// The maximum size of a profile file, in bytes.
 const LARGEST: u64 = 256 * 1024 * 1024;
-/// The maximum length of an id or a name, in bytes.
+/// The maximum length of an id or a name in a profile file, in bytes.
 const LONGEST_LINE: usize = 200;
 
 /// A profile with all its data.
@@ -110,7 +110,7 @@ impl ProfileFile {
         }
     }
 
-    /// The first impossible entry, in English; the file is untrusted.
+    /// The first impossible entry, in English; `None` if there is none. The file is untrusted.
     fn fault(&self) -> Option<String> {
         let since = || faulty_moment("since", &self.since);
         let entries = || {
@@ -136,7 +136,7 @@ impl ProfileFile {
             .or_else(|| designs.find_map(|row| faulty_line("design", &row.name)))
     }
 
-    /// Makes the trainee's exams differ from those of others.
+    /// The key of the trainee's exams, which makes them differ from those of others.
     fn exam_key(&self) -> ExamKey {
         self.settings.exam_key(&self.name, &self.since)
     }
@@ -246,7 +246,7 @@ fn import(
     name: &str,
 ) -> rusqlite::Result<()> {
     let settings = ProfileSettings {
-        // Also under another name, the exams that were taken have to keep their seeds.
+        // Even under another name, exams that were taken have to keep their seeds.
         exams: Some(file.exam_key()),
         ..file.settings.clone()
     };

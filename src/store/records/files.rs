@@ -28,7 +28,7 @@ const HEAD_LEN: u64 = 256 * 1024;
 /// The maximum size of a journal, in bytes; this program does not write larger ones.
 const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
 
-/// The files of one record; `None` for a missing one.
+/// The files of one record; `None` for each missing file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RecordFiles {
     /// Their common name without suffix.
@@ -42,7 +42,7 @@ pub struct RecordFiles {
     pub review: PathBuf,
     /// The inputs of its simulated vehicles.
     pub inputs: Option<PathBuf>,
-    /// Bytes of frames and journal.
+    /// The size of frames and journal, in bytes.
     pub bytes: u64,
 }
 
@@ -155,8 +155,8 @@ impl RecordFiles {
     /// # Errors
     /// One of them cannot be removed.
     pub fn delete(&self) -> Result<(), StoreError> {
-        // The journal goes last: without it, the others could not be found again. Without a run, the inputs prove
-        // nothing.
+        // The journal is deleted last: without it, the others could not be found again. Without a
+        // run, the inputs prove nothing.
         let inputs = self.inputs.as_ref().filter(|_| self.run.is_none());
         for path in [self.frames.as_ref(), inputs, self.journal.as_ref()]
             .into_iter()

@@ -39,7 +39,7 @@ struct RecordingState {
     /// The time of the last line.
     last_at: Duration,
     is_over: bool,
-    /// Bytes written so far.
+    /// The number of bytes written so far.
     bytes: u64,
     /// Why writing has stopped.
     fault: Option<RecordingFault>,
@@ -103,7 +103,7 @@ impl Shared {
 }
 
 impl Recording {
-    /// Starts a thread that writes frames from `source`, and the lines added to it.
+    /// Starts a thread that writes the frames from `source` and the lines added to the recording.
     pub(super) fn start(
         writer: RecordWriter,
         source: impl FnMut() -> Vec<u8> + Send + 'static,

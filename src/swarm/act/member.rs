@@ -77,7 +77,7 @@ pub(in crate::swarm) enum Phase {
     Rise,
     /// Each member crosses at its height.
     Cross,
-    /// Each member goes to the height where its work begins.
+    /// Each member climbs or descends to the height where its work begins.
     Sink,
     Work,
 }

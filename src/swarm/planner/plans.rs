@@ -18,7 +18,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// A gap outside an area is not reported if it is shorter than this.
+/// The parts of lanes outside an area are reported only if they are at least this long in total, in
+/// metres.
 const LEAST_GAP_M: f64 = 1.0;
 
 impl Planner<'_> {
@@ -58,7 +59,8 @@ impl Planner<'_> {
         Ok(act)
     }
 
-    /// The lanes over an area; with another course if only that gives enough lanes for all vehicles.
+    /// The lanes over an area; with another course if that is the only way to get enough lanes for
+    /// all vehicles.
     fn cover(
         &self,
         corners: &[DVec2],

@@ -246,7 +246,7 @@ fn the_lines_of_one_that_leaves_go_to_the_others() {
     assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
 }
 
-/// The highest ground speed of vehicle 1 until a command is done.
+/// The highest ground speed of vehicle 1 until a command is done, in m/s.
 fn fastest_m_s(stage: &mut Stage, verb: &str) -> f32 {
     let mut fastest: f32 = 0.0;
     let done = stage.watch(200.0, |stage| {

@@ -26,7 +26,7 @@ fn standing() -> Vehicles {
     Vehicles::from([(1, Arc::new(vehicle))])
 }
 
-/// The distance between two lines of a planned survey of a field of 40 m by 40 m.
+/// The distance between two lines of a survey planned over a field of 40 m by 40 m.
 fn planned_spacing_m(swath: Option<Swath>) -> f64 {
     let corners = [(20.0, 0.0), (60.0, 0.0), (60.0, 40.0), (20.0, 40.0)];
     let corners = corners.map(|(north_m, east_m)| HOME.moved(north_m, east_m));

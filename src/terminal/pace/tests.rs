@@ -40,7 +40,8 @@ fn a_fast_line_gets_every_frame_that_is_wanted() {
     }
 }
 
-/// Types keys at a rate for a second after a first frame; returns the number of further frames.
+/// Types this many keys per second for one second after a first frame; returns the number of
+/// further frames.
 fn type_keys(pace: &mut Pace, keys_per_s: u64) -> u32 {
     let mut frames = 0;
     let mut typed = 0;

@@ -13,7 +13,7 @@ use crate::ui::widget::{below, centred, columns, put};
 
 mod summary;
 
-/// Rows of the screen outside the room.
+/// The number of rows outside the room: header and footer.
 const HEADER_AND_FOOTER: u16 = 2;
 
 /// Draws the text from its first visible line; the last page stays full.

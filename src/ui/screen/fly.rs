@@ -13,20 +13,20 @@ use crate::ui::widget::{
 
 /// The minimum width for separate columns of telemetry and mission, and for the detailed telemetry.
 const THREE_COLUMNS: u16 = 160;
-/// Columns of the telemetry pane, and of the mission below it.
+/// The width of the telemetry pane, and of the mission below it, in columns.
 const SIDE_WIDTH: u16 = 40;
-/// Columns of the mission in a separate column.
+/// The width of the mission in a column of its own.
 const MISSION_WIDTH: u16 = 56;
-/// The minimum rows of the telemetry pane above a mission.
+/// The minimum number of rows of the telemetry pane above a mission.
 const TELEMETRY_LEAST: u16 = 5;
-/// The minimum number of rows for a pane of notices over the whole width.
+/// The minimum number of rows of a notices pane over the whole width.
 const NOTICES_LEAST: u16 = 6;
 
 /// The minimum size of a useful map.
 const MAP_LEAST: (u16, u16) = (60, 9);
-/// Rows of the notices below a map.
+/// The maximum number of rows of the notices below a map.
 const NOTICES_MOST: u16 = 10;
-/// Rows that the ledger keeps below a map.
+/// The number of rows that the ledger keeps below a map.
 const LEDGER_LEAST: u16 = 6;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -82,7 +82,7 @@ fn draw_panes(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 struct SidePanes {
     /// To the right of both.
     beside: Rect,
-    /// Below both on a wide screen; otherwise without rows.
+    /// Below both on a wide screen; otherwise empty.
     below: Rect,
 }
 
@@ -90,7 +90,7 @@ fn is_map_size(area: Rect) -> bool {
     area.width >= MAP_LEAST.0 && area.height >= MAP_LEAST.1
 }
 
-/// Draws the map if there is room, and returns the rest below it.
+/// Draws the map if there is room, and returns the area below it.
 fn draw_map(state: &State, panel: Panel<'_>, notices_too: bool, buffer: &mut Buffer) -> Rect {
     let logs = if notices_too { 2 } else { 1 } * LEDGER_LEAST;
     let rows = panel.area.height.saturating_sub(logs);
@@ -110,7 +110,7 @@ fn detail(width: u16) -> Detail {
     }
 }
 
-/// Rows that telemetry and mission need.
+/// The height of telemetry and mission, in rows.
 fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     let telemetry = telemetry::height(state, look, SIDE_WIDTH, detail(width)).max(TELEMETRY_LEAST);
     match state.session().mission() {
@@ -122,8 +122,8 @@ fn side_height(state: &State, look: &Look, width: u16) -> u16 {
     }
 }
 
-/// Draws the telemetry alone on a wide screen, and returns the rest: the map beside it and the ledger below it use the
-/// rows that a mission would take.
+/// Draws the telemetry alone on a wide screen, and returns the remaining areas: the map beside it
+/// and the ledger below it use the rows that a mission would take.
 fn draw_telemetry(
     state: &State,
     panel: Panel<'_>,
@@ -139,7 +139,7 @@ fn draw_telemetry(
     }
 }
 
-/// Draws telemetry and mission, and returns the rest of the area.
+/// Draws telemetry and mission, and returns the remaining areas.
 fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> SidePanes {
     let side = columns(panel.area, 0, SIDE_WIDTH);
     let log = columns(panel.area, SIDE_WIDTH + 1, panel.area.width);

@@ -1,4 +1,4 @@
-//! The hangar: a line per process, and the fault and the output of the one under the cursor.
+//! The hangar: a line per process, and the fault and the output of the process under the cursor.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -15,13 +15,13 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of, wrap};
 
-/// Columns of the bar, of the bar beside a host name, and of the state.
+/// The widths of the bar, of the bar beside a host name, and of the state, in columns.
 const BAR: usize = 12;
 const SHORT_BAR: usize = 5;
 const WORDS: usize = 22;
-/// Columns of all figures after them.
+/// The width of all figures after them, in columns.
 const FIGURES: usize = 32;
-/// The maximum number of columns of a host.
+/// The maximum width of a host name, in columns.
 const HOST: usize = 24;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -59,7 +59,7 @@ fn empty(panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the processes and returns the rest below.
+/// Draws the processes and returns the area below them.
 fn draw_list(state: &State, hangar: &Hangar, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let ready = text!(
         "hangar-ready",
@@ -128,7 +128,7 @@ fn draw_instances(
     panel.mark_list(first, count, true, buffer);
 }
 
-/// Columns of the host and of the bar.
+/// The widths of the host and of the bar, in columns.
 #[derive(Debug, Clone, Copy)]
 struct Columns {
     host: usize,
@@ -267,7 +267,7 @@ fn where_kept(instance: &Instance, output: &[String]) -> text::Text {
     }
 }
 
-/// The output on the whole screen, with the newest lines scrolled out of view.
+/// Draws the output on the whole screen, `back` lines before the newest.
 fn draw_output(
     instance: &Instance,
     output: &[String],

@@ -21,18 +21,19 @@ use crate::ui::widget::{below, clip, columns, put, width};
 mod about;
 mod list;
 
-/// Limits of the width of the list, which otherwise depends on its longest line.
+/// The limits of the list's width, which otherwise depends on its longest line.
 const LIST_LEAST: u16 = 34;
 const LIST_MOST: u16 = 60;
-/// Rows of the text above the sketch of a mission's area, without a career and with one.
+/// The height of the text above the sketch of a mission's area, without a career and with one, in
+/// rows.
 const TEXT_ROWS: u16 = 14;
 const CAREER_ROWS: u16 = 23;
 /// The maximum number of columns of the text: longer lines are hard to read.
 const TEXT_WIDTH: u16 = 88;
-/// The minimum columns of the career's facts and of the objectives if they are shown beside the text.
+/// The minimum width of the career's facts and of the objectives beside the text, in columns.
 const FACTS_WIDTH: u16 = 50;
 
-/// Draws the trainee, the list with its cursor, and a text about the chosen item.
+/// Draws the trainee's status, the list with its cursor, and a text about the chosen item.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let trainee = panel.at(draw_heads(state, panel, buffer));
     draw_trainee(state, trainee, buffer);
@@ -54,8 +55,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     about::draw(state, panel.at(text), facts, buffer);
 }
 
-/// Draws the site of the chosen mission below the text if there is room; returns the rest above it. The facts of a
-/// career need separate rows unless they are beside the text.
+/// Draws the site of the chosen mission below the text if there is room; returns the panel above
+/// it. The facts of a career need rows of their own unless they are beside the text.
 fn draw_site<'a>(
     state: &State,
     panel: Panel<'a>,
@@ -77,7 +78,7 @@ fn draw_site<'a>(
     panel.upper(above)
 }
 
-/// Draws the session under way, if there is one; returns the rest below it.
+/// Draws the session under way, if there is one; returns the area below it.
 fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let Some(activity) = state.session().activity() else {
         return panel.area;

@@ -17,14 +17,14 @@ use crate::vehicle_id::{parse_ranges, ranges};
 
 /// The minimum width for showing the rows of a command beside the list.
 const BESIDE: u16 = 150;
-/// Columns of the fixed parts of a line: mark, time, vehicles, answer, attempts.
+/// The widths of the fixed parts of a line (time, vehicles, answer, attempts), in columns.
 const TIME_WIDTH: usize = 7;
 const COUNT_WIDTH: usize = 5;
 const ANSWER_WIDTH: usize = 8;
 const TRIES_WIDTH: usize = 5;
-/// The minimum columns for an outcome beside its command.
+/// The minimum width of an outcome beside its command, in columns.
 const OUTCOME_LEAST: usize = 24;
-/// Columns of a vehicle's state.
+/// The width of a vehicle's state, in columns.
 const STATE_WIDTH: usize = 16;
 
 /// Draws the list, and the rows of the command under the cursor.
@@ -129,7 +129,7 @@ fn title(state: &State, look: &Look) -> String {
     look.text(&Text::joined("  ", parts))
 }
 
-/// Columns of a command, and of its outcome.
+/// The widths of a command and of its outcome, in columns.
 fn split(width: usize) -> (usize, usize) {
     let fixed = 2 + TIME_WIDTH + COUNT_WIDTH + ANSWER_WIDTH + TRIES_WIDTH + 2;
     let free = width.saturating_sub(fixed);

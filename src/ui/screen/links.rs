@@ -1,4 +1,5 @@
-//! The links: a line for each, and the doctor's findings and all counters of the one under the cursor.
+//! The links: a line for each, and the doctor's findings and all counters of the link under the
+//! cursor.
 
 use std::collections::VecDeque;
 
@@ -20,7 +21,7 @@ use crate::ui::widget::{below, clip, columns, put, row_of, upper, wrap};
 
 mod forwards;
 
-/// Columns of a label.
+/// The width of a label, in columns.
 const LABEL: usize = 16;
 /// The number of senders whose losses are listed.
 const LOSSES_SHOWN: usize = 5;
@@ -129,7 +130,7 @@ fn list_line(
     ])
 }
 
-/// A dash for what is not known.
+/// A dash for an unknown value.
 fn unknown() -> String {
     "-".to_owned()
 }
@@ -144,7 +145,7 @@ fn signed(weight: Weight) -> (&'static str, Role) {
     }
 }
 
-/// Draws the doctor's findings for a link; returns the rest below.
+/// Draws the doctor's findings for a link; returns the area below them.
 fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let inner = panel.titled(&panel.say("links-doctor"), buffer);
     let width = usize::from(inner.width).saturating_sub(2);
@@ -312,7 +313,7 @@ fn draw_history(history: &History, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The history over a number of columns, the newest at the right edge.
+/// The history spread over a number of columns, the newest value at the right edge.
 fn spread(history: &VecDeque<f64>, count: usize) -> Vec<Option<f64>> {
     let value = |column: usize| {
         let ago = (count - 1 - column) * HISTORY_S / count.max(1);

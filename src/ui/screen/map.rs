@@ -15,9 +15,9 @@ use crate::ui::widget::{below, clip_rows, columns, mission, put, row_of, upper, 
 
 /// The maximum number of rows of a lesson.
 const LESSON_ROWS: usize = 3;
-/// Columns of the north mark and a gap.
+/// The width of the north mark with a gap, in columns.
 const NORTH_MARK: u16 = 4;
-/// Rows of the scales below.
+/// The number of rows of the scales below the map.
 const SCALE_ROWS: u16 = 2;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {

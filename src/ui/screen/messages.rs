@@ -1,4 +1,4 @@
-//! The inspector: the tree of all messages on the left, the one under the cursor on the right.
+//! The inspector: the tree of all messages on the left, the message under the cursor on the right.
 
 use std::time::Duration;
 
@@ -20,10 +20,11 @@ use crate::wire::Anatomy;
 mod fields;
 mod graph;
 
-/// Columns of the tree with rate and age, and of the wide one, which also has bytes and count.
+/// The width of the tree with rate and age, and of the wide one with bytes and count as well, in
+/// columns.
 const NARROW_TREE: u16 = 43;
 const WIDE_TREE: u16 = 62;
-/// The minimum columns of the screen for the wide tree.
+/// The minimum width of the screen for the wide tree, in columns.
 const WIDE: u16 = 112;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {

@@ -21,12 +21,12 @@ use crate::ui::widget::{clock, footer, put, row_of, wrap};
 
 mod curves;
 
-/// Beside the map, the moments get one column in this many, up to the following maximum.
+/// Beside the map, the moments get one column in this many, at most `WIDEST_LIST`.
 const LIST_SHARE: u16 = 2;
 const WIDEST_LIST: u16 = 80;
-/// Rows below the moments for the one under the cursor.
+/// The number of rows below the moments for the details of the moment under the cursor.
 const DETAIL_ROWS: u16 = 6;
-/// Rows of the tabs and of the keys below.
+/// The number of rows of the tabs and of the keys below.
 const HEAD_ROWS: u16 = 2;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -89,7 +89,7 @@ fn pages<'a>(view: &ReplayView, shown: ReviewPage, panel: Panel<'_>) -> Line<'a>
     Line::from(spans)
 }
 
-/// The moments, and the map at the one under the cursor; below them the workload.
+/// Draws the moments, and the map at the moment under the cursor; below them the workload.
 fn draw_moments(state: &State, view: &ReplayView, all: Panel<'_>, buffer: &mut Buffer) {
     let strips = state.workload_strips(&all.look.locale, all.width());
     let workload = strips.map_or_else(Vec::new, |strips| strips.lines());
@@ -130,7 +130,7 @@ fn draw_moments(state: &State, view: &ReplayView, all: Panel<'_>, buffer: &mut B
     }
 }
 
-/// Draws a moment in full, the points tied to it, and the keys that add one.
+/// Draws a moment in full, the points attached to it, and the keys that add one.
 fn draw_detail(state: &State, moment: &Moment, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.at(panel.titled(&panel.say("review-moment"), buffer));
     let how = text!(

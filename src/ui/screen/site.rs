@@ -13,11 +13,11 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_site;
 use crate::ui::widget::{aligned, clip, clock, put, width};
 
-/// Rows that a sketch needs to be readable.
+/// The number of rows that a readable sketch needs.
 pub(super) const SITE_ROWS: u16 = 12;
-/// Columns of the figures at the right.
+/// The width of the figures at the right, in columns.
 const FIGURES: u16 = 30;
-/// The maximum number of columns of the sketch.
+/// The maximum width of the sketch, in columns.
 const SKETCH: u16 = 72;
 
 /// Draws the sketch and the figures below one rule.

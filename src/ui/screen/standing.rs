@@ -19,10 +19,10 @@ mod scores;
 mod skills;
 mod wealth;
 
-/// Rows of credits and experience on a screen that shows everything.
+/// The number of rows of credits and experience on a screen that shows everything.
 const WEALTH_ROWS: u16 = 12;
 
-/// The subject of the drawing, with the look.
+/// The trainee's career and the look with which it is drawn.
 struct StandingSubject<'a> {
     state: &'a State,
     career: &'a Career,
@@ -76,7 +76,7 @@ fn draw_nobody(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Name, level, credits, licence and level of automatic advice.
+/// Draws name, level, credits, licence and level of automatic advice.
 fn draw_summary(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let standing = &subject.career.standing;
@@ -125,7 +125,7 @@ impl StandingSubject<'_> {
     }
 }
 
-/// A day relative to today: today, in a number of days, or a number of days ago.
+/// A day relative to today: today, in a number of days, or that number of days ago.
 fn days(from_today: i64) -> Text {
     match from_today {
         0 => text!("days-today"),

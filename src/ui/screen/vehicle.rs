@@ -33,13 +33,13 @@ mod texts;
 const WHOLE: (u16, u16) = (110, 34);
 /// The number of pages on smaller screens.
 const PAGES: usize = 3;
-/// Rows of the list of sensors over the whole width.
+/// The number of rows of the list of sensors over the whole width.
 const SENSORS_ROWS: u16 = 9;
-/// Rows of the outputs below other panes.
+/// The number of rows of the outputs below other panes.
 const OUTPUTS_ROWS: u16 = 8;
-/// Columns of the attitude indicator on a small screen.
+/// The width of the attitude indicator on a small screen, in columns.
 const ATTITUDE_COLUMNS: u16 = 33;
-/// Rows of the heading tape, and of the line with the angles.
+/// The number of rows of the heading tape with the line of angles.
 const TAPE_ROWS: u16 = 3;
 
 /// The data that the panes are drawn from.
@@ -124,7 +124,7 @@ fn draw_name(subject: &VehicleSubject<'_>, page: Option<usize>, area: Rect, buff
     put(buffer, area, 0, &line);
 }
 
-/// Three columns and three rows of panes.
+/// Draws the panes in three columns and three rows.
 fn draw_whole(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let left = area.width * 3 / 10;
     let middle = area.width * 35 / 100;
@@ -157,7 +157,7 @@ fn draw_whole(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     texts::draw(subject, texts, buffer);
 }
 
-/// First page: attitude and motion.
+/// Draws the first page: attitude and motion.
 fn draw_flight(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let single = curves::height(subject, 1);
     let curves = if area.height >= single + 28 {
@@ -172,7 +172,7 @@ fn draw_flight(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     curves::draw(subject, below(area, top.height), buffer);
 }
 
-/// Second page: its sensors' quality, its plan, its outputs.
+/// Draws the second page: the quality of its sensors, its plan, its outputs.
 fn draw_condition(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let top = upper(area, area.height.saturating_sub(OUTPUTS_ROWS));
     let half = area.width / 2;
@@ -181,13 +181,13 @@ fn draw_condition(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer)
     outputs::draw(subject, below(area, top.height), buffer);
 }
 
-/// Third page: its reports.
+/// Draws the third page: its reports.
 fn draw_reports(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     sensors::draw(subject, upper(area, SENSORS_ROWS), buffer);
     texts::draw(subject, below(area, SENSORS_ROWS), buffer);
 }
 
-/// The horizon above the heading tape.
+/// Draws the horizon above the heading tape.
 fn draw_attitude(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = Panel::new(look, area).titled(&look.say("vehicle-attitude"), buffer);

@@ -24,17 +24,19 @@ mod parts;
 mod shelf;
 mod slots;
 
-/// The minimum rows for both lists, one below the other.
+/// The minimum height for both lists, one below the other, in rows.
 const TALL: u16 = 34;
-/// The minimum columns for wide lists, and the minimum rows of a chart below them.
+/// The minimum width for wide lists, in columns, and the minimum height of a chart below them, in
+/// rows.
 const ROOMY: u16 = 110;
 const CHART_ROWS: u16 = 9;
-/// The share of a wide screen for the list of slots, in percent; then the columns of the figures.
+/// The share of a wide screen for the list of slots, in percent, and the width of the figures, in
+/// columns.
 const SLOTS_PERCENT: u16 = 34;
 const WIDE_FIGURES: u16 = 56;
-/// Rows of the figures with their title.
+/// The number of rows of the figures with their title.
 const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;
-/// Rows of the design's problems, if something follows below.
+/// The number of rows of the design's problems if something follows below them.
 const FINDINGS_ROWS: u16 = 10;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -101,7 +103,7 @@ fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The first visible line of a list, so that the cursor is visible.
+/// The index of the first visible line of a list; the line of the cursor is always visible.
 fn first_shown(cursor: usize, count: usize, rows: u16) -> usize {
     let rows = usize::from(rows);
     cursor
@@ -118,7 +120,7 @@ fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// Writes texts one below the other, wrapped; returns the rest of the area.
+/// Writes texts one below the other, wrapped; returns the area below them.
 fn put_wrapped(texts: &[(String, Style)], area: Rect, buffer: &mut Buffer) -> Rect {
     let mut row = 0;
     for (text, style) in texts {

@@ -86,7 +86,8 @@ impl<'a> Lineage<'a> {
         })
     }
 
-    /// The user's file for `name`. If a user's `dark` inherits `dark`, it inherits the embedded one.
+    /// The theme file for `name`, not the embedded theme. If a user's `dark` inherits `dark`, it
+    /// inherits the embedded one.
     fn own(&self, name: &str) -> Option<&'a ThemeFile> {
         let is_itself = self.names.last().is_some_and(|last| last == name);
         self.themes.own(name).filter(|_| !is_itself)

@@ -1,4 +1,4 @@
-//! The alert line: the worst unacknowledged alert.
+//! The alert line: the most serious unacknowledged alert.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -13,7 +13,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put, short_clock, width};
 use crate::vehicle_id::ranges;
 
-/// The rows of the line; 0 without an alert.
+/// The height of the line in rows; 0 without an alert.
 pub fn height(state: &State) -> u16 {
     u16::from(state.session().alerts().open().next().is_some())
 }

@@ -10,7 +10,8 @@ use crate::ui::theme::Role;
 
 /// A cell filled by zero to eight eighths.
 const EIGHTHS: [char; 9] = [' ', '▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
-/// Columns of a bar, and of a bar with the gap after it; its label fits into that.
+/// The widths of a bar, and of a bar with the gap after it, in columns; the label fits into the
+/// second.
 const BAR: usize = 4;
 const STEP: usize = 6;
 

@@ -60,14 +60,14 @@ impl Curve<'_> {
     }
 }
 
-/// The thickness of a line, which tells two of them apart without colours.
+/// The thickness of a line, to distinguish two lines without colours.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineWeight {
     Light,
     Heavy,
 }
 
-/// Draws a curve as a line that leaves other lines in sight.
+/// Draws a curve as a line that does not hide other lines.
 pub fn draw_line(
     curve: &Curve<'_>,
     weight: LineWeight,
@@ -89,7 +89,8 @@ pub fn draw_line(
     }
 }
 
-/// Draws the curve as dots, joining neighbours by vertical strokes, so that a steep curve is one line.
+/// Draws the curve as dots, joining neighbours by vertical strokes, so that a steep curve has no
+/// gaps.
 fn draw_dots(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer) {
     draw_strokes(curve, LineWeight::Light, area, buffer);
 }

@@ -50,7 +50,7 @@ fn with_timeline<'a>(
     lines
 }
 
-/// A text in rows, the last of which is cut if there would be too many.
+/// A text in at most `MOST_ROWS` rows; the last one is cut if necessary.
 fn rows(text: &str, width: usize) -> Vec<String> {
     let mut rows = wrap(text, width);
     if rows.len() > MOST_ROWS {
@@ -60,7 +60,7 @@ fn rows(text: &str, width: usize) -> Vec<String> {
     rows
 }
 
-/// The lines of the message, unless something else takes the footer.
+/// The lines of the message, unless the footer shows something else.
 fn message(state: &State, panel: Panel<'_>) -> Option<Vec<Line<'static>>> {
     if !state.typing().targets().is_empty() || state.is_deaf() {
         return None;

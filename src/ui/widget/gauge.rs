@@ -6,7 +6,7 @@ use crate::ui::look::Look;
 use crate::ui::theme::Role;
 use crate::vehicle::{Grade, HomeReach, LinkQuality};
 
-/// The minimum share of messages received on a good link.
+/// The minimum share of messages received on a good link, in percent.
 const GOOD_PERCENT: u8 = 90;
 
 /// A share between 0 and 1, for display.
@@ -48,7 +48,7 @@ impl Gauge {
     }
 }
 
-/// The role of a battery charge.
+/// The theme role of a battery charge.
 pub fn battery_role(left_percent: u8) -> Role {
     match Grade::of_battery(left_percent) {
         Grade::Good => Role::Ok,
@@ -68,7 +68,7 @@ pub fn link_role(link: &LinkQuality) -> Role {
     }
 }
 
-/// The role of the battery needed to return home, compared with the remaining battery.
+/// The theme role of the battery needed to return home, compared with the remaining battery.
 pub fn reach_role(reach: HomeReach) -> Role {
     match reach {
         HomeReach::Ample => Role::Ok,

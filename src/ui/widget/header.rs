@@ -113,7 +113,8 @@ fn pressing_alert(state: &State) -> Option<Text> {
     (count > 0).then(|| text!("alert-header", count = count))
 }
 
-/// The remaining time for an answer to the mission's alert; two rooms show the alert itself.
+/// The time left to answer the mission's alert; the two rooms that show the alert itself do not
+/// repeat it.
 fn mission_alert(state: &State) -> Option<Text> {
     let session = state.session();
     let alert = session.mission()?.alerts.first()?;

@@ -71,7 +71,7 @@ pub fn lines_within<'a>(
     lines
 }
 
-/// The text in place of the commands while there is none.
+/// The text shown while there are no commands.
 pub fn none(state: &State) -> Text {
     if state.replay().is_some() {
         text!("commands-none-replayed")
@@ -106,7 +106,7 @@ fn cut(lines: &mut Vec<Line<'_>>, rows: usize, width: usize) {
     let Some(line) = lines.last_mut() else { return };
     let before: usize = line.spans.iter().rev().skip(1).map(Span::width).sum();
     if let Some(last) = line.spans.last_mut() {
-        // A text one letter too long, which `clip` marks.
+        // The text is made one column too long, so `clip` marks the cut.
         let room = (width.saturating_sub(before)).min(last.width() + 1);
         last.content = clip(&format!("{}  ", last.content), room).into();
     }
@@ -204,7 +204,7 @@ pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
     })
 }
 
-/// Failures come last, next to their explanation.
+/// The position of a state in the summary: failures come last, next to their explanation.
 fn order(state: RowState) -> u8 {
     match state {
         RowState::Done => 0,
@@ -220,7 +220,7 @@ fn order(state: RowState) -> u8 {
     }
 }
 
-/// The role of a command: that of its worst outcome.
+/// The theme role of a command: that of its worst outcome.
 pub fn entry_role(entry: &LedgerEntry) -> Role {
     if !entry.rows.is_empty() && entry.rows.iter().all(LedgerRow::is_over) {
         return Role::Muted;

@@ -79,7 +79,8 @@ struct LogWindow<'a> {
 }
 
 impl<'a> LogWindow<'a> {
-    /// The entry under the cursor stays in the centre while the list scrolls.
+    /// A window of this many rows that keeps the entry under the cursor in the centre, as far as
+    /// the list allows.
     fn around(cursor: usize, blocks: Vec<Vec<Line<'a>>>, rows: usize) -> Self {
         let above: usize = blocks.iter().take(cursor).map(Vec::len).sum();
         let marked = above..above + blocks.get(cursor).map_or(0, Vec::len);

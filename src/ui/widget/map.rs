@@ -96,7 +96,7 @@ fn draw_view(
     outside
 }
 
-/// Says that nothing has a position yet.
+/// Shows that nothing has a position yet.
 fn draw_nowhere(panel: Panel<'_>, buffer: &mut Buffer) {
     let lines = wrap(&panel.say("map-nowhere"), usize::from(panel.area.width));
     let middle = centred(panel.area.width, lines.len() as u16, panel.area);

@@ -18,14 +18,14 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, clip_rows, clock, columns, put, upper, wrap};
 use crate::vehicle::Vehicle;
 
-/// Columns between two readings.
+/// The number of columns between two readings.
 const GAP: usize = 3;
-/// Columns of one cell in the grid.
+/// The width of a cell in the grid, in columns.
 const CELL_WIDTH: u16 = 7;
 /// The largest grid that is drawn, in cells per side.
 const GRID_LIMIT: usize = 64;
 
-/// The preferred rows of the pane.
+/// The preferred height of the pane, in rows.
 pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
     let hint = hint_lines(progress, usize::from(width), look).len();

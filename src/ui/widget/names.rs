@@ -4,8 +4,8 @@ use std::collections::BTreeSet;
 
 use super::{clip, width};
 
-/// The names within a width, shortened so that they differ: their beginnings, otherwise their ends, otherwise what
-/// follows their common beginning.
+/// The names within a width, shortened so that they differ: to their beginnings, otherwise to their
+/// ends, otherwise to the part after their common beginning.
 pub fn told_apart(names: &[String], columns: usize) -> Vec<String> {
     let is_long = |name: &&str| width(name) > columns;
     let all = names.iter().map(String::as_str);

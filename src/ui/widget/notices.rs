@@ -16,7 +16,7 @@ use crate::ui::widget::{aligned, clip, clock, put, severity_role, wrap};
 use crate::vehicle::Severity;
 use crate::vehicle_id::ranges;
 
-/// Columns of a severity.
+/// The width of a severity, in columns.
 const SEVERITY_WIDTH: usize = 5;
 /// The maximum number of lines of a notice that is not an error.
 const MOST_LINES: usize = 2;
@@ -53,7 +53,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The rows for vehicles' texts.
+/// The number of rows for vehicles' texts.
 fn rows_for_texts(state: &State, rows: usize) -> usize {
     let now = state.now();
     let is_new = |line: &&NoticeLine| now.saturating_sub(line.notice.at) <= KEPT_IN_VIEW;

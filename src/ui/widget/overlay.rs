@@ -18,7 +18,7 @@ use crate::ui::widget::{centred, put, wrap};
 /// The width of one column of the help.
 const HELP_COLUMN: u16 = 74;
 
-/// Columns of a question, with its frame, and those of the frame.
+/// The widths of a question with its frame, and of the frame, in columns.
 const CONFIRM_WIDTH: u16 = 64;
 const CONFIRM_FRAME: u16 = 4;
 
@@ -180,7 +180,7 @@ mod tests {
 
     use super::*;
 
-    /// The content of the box, on one line.
+    /// The content of the question's box, on one line.
     fn shown(question: &Text, reason: &Text, language: Language) -> String {
         let look = Look {
             locale: Arc::new(Locale::new(language)),

@@ -21,18 +21,19 @@ use crate::ui::widget::{below, clip, clip_rows, mission, put, row_of, wrap};
 
 /// The maximum number of rows of the box: frame, completions, message, line.
 const HEIGHT: u16 = 13;
-/// Rows and columns of its frame, with the margins inside it.
+/// The height and the width of the box's frame, with the margins inside it.
 const FRAME_ROWS: usize = 2;
 const FRAME: usize = 4;
-/// Below this height of the screen, the box covers the mission pane; then the rows of the lesson's step in the box.
+/// The height of the screen below which the box covers the mission pane, and the number of rows of
+/// the lesson's step in the box.
 const LOW: u16 = 36;
 const LESSON_ROWS: usize = 2;
-/// Rows of a fault, and of a verb's usage.
+/// The numbers of rows of a fault, and of a verb's usage.
 const FAULT_ROWS: usize = 4;
 const HINT_ROWS: usize = 3;
-/// The maximum number of columns of a faulty word in its fault.
+/// The maximum width of a faulty word in its fault, in columns.
 const LONGEST_WORD: usize = 24;
-/// Columns before the line.
+/// The number of columns before the line.
 const PROMPT: u16 = 2;
 
 /// The content of the box above the line, from the top.
@@ -96,7 +97,7 @@ impl<'a> Above<'a> {
         self.lesson.len() + self.choices.len() + self.said.len()
     }
 
-    /// Draws the content and returns the rest below it.
+    /// Draws the content and returns the area below it.
     fn draw(&self, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         let mut rest = panel.area;
         for line in &self.lesson {
@@ -237,7 +238,7 @@ fn draw_carets(
     let start = Span::raw(before).width().saturating_sub(scroll) as u16;
     let carets = "^".repeat(Span::raw(wrong).width().max(1));
     let line = Line::styled(carets, panel.style(Role::Danger));
-    // The frame before them stays.
+    // The part of the frame before the carets stays.
     let inner = panel.at(indented(panel.area));
     let here = inner.columns(start, inner.area.width.saturating_sub(start));
     put(buffer, here.area, 0, &line);
@@ -280,7 +281,7 @@ fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> 
 /// The space for a completion.
 #[derive(Clone, Copy)]
 struct ChoiceSize {
-    /// Columns of the name, and of the whole.
+    /// The widths of the name, and of the whole row, in columns.
     name_width: usize,
     width: usize,
     most_rows: usize,

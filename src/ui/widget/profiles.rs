@@ -14,9 +14,9 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{centred, clip, put, row_of, upper};
 
-/// Columns of the list.
+/// The width of the list, in columns.
 const WIDTH: u16 = 60;
-/// Rows of the frame and of the advice below the list.
+/// The number of rows of the frame and of the advice below the list.
 const FRAME: u16 = 4;
 
 /// Draws the list with its cursor.

@@ -26,9 +26,9 @@ const EXAMPLES: &[(&str, &str)] = &[
 ];
 const HEIGHT: u16 = 14;
 const WIDTH: u16 = 72;
-/// Rows of a fault that fit into that height.
+/// The number of rows of a fault that fit into `HEIGHT`.
 const FAULT_ROWS: usize = 3;
-/// Rows of a prompt at the bottom: a frame, the line, and two lines for a fault.
+/// The height of a prompt at the bottom, in rows: a frame, the line, and two lines for a fault.
 const BOTTOM_HEIGHT: u16 = 5;
 
 /// Draws the prompt and returns the position of the terminal's cursor.
@@ -71,7 +71,7 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
     cursor
 }
 
-/// The extra rows that a fault needs.
+/// The number of extra rows that a fault needs.
 fn long_fault(prompt: &Prompt, look: &Look) -> u16 {
     let fault = prompt.fault().map(|fault| look.text(fault));
     let lines = wrap(&fault.unwrap_or_default(), usize::from(WIDTH) - 4).len();

@@ -25,13 +25,14 @@ const SHORTEST: usize = 10;
 /// The minimum number of cells for the time line beside keys or a message; with fewer, the keys are left out, and the
 /// message is above it.
 const SHORTEST_BESIDE: usize = 20;
-/// The keys beside the time line get one column in this many, on a screen of at least this width and on a narrower one.
+/// The keys beside the time line get one column in `WIDE_HINTS` on a screen of at least this width,
+/// and one in `NARROW_HINTS` on a narrower one.
 const WIDE_BAR: usize = 120;
 const WIDE_HINTS: usize = 2;
 const NARROW_HINTS: usize = 4;
 /// The sign of a gap in the recording on the time line.
 const GAP: (&str, Role) = (" ", Role::Muted);
-/// Columns of a moment's kind in the list.
+/// The width of a moment's kind in the list, in columns.
 const KIND_WIDTH: usize = 10;
 /// Below this width, a line shows the kind by its sign alone.
 const NARROW: usize = 50;
@@ -110,7 +111,7 @@ pub fn bar_beside<'a>(
         })
 }
 
-/// The remarks after the position.
+/// Which remarks are shown after the position.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Remarks {
     All,
@@ -137,7 +138,8 @@ impl<'a> TimeLine<'a> {
         }
     }
 
-    /// The cells that it has beside these words.
+    /// The number of cells for the time line beside these words; `None` if the words alone do not
+    /// fit.
     fn room_beside(&self, says: &[Span<'_>], panel: Panel<'_>) -> Option<usize> {
         let words: usize = says.iter().map(Span::width).sum();
         let times = width(&self.position) + width(&self.end);
@@ -196,7 +198,7 @@ fn stops(kinds: &[MomentKind]) -> Option<Text> {
     (!signs.is_empty()).then(|| text!("replay-stops", signs = signs.join(" ")))
 }
 
-/// The keys, as many as fit; first the one that the room offers only here.
+/// The keys, as many as fit; first the key that only this room has.
 fn hints<'a>(state: &State, room: usize, panel: Panel<'_>) -> Vec<Span<'a>> {
     let look = panel.look;
     let own = own_key(state, panel.area.width);
@@ -214,7 +216,7 @@ fn hints<'a>(state: &State, room: usize, panel: Panel<'_>) -> Vec<Span<'a>> {
     spans
 }
 
-/// The key of the truth, in a debrief that does not show it beside the text.
+/// The key that shows the map of the truth, in a debrief that does not show it beside the text.
 fn own_key(state: &State, columns: u16) -> Option<(Text, &'static str)> {
     let debrief = state.rooms().debrief().as_ref()?;
     let has_truth = debrief.report().truth != TruthReport::default();
@@ -313,7 +315,7 @@ pub fn both_times(view: &ReplayView, at: Duration) -> String {
     }
 }
 
-/// A moment in a list, with its time as stated there.
+/// A moment in a list, after its time as given in `time`.
 pub fn moment_line<'a>(time: &str, moment: &Moment, columns: usize, look: &Look) -> Line<'a> {
     let head = moment_head(time, moment, columns, look);
     let rest = columns.saturating_sub(head.width());

@@ -26,11 +26,11 @@ pub use cells::since;
 use cells::{Row, Words, cell};
 use layout::Shown;
 
-/// Columns before the first cell: the cursor's mark and that of the selection.
+/// The number of columns before the first cell: the cursor's mark and the selection mark.
 const MARKS: u16 = 2;
 
-/// The preferred rows of the table: a rule, the titles, and a row for each vehicle, or the lines shown while there is
-/// none. A filter does not change the size of the table.
+/// The preferred height of the table in rows: a rule, the titles, and a row for each vehicle, or
+/// the lines shown while there are no vehicles. A filter does not change the height.
 pub fn height(state: &State, look: &Look, width: u16) -> usize {
     let rows = match state.session().vehicles().len() {
         0 => waiting_lines(state, look, width).len(),

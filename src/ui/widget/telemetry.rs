@@ -19,14 +19,14 @@ mod values;
 pub use values::Detail;
 use values::{Reading, fitting, readings};
 
-/// Columns of the labels.
+/// The width of the labels, in columns.
 const LABEL_WIDTH: usize = 9;
-/// Columns of a gauge.
+/// The width of a gauge, in columns.
 const GAUGE: usize = 8;
 /// The maximum number of alerts shown here; the others follow when these end.
 const MOST_ALERTS: usize = 3;
 
-/// The preferred rows of the pane.
+/// The preferred height of the pane, in rows.
 pub fn height(state: &State, look: &Look, width: u16, detail: Detail) -> u16 {
     let Some(vehicle) = state.session().under_cursor() else {
         return 1;
@@ -94,7 +94,7 @@ fn reading_line(reading: &Reading, is_old: bool, look: &Look) -> Line<'static> {
     Line::from(spans)
 }
 
-/// The vehicle's alerts with their durations, the worst first.
+/// The vehicle's alerts with their durations, the most serious first.
 fn alert_lines(vehicle: &Vehicle, state: &State, look: &Look, width: usize) -> Vec<Line<'static>> {
     let session = state.session();
     let mut alerts: Vec<&Standing> = session.alerts().of(vehicle.id).collect();

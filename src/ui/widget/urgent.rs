@@ -1,5 +1,6 @@
-//! Urgent lines: alerts of the mission with the time left for them, vehicles with a very weak link, and the question
-//! about the workload. They take the whole width, so that words are rarely cut off.
+//! Urgent lines: alerts of the mission with the time left for them, vehicles with a very weak link,
+//! and the question about the workload. They take the whole width, so their words are rarely cut
+//! off.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
@@ -15,7 +16,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put, row_of};
 
-/// A vehicle with a smaller link margin may soon be out of contact.
+/// The link margin below which a vehicle may soon be out of contact, in dB.
 const WEAK_DB: f64 = 6.0;
 /// The maximum number of rows.
 const MOST: usize = 4;

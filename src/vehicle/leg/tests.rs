@@ -140,7 +140,8 @@ fn speeds_of_the_plan_count_from_their_item_on() {
     assert_eq!(times(&vehicle), (Some(10.0), Some(30.0)), "the usual speed");
 }
 
-/// Before a vehicle has a speed, its takeoff has a time, and so has the rest of the plan.
+/// Before a vehicle has a speed, the duration of its takeoff is known, and so is that of the rest
+/// of the plan.
 #[test]
 fn from_the_takeoff_on_the_end_is_known() {
     let mut vehicle = flying(&[item(22, [0.0; 3], 0.0), waypoint(100.0)], 1);
@@ -151,7 +152,8 @@ fn from_the_takeoff_on_the_end_is_known() {
     assert_eq!(times(&vehicle), (Some(8.0), Some(8.0 + 16.5)));
 }
 
-/// Two turns on 25 m take 56.2 s; the part already flown, by its own clock, no longer counts.
+/// Two turns with a radius of 25 m take 56.2 s; the part already flown, by the vehicle's clock, no
+/// longer counts.
 #[test]
 fn turns_count_from_their_circle_on() {
     let plan = [item(18, [2.0, 0.0, 25.0], 125.0), waypoint(125.0)];
@@ -170,7 +172,7 @@ fn turns_count_from_their_circle_on() {
     assert_eq!(vehicle.plan.arrived, None, "on the way");
     at(&mut vehicle, 99.0, 105);
     assert_eq!(times(&vehicle).0, Some(56.2));
-    // With a speed-up, this took the console a second.
+    // With a speed-up, this took only a second on the console's clock.
     vehicle.link.last_heard = Some(Duration::from_secs(1));
     at(&mut vehicle, 150.0, 125);
     assert_eq!(times(&vehicle).0, Some(36.2));

@@ -1,7 +1,8 @@
 //! Equipment: electronics, radios, sensors, loads.
 //!
-//! Masses, powers and prices are those of typical parts of late 2025. Prices above 500 credits grow more slowly than
-//! real ones, with the power 0.55, so that a trainee can earn the most expensive sensor.
+//! Masses, powers and prices are those of typical parts of late 2025. Above 500 credits, prices
+//! grow more slowly than real ones, with an exponent of 0.55, so that a trainee can earn the most
+//! expensive sensor.
 
 use crate::workshop::part::Spec::{Autopilot, Load, Navigation, Payload};
 use crate::workshop::part::{Part, PowerModule, Radio, Spec};

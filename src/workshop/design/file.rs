@@ -14,7 +14,7 @@ use crate::workshop::part::PartSlot;
 
 /// The version of the format.
 const SCHEMA: i64 = 1;
-/// The maximum number of letters of a name.
+/// The maximum number of characters in a name.
 const LONGEST_NAME: usize = 40;
 
 /// Every fault of an invalid design file, with its position.
@@ -116,7 +116,7 @@ impl Design {
     }
 }
 
-/// Whether a name is valid for a design: not empty, one line, and short enough for a table.
+/// Checks that a name is valid for a design: not empty, one line, and short enough for a table.
 pub(super) fn checked_name(name: &str) -> Result<(), crate::text::Text> {
     let is_fine = !name.is_empty()
         && name.chars().count() <= LONGEST_NAME

@@ -16,7 +16,7 @@ struct Known {
     /// The battery: cells, ampere hours, C rating.
     battery: (u8, f64, f64),
     electronics_w: f64,
-    /// The share of the charge used in the stated time, and the minutes.
+    /// The share of the charge used in the stated time, and the range of that time in minutes.
     share: f64,
     minutes: (f64, f64),
 }

@@ -41,7 +41,7 @@ fn a_faulty_plan_is_pointed_at_in_both_languages() {
         "{}",
         text(&output.stdout)
     );
-    // `sortie check` knows the files as well.
+    // `sortie check` accepts the files as well.
     for arguments in [
         ["plan", "check", "frame.waypoints"].as_slice(),
         &["check", "frame.waypoints"],
@@ -299,7 +299,7 @@ fn searches_lines_and_orbits_are_planned_from_places() {
 
 #[test]
 fn plans_are_compared_with_the_ground() {
-    // Ground at 170 m, but for a hill of 100 m in the north.
+    // Ground at 170 m, except for a hill of 100 m in the north.
     let side = 1201;
     let height = |row: usize| {
         if row < side * 11 / 20 - 59 {

@@ -6,7 +6,7 @@ use sortie::ledger::{EntryId, RowState, RowUpdate};
 
 use crate::harness::Console;
 
-/// Three commands: one that failed with a vehicle, one in progress, one done.
+/// Three commands: one that was refused by one vehicle, one in progress, one done.
 fn commanded() -> Console {
     let mut console = Console::flying(4);
     console.at(5).give("all arm");
@@ -135,7 +135,7 @@ fn thousands_of_commands_with_a_filter_stay_quick() {
     }
     console.press("C").press("/").write("p199").press("enter");
     assert_eq!(shown(&console).len(), 11);
-    // A changed row must not search all commands.
+    // A changed row must not cause a search of all commands.
     for number in 0..2000 {
         console.hear(VehicleEvent::Row(RowUpdate {
             entry: EntryId(number),

@@ -23,7 +23,7 @@ fn fault(console: &Console) -> String {
     }
 }
 
-/// Connected to vehicles 1 to 4, of which 3 and 4 have become silent.
+/// A console connected to vehicles 1 to 4, of which 3 and 4 have become silent.
 fn connected(expected: Option<&str>) -> Console {
     let expected = expected.map(|ids| ids.parse().expect("ids"));
     let mut console = Console::set_up(|setup| setup.config.connect.expect = expected);

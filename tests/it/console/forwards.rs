@@ -85,7 +85,8 @@ fn nobody_else_helps_to_fly_a_mission() {
     assert!(closed.is_ok(), "{closed:?}");
 }
 
-/// A station that listens to a mission gets no answer to its commands, so the trainee is told once.
+/// A station that listens to a mission gets no answer to its commands; the trainee gets one notice
+/// of that.
 #[test]
 fn a_station_that_sends_something_to_a_mission_is_named_once() {
     let told = |activity: Activity| {

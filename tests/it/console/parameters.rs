@@ -52,7 +52,7 @@ pub fn complete(list: ParameterList) -> ParameterSnapshot {
     }
 }
 
-/// In the room of parameters, with vehicles whose lists are complete.
+/// A console in the room of parameters, with vehicles whose lists are complete.
 pub fn in_the_room(vehicles: u16) -> Console {
     let mut console = Console::flying(vehicles);
     console.press("P").at(1);

@@ -55,7 +55,7 @@ fn the_console_says_which_vehicles_differ() {
     assert!(console.effects.is_empty(), "nothing is sent");
 }
 
-/// A vehicle that was never heard is a fault of the line, not an empty answer.
+/// A question about a vehicle that was never heard is a fault of the line, not an empty answer.
 #[test]
 fn a_question_about_an_unknown_vehicle_is_a_fault() {
     let fault = |console: &mut Console, line: &str| {

@@ -59,7 +59,7 @@ async fn a_serial_port_at_any_wrong_baud_rate() {
     }
 }
 
-/// The same over a real serial device: the other side of a pseudo-terminal.
+/// The wrong baud rate on a real serial device: the other side of a pseudo-terminal.
 #[cfg(feature = "serial")]
 #[tokio::test(start_paused = true)]
 async fn a_real_device_at_the_wrong_baud_rate() {

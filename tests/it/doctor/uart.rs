@@ -15,7 +15,7 @@ fn line(bytes: &[u8]) -> Vec<bool> {
     line
 }
 
-/// The bytes received with bits that last `ratio` of the sender's.
+/// The bytes received if the receiver's bits last `ratio` times as long as the sender's.
 pub(super) fn heard(bytes: &[u8], ratio: f64) -> Vec<u8> {
     let line = line(bytes);
     let level = |time: f64| line.get(time as usize).copied();

@@ -127,7 +127,7 @@ async fn logs_of_several_vehicles_come_whole_over_links_that_lose_frames_and_go_
         console.until_done(order, id).await;
     }
     for id in all {
-        // A log that was whole before the restart came by nothing.
+        // A log that was complete before the restart was not transferred again.
         let words = console.explanation(order, id);
         let was_whole = !words.contains("saved by ");
         assert!(was_whole || words.contains(by_files), "{words}");
@@ -158,7 +158,8 @@ async fn a_vehicle_that_hands_out_no_files_sends_its_log_in_messages() {
     let off = console.give("param set LOG_BACKEND_TYPE 0", &[1]);
     console.until_done(off, 1).await;
     let mut all = Vec::new();
-    // The option is heard of after the next connection; until then nothing answers.
+    // The console learns of the option only after the next connection; until then, requests for
+    // files are not answered.
     for (way, parameter) in [
         (
             "by log messages, checksum verified",

@@ -12,7 +12,8 @@ use tokio_util::sync::CancellationToken;
 
 use super::{Console, world};
 
-/// The first byte of a `MAVLink` 2 packet, its bytes besides the payload, and those of a signature.
+/// The first byte of a `MAVLink` 2 packet, the number of its bytes besides the payload, and that of
+/// a signature.
 const MAGIC: u8 = 0xFD;
 const AROUND_PAYLOAD: usize = 12;
 const SIGNATURE: usize = 13;

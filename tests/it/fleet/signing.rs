@@ -23,7 +23,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::{Console, serve, world};
 
-/// The year 2026, in units of a time stamp; and a day.
+/// A time in 2026, and a day, in units of a time stamp.
 const NOW: u64 = 36_300_000_000_000;
 const DAY: u64 = 86_400 * 100_000;
 
@@ -70,7 +70,7 @@ impl Console {
         self.explanation(entry, vehicle)
     }
 
-    /// The end of a line that does not succeed.
+    /// The final state of a line that does not succeed.
     async fn failure(&mut self, line: &str, vehicle: u16) -> RowState {
         let entry = self.give(line, &[vehicle]);
         self.until("the line has ended", |console| {
@@ -408,7 +408,7 @@ async fn forged_and_replayed_telemetry_changes_only_counters() {
 async fn a_lost_key_is_replaced_on_a_port_that_takes_unsigned_frames() {
     let (addresses, _vehicle) = serve(world(1), 10.0).await;
     for _ in 0..2 {
-        // Without the file of the console before.
+        // Without the previous console's file.
         let folder = tempfile::tempdir().expect("a folder");
         let mut console = start(folder.path(), false).await.console;
         console.connect(&addresses[0]);

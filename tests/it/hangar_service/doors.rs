@@ -108,7 +108,7 @@ async fn pages_of_other_sites_are_refused() {
         let answer = served.send("GET", "/list", &words, "").await;
         assert_eq!(answer.status, status, "{headers:?}: {answer:?}");
     }
-    // An address in the request line counts before the header.
+    // An address in the request line takes precedence over the header.
     for (address, status) in [("http://evil.example", 403), ("http://localhost", 200)] {
         let request =
             format!("GET {address}/list HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n");

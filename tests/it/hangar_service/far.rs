@@ -166,7 +166,8 @@ async fn what_was_launched_ends_with_the_console() {
     served.end().await;
 }
 
-/// Forwards connections to a service, and reports which requests to end a vehicle are disconnected before the answer.
+/// Forwards connections to a service, and reports for each request to end a vehicle whether the
+/// client disconnects before the answer.
 async fn attentive(listener: TcpListener, service: SocketAddr, told: mpsc::UnboundedSender<bool>) {
     while let Ok((mut client, _)) = listener.accept().await {
         let told = told.clone();

@@ -11,7 +11,7 @@ use tokio::net::TcpSocket;
 use super::{Answer, Served};
 use sortie::hangar::service::ServiceSetup;
 
-/// Short, so that a test ends soon; nothing is expected to finish within it.
+/// A wait that is short, so that a test ends soon; nothing is expected to finish within it.
 const SOON: Duration = Duration::from_millis(300);
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
@@ -84,7 +84,7 @@ async fn slow_clients_are_hung_up_on_and_others_served_meanwhile() {
     let answer = Answer::read(&mut body).await;
     assert_eq!(answer.status, 408, "{answer:?}");
     let mut rest = Vec::new();
-    // A reset connection and a closed one both have ended.
+    // A connection has ended whether it was reset or closed.
     let _ = tokio::io::AsyncReadExt::read_to_end(&mut drip_in, &mut rest).await;
     drip.await.expect("no panic");
     served.end().await;

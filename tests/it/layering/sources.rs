@@ -130,7 +130,7 @@ fn opaque_len(text: &str, before: Option<char>) -> usize {
         return quoted_len(text, '"');
     }
     if text.starts_with('\'') {
-        // A lifetime has no closing quote behind its first character.
+        // A lifetime has no closing quote after its first character.
         let mut chars = text.chars().skip(1);
         let (first, second) = (chars.next(), chars.next());
         let is_literal = first == Some('\\') || second == Some('\'');
@@ -267,8 +267,8 @@ fn parts(group: &str) -> Vec<&str> {
     found
 }
 
-/// For each parent module, the uses between its children, with a file of each. Parents are written `sortie` and
-/// `sortie::link`.
+/// For each parent module, the uses between its children, each with a file in which it occurs.
+/// Parents are written `sortie` and `sortie::link`.
 pub(super) type Uses = BTreeMap<String, BTreeMap<(String, String), String>>;
 
 /// The uses between neighbouring modules, in the whole workspace.
@@ -307,7 +307,7 @@ pub(super) fn uses(modules: &[ModuleSource]) -> Uses {
     found
 }
 
-/// The path from the crate's root for a path in a module.
+/// The path from the crate's root that a path in a module stands for.
 fn resolved(here: &[String], path: &[String]) -> Option<Vec<String>> {
     let (first, mut rest) = path.split_first()?;
     let mut at = match first.as_str() {

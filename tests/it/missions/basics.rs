@@ -70,7 +70,7 @@ fn gates_in_the_wrong_order_and_a_short_hover_do_not_count() {
     assert!(unmet.iter().all(|(id, _)| *id != "landed"), "{unmet:?}");
 }
 
-/// Two vehicles 10 m apart fly side by side, and then with 30 m between them.
+/// Two vehicles fly side by side, first 10 m apart, and then 30 m.
 #[test]
 fn a_formation_is_kept_or_it_is_not() {
     let objectives = basics().find("[[objectives]]").expect("there are some");

@@ -173,7 +173,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     ),
 ];
 
-/// Changes with faults that only the whole file shows.
+/// Changes with faults that appear only in the context of the whole file.
 const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
@@ -317,7 +317,7 @@ fn what_cannot_be_flown_as_it_is_meant_is_named_at_its_place() {
     };
     let before = "[[hazards]]";
     let fine = [
-        // Another event starts the circle.
+        // Another event starts the cycle.
         "[[events]]\nid = \"x\"\nafter = \"y\"\ndo = [{ say = \"X.\" }]\n[[events]]\nid = \"y\"\nafter = \"x\"\ndo = [{ say = \"Y.\" }]\n[[events]]\nid = \"z\"\nat = 9\ndo = [{ event = \"x\" }]\n",
         // A zone that is flown over, switched off, or covers only a part.
         "[[zones]]\nid = \"low\"\nkind = \"no_fly\"\npolygon = [[-40, 20], [28, 20], [28, 99], [-40, 99]]\nceiling = 30\n",

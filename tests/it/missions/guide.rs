@@ -219,7 +219,7 @@ fn length(value: &Value) -> Option<u64> {
     value.as_array().map(|items| items.len() as u64)
 }
 
-/// Keys missing in the schema are faults in all tables of missions.
+/// The violations in the properties of a table; keys that are missing in the schema are faults.
 fn properties(value: &Value, known: &Value, place: &str) -> Vec<String> {
     let keys = value.as_object().into_iter().flatten();
     let of = |(key, value): (&String, &Value)| match known.get(key) {

@@ -90,7 +90,8 @@ fn no_finished_flight_is_lost_when_the_program_is_killed() {
     let whole = records(data).first().map_or(0, |record| len(record));
     let mut killed = 0;
     for number in 0..kills {
-        // Half of the kills anywhere in the flight, half of them while it is stored.
+        // Half of the programs are killed anywhere in the flight, the others while it is being
+        // stored.
         let until = if number % 2 == 0 {
             Moment::Long(whole * u64::from(number * 37 % 100) / 100)
         } else {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{FLIGHT, run, runs, said};
 
-/// Verifies the record of a killed console, and the same record as that of a console that was left.
+/// Verifies the record of a killed console, and the same record as if the flight had been left.
 pub(super) fn assert_verified_as_far_as_it_goes(data: &Path) {
     let verify = || {
         let output = run(data, "", &["verify", "--json"]);
@@ -17,7 +17,7 @@ pub(super) fn assert_verified_as_far_as_it_goes(data: &Path) {
     assert_eq!(cut["verdict"], "verified_cut");
     assert!(cut["to_s"].as_f64().expect("a time") > 1.0, "{cut}");
     assert!(cut["score"].is_null(), "{cut}");
-    // A console that was left ends the journal; only that distinguishes both.
+    // A console that was left ends the journal; this is the only difference between the two.
     let journal = runs(&data.join("sortie/runs"))[0]
         .to_string_lossy()
         .replace(".run.", ".flight.");
@@ -50,7 +50,7 @@ fn a_record_without_its_end_is_never_plainly_verified() {
         assert_eq!(output.status.code(), Some(code), "{printed}");
         assert!(printed.contains(words), "{printed}");
     }
-    // The journal ends normally, but the drones went on: the end was removed.
+    // The journal ends normally, but the drones flew on: the end of the record was removed.
     let output = run(data.path(), "", &["verify", &name, "--json"]);
     let document: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
     assert_eq!(document["verdict"], "verified_cut");

@@ -21,7 +21,7 @@ fn a_data_folder_that_is_missing_is_named_and_not_created() {
     let home = tempfile::tempdir().expect("a temporary folder");
     let data = home.path().join("nowhere");
     let named = data.to_string_lossy().into_owned();
-    // With shared results, too, which would need the folder.
+    // Also with shared results, which would need the folder.
     let shared = home.path().join("shared.toml");
     fs::write(&shared, "[results]\nreaders = \"group\"\n").expect("written");
     let shared = shared.to_string_lossy().into_owned();
@@ -70,7 +70,7 @@ fn the_default_data_folder_need_not_exist_to_be_read() {
         out(&none)
     );
     assert!(!home.path().join("sortie").exists());
-    // A folder without records is no fault, either.
+    // A folder without records is no fault either.
     let named = home.path().to_string_lossy().into_owned();
     let none = run(home.path(), "", &["records", "list", "--data", &named]);
     assert!(out(&none).contains("0 records"), "{}", said(&none));
@@ -175,7 +175,7 @@ fn the_reader_of_a_fifo_gets_an_export() {
     let fifo = home.path().join("fifo");
     let made = Command::new("mkfifo").arg(&fifo).status().expect("it runs");
     assert!(made.success());
-    // It opens the FIFO to read and to write, so that it waits for no writer.
+    // The FIFO is opened for reading and writing, so that the reader does not wait for a writer.
     let mut reader = Command::new("bash")
         .args(["-c", "exec 3<>\"$1\"; echo; exec cat <&3", "bash"])
         .arg(&fifo)
@@ -188,7 +188,7 @@ fn the_reader_of_a_fifo_gets_an_export() {
     let first = thread::spawn(move || {
         let mut start = [0; 5];
         from.read_exact(&mut start).expect("written");
-        // The rest must not hold up the program.
+        // The remaining output must not hold up the program.
         drop(std::io::copy(&mut from, &mut std::io::sink()));
         start
     });

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{FLIGHT, run, runs, said};
 
-/// What the program prints about the newest record, and its exit code.
+/// The output of the program about the newest record, and its exit code.
 fn printed(data: &Path, command: &[&str]) -> (Option<i32>, String) {
     let output = run(data, "", command);
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &said(&output);

@@ -129,8 +129,8 @@ fn a_record_is_verified_as_long_as_it_is_not_edited() {
     fs::write(&file, &record).expect("it is written");
     fs::remove_file(name.replace(".run.", ".inputs.")).expect("it was there");
     assert_eq!(verify(1)["verdict"], "rescored");
-    // A record that claims to be of ArduPilot is scored again, but not verified. Its checksum no longer matches, so it
-    // is one without a checksum, as older versions wrote them.
+    // A record that claims to be from ArduPilot is scored again, but not verified. Its checksum no
+    // longer matches, so the checksum is removed: older versions wrote records without one.
     fs::write(&file, &relabelled).expect("it is written");
     assert_eq!(verify(1)["verdict"], "differs");
     fs::write(&file, without_checksum(&relabelled)).expect("it is written");

@@ -147,7 +147,7 @@ fn the_debrief_tells_what_the_flight_has_brought() {
     console.at(5);
     let text = drawn(&console, Symbols::Braille, Language::English, (80, 50));
     insta::assert_snapshot!("debrief_career_80x50", text);
-    // The keys that move between sections reach it.
+    // The keys that move between sections reach the career.
     let mut console = resized(console, (80, 24));
     for _ in 0..2 {
         console.press("tab");

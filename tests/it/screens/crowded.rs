@@ -254,7 +254,7 @@ fn what_one_sensor_has_seen_is_a_sign_and_only_the_nearest_has_its_name() {
             .filter(|word| word.starts_with("?c"))
             .collect::<Vec<_>>()
     };
-    // The legend has one of them, too.
+    // The legend contains one of the names as well.
     assert_eq!(named(&console).len(), 2, "nearest to the vehicle");
     for _ in 0..12 {
         console.press("l");

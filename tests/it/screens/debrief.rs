@@ -124,7 +124,7 @@ fn the_truth_is_beside_the_text_where_there_is_room_and_behind_a_key_elsewhere()
     insta::assert_snapshot!("debrief_truth_ascii_80x24", shown(&console, Symbols::Ascii));
     let ukrainian = drawn(&console, Symbols::Braille, Language::Ukrainian, (80, 24));
     insta::assert_snapshot!("debrief_truth_uk_80x24", ukrainian);
-    // From the map, Esc leads back to the text, and only from there home.
+    // From the map, Esc leads back to the text; only from there does it lead home.
     console.press("esc");
     assert!(shown(&console, Symbols::Braille).contains("837 / 1000"));
     assert!(console.effects.is_empty(), "{:?}", console.effects);
@@ -287,7 +287,7 @@ fn earlier_tries_are_in_the_debrief_in_the_brief_and_on_the_home_screen() {
     ] {
         assert!(brief.contains(line), "{line}: {brief}");
     }
-    // On a narrow screen, what to do comes before what was done.
+    // On a narrow screen, the objectives come before the earlier attempts.
     let at = |what: &str| {
         brief
             .find(what)

@@ -50,7 +50,7 @@ fn traffic(name: &str, census: Census) -> LinkTraffic {
     }
 }
 
-/// In the room of messages, with one link that has carried a flight.
+/// A console in the room of messages, with one link that has carried a flight.
 fn inspecting() -> Console {
     let mut console = Console::flying(1);
     console.press("I");

@@ -192,7 +192,7 @@ fn all_rebound() -> String {
                 Meaning::Do(action) => action.name().to_owned(),
                 Meaning::Write(line) => format!("{} ...", line.trim_end()),
                 Meaning::Give(line) => line.clone().into_owned(),
-                // A family of keys that has no alternative binding.
+                // A whole group of keys, which has no alternative binding.
                 Meaning::Type => continue,
             };
             let old = binding.press.label();
@@ -217,7 +217,7 @@ fn event(press: Press) -> Option<KeyEvent> {
     Some(KeyEvent::new(code, modifiers))
 }
 
-/// Every room, and the result of each of its keys, with a name.
+/// Every room, and the result of each of its keys, each with its name.
 fn all_shown(file: &str) -> Vec<(String, Console)> {
     let mut keymap = Keymap::default();
     let themes: Vec<String> = Theme::names().map(str::to_owned).collect();

@@ -36,7 +36,7 @@ fn finding(link: usize, way: Way, cause: Cause) -> LinkFinding {
     LinkFinding { link, way, cause }
 }
 
-/// In the room of links, with one faulty link and one closed link.
+/// A console in the room of links, with one faulty link and one closed link.
 pub(super) fn ailing() -> Console {
     let mut console = Console::flying(0);
     let links = vec![
@@ -79,7 +79,7 @@ fn the_room_of_links_names_the_cause_and_what_to_try() {
     assert_eq!(console.state().room(), Room::Links);
 }
 
-/// A recording contains the frames of a link, not what the link has counted.
+/// A recording contains the frames of a link, but not its counters.
 #[test]
 fn what_a_recording_does_not_contain_is_a_dash() {
     let mut console = Console::flying(0);

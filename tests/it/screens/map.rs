@@ -351,7 +351,7 @@ fn everything_in_view_is_the_task_and_the_drones_but_not_the_fence() {
     );
 }
 
-/// Sensors must find a hazard: the map shows nothing of it before.
+/// Sensors must find a hazard: until then, the map shows nothing of it.
 #[test]
 fn a_mission_tells_its_areas_and_nothing_of_its_hazards() {
     let source = include_str!("../../../missions/01-air-sample.toml");
@@ -375,7 +375,8 @@ fn sensors_on_the_ground_leave_no_samples() {
     assert_eq!(map.field().map(|(name, _)| name), Some("co"));
 }
 
-/// The first gate has been passed, and the lesson of the first mission leads to the second.
+/// A flight in which the first gate has been passed, and the lesson of the first mission leads to
+/// the second.
 fn at_the_first_gate() -> Console {
     let mut console = Console::flying(0);
     console.vehicle(fixtures::airborne(1, 10.0, 20.0));

@@ -1,4 +1,4 @@
-//! What vehicles have on board, on the map.
+//! The lists on board vehicles, on the map.
 
 use std::sync::Arc;
 

@@ -68,7 +68,8 @@ fn a_survey_being_drawn() {
     }
 }
 
-/// The room shows the outcome of commands to vehicles, each in its own line, and what can be done next.
+/// The room shows the outcome of commands to vehicles, each on its own line, and the next possible
+/// step.
 #[test]
 fn the_last_command_and_the_next_step_are_shown() {
     let mut console = drawing(Language::English);
@@ -183,7 +184,8 @@ fn the_figures_of_a_rehearsal_are_shown() {
     assert!(!console.screen(80, 24).contains("71 %"), "another draft");
 }
 
-/// Long names of drafts are shortened so that both of a pair can be told apart, and further failures have a number.
+/// Long names of drafts are shortened so that both names of a pair differ, and the number of
+/// further failures is shown.
 #[test]
 fn figures_of_drafts_with_long_names() {
     let mut console = drawing(Language::English);

@@ -67,7 +67,7 @@ fn reviewing() -> Console {
     console
 }
 
-/// The stored part of a review.
+/// The review that was stored last.
 fn kept(console: &Console) -> Option<Review> {
     let kept = console
         .effects

@@ -157,7 +157,7 @@ fn add_plans(vehicle: &mut Vehicle) {
         .collect();
 }
 
-/// In the room of the vehicle, after half a minute of flight.
+/// A console in the room of the vehicle, after half a minute of flight.
 fn room() -> Console {
     room_of(Console::flying(4))
 }

@@ -19,7 +19,7 @@ fn design(source: &str) -> Design {
     Design::from_toml(source).expect("it is good")
 }
 
-/// At the bench, with a career that owns few parts and has two designs.
+/// A console at the bench, with a career that owns few parts and has two designs.
 fn workshop(language: Language) -> Console {
     let scout = design(include_str!("../../../designs/scout.toml"));
     let starter = design(include_str!("../../../designs/starter.toml"));
@@ -34,7 +34,7 @@ fn workshop(language: Language) -> Console {
     console
 }
 
-/// The cursor on the batteries, one of them being examined.
+/// A console with the cursor on one of the batteries, which is being examined.
 fn looking(language: Language) -> Console {
     let mut console = workshop(language);
     for _ in 0..4 {
@@ -96,7 +96,8 @@ fn a_proposed_name_is_in_the_prompt_and_typing_replaces_it() {
     );
 }
 
-/// A part that does not fit is muted with a cross, its reason below in the colour of danger.
+/// A part that does not fit is muted, with a cross, and its reason is shown below in the colour of
+/// danger.
 #[test]
 fn parts_that_do_not_fit_look_so() {
     let mut console = looking(Language::English);
@@ -119,7 +120,7 @@ fn parts_that_do_not_fit_look_so() {
         danger.contains("does not fit: the battery has 6 cells"),
         "{danger}"
     );
-    // Without room for the reason, no figure promises a gain.
+    // Without room for the reason, no figure shows an improvement.
     let narrow = console.screen(80, 24);
     let row = narrow
         .lines()

@@ -16,7 +16,7 @@ use sortie::wire::{Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM};
 
 use super::{Behaviour, CRASH_FILE, LIFE, MEMORY_FILE};
 
-/// How long it waits for bytes before it steps its world.
+/// How long it waits for bytes before the next steps of its world.
 const ROUND: Duration = Duration::from_millis(5);
 /// The maximum lost time (of a stopped process or a busy machine) that is caught up at once.
 const CATCH_UP: Duration = Duration::from_millis(250);
@@ -161,7 +161,7 @@ struct Flight {
     program: Program,
     world: World,
     port: PortId,
-    /// Like SITL, it does not open another connection once this one is closed.
+    /// The connection; like SITL, the stand-in does not open another one once it is closed.
     stream: Option<TcpStream>,
 }
 
@@ -250,7 +250,7 @@ fn flood() {
     }
 }
 
-/// How often a stand-in has been started in this folder, this time included.
+/// How many times a stand-in has been started in this folder, including this time.
 fn count_start() -> u64 {
     let memory = fs::OpenOptions::new()
         .append(true)
@@ -280,7 +280,7 @@ fn start(home: &str) -> Start {
     }
 }
 
-/// The real one panics at an absolute path, and a panicked SITL hangs forever.
+/// Reads the airframe file. The real SITL panics at an absolute path, and then hangs forever.
 fn airframe(path: &str) -> Airframe {
     let text = fs::read_to_string(path).ok();
     let text = text.filter(|_| Path::new(path).is_relative());

@@ -1,11 +1,12 @@
-//! The form of an item in which the vehicle's truncation changes nothing.
+//! The form of an item that the vehicle's truncation does not change.
 
 use super::letters;
 use crate::Item;
 
-/// An item of a mission with numbers that survive the vehicle's truncation: a height such as 20.3 m, which as a float
-/// is a little less, would be kept as 20.29 m. Sent in this form, an item is kept to the centimetre, and what the
-/// vehicle sends back stays the same however often it is sent again.
+/// An item of a mission with numbers that survive the vehicle's truncation: a height such as 20.3
+/// m, which as a float is a little less, would be kept as 20.29 m. Sent in this form, an item is
+/// kept to the centimetre, and an item that the vehicle sends back stays the same however often it
+/// is sent again.
 #[must_use]
 pub fn as_sent(item: &Item) -> Item {
     let Some(kept) = letters(item.command) else {
@@ -23,11 +24,12 @@ pub fn as_sent(item: &Item) -> Item {
     sent
 }
 
-/// A number close to whole hundredths as the nearest float that is not truncated below them; others stay.
+/// A number close to a whole hundredth, as the nearest float that truncation does not lower; other
+/// numbers are unchanged.
 fn surviving(value: f32) -> f32 {
     let hundredths = f64::from(value) * 100.0;
     let whole = hundredths.round();
-    // The errors of a float, of its product and of the factor on the way back.
+    // The rounding errors of a float, of its product and of the factor on the way back.
     let error = 0.001 + hundredths.abs() * 2e-7;
     if !value.is_finite() || (hundredths - whole).abs() > error {
         return value;

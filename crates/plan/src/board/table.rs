@@ -1,4 +1,4 @@
-//! The commands that ArduPilot knows, and how it stores their parameters.
+//! The commands that ArduPilot supports, and how it stores their parameters.
 
 use crate::command;
 

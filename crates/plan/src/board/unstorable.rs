@@ -16,8 +16,9 @@ pub struct UnstorableValue {
     pub stored: f32,
 }
 
-/// The parameters of a plan's item that the vehicle would store as other values, beyond the rounding of its storage.
-/// Parameters that the vehicle does not keep, and those of which it keeps a direction or a yes only, do not count.
+/// The parameters of a plan's item that the vehicle would store as other values, beyond the
+/// rounding of its storage. Parameters that the vehicle does not keep, or keeps only as a direction
+/// or a flag, do not count.
 pub fn unstorable_values(item: &Item) -> impl Iterator<Item = UnstorableValue> {
     let [p1, p2, p3, p4] = item.params;
     let values = [p1, p2, p3, p4, item.x as f32, item.y as f32, item.z];

@@ -94,7 +94,7 @@ fn jump_fault(items: &[Item], index: usize, item: &Item) -> Option<FindingKind> 
     let Some(mut at) = target(items, item) else {
         return Some(FindingKind::NoTag(item.params[0] as u16));
     };
-    // Only a chain of jumps comes back without an item to fly.
+    // Only a ring of jumps leads back here without an item to fly.
     for _ in 0..items.len() {
         if at == index {
             return Some(FindingKind::JumpRing);

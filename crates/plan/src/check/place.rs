@@ -84,7 +84,7 @@ pub(super) fn check(
     }
 }
 
-/// The limit of the fence beyond which a rally point lies.
+/// The fence limit that a rally point exceeds, if any.
 fn rally_fault(item: &Item, home: Option<Home>, options: &CheckOptions) -> Option<RallyFault> {
     let home = home?;
     let distance_m = LatLon::from_e7(home.x, home.y).distance_m(item.point()) as f32;

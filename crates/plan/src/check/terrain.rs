@@ -7,9 +7,10 @@ use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
 /// The distance between the points of a leg that are checked, in metres: a third of the spacing of the finest files.
 const STEP_M: f64 = 10.0;
-/// The default of the smallest height of a leg above the ground, in metres.
+/// The default minimum height of a leg above the ground, in metres.
 pub const USUAL_CLEARANCE_M: f64 = 10.0;
-/// A home whose height differs from that of the ground by more than this is reported, in metres.
+/// The largest difference between the height of home and the ground there that is not reported, in
+/// metres.
 const HOME_SLACK_M: f64 = 30.0;
 /// `RTL_ALT`, in metres above home.
 const RETURN_HEIGHT_M: f64 = 15.0;
@@ -23,7 +24,7 @@ pub struct Leg {
     pub item: usize,
     /// Its length over the ground, in metres.
     pub length_m: f64,
-    /// Whether its heights count from the ground at both ends, so that the vehicle follows the ground.
+    /// Whether its heights count from the ground at both ends, so the vehicle follows the ground.
     pub follows_ground: bool,
     /// The minimum height above the ground, in metres, and where it is, in metres from the start; `None` if a part of
     /// the leg is not covered.
@@ -189,7 +190,7 @@ pub fn check_terrain(
     findings
 }
 
-/// A height of home that is not that of the ground.
+/// A finding if the height of home differs too much from that of the ground.
 fn home_fault(home: Home, ground_m: &dyn Fn(LatLon) -> Option<f64>) -> Option<FindingKind> {
     let ground = ground_m(place_of(home))?;
     let is_off = (ground - f64::from(home.z)).abs() > HOME_SLACK_M;

@@ -311,7 +311,6 @@ fn limits_hold_above_home_whatever_the_frame() {
     assert_eq!(severities, [Severity::Error, Severity::Warning]);
 }
 
-/// MAVLink's list of commands with a place, and what the vehicle stores as a place.
 #[test]
 fn commands_with_a_place_are_stored_with_one() {
     let unsupported = [25, 36, 80, 195];

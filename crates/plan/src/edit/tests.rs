@@ -2,7 +2,7 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// A waypoint that its height identifies.
+/// A waypoint identified by its height.
 fn waypoint(number: usize) -> Item {
     Item {
         command: command::WAYPOINT,
@@ -26,7 +26,7 @@ fn jump(to: usize) -> Item {
     }
 }
 
-/// Waypoints, some of which are replaced by jumps to other places.
+/// Waypoints, some of which are replaced by jumps to other items.
 fn plans() -> impl Strategy<Value = Vec<Item>> {
     prop::collection::vec(prop::option::of(0..20_usize), 2..15).prop_map(|jumps| {
         let length = jumps.len();

@@ -44,7 +44,7 @@ fn content(bytes: &[u8]) -> Result<Vec<u8>, ArchiveFault> {
     Err(ArchiveFault::NoKml)
 }
 
-/// The file of an entry of the directory.
+/// Unpacks the file of a directory entry.
 fn unpacked(bytes: &[u8], entry: usize) -> Result<Vec<u8>, ArchiveFault> {
     let (method, packed) = (short(bytes, entry + 10)?, long(bytes, entry + 20)?);
     let size = long(bytes, entry + 24)?;

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use crate::fault::{Expected, Fault, FaultKind, Syntax};
 
-/// More levels than any of the formats uses.
+/// The maximum nesting depth: deeper than any of the formats uses.
 const DEEPEST: usize = 64;
 
 /// A value and its place in the text.

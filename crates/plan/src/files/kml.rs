@@ -1,7 +1,7 @@
 //! KML 2.2: placemarks with points, lines, rings, polygons and tracks.
 //!
-//! Heights of other programs' shapes count as their `altitudeMode` says: above sea level (`absolute`), above the ground
-//! (`relativeToGround`), or not at all.
+//! Heights of other programs' shapes count as their `altitudeMode` specifies: above sea level
+//! (`absolute`), above the ground (`relativeToGround`), or not at all.
 
 use std::fmt::Write as _;
 

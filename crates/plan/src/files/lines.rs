@@ -16,8 +16,8 @@ pub(super) fn is_fence(text: &str) -> bool {
     first.is_some_and(|words| words.iter().all(|word| word.number().is_ok()))
 }
 
-/// `RALLY latitude longitude height break-height direction flags`. The last three are for fixed-wing aircraft, and
-/// MAVLink's rally points lack them.
+/// Parses lines of the form `RALLY latitude longitude height break-height direction flags`. The
+/// last three fields are for fixed-wing aircraft, and MAVLink's rally points lack them.
 pub(super) fn parse_rally(text: &str) -> Result<Parsed, Vec<Fault>> {
     let mut parsed = Parsed::default();
     let mut faults = Vec::new();
@@ -59,8 +59,9 @@ fn rally_point(words: &[Word<'_>]) -> Result<Item, Fault> {
     ))
 }
 
-/// The return point, then the corners of one inclusion area; the last corner repeats the first. If the last point
-/// repeats the very first one, or there are only three points, all of them are corners.
+/// Parses the return point, then the corners of one inclusion area; the last corner repeats the
+/// first. If the last point repeats the very first one, or there are only three points, all of them
+/// are corners.
 pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
     let mut points = Vec::new();
     let mut faults = Vec::new();

@@ -1,7 +1,7 @@
 //! QGroundControl's `.plan`: file version 1, mission 2, fence 1 and 2, rally points 1 and 2.
 //!
-//! What the format cannot hold: the frame and height of fence items (they have no meaning), the order of areas of
-//! different kinds, and rally points that are not above home, which are refused.
+//! The format cannot hold the frame and height of fence items (they have no meaning), the order of
+//! areas of different kinds, or rally points that are not above home, which are refused.
 
 use std::collections::BTreeMap;
 
@@ -50,7 +50,7 @@ fn head(root: &Node) -> Result<(), Fault> {
     check_version(root, &[1], "1").map(drop)
 }
 
-/// The version of a part, which is one of those known.
+/// The version of a part, if it is one of `known`.
 fn check_version(node: &Node, known: &[u32], listed: &'static str) -> Result<u32, Fault> {
     let version = node.need("version")?;
     let number = version.number()?;
@@ -160,7 +160,7 @@ fn read_item(
     Ok(())
 }
 
-/// Converts the targets of jumps from ids of items, as in the file, to numbers, as in MAVLink.
+/// Converts jump targets from item ids, as in the file, to item numbers, as in MAVLink.
 fn aim_jumps(parsed: &mut Parsed, numbers: &BTreeMap<u32, usize>) -> Result<(), Fault> {
     if numbers.iter().all(|(id, number)| *id as usize == *number) {
         return Ok(());

@@ -9,7 +9,8 @@ use super::tour::{Way, length_m};
 use super::{Circle, GenerateError, Manner, Scene, Work};
 use crate::pattern::{Lane, course, sector, square as expanding_square};
 
-/// The expanding square: one stroke, or the parts of its legs inside the fence, with ways around what lies between them.
+/// The expanding square: one stroke, or the parts of its legs inside the fence, with paths around
+/// the areas between them.
 pub(super) fn square(
     field: &Field,
     datum: DVec2,

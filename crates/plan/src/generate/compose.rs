@@ -19,7 +19,7 @@ pub(super) struct Trip {
 }
 
 impl Trip {
-    /// `None` if the fence leaves no path.
+    /// The paths from home to a vehicle's work and back; `None` if the fence leaves no path.
     pub(super) fn of(scene: &Scene, work: &Work) -> Option<Self> {
         let home = scene.homes[work.vehicle];
         let (first, last) = (*work.points.first()?, *work.points.last()?);

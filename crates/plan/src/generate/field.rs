@@ -13,9 +13,9 @@ use crate::pattern::{Lane, course};
 const MARGIN_M: f64 = 2.0;
 /// Pieces of lines shorter than this are left out.
 const SHORTEST_M: f64 = 1.0;
-/// The distance that is kept beside an area to stay out of, in metres: a vehicle does not fly an exact line.
+/// The distance kept from an exclusion area, in metres: a vehicle does not follow a line exactly.
 const ASIDE_M: f64 = 1.0;
-/// The farthest that a corner of such an area is moved for that, in metres.
+/// The farthest that a corner of an exclusion area is moved to keep this distance, in metres.
 const FARTHEST_M: f64 = 3.0;
 /// The number of corners of a path around a circle.
 const CIRCLE_CORNERS: u32 = 12;
@@ -64,7 +64,7 @@ impl Field {
             && legs.all(|leg| self.is_clear(leg[0], leg[1]))
     }
 
-    /// Whether all points and legs of the work stay inside, and the circle around its last place.
+    /// Whether all points and legs of the work, and the circle around its last point, stay inside.
     pub(super) fn holds_work(&self, work: &Work) -> bool {
         let mut rim = work.circle.iter().flat_map(|circle| {
             let at = move |corner: u32| {
@@ -84,7 +84,8 @@ impl Field {
         if self.is_open() {
             return vec![lane];
         }
-        // The longer line loses the margin at each end, whether the fence cuts it there or it ends by itself.
+        // The longer line loses the margin at each end, whether the fence cuts it there or the line
+        // itself ends.
         let longer = Lane {
             from: lane.from - along * MARGIN_M,
             to: lane.to + along * MARGIN_M,
@@ -167,7 +168,7 @@ impl Field {
     }
 }
 
-/// An area to stay out of with the distance that is kept from it; other areas stay as they are.
+/// An exclusion area, widened by the distance kept from it; other areas are unchanged.
 fn widened(area: FenceArea<[f64; 2]>) -> FenceArea<[f64; 2]> {
     if area.keeps_in {
         return area;

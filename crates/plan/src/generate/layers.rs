@@ -9,8 +9,8 @@ use crate::pattern::distance_to_segment;
 /// Paths closer than this are flown at different heights, in metres: the distance of a conflict, and a margin.
 pub(super) const ASIDE_M: f64 = 6.0;
 
-/// How much nearer to a place a path must come than its vehicle's own climb and descent to count as too close, in
-/// metres.
+/// How much closer to a place than its vehicle's own climb or descent a path must come to count as
+/// too close, in metres.
 const BESIDE_M: f64 = 0.5;
 
 /// Where a vehicle crosses, and where it climbs and descends.
@@ -48,7 +48,7 @@ impl Crossing {
         legs.any(|[from, to]| distance_to_segment(point, *from, *to) < limit)
     }
 
-    /// Whether it passes where the other climbs or descends, and has to be above.
+    /// Whether it passes where the other climbs or descends, and therefore has to be above.
     fn passes_over(&self, other: &Self) -> bool {
         let mut columns = other.columns.iter();
         columns.any(|column| self.comes_near(*column))
@@ -156,8 +156,8 @@ pub(super) fn are_apart(scene: &Scene, works: &[Work], layer_m: f64) -> bool {
     works.iter().all(|work| work.layer_m >= least_m) && pairs.all(|(a, b)| fits(a, b))
 }
 
-/// Which of the remaining vehicles is to be the lowest: the one that passes over the fewest others; of several, the one
-/// with the shortest path.
+/// The remaining vehicle that is to be the lowest: the one that passes over the fewest others; of
+/// several, the one with the shortest path.
 fn lowest(crossings: &[Crossing], left: &[usize]) -> Option<usize> {
     let passed = |here: usize| {
         let others = left.iter().filter(|other| **other != here);

@@ -1,4 +1,4 @@
-//! The shares of the vehicles in one way, cut so that the largest energy is as small as possible.
+//! Divides a way among the vehicles so that the largest energy is as small as possible.
 
 use glam::DVec2;
 
@@ -10,7 +10,8 @@ use super::{GenerateError, Idle, Manner, Scene, Work};
 /// The bisection steps for the limit of the energy, and for the cut of a vehicle.
 const LIMIT_STEPS: u32 = 24;
 const CUT_STEPS: u32 = 22;
-/// The maximum number of rounds in which shares are cut with the heights at which their vehicles cross.
+/// The maximum number of times that the shares are cut, each time with the crossing heights of the
+/// previous cut.
 const ROUNDS: usize = 8;
 /// Work shorter than this counts as none, in metres.
 const LEAST_WORK_M: f64 = 1.0;
@@ -20,9 +21,9 @@ const LEAST_WORK_M: f64 = 1.0;
 pub(super) const WORTH: f64 = 1.1;
 /// The least share of its energy that a vehicle should spend on its work.
 const LEAST_SHARE: f64 = 0.25;
-/// The number of vehicles of which the one to leave out is chosen.
+/// The number of candidates from which the vehicle to leave out is chosen.
 const SPARES: usize = 3;
-/// The stretches of the way at whose ends a vehicle without a share is tried.
+/// The number of stretches of a way at whose ends the energy of a vehicle without a share is tried.
 const STRETCHES: u32 = 8;
 
 /// The shares, and the vehicles without one.
@@ -161,7 +162,8 @@ impl Sharing<'_> {
     }
 }
 
-/// The heights with which shares are cut again: those of the last cut, or with `apart` a separate one for each vehicle.
+/// Sets the heights for the next cut: those of the last cut, or with `apart` a separate one for
+/// each vehicle.
 fn next_layers(works: &[Work], layer_m: f64, apart: bool, layers: &mut [f64]) {
     let mut order: Vec<&Work> = works.iter().collect();
     order.sort_by(|a, b| a.layer_m.total_cmp(&b.layer_m));
@@ -238,7 +240,7 @@ impl<'a> Crew<'a> {
         Some((high, cuts))
     }
 
-    /// The ends of the shares if no vehicle takes more than `most`; `None` if something is left.
+    /// The ends of the shares if no vehicle takes more than `most`; `None` if some work is left.
     fn cuts(&self, most: f64) -> Option<Vec<f64>> {
         let length_m = self.way.length_m();
         let mut at_m = 0.0;

@@ -30,7 +30,7 @@ pub fn areas(document: &Document) -> Vec<Vec<Vec<LatLon>>> {
     areas
 }
 
-/// The items of the areas that a fence forbids to enter.
+/// The items of the exclusion areas of a fence.
 pub fn keep_out(fence: &[Item]) -> Vec<Item> {
     let forbids = |item: &&Item| {
         matches!(
@@ -41,7 +41,7 @@ pub fn keep_out(fence: &[Item]) -> Vec<Item> {
     fence.iter().filter(forbids).copied().collect()
 }
 
-/// A fence together with those of the areas `more` that it does not have yet.
+/// A fence with the areas of `more` added that it does not have yet.
 #[must_use]
 pub fn with_areas(mut fence: Vec<Item>, more: &[Item]) -> Vec<Item> {
     let mut left = more;
@@ -67,7 +67,7 @@ pub fn with_areas(mut fence: Vec<Item>, more: &[Item]) -> Vec<Item> {
     fence
 }
 
-/// The holes of an area (its rings after the first) as areas of a fence that forbid to enter them.
+/// The holes of an area (its rings after the first) as exclusion areas of a fence.
 pub fn holes(rings: &[Vec<LatLon>]) -> Vec<Item> {
     let corners = rings.iter().skip(1).flat_map(|hole| {
         hole.iter().map(|corner| {

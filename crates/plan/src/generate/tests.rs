@@ -192,8 +192,8 @@ proptest! {
         let efforts = || generated.parts.iter().map(|part| part.effort.hover_s);
         let mean = efforts().sum::<f64>() / generated.parts.len() as f64;
         let most = efforts().fold(0.0, f64::max);
-        // A tenth, or one leg: between two cells of a concave area there is no work to cut, and the heights at which
-        // vehicles cross depend on where the cuts are.
+        // The tolerance is a tenth, or one leg: between two cells of a concave area there is no
+        // work to cut, and the heights at which vehicles cross depend on where the cuts are.
         let legs = generated.parts.iter().flat_map(|part| legs_at(part, HEIGHT_M));
         let longest_m = legs.map(|[from, to]| from.distance(to)).fold(0.0, f64::max);
         let leg_s = Pace::default().path(&[DVec2::ZERO, DVec2::X * longest_m]).hover_s;

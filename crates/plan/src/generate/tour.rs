@@ -119,7 +119,7 @@ impl Begin {
         Self { last_row, far_end }
     }
 
-    /// The lines of a cell to and fro.
+    /// The lines of a cell, flown to and fro.
     fn order(self, cell: &[Lane]) -> Vec<Vec<DVec2>> {
         let mut lanes = cell.to_vec();
         if self.last_row {
@@ -180,7 +180,8 @@ fn overlap(a: &Lane, b: &Lane, along: DVec2) -> bool {
     a_start < b_end && b_start < a_end
 }
 
-/// The strokes of all cells: the first cell as asked, then always the nearest corner of the cells that are left.
+/// The strokes of all cells: the first cell as `begin` specifies, then each time the remaining cell
+/// with the nearest corner.
 pub(super) fn tour(cells: &[Vec<Lane>], begin: Begin) -> Vec<Vec<DVec2>> {
     let mut left: Vec<&Vec<Lane>> = cells.iter().collect();
     if left.is_empty() {

@@ -6,11 +6,11 @@ use glam::DVec2;
 
 use super::course;
 
-/// More lines than this are a typing error.
+/// The maximum number of lines; a larger number is probably a typing error.
 const MOST_LANES: usize = 1000;
 /// Areas narrower than this in every direction cannot be covered.
 const LEAST_EXTENT_M: f64 = 0.5;
-/// Rounding must not add a line.
+/// The tolerance that keeps rounding from adding a line.
 const SLACK: f64 = 1e-6;
 
 /// One line over an area.
@@ -28,7 +28,7 @@ impl Lane {
         self.from.distance(self.to)
     }
 
-    /// The same line the other way.
+    /// The same line in the opposite direction.
     #[must_use]
     pub fn reversed(self) -> Self {
         Self {
@@ -43,7 +43,7 @@ impl Lane {
 pub enum NoLanes {
     /// The area has no extent.
     Empty,
-    /// The area needs more lines than this, the maximum.
+    /// The area needs more lines than this maximum.
     TooMany(usize),
 }
 
@@ -236,7 +236,7 @@ fn extent(corners: &[DVec2], strips: &Strips, index: usize) -> (f64, f64) {
     range(ends.flatten().map(|end| end.dot(strips.along)))
 }
 
-/// The ends of the part of an edge inside a strip.
+/// The part of an edge inside a strip, as its two ends.
 fn clipped([from, to]: [DVec2; 2], across: DVec2, strip: &Range<f64>) -> Option<[DVec2; 2]> {
     let (a, b) = (from.dot(across), to.dot(across));
     if (b - a).abs() < f64::EPSILON {

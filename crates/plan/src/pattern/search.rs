@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::course;
 
-/// More legs than this are a typing error.
+/// The maximum number of legs; a larger number is probably a typing error.
 const MOST_LEGS: usize = 400;
 
 /// An expanding square from the datum, first to the north: two legs of the spacing, two of twice the spacing, and so
@@ -24,8 +24,8 @@ pub fn square(spacing_m: f64, radius_m: f64) -> Vec<DVec2> {
     points
 }
 
-/// A sector search: nine legs in three triangles, each leg as long as the radius, all turns by 120 degrees to
-/// starboard, so that every triangle begins and ends at the datum.
+/// A sector search: nine legs in three triangles, each leg as long as the radius. All turns are by
+/// 120 degrees to starboard, so every triangle begins and ends at the datum.
 pub fn sector(radius_m: f64, first_course_deg: f64) -> Vec<DVec2> {
     let mut points = vec![DVec2::ZERO];
     let mut at = DVec2::ZERO;
@@ -33,7 +33,7 @@ pub fn sector(radius_m: f64, first_course_deg: f64) -> Vec<DVec2> {
     for leg in 0..9 {
         at += course(heading_deg) * radius_m;
         points.push(at);
-        // Through the datum the path continues straight ahead.
+        // At the datum the path continues straight ahead.
         if leg % 3 != 2 {
             heading_deg += 120.0;
         }

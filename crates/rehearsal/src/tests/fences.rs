@@ -19,7 +19,7 @@ fn a_fence_that_the_way_leaves_is_noticed() {
     );
 }
 
-/// A fence by parameters, with a plan that leaves it.
+/// A fence defined by parameters, with a plan that leaves it.
 fn fenced(parameters: &[(&str, f32)]) -> Participant {
     let mut one = vehicle((0.0, 0.0), &[(150.0, 0.0)]);
     one.parameters = parameters

@@ -90,7 +90,7 @@ pub(super) fn read(text: &str) -> Result<(Figures, Vec<AirframeError>), Airframe
             ));
         }
         if inertia.min_element() > 0.0 {
-            // Less than a thousandth of what the size suggests is a wrong unit.
+            // Less than a thousandth of the value that the size suggests means a wrong unit.
             let least = figures.mass_kg * maths::powi(figures.diagonal_m, 2) * 1e-3;
             figures.inertia_kg_m2 = inertia.max(DVec3::splat(least));
         }

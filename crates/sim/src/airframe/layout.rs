@@ -7,7 +7,8 @@ use sortie_geo::maths;
 pub(crate) struct Motor {
     /// Metres forward, right and down from the centre.
     pub(crate) position_m: DVec3,
-    /// Unit vector of its thrust in the same axes; straight up unless the file says otherwise.
+    /// Unit vector of its thrust in the same axes; straight up unless the file sets another
+    /// direction.
     pub(crate) thrust: DVec3,
     /// +1 for a propeller that turns counterclockwise and thus the body clockwise.
     pub(crate) spin: f64,

@@ -6,11 +6,12 @@ use serde_json::json;
 
 use super::{Airframe, Figures, layout};
 
-/// Ampere hours of a lithium polymer pack of three cells. SITL's default has no limit and would hover forever.
+/// The capacity of a three-cell lithium polymer pack, in ampere hours. SITL's default has no limit
+/// and would hover forever.
 const CAPACITY_AH: f64 = 4.0;
-/// Volts under load at which the battery is low and critical. The voltage of SITL's cells sags more than that of most:
-/// under the hover's 35 A they reach these voltages at about 20 and 10 % of the charge, so that voltage and charge
-/// agree.
+/// Volts under load at which the battery is low and critical. The voltage of SITL's cells sags more
+/// than that of most: under the hover's 35 A they reach these voltages at about 20 and 10 % of the
+/// charge, so voltage and charge agree.
 const LOW_V: f64 = 9.9;
 const CRITICAL_V: f64 = 9.3;
 /// The shares of the charge to which these voltages correspond.

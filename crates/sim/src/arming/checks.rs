@@ -16,7 +16,7 @@ use crate::plan::Item;
 
 /// The time between reports of the reasons not to arm.
 pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
-/// The delay of a report of new reasons, after the last report.
+/// The delay before new reasons are reported, counted from the last report.
 pub(super) const REPORT_SOON: Duration = Duration::from_secs(4);
 /// The time between checks, in steps.
 pub(crate) const LOOK_STEPS: u64 = 100;
@@ -122,7 +122,7 @@ pub(crate) struct ArmingChecks<'a> {
     pub(crate) received_throttle_us: f64,
     pub(crate) throttle_us: u16,
     pub(crate) throttle_is_down: bool,
-    /// The motors were stopped by a switch.
+    /// Whether a switch has stopped the motors.
     pub(crate) is_stopped: bool,
     /// Whether the motor interlock is on; `None` without a switch for it.
     pub(crate) interlock: Option<bool>,
@@ -174,7 +174,7 @@ impl ArmingChecks<'_> {
         reasons
     }
 
-    /// Reasons about the motors; with one of them, no other check is made.
+    /// Reasons that concern the motors; if there are any, no other check is made.
     fn motor_obstacles(&self) -> Vec<Reason> {
         let mut reasons = Vec::new();
         if self.interlock.is_some() && self.has_stop_switch {
@@ -187,7 +187,7 @@ impl ArmingChecks<'_> {
         reasons
     }
 
-    /// The checks that cannot be switched off.
+    /// The reasons from the checks that cannot be switched off.
     pub(crate) fn mandatory_obstacles(&self) -> Vec<Reason> {
         let booting = self.boot.reference_obstacle(self.mode).map(Reason::from);
         let mut reasons: Vec<_> = self.source_obstacle().or(booting).into_iter().collect();
@@ -202,7 +202,7 @@ impl ArmingChecks<'_> {
         self.radio_calibrates.then(|| "RC calibrating".into())
     }
 
-    /// Checks made only when all others pass and arming was requested.
+    /// The reason from the checks that are made only when all others pass and arming was requested.
     pub(crate) fn last_obstacle(&self, method: ArmingMethod) -> Option<Reason> {
         let by_itself = method == ArmingMethod::Command
             && matches!(
@@ -266,7 +266,7 @@ impl ArmingChecks<'_> {
         }
     }
 
-    /// The mission must have the items that a parameter demands, and AUTO needs one.
+    /// The mission must have the items that a parameter requires, and AUTO needs a mission.
     fn mission_obstacle(&self) -> Option<Reason> {
         let wanted = self.rules.mission_items;
         if self.rules.has(Check::Mission) {
@@ -289,7 +289,8 @@ impl ArmingChecks<'_> {
             .then(|| "Mode requires mission".into())
     }
 
-    /// A return above terrain needs the terrain around the vehicle, which nothing here sends.
+    /// A return above terrain needs terrain data around the vehicle, which the simulation does not
+    /// provide.
     fn terrain_obstacle(&self) -> Option<Reason> {
         let rules = self.rules;
         (rules.has(Check::Parameters) && rules.return_above_terrain && rules.has_terrain)

@@ -21,7 +21,7 @@ const CHANNELS: usize = 8;
 /// The reasons not to arm that parameters cause.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct ValueChecks {
-    /// About the motors; with such a reason, no other check is made.
+    /// The reason that concerns the motors; if there is one, no other check is made.
     pub(super) motors: Option<Reason>,
     /// The first wrong parameter of the controllers.
     pub(super) controllers: Option<Reason>,
@@ -109,7 +109,7 @@ fn controllers(all: &Parameters) -> Option<Reason> {
     })
 }
 
-/// The calibration of the remote control.
+/// The faults in the calibration of the remote control.
 fn sticks(all: &Parameters) -> Vec<Reason> {
     let mut reasons = Vec::new();
     let of = |channel: usize, what: &str| all.value(&format!("RC{channel}_{what}"));
@@ -158,7 +158,7 @@ fn limits(all: &Parameters, stem: &str, channel: usize) -> Vec<Reason> {
     reasons
 }
 
-/// The sources that exist, by the end of their parameters' names; the last is needed in every mode.
+/// The valid sources, by the ends of their parameters' names; the last is needed in every mode.
 const SOURCES: [(&str, &[i32]); 5] = [
     ("POSXY", &[0, 3, 4, 6]),
     ("VELXY", &[0, 3, 5, 6, 7]),

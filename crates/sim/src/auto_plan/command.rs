@@ -107,7 +107,7 @@ pub(super) fn is_quiet(number: u16) -> bool {
     QUIET.contains(&number)
 }
 
-/// Commands that act at once and are reported as reached.
+/// Whether the command acts at once and is reported as reached.
 pub(super) fn acts_at_once(number: u16) -> bool {
     matches!(
         number,

@@ -11,7 +11,7 @@ use sortie_geo::LatLon;
 
 /// The maximum number of items on a return path.
 const ITEMS_MAX: usize = 255;
-/// Heights beyond this are errors, metres.
+/// The largest valid height, in metres.
 const HEIGHT_MAX_M: f32 = 1e6;
 
 impl AutoPlan {
@@ -52,7 +52,7 @@ impl AutoPlan {
                 item.is_some_and(|item| item.command == cmd::DO_RETURN_PATH_START)
             })
             .filter_map(|at| self.nearest_leg(vehicle, at))
-            // Of equally close ones, the last counts.
+            // Of equally close items, the last counts.
             .reduce(|best, next| if next.0 <= best.0 { next } else { best })
             .map(|(_, at)| at)
     }

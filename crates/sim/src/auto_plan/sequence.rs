@@ -7,7 +7,7 @@ use crate::plan::Item;
 
 /// The maximum number of jumps in a row before the search gives up.
 const JUMPS_IN_A_ROW: usize = 64;
-/// A repeat count without end.
+/// The repeat count of an endless jump.
 const FOR_EVER: i16 = -1;
 /// The maximum number of items before a takeoff.
 const BEFORE_TAKEOFF: u16 = 16;
@@ -24,8 +24,8 @@ pub(super) fn is_navigation(command: u16) -> bool {
         )
 }
 
-/// The first item at or after a place that is not a jump. Jumps on the way are counted, and reported in `texts`, except
-/// for the first time of an unlimited jump.
+/// The first item at or after `from` that is not a jump. Jumps on the way are counted, and reported
+/// in `texts`, except for the first time of an unlimited jump.
 pub(super) fn next_counting(
     items: &[Item],
     from: u16,
@@ -84,7 +84,7 @@ pub(super) fn next_ahead(items: &[Item], from: u16, jumps: &Jumps) -> Option<u16
     None
 }
 
-/// The next navigation command at or after a place.
+/// The next navigation command at or after `from`.
 pub(super) fn next_navigation(items: &[Item], from: u16, jumps: &Jumps) -> Option<u16> {
     (from..items.len() as u16)
         .map_while(|at| next_ahead(items, at, jumps))

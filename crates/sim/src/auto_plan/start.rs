@@ -23,7 +23,7 @@ const AT_EDGE_M: f64 = 3.0;
 const COARSE_RADIUS_M: f64 = 255.0;
 
 impl AutoPlan {
-    /// Starts a navigation command; `false` for one that cannot be flown, so that the next one is tried.
+    /// Starts a navigation command; `false` if it cannot be flown and the next one is to be tried.
     pub(super) fn start_navigation(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         let Some(item) = announce_item(vehicle, at) else {
             return false;
@@ -246,8 +246,8 @@ impl AutoPlan {
     }
 }
 
-/// The seconds from now until the time of day (UTC) of a `NAV_DELAY`: hour, minute and second, of which leading ones
-/// may be -1 for any; zero without a time.
+/// The seconds from now until the time of day (UTC) of a `NAV_DELAY`: hour, minute and second.
+/// Leading fields may be -1, which matches any value; zero without a time.
 pub(super) fn until_time_of_day_s(item: &Item, uptime: Duration) -> f64 {
     let now_s = (EPOCH_US as f64 / 1e6 + uptime.as_secs_f64()) % 86_400.0;
     let units_s = [3600.0, 60.0, 1.0];
@@ -257,7 +257,7 @@ pub(super) fn until_time_of_day_s(item: &Item, uptime: Duration) -> f64 {
     let wanted_s: f64 = (first..3)
         .map(|place| f64::from(item.params[place + 1] as i32) * units_s[place])
         .sum();
-    // The time repeats with the unit above the first one given.
+    // The time repeats with the period of the unit above the first one given.
     let round_s = [86_400.0, 3600.0, 60.0][first];
     let left_s = wanted_s - now_s % round_s;
     let rounds_s = if left_s < 0.0 { round_s } else { 0.0 };

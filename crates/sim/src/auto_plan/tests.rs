@@ -128,7 +128,7 @@ impl Ground {
     }
 }
 
-/// Ready, armed in GUIDED, with a mission.
+/// A vehicle armed in GUIDED, with a mission.
 fn ready_with(items: &[Item]) -> Ground {
     let mut ground = Ground::armed();
     ground.load(items);

@@ -1,4 +1,4 @@
-//! When commands of a mission are complete.
+//! Detects when commands of a mission are complete.
 
 use std::time::Duration;
 
@@ -103,7 +103,7 @@ impl AutoPlan {
         matches!(&vehicle.flight.task, Task::Orbit(orbit) if orbit.turns() >= f64::from(item.params[0]))
     }
 
-    /// Waits for the place, then for the height, which may be passed or reached.
+    /// Whether the vehicle has arrived at the place and then reached or passed the height.
     fn has_height(&mut self, vehicle: &mut Vehicle) -> bool {
         let PlanWait::Height { down_m, left_m } = self.wait.clone() else {
             return false;

@@ -40,7 +40,7 @@ impl Autopilot {
         true
     }
 
-    /// The last check: the positions of sticks and switches.
+    /// The reasons from the last check, that of the positions of sticks and switches.
     fn stick_obstacles(&self, method: ArmingMethod) -> Vec<Reason> {
         let vehicle = &self.vehicle;
         if !self.arming_checks().checks_sticks() {
@@ -52,7 +52,7 @@ impl Autopilot {
         reasons.into_iter().map(Reason::from).collect()
     }
 
-    /// A mode in which the vehicle does not arm.
+    /// The reason if the vehicle does not arm in its current mode.
     fn mode_obstacle(&self) -> Option<Reason> {
         let mode = self.vehicle.flight.mode;
         let may_arm = mode.number == mode::AUTO && self.vehicle.tuning.flight.auto.may_arm;
@@ -66,7 +66,7 @@ impl Autopilot {
         }
     }
 
-    /// The checks before arming, of the vehicle as it is now.
+    /// The checks before arming, for the vehicle's current state.
     pub(crate) fn arming_checks(&self) -> ArmingChecks<'_> {
         let vehicle = &self.vehicle;
         let tuning = &vehicle.tuning;
@@ -123,7 +123,7 @@ impl Autopilot {
     }
 }
 
-/// One text per reason.
+/// Reports each reason in a text of its own.
 fn refuse(vehicle: &mut Vehicle, what: &str, reasons: &[Reason]) {
     for reason in reasons {
         let text = format!("{what}: {reason}");

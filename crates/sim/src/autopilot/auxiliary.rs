@@ -1,4 +1,4 @@
-//! Auxiliary functions: what a switch of the transmitter does (`RCn_OPTION`), by the switch itself or by
+//! Auxiliary functions of the transmitter's switches (`RCn_OPTION`), run by the switch itself or by
 //! `DO_AUX_FUNCTION`.
 
 mod pilot;
@@ -236,7 +236,7 @@ impl Autopilot {
         true
     }
 
-    /// Arms, disarms, or stops the motors, as the function says for the position.
+    /// Arms, disarms, or stops the motors, as the function defines for the position.
     fn switch_motors(&mut self, function: u16, position: SwitchPosition) {
         let safety = &mut self.vehicle.safety;
         match (function, position) {

@@ -209,7 +209,8 @@ impl Autopilot {
         returns
     }
 
-    /// Interrupts what the vehicle flies in AUTO or GUIDED, or continues it; `false` if that is not possible now.
+    /// Interrupts the flight in AUTO or GUIDED, or continues it; `false` if that is not possible
+    /// now.
     pub(crate) fn pause(&mut self, pause: bool) -> bool {
         let flight = &mut self.vehicle.flight;
         if flight.mode.number == mode::AUTO {

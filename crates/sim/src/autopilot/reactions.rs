@@ -121,7 +121,7 @@ impl Autopilot {
         self.vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
     }
 
-    /// LAND with a delay.
+    /// Enters LAND, with a delay before the descent.
     fn land_after_pause(&mut self) {
         let already = self.vehicle.flight.mode.number == mode::LAND;
         if self.set_mode(mode::LAND) && !already {

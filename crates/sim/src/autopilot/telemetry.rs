@@ -191,7 +191,7 @@ pub(crate) fn silent() -> impl Iterator<Item = u32> {
     SILENT.iter().copied()
 }
 
-/// Whether the firmware knows the message, so that it can be requested.
+/// Whether the firmware supports the message, so it can be requested.
 pub(crate) fn is_known(id: u32) -> bool {
     id != UNASKABLE && (builder(id).is_some() || SILENT.contains(&id))
 }

@@ -7,8 +7,8 @@ const CELL_M: f64 = 4.0;
 /// The end of a chain.
 const NONE: u32 = u32::MAX;
 
-/// Cells are chains in a table of at least twice as many slots as bodies. Different cells may share a slot; each body
-/// has its own cell stored.
+/// Cells are chains in a table of at least twice as many slots as bodies. Different cells may share
+/// a slot, so each body stores its cell.
 #[derive(Debug, Default)]
 pub(super) struct CollisionGrid {
     heads: Vec<u32>,
@@ -53,8 +53,8 @@ impl CollisionGrid {
     }
 }
 
-/// The row or column of a coordinate; values out of range share the last one. Rounds down without `floor`, which is a
-/// call on processors of the oldest kind.
+/// The row or column of a coordinate; values out of range share the last one. Rounds down without
+/// `floor`, which is a function call on the oldest processors.
 fn cell(metres: f64) -> i32 {
     let cells = metres / CELL_M;
     let towards_zero = cells as i32;

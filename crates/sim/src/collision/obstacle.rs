@@ -40,7 +40,7 @@ pub enum Placement {
 /// The outline of an obstacle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Shape {
-    /// A rectangle, so that the obstacle is a box.
+    /// A rectangle: the obstacle is a box.
     Box {
         /// The length of the box, in metres.
         length_m: f64,
@@ -49,7 +49,7 @@ pub enum Shape {
         /// The direction of its length, degrees clockwise from north.
         heading_deg: f64,
     },
-    /// A circle, so that the obstacle is an upright cylinder.
+    /// A circle: the obstacle is an upright cylinder.
     Cylinder {
         /// The radius of the cylinder, in metres.
         radius_m: f64,
@@ -91,7 +91,8 @@ pub(super) struct Obstacles {
 }
 
 impl Obstacles {
-    /// Sorts the obstacles into cells, without those that have no size or are not on the earth.
+    /// Sorts the obstacles into cells, leaving out obstacles that have no size or are not on the
+    /// earth.
     pub(super) fn new(origin: Option<Start>, obstacles: &[Obstacle], reach_m: f64) -> Self {
         let mut all = Self::default();
         let Some(origin) = origin else {

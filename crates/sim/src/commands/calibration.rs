@@ -13,12 +13,12 @@ use crate::link::Link;
 /// The parameter that accepts the existing calibration.
 const FORCE: f32 = 76.0;
 const FORCE_WHOLE: i32 = 76;
-/// The fifth parameters of calibrations in one position: of the level, and of the accelerometers.
+/// The fifth parameter of a calibration in one position: of the level, and of the accelerometers.
 const LEVEL: i32 = 2;
 const SIMPLE: i32 = 4;
 const BRIEFLY_APART: Duration = Duration::from_secs(5);
 
-/// Gyros, barometer, accelerometers, level.
+/// Calibrates the gyros, the barometer, the accelerometers or the level.
 pub(super) fn preflight(
     autopilot: &mut Autopilot,
     link: &mut Link,
@@ -46,7 +46,7 @@ pub(super) fn preflight(
             "Updating barometer calibration",
             "Barometer calibration complete",
         ];
-        // The airspeed sensors are calibrated afterwards: there are none, so that is over at once.
+        // The airspeed sensors are calibrated afterwards: there are none, so this ends at once.
         link.reply(MavMessage::COMMAND_ACK(COMMAND_ACK_DATA {
             command: MavCmd::MAV_CMD_PREFLIGHT_CALIBRATION,
             result: MavResult::MAV_RESULT_IN_PROGRESS,
@@ -80,7 +80,7 @@ pub(super) fn preflight(
     }
 }
 
-/// A calibration that keeps the vehicle busy, which it reports at most every five seconds.
+/// Reports a calibration that keeps the vehicle busy, at most every five seconds.
 fn initialise(autopilot: &mut Autopilot) {
     let now = autopilot.vehicle.uptime();
     let last = &mut autopilot.workbench.initialised_at;
@@ -91,7 +91,8 @@ fn initialise(autopilot: &mut Autopilot) {
     }
 }
 
-/// The level or the accelerometers in one position; refused within five seconds of the last time, or of the boot.
+/// Calibrates the level, or the accelerometers in one position; refused within five seconds of the
+/// last calibration or of the boot.
 fn calibrate_briefly(autopilot: &mut Autopilot) -> MavResult {
     let now = autopilot.vehicle.uptime();
     let last = &mut autopilot.workbench.accelerometers_calibrated;

@@ -6,7 +6,7 @@ use super::{Command, done};
 use crate::autopilot::Autopilot;
 use crate::link::Link;
 
-/// 0 switches it off, 1 on, 2 only the floor off.
+/// Switches the fence: 0 is off, 1 on, 2 only the floor off.
 pub(super) fn enable(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     match command.p[0] as u16 {
         on @ (0 | 1) => done(autopilot.vehicle.enable_fence(on == 1)),

@@ -49,7 +49,7 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// There is one relay, with number 0.
+/// Switches the only relay, which has the number 0.
 pub(super) fn relay(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     let known = command.whole(0) == Some(0) && command.whole(1).is_some();
     if known && command.number == cmd::DO_SET_RELAY {

@@ -1,4 +1,4 @@
-//! Commands about the mission that is flown.
+//! Commands that affect the mission being flown.
 
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::MISSION_CURRENT_DATA;
@@ -35,7 +35,8 @@ pub(super) fn start_landing_sequence(
     MavResult::MAV_RESULT_FAILED
 }
 
-/// The item must exist; the second parameter resets the jumps and restarts the mission.
+/// Sets the current item, which must exist; the second parameter resets the jumps and restarts the
+/// mission.
 pub(super) fn set_current(
     autopilot: &mut Autopilot,
     link: &mut Link,

@@ -13,7 +13,7 @@ use crate::link::Link;
 const FORCE_REBOOT: i32 = 20_190_226;
 /// The first parameter of `PREFLIGHT_STORAGE` that restores the defaults.
 const ERASE: f32 = PreflightStorageParameterAction::PARAM_RESET_FACTORY_DEFAULT as u8 as f32;
-/// The first parameters of `PREFLIGHT_REBOOT_SHUTDOWN` that the vehicle knows.
+/// The first parameters of `PREFLIGHT_REBOOT_SHUTDOWN` that the vehicle supports.
 const REBOOT: f32 = RebootShutdownAction::REBOOT_SHUTDOWN_ACTION_REBOOT as u8 as f32;
 const REBOOT_TO_BOOTLOADER: f32 =
     RebootShutdownAction::REBOOT_SHUTDOWN_ACTION_REBOOT_TO_BOOTLOADER as u8 as f32;
@@ -52,7 +52,7 @@ pub(super) fn follow(_: &mut Autopilot, _: &mut Link, command: &Command) -> MavR
     }
 }
 
-/// The estimator has sources 1 to 3.
+/// Accepts the sources 1 to 3 of the estimator.
 pub(super) fn estimator_source(_: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     match command.whole(0) {
         Some(1..=3) => MavResult::MAV_RESULT_ACCEPTED,

@@ -17,9 +17,9 @@ pub(super) const GOOD: f64 = 0.03;
 pub(super) struct Compass {
     /// The compass in use, counted from 0.
     used: usize,
-    /// The time since which the compass in use has been silent, or has contradicted the estimate.
+    /// The time at which the compass in use fell silent, or began to contradict the estimate.
     bad_since: Option<Duration>,
-    /// The time since which the first compass, whose health is reported, has been silent.
+    /// The time at which the first compass, whose health is reported, fell silent.
     silent_since: Option<Duration>,
     pub(super) healthy: Option<bool>,
     /// The error compensated when the compass was chosen, in milligauss.

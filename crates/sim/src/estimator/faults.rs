@@ -26,7 +26,7 @@ pub(crate) enum GpsUnused {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GpsFault {
     pub(crate) disabled: bool,
-    /// Why the autopilot does not use a receiver that works, if so.
+    /// Why the autopilot does not use a working receiver; `None` if it does.
     pub(crate) unused: Option<GpsUnused>,
     pub(crate) jammed: bool,
     /// Degrees north, degrees east, metres up.
@@ -80,12 +80,13 @@ pub(crate) struct Faults {
     pub(crate) radio: RadioFault,
     /// Simulated seconds per second (`SIM_SPEEDUP`).
     pub(crate) speedup: f64,
-    /// Whether the estimator sees any fault.
+    /// Whether any fault affects the estimator.
     pub(crate) any: bool,
 }
 
 impl Faults {
-    /// Reads the parameters. Unreasonable values are limited to what the arithmetic allows.
+    /// Reads the parameters. Unreasonable values are limited to the range that the arithmetic
+    /// allows.
     pub(crate) fn read(all: &Parameters) -> Self {
         let on = |name| all.value(name) != 0.0;
         let mut faults = Self {
@@ -117,7 +118,7 @@ impl Faults {
         faults
     }
 
-    /// Adds the switch that turns the GPS off.
+    /// Turns the GPS off if a switch of the remote control does (`off`).
     pub(crate) fn switch_gps(&mut self, off: bool) {
         if off && !self.gps.disabled {
             self.gps.unused = Some(GpsUnused::SwitchedOff);

@@ -144,7 +144,7 @@ impl Receiver {
         }
     }
 
-    /// The next of a sequence of numbers from -1 to 1 (splitmix64).
+    /// The next pseudo-random number, from -1 to 1 (splitmix64).
     pub(super) fn random(&mut self) -> f64 {
         self.seed = self.seed.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.seed;

@@ -12,7 +12,8 @@ use crate::texts;
 /// The time to detect a stuck accelerometer, and its share in the velocity until then.
 const LANE_PATIENCE: Duration = Duration::from_millis(300);
 const STUCK_SHARE: f64 = 0.5;
-/// The time constant with which its effect decays: the vehicle is displaced by 1.4 m in total.
+/// The time constant with which the effect of a stuck accelerometer decays: the vehicle is
+/// displaced by 1.4 m in total.
 const CALM_S: f64 = 0.6;
 
 impl Estimator {

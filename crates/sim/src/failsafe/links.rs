@@ -20,7 +20,7 @@ const LOST_THROTTLE_US: f64 = 950.0;
 pub(super) struct LinkWatch {
     station_lost: bool,
     radio_lost: bool,
-    /// The time since which the remote control has been silent, or its throttle too low.
+    /// The time at which the remote control fell silent, or its throttle became too low.
     radio_bad_since: Option<Duration>,
 }
 

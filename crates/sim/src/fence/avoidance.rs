@@ -18,7 +18,8 @@ const ACCEL_MAX_M_S2: f64 = 1.0;
 const BACKING_SHARE: f64 = 0.4;
 /// The gain of the position control (`PSC_POSXY_P`, `PSC_POSZ_P`).
 const POSITION_P: f64 = 1.0;
-/// When the vehicle must stop instead of slide, it looks ahead by its stopping distance, the margin and this much more.
+/// When the vehicle must stop instead of sliding, it looks ahead by its stopping distance, the
+/// margin and this much more.
 const LOOK_AHEAD_M: f64 = 0.02;
 /// After a pause of this length the limited velocity starts again from the wanted one.
 const MEMORY: Duration = Duration::from_millis(200);
@@ -33,7 +34,7 @@ pub(crate) struct AvoidanceRules {
     stops: bool,
     back_speed_m_s: f64,
     back_climb_m_s: f64,
-    /// The strongest braking in metres per second squared; zero for any.
+    /// The strongest braking in metres per second squared; zero for no limit.
     accel_max_m_s2: f64,
 }
 
@@ -76,7 +77,7 @@ impl Limiter {
         self.last.is_some_and(|(at, _)| now < at + ACTIVE)
     }
 
-    /// Reduces a wanted velocity to the one that the vehicle may fly at.
+    /// Reduces a wanted velocity to the one that is allowed.
     pub(super) fn limit(&mut self, wanted_m_s: DVec3, edges: &Edges<'_>, now: Duration) -> DVec3 {
         if !edges.rules.at_fence {
             return wanted_m_s;
@@ -136,7 +137,7 @@ impl Backing {
         *own = DVec2::new(stronger(own.x, velocity.x), stronger(own.y, velocity.y));
     }
 
-    /// Away from an edge that is `too_near_m` closer than the margin.
+    /// Adds a velocity away from an edge that is `too_near_m` closer than the margin.
     fn away_from(&mut self, towards: DVec2, too_near_m: f64, accel_m_s2: f64) {
         let speed = square_root(too_near_m, POSITION_P, BACKING_SHARE * accel_m_s2);
         self.push(-towards.normalize_or_zero() * speed);

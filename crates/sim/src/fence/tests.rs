@@ -75,7 +75,7 @@ fn enable(ground: &mut Ground, on: f32) -> MavResult {
     ground.long(MavCmd::MAV_CMD_DO_FENCE_ENABLE, [on])
 }
 
-/// Hovering at 20 m inside a fence that is enabled.
+/// A vehicle hovering at 20 m inside an enabled fence.
 fn fenced(items: Vec<Item>) -> Ground {
     let mut ground = Ground::hovering(20.0);
     set_fence(&mut ground, items);

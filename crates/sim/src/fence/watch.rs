@@ -82,7 +82,7 @@ impl Geofence {
         self.broken &= !FLOOR;
     }
 
-    /// Checks the fences for a vehicle at `here_m`; returns a breach that is new.
+    /// Checks the fences for a vehicle at `here_m`; returns a new breach.
     pub(crate) fn watch(
         &mut self,
         rules: &FenceRules,

@@ -170,7 +170,7 @@ fn vector(x: f32, y: f32, z: f32) -> DVec3 {
     DVec3::new(f64::from(x), f64::from(y), f64::from(z))
 }
 
-/// Three floats in a row.
+/// A vector of three consecutive floats.
 fn vector_at(payload: &Payload, at: usize) -> DVec3 {
     vector(
         payload.float(at),
@@ -179,7 +179,8 @@ fn vector_at(payload: &Payload, at: usize) -> DVec3 {
     )
 }
 
-/// The offsets are those of the `MAVLink` definitions after sorting by field size.
+/// Reads a request field by field; the offsets are those of the `MAVLink` definitions after sorting
+/// by field size.
 fn by_hand(id: u32, payload: &Payload) -> Option<Addressed> {
     let (target_at, request) = match id {
         PARAM_SET => (4, parameter_by_hand(payload)),

@@ -1,8 +1,9 @@
-//! The parameters the simulated vehicle has, in the order in which it lists them.
+//! The parameters of the simulated vehicle, in the order in which it lists them.
 //!
-//! Names, types and values are those of an `ArduCopter` 4.6 SITL with its default parameters for copters, read from it
-//! over `MAVLink`. Those that `tuning` and its parts read affect the vehicle's behaviour; the others are only stored
-//! and listed, because ground stations look for them.
+//! Names, types and values are those of an `ArduCopter` 4.6 SITL with its default parameters for
+//! copters, read from it over `MAVLink`. Those that `tuning` and its parts read affect the
+//! vehicle's behaviour; the others are only stored and listed, because ground stations look for
+//! them.
 
 use std::collections::HashMap;
 use std::sync::LazyLock;

@@ -5,7 +5,7 @@ use sortie_geo::wrap_180;
 
 /// SUPER SIMPLE keeps its heading within this distance of home.
 const NEAR_HOME_M: f64 = 10.0;
-/// Its heading changes once home is seen in a direction that differs by this much.
+/// The heading of SUPER SIMPLE changes once the direction to home differs by this much.
 const TURNS_BY_DEG: f64 = 5.0;
 
 /// The reference of the sticks.

@@ -24,8 +24,8 @@ impl Bucket {
     }
 }
 
-/// All buckets, and the one that is sent next: it is chosen when the one before has been sent, so that a bucket that is
-/// filled later waits for it.
+/// All buckets, and the one that is sent next: it is chosen when the one before has been sent, so a
+/// bucket that is filled later waits for it.
 #[derive(Debug, Clone)]
 pub(super) struct Buckets {
     all: [Bucket; BUCKETS],
@@ -110,7 +110,7 @@ impl Buckets {
         self.next.map_or(u64::MAX, |place| self.all[place].due_ms())
     }
 
-    /// Calls `send` for what is due.
+    /// Calls `send` for each message that is due.
     pub(super) fn each_due(&mut self, now_ms: u64, send: &mut impl FnMut(u32)) {
         // Every bucket is due at most once, since one that is late does not catch up.
         for _ in 0..=BUCKETS {

@@ -292,8 +292,8 @@ impl Route {
         if error == 0.0 && self.pace_per_s == 0.0 {
             return;
         }
-        // In a pause the pace approaches zero without reaching it, so that the path still waits for a vehicle that
-        // lags.
+        // In a pause the pace approaches zero without reaching it, so the path still waits for a
+        // vehicle that lags.
         let most = limits.accel_m_s2 / limits.speed_m_s;
         let jerk = limits.jerk_m_s3 / limits.speed_m_s;
         let wanted = square_root(error, jerk / most, jerk).clamp(-most, most);

@@ -59,7 +59,7 @@ enum Style {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(crate) struct Pilot {
     style: Style,
-    /// The time since which the sticks have been centred.
+    /// The time at which the sticks were centred.
     released: Duration,
     brake_m_s2: f64,
     /// LOITER: the acceleration expected from the lean. POSHOLD: the lean that is flown. Forward, right.
@@ -202,7 +202,7 @@ pub(super) fn step(cockpit: &mut Cockpit<'_>) -> Act {
             return Act::Idle;
         }
     }
-    // A takeoff leaves the ground even after the stick was let go.
+    // A takeoff leaves the ground even if the stick has been released.
     let climb = if cockpit.body.on_ground {
         climb.max(LEAST_LIFT_M_S)
     } else {

@@ -25,7 +25,7 @@ pub(crate) struct Takeoff {
 }
 
 impl Takeoff {
-    /// Straight up to a height (metres above the start) from the vehicle's position.
+    /// A takeoff straight up from the vehicle's position to a height (metres above the start).
     pub(crate) fn new(from_m: DVec3, height_m: f64, now: Duration) -> Self {
         Self {
             since: now,

@@ -13,7 +13,7 @@ fn mode(ground: &mut Ground, number: f32) {
     assert_eq!(result, ACCEPTED);
 }
 
-/// Asks to arm; returns the answer and the reasons against it.
+/// Requests arming; returns the answer and the reasons against it.
 fn arm(ground: &mut Ground) -> (MavResult, Vec<String>) {
     let before = ground.texts().len();
     let result = ground.long(ARM, [1.0]);

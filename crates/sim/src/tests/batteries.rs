@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::MavCmd;
 
 use super::*;
 
-/// `ArduCopter`'s numbers of modes.
+/// `ArduCopter`'s mode numbers.
 const GUIDED: u8 = 4;
 const RTL: u8 = 6;
 const LAND: u8 = 9;

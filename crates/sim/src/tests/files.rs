@@ -138,7 +138,7 @@ fn a_flight_leaves_a_log_that_can_be_downloaded_and_survives_a_reboot() {
         .collect();
     assert_eq!(log.len(), entry.size as usize);
     assert_eq!(&log[..7], &[0xA3, 0x95, 0x80, 0x80, 89, b'F', b'M']);
-    // ArduCopter writes a log for 15 s after disarming, and not a byte more.
+    // ArduCopter writes a log for 15 s after disarming, and nothing after that.
     ground.run(30.0);
     let first = ground.heard.len();
     ground.say(MavMessage::LOG_REQUEST_LIST(LOG_REQUEST_LIST_DATA {

@@ -111,7 +111,7 @@ fn loiter_accelerates_coasts_and_brakes_like_the_real_one() {
     close("stopping distance", north(&ground).0 - from, 24.8, 2.5);
 }
 
-/// Ready, armed in a mode with the throttle down.
+/// A vehicle that is ready, and armed in a mode with the throttle down.
 fn armed_in(number: f32) -> Ground {
     let mut ground = Ground::new();
     ground.run(2.0);

@@ -129,8 +129,8 @@ fn serial_0_accepts_everything_and_the_others_only_what_is_signed_rightly() {
         // A new link that is more than a minute behind the vehicle's clock.
         (Some((KEY, 50, later - 61 * SECOND)), false),
         (Some((KEY, 50, later - 30 * SECOND)), true),
-        // A timestamp an hour ahead is accepted and moves the vehicle's clock, so that new senders with the current
-        // time are refused.
+        // A timestamp an hour ahead is accepted and moves the vehicle's clock, so new senders with
+        // the current time are refused.
         (Some((KEY, 52, later + 3600 * SECOND)), true),
         (Some((KEY, 2, later + 3)), true),
         (Some((KEY, 53, later + 4)), false),

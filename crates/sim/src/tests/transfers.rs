@@ -54,7 +54,7 @@ pub(super) fn count(ground: &mut Ground, list: MavMissionType, count: u16) {
     }));
 }
 
-/// The last acknowledgement since a moment.
+/// The last acknowledgement among the frames received since `first`.
 fn ack(ground: &Ground, first: usize) -> Option<MavMissionResult> {
     let said = ground.messages_since(first);
     said.into_iter().rev().find_map(|message| match message {

@@ -29,7 +29,7 @@ pub(super) enum FilePlace {
     System(String),
     Parameters(String),
     Plans(String),
-    /// The files of the firmware, of which there are none.
+    /// The firmware's files; a simulated board has none.
     Firmware(String),
     Logs(String),
     Disk(String),
@@ -54,7 +54,7 @@ impl FilePlace {
 #[derive(Debug, Clone)]
 pub(super) enum FileContent {
     Bytes(Vec<u8>),
-    /// Packed at the first read, which sets the block size.
+    /// The parameters, packed at the first read, which sets the block size.
     Parameters {
         wanted: PackRequest,
         block: usize,
@@ -170,7 +170,7 @@ fn dotted(entries: Vec<FolderEntry>) -> Vec<FolderEntry> {
     all
 }
 
-/// The system files for which a simulated board has content.
+/// Opens a system file; only some have content on a simulated board.
 fn system(vehicle: &Vehicle, name: &str) -> Result<(FileContent, usize), u8> {
     let (_, said) = SYSTEM
         .iter()

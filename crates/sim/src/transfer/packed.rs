@@ -59,7 +59,8 @@ impl PackRequest {
         Some(wanted)
     }
 
-    /// The file, for blocks of a size; `None` if it would begin after the last parameter.
+    /// The file, packed for reads of `block` bytes; `None` if it would begin after the last
+    /// parameter.
     pub(super) fn pack(self, parameters: &Parameters, block: usize) -> Option<Vec<u8>> {
         let total = usize::from(parameters.count());
         let mut packed = total.checked_sub(self.start).filter(|left| *left > 0)?;

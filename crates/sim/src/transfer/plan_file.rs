@@ -40,7 +40,8 @@ pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
     let to = [u8::from(kind == ListKind::Plan); 2];
     for seq in 0..length {
         if let Some(item) = lists::as_sent(vehicle, kind, seq) {
-            // A command without a place repeats that of the item before, as in the real vehicle's file.
+            // A command without a place repeats the place of the item before, as in the real
+            // vehicle's file.
             let item = if board::has_place(item.command) || kind != ListKind::Plan {
                 item
             } else {
@@ -99,7 +100,7 @@ pub(super) fn take(autopilot: &mut Autopilot, kind: ListKind, file: &[u8]) -> bo
     }
 }
 
-/// Stores a whole list, with home in that of a plan; `false` if the vehicle refuses it.
+/// Stores a whole list; a plan begins with home. `false` if the vehicle refuses it.
 pub(super) fn take_list(autopilot: &mut Autopilot, kind: ListKind, items: &[Item]) -> bool {
     if kind == ListKind::Plan {
         return take_mission(autopilot, items, 0, false);

@@ -34,9 +34,9 @@ pub(crate) struct FlightState {
     pub(crate) pilot: Pilot,
     /// The reference of the sticks.
     pub(crate) simple: SimpleSticks,
-    /// A switch has turned the GPS off.
+    /// Whether a switch has turned the GPS off.
     pub(crate) gps_off: bool,
-    /// The way back of `SMART_RTL`.
+    /// The return path of `SMART_RTL`.
     pub(crate) trail: Trail,
     /// The end of the last takeoff, until the vehicle gets another target.
     pub(crate) takeoff_m: Option<DVec3>,
@@ -146,7 +146,7 @@ impl FlightState {
         }
     }
 
-    /// A turn rate ends with the setpoint that set it.
+    /// Ends a turn rate together with the setpoint that set it.
     pub(super) fn end_turn(&mut self, now: Duration) {
         let until = match &self.task {
             Task::Velocity { until, .. } | Task::Accelerate { until, .. } => *until,
@@ -168,7 +168,8 @@ impl FlightState {
         }
     }
 
-    /// A deflected stick turns the nose, in degrees per second; a released one ends its turn.
+    /// Turns the nose at a deflected stick's rate, in degrees per second; a released stick ends its
+    /// turn.
     pub(super) fn turn_by_stick(&mut self, rate_deg_s: f64) {
         let turning = matches!(self.yaw.demand, YawDemand::Stick(_));
         if rate_deg_s != 0.0 || turning {

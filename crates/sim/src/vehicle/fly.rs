@@ -60,7 +60,7 @@ impl Vehicle {
         }
     }
 
-    /// A deflected yaw stick turns the nose, even while the autopilot flies.
+    /// Turns the nose by a deflected yaw stick, even while the autopilot flies.
     fn turn_by_stick(&mut self) {
         let steered = matches!(self.flight.task, Task::Piloted | Task::Manual);
         let overridden = self.uptime() < self.radio.until;

@@ -22,7 +22,7 @@ pub(crate) struct Plant {
 }
 
 impl Plant {
-    /// At rest at a start, with the battery at a voltage.
+    /// A vehicle at rest at a start, with the battery at a voltage.
     pub(super) fn resting(
         airframe: Arc<Airframe>,
         wind: Wind,
@@ -38,7 +38,7 @@ impl Plant {
         }
     }
 
-    /// Air and battery now.
+    /// The current state of the air and of the battery.
     pub(super) fn conditions(&mut self, rules: &WindRules) -> Conditions {
         let height_m = self.body.height_m();
         // A tenth of a percent for 10 m, as in the standard atmosphere.

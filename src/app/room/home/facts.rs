@@ -73,7 +73,7 @@ fn practice(reason: &PracticeReason) -> Vec<Fact> {
     vec![stage, pay]
 }
 
-/// The name of what a mission unlocks.
+/// The name of what a mission unlocks: a mission, a part or a threat.
 pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
     match unlock {
         Unlock::Mission(id) => {
@@ -168,7 +168,8 @@ fn review(career: &Career, offer: &Offer) -> Option<Fact> {
     })
 }
 
-/// The skills that it trains, with the mastery of each; those not tried yet are listed together at the end.
+/// The skills that the mission trains, with the trainee's mastery of each; untried ones are listed
+/// together at the end.
 fn skills(career: &Career, offer: &Offer) -> Text {
     let mut tried = Vec::new();
     let mut new = Vec::new();

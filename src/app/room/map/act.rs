@@ -170,7 +170,7 @@ fn go(state: &mut State, size: GridSize, step: Step) {
     state.rooms.map.step(size, right, down);
 }
 
-/// Puts the cursor on a vehicle's place, or reports that it has none.
+/// Puts the cursor on a vehicle's place, or reports that its position is unknown.
 fn point_at_or_say(state: &mut State, size: GridSize, place: Option<LatLon>) {
     match place {
         Some(place) => point_at(state, size, place),
@@ -213,7 +213,7 @@ fn measure(state: &mut State, size: GridSize) {
     }
 }
 
-/// Types the command that sends the vehicles here: the user must press Enter to give it.
+/// Types the command that sends the vehicles to the cursor; the user must press Enter to give it.
 fn goto_here(state: &State, size: GridSize) -> Vec<RoomRequest> {
     let map = &state.rooms.map;
     let Some(view) = map.view(size) else {
@@ -227,7 +227,7 @@ fn goto_here(state: &State, size: GridSize) -> Vec<RoomRequest> {
     vec![RoomRequest::Write(line)]
 }
 
-/// The name of the place in the cell of a point, if any; of several, the nearest.
+/// The name of the place in the same cell as a point, if any; the nearest if there are several.
 fn name_of<'a>(state: &'a State, view: &Viewport, point: LatLon) -> Option<&'a str> {
     let cell = view.cell(point)?;
     let places = state.session.places.iter();

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crate::geo::{Extent, LatLon};
 
-/// The margin added on a side when something leaves the frame, as a share of its size.
+/// The margin added on a side when something leaves the frame, as a fraction of the frame's size.
 const GROWTH: f64 = 0.4;
 /// The minimum of that margin, in metres.
 const LEAST_MARGIN_M: f64 = 10.0;
@@ -13,7 +13,7 @@ const LEAST_MARGIN_M: f64 = 10.0;
 const EDGE: f64 = 0.03;
 /// The minimum length of the frame's longer side, in metres.
 const LEAST_SIZE_M: f64 = 50.0;
-/// The frame shrinks when everything fits into this share of it.
+/// The frame shrinks when everything fits into this fraction of its size on both axes.
 const LOOSE: f64 = 0.5;
 /// The time between checks for shrinking.
 const LOOK_EVERY: Duration = Duration::from_secs(5);
@@ -41,7 +41,7 @@ impl Overview {
             Some(frame) => {
                 let mut grown = *frame;
                 grown.include(place);
-                // Add enough that the next few metres do not extend it again.
+                // Add a margin, so the next few metres do not extend it again.
                 let mut beyond = Extent::at(place);
                 let size_m = grown.size_m();
                 let margin_m = (size_m[0].max(size_m[1]) * GROWTH).max(LEAST_MARGIN_M);
@@ -95,7 +95,7 @@ impl Overview {
     }
 }
 
-/// The frame around everything: a narrow margin, and some ground around a single vehicle on its pad.
+/// The frame around everything: a narrow margin, or more ground around a single vehicle on its pad.
 fn framed(all: Extent) -> Extent {
     let [east_m, north_m] = all.size_m();
     let missing_m = LEAST_SIZE_M - east_m.max(north_m);

@@ -8,7 +8,7 @@ use crate::text::Text;
 
 /// The initial side of the squares, in metres.
 const SIDE_M: f64 = 10.0;
-/// The maximum number of squares of a sensor; beyond that, four are merged into one.
+/// The maximum number of squares of a sensor; beyond that, squares are merged four into one.
 const MOST_SQUARES: usize = 2048;
 
 /// All readings, by the name of the sensor.

@@ -21,9 +21,9 @@ pub struct Sketch {
     pub vehicle: Option<VehicleId>,
 }
 
-/// The sign of a pylon of a power line.
+/// The symbol of a power line's pylon.
 pub const PYLON: &str = "T";
-/// The sign of a vehicle that has paused in its plan.
+/// The symbol of a vehicle that has paused in its plan.
 pub const PAUSED: &str = "||";
 
 /// The meaning of a line.
@@ -31,11 +31,11 @@ pub const PAUSED: &str = "||";
 pub enum SketchKind {
     /// The area of a task.
     Task,
-    /// A border not to cross from inside.
+    /// A border that vehicles inside must not cross.
     Fence,
-    /// A border not to cross from outside.
+    /// A border that vehicles outside must not cross.
     KeepOut,
-    /// An area forbidden to flight.
+    /// An area where flight is forbidden.
     NoFly,
     /// An area where satellite navigation fails.
     Jamming,
@@ -92,7 +92,7 @@ impl Sketch {
         }
     }
 
-    /// The sketch, as part of a vehicle's plan.
+    /// Assigns the sketch to a vehicle's plan.
     fn of_plan(self, vehicle: &Vehicle) -> Self {
         Self {
             vehicle: Some(vehicle.id),
@@ -237,7 +237,7 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
     sketches
 }
 
-/// The places of a vehicle's plan; from home if it takes off there.
+/// The path of a vehicle's plan; starts at home if the plan takes off in place.
 fn way(vehicle: &Vehicle, plan: &Plan) -> Vec<LatLon> {
     let home = vehicle.home.filter(|_| plan.takes_off_in_place());
     let path = plan.path().map(|(_, place)| place);
@@ -247,7 +247,8 @@ fn way(vehicle: &Vehicle, plan: &Plan) -> Vec<LatLon> {
         .collect()
 }
 
-/// The leg that a vehicle flies, and its end with the number of the item and of the last one.
+/// The leg that a vehicle is flying, and its end, labelled with the item's number and that of the
+/// last item.
 fn flown(vehicle: &Vehicle) -> Option<[Sketch; 2]> {
     let leg = vehicle.plan_leg()?;
     let (here, to) = (vehicle.global?.at_point, leg.to?);

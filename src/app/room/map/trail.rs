@@ -6,7 +6,7 @@ use crate::geo::LatLon;
 const MOST_POINTS: usize = 256;
 /// The initial distance between two points, in metres.
 const SPACING_M: f64 = 1.0;
-/// A longer step, in metres, is a reset of the position and not a flight: the trail starts again.
+/// A longer step, in metres, means that the position was reset: the trail starts again.
 const JUMP_M: f64 = 500.0;
 
 /// The path of one vehicle. A trail keeps its start: when it is full, every second point is dropped and the spacing
@@ -27,7 +27,7 @@ impl Default for Trail {
 }
 
 impl Trail {
-    /// Adds the vehicle's position; false if it is too close to the last point.
+    /// Adds the vehicle's position; returns false if it is too close to the last point.
     pub fn add(&mut self, place: LatLon) -> bool {
         if let Some(last) = self.points.last() {
             let way_m = last.distance_m(place);

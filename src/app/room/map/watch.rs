@@ -6,7 +6,7 @@ use crate::geo::{LatLon, Outline};
 use crate::mission::{AreaKind, Progress};
 use crate::vehicle::{Vehicle, VehicleId};
 
-/// One in this many points of a trail counts towards the extent of everything.
+/// Only every nth point of a trail counts towards the extent of everything.
 const TRAIL_STEP: usize = 4;
 
 /// Handles the start of a session, with its areas.
@@ -96,8 +96,8 @@ pub fn refit(state: &mut State) {
     state.rooms.map.aim = Aim::All;
 }
 
-/// The positions that the view of everything must contain. Where there is a task, limits such as a fence are shown
-/// only as far as there is room.
+/// The positions that the view of everything must contain. If the mission has a task area, other
+/// areas and limits such as a fence do not widen the view.
 fn places(state: &State) -> Vec<LatLon> {
     let session = &state.session;
     let vehicles = session.vehicles.values().flat_map(|vehicle| {

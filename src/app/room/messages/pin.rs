@@ -26,11 +26,11 @@ pub struct Pin {
     pub points: VecDeque<(Duration, f64)>,
     /// The link's time at the last update.
     pub now: Duration,
-    /// Frames that came too fast to be drawn.
+    /// The number of frames that arrived too fast to be drawn.
     pub dropped: u64,
 }
 
-/// The minimum, the maximum and the newest value of the last minute.
+/// The minimum, the maximum and the newest value in the time span of a graph.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PinExtent {
     pub low: f64,

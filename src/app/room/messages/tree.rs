@@ -8,7 +8,7 @@ use super::{LinkTraffic, Messages, Sort};
 use crate::inspector::{Direction, FrameSource, MessageTally, Rate, TallyKey, name_of};
 use crate::wire::SystemId;
 
-/// If there are more systems than this, they are closed by default.
+/// Systems are closed by default if there are more than this.
 const FEW_SYSTEMS: usize = 3;
 
 /// A place in the tree.
@@ -16,7 +16,7 @@ const FEW_SYSTEMS: usize = 3;
 pub enum Node {
     /// A link, by its number.
     Link(usize),
-    /// A system at one end of the link, or this program.
+    /// A system, at one end of the link or in this program.
     System(usize, Direction, u32, SystemId),
     /// A component of the system.
     Component(usize, FrameSource),

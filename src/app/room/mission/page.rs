@@ -26,7 +26,8 @@ mod workload;
 const TWO_COLUMNS: u16 = 110;
 /// The greatest width of a line.
 const WIDEST: usize = 88;
-/// The maximum number of columns for the state of an objective; `POINTS` is the width of its points.
+/// The maximum number of columns for the state of an objective. The next constant, `POINTS`, is the
+/// width of its points.
 const DETAIL: usize = 24;
 const POINTS: usize = 7;
 

@@ -52,7 +52,7 @@ impl Batch {
         }
     }
 
-    /// Notes that a value was sent with this entry of the ledger.
+    /// Records that a value was sent with this ledger entry.
     pub fn sent(&mut self, entry: EntryId, setting: ParameterSetting) {
         self.under_way.push((entry, setting));
     }
@@ -118,8 +118,8 @@ impl Batch {
     }
 }
 
-/// The vehicles to send a value to again: those whose command waited too long, and those that did not answer although
-/// they have the parameter.
+/// The vehicles to which a value must be sent again: those whose command expired before it was
+/// sent, and those that did not answer although they have the parameter.
 fn to_give_again(
     rows: &[LedgerRow],
     setting: &ParameterSetting,

@@ -20,7 +20,8 @@ pub struct Comparison {
     turned: BTreeSet<String>,
     /// Names that were set: they stay in the list even without a difference.
     pub set: BTreeSet<String>,
-    /// Whether parameters that only the vehicle has are listed too: compared with a short file, these are nearly all.
+    /// Whether parameters that only the vehicle has are also listed; compared with a short file,
+    /// that is nearly all of them.
     pub lists_extra: bool,
 }
 
@@ -63,9 +64,9 @@ impl Comparison {
 pub enum Marks {
     /// The parameter in the row under the cursor.
     UnderCursor,
-    /// Those not marked yet, so that all are marked.
+    /// The unmarked ones, so all are marked afterwards.
     Unmarked,
-    /// All that are shown.
+    /// All shown parameters.
     All,
 }
 

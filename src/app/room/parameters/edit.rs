@@ -65,7 +65,7 @@ fn line(name: &str, value: &str, vehicles: &[VehicleId]) -> String {
     format!("{targets} param set {name} {value}")
 }
 
-/// Notes a parameter command for [`tell`] and its value for the list.
+/// Records a parameter command for [`tell`], and its value for the list.
 pub fn note_order(state: &mut State, order: &Order, entry: EntryId) {
     let Act::Command(Command::Parameter(command)) = &order.act else {
         return;
@@ -117,7 +117,7 @@ pub fn tell(state: &mut State, entry: EntryId) {
     state.say(severity, text);
 }
 
-/// The outcome of a command for one vehicle and for those with the same outcome.
+/// The outcome of a command for one vehicle and all others with the same outcome.
 fn fate(row: &LedgerRow, all: &[LedgerRow]) -> Text {
     let why = |row: &LedgerRow| row.explanation.as_ref().map(|text| text.regarding(""));
     let fared_so = |other: &&LedgerRow| other.state == row.state && why(other) == why(row);

@@ -85,7 +85,7 @@ fn compared<'a>(state: &'a State, vehicle: VehicleId, comparison: &'a Comparison
     rows.collect()
 }
 
-/// The number of parameters that only the vehicle shown has.
+/// The number of parameters that the shown vehicle has and the other side lacks.
 pub fn extra(state: &State, comparison: &Comparison) -> usize {
     let vehicle = state.session.choice.cursor;
     let compared = vehicle.map(|vehicle| difference(state, vehicle, &comparison.with));
@@ -123,7 +123,7 @@ fn difference<'a>(
     pairs.filter(|(_, finding)| is_sure(*finding)).collect()
 }
 
-/// The first vehicle of a comparison whose list is incomplete and still coming.
+/// The first vehicle of a comparison whose list is still being downloaded.
 pub fn coming(state: &State, vehicle: VehicleId, with: &Other) -> Option<VehicleId> {
     let other = match with {
         Other::Vehicle(other) => Some(*other),

@@ -17,7 +17,7 @@ use crate::vehicle_id::ranges;
 
 /// Cells that Page Up and Page Down move the map's cursor.
 const PAGE: i32 = 8;
-/// Metres by which one key changes heights and radii.
+/// The step in metres by which a key changes heights and radii.
 const STEP_M: f32 = 5.0;
 /// The radius of a new circle, in metres.
 const RADIUS_M: f32 = 50.0;
@@ -39,7 +39,7 @@ pub(super) fn step(state: &mut State, step: Step) {
     state.rooms.plans.map.step(size, right, down);
 }
 
-/// Goes to an item of the list, and points at its place.
+/// Goes to an item of the list, and moves the map's cursor to its place.
 fn go(state: &mut State, row: usize) {
     let room = &mut state.rooms.plans;
     room.row = row;
@@ -157,7 +157,8 @@ fn uploading(state: &State) -> Option<String> {
     Some(format!("draft upload {targets}"))
 }
 
-/// The beginning of a line that divides the area drawn: among the selected vehicles, otherwise among all.
+/// The beginning of a line that divides the drawn area among the selected vehicles; without a
+/// selection, among all.
 fn surveying(state: &State) -> String {
     let selected = &state.session.choice.selection;
     if selected.is_empty() {
@@ -180,7 +181,7 @@ fn about_marked(state: &State, verb: &str) -> Option<String> {
     })
 }
 
-/// Why the item under the cursor has no parameter to set, if it has none.
+/// The reason why the item under the cursor has no parameter to set; `None` if it has one.
 fn no_fields(state: &State) -> Option<Text> {
     let room = &state.rooms.plans;
     let command = room.items().get(room.row()?)?.command;
@@ -189,14 +190,14 @@ fn no_fields(state: &State) -> Option<Text> {
     has_none.then(|| text!("draft-no-fields", command = word))
 }
 
-/// The beginning of a line about the item under the cursor, which must be one of the plan.
+/// The beginning of a line about the item under the cursor; `None` unless the plan is shown.
 fn about_item(state: &State, verb: &str, then: &str) -> Option<String> {
     let room = &state.rooms.plans;
     let row = room.row().filter(|_| room.list == ListKind::Plan)?;
     Some(format!("draft {verb} {} {then}", row + 1))
 }
 
-/// The numbers of items, as they are written.
+/// Item numbers as written in a line: `2`, `2-4`.
 fn words(items: Items) -> String {
     if items.first == items.last {
         items.first.to_string()
@@ -219,7 +220,7 @@ pub(in crate::app::room) fn draw(state: &mut State, action: DrawAction) -> Vec<R
     Vec::new()
 }
 
-/// The change that a key means for the list shown.
+/// The change that an action makes to the list shown; `None` if it makes none there.
 fn meant(state: &State, action: DrawAction) -> Option<Edit> {
     let room = &state.rooms.plans;
     let (list, marked, number) = (room.list, room.marked(), room.row().map(|row| row + 1));
@@ -262,7 +263,7 @@ fn behind(number: Option<usize>) -> Insertion {
     number.map_or(Insertion::Last, Insertion::After)
 }
 
-/// A command of the plan after the item under the cursor.
+/// The edit that adds a plan command after the item with this number; at the end without one.
 fn plain(command: u16, spot: Option<Spot>, number: Option<usize>) -> Edit {
     Edit::Plan(PlanEdit::Add {
         item: NewItem {
@@ -273,7 +274,7 @@ fn plain(command: u16, spot: Option<Spot>, number: Option<usize>) -> Edit {
     })
 }
 
-/// An item at the map's cursor: a waypoint, a corner or a rally point.
+/// The edit that adds a waypoint, a corner or a rally point at the map's cursor.
 fn added(list: ListKind, number: Option<usize>) -> Edit {
     match list {
         ListKind::Plan => plain(command::WAYPOINT, Some(Spot::Cursor), number),
@@ -288,7 +289,8 @@ fn added(list: ListKind, number: Option<usize>) -> Edit {
     }
 }
 
-/// An item at the map's cursor, before the item under the cursor; in a list without an order, after the others.
+/// The edit that inserts an item at the map's cursor, before the item with this number; in a list
+/// without an order, after the others.
 fn inserted(list: ListKind, number: Option<usize>) -> Edit {
     match (list, number) {
         (ListKind::Plan, Some(number)) => Edit::Plan(PlanEdit::Add {
@@ -303,7 +305,8 @@ fn inserted(list: ListKind, number: Option<usize>) -> Edit {
     }
 }
 
-/// The next frame for the marked items; in a fence, the other side of the border.
+/// The edit that sets the next frame for the marked items; in a fence, the one that makes the
+/// border keep vehicles in or out; `None` for rally points.
 fn frame(state: &State, items: Items) -> Option<Edit> {
     let room = &state.rooms.plans;
     match room.list {

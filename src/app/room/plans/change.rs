@@ -66,8 +66,8 @@ pub(super) fn look_at(state: &mut State, list: ListKind) {
     come_back(state);
 }
 
-/// Brings the map and its cursor to the current draft, otherwise to the vehicles, if the cursor is still far away at a
-/// draft that was shown before.
+/// Moves the map and its cursor to the current draft, or to the vehicles if it has no home, if the
+/// cursor was left far away at a draft shown earlier.
 fn come_back(state: &mut State) {
     let draft = state.rooms.plans.drafts.current();
     let own = draft.and_then(|draft| draft.document().home);
@@ -139,7 +139,7 @@ fn is_over_unknown_ground(document: &Document, edit: &Edit, ground: &Terrain) ->
     }
 }
 
-/// Changes the current draft by a key: a refusal is shown on the last line.
+/// Changes the current draft by a key press; shows a refusal on the last line.
 pub(super) fn try_edit(state: &mut State, change: &Edit) {
     if let Err(refusal) = edit(state, change) {
         state.say(Severity::Warning, refusal.reason);

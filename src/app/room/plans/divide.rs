@@ -18,7 +18,7 @@ use crate::vehicle::{Severity, VehicleId};
 use crate::vehicle_id::ranges;
 
 impl Drawing {
-    /// The areas of the current draft, and the index of the one under the cursor of the list.
+    /// The areas of the current draft, and the index of the area under the list's cursor.
     pub fn drawn(&self) -> (Vec<Outline>, usize) {
         let Some(draft) = self.drafts.current() else {
             return (Vec::new(), 0);
@@ -41,7 +41,7 @@ impl Drawing {
     }
 }
 
-/// Makes a plan for each vehicle that has something to do, and opens them as drafts.
+/// Makes a plan for each vehicle with a part of the work, and opens these plans as drafts.
 ///
 /// # Errors
 /// No area is drawn, a vehicle has no position, or the work has no plans.
@@ -74,8 +74,8 @@ pub(super) fn divide(
     Ok(())
 }
 
-/// Says which vehicles have a part (`busy`) and why others have none; of those without one (`idle`), some may carry an
-/// earlier plan.
+/// Shows which vehicles have a part (`busy`) and why others have none. Warns if any of the others
+/// (`idle`) still carry an earlier plan.
 fn say_divided(state: &mut State, busy: String, idle: &[VehicleId], reasons: Vec<Text>) {
     for reason in &reasons {
         let notice = Notice::general(state.now, Severity::Info, reason.clone());

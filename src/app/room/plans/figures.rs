@@ -5,24 +5,25 @@ use super::view::PlansLayout;
 use crate::draft::{Draft, TrialFlight};
 use crate::rehearsal::FlightEnding;
 
-/// The minimum columns of figures in which the line of a draft also shows the end of its flight.
+/// The minimum width of the figures, in columns, at which a draft's line also shows the end of its
+/// flight.
 pub const FIGURES_WITH_END: usize = 58;
 
 /// A line of the figures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FigureRow {
     DraftHeading,
-    /// The draft of this index in the trial.
+    /// The draft with this index in the trial.
     Draft(usize),
     /// The end of that draft's flight, on narrow screens, unless it is a landing.
     End(usize),
     PairHeading,
-    /// The pair of this index among the closest approaches.
+    /// The pair with this index among the closest approaches.
     Pair(usize),
 }
 
 impl FigureRow {
-    /// All lines of a trial's figures in so many columns.
+    /// All lines of a trial's figures at a width of `columns`.
     pub fn of(flight: &TrialFlight, columns: usize) -> Vec<Self> {
         let mut rows = vec![Self::DraftHeading];
         for (at, pilot) in flight.pilots.iter().enumerate() {
@@ -40,17 +41,18 @@ impl FigureRow {
 }
 
 impl Drawing {
-    /// The flights of the last trial of the drafts as they are.
+    /// The flights of the last trial of the unchanged drafts.
     pub fn flight(&self) -> Option<&TrialFlight> {
         self.tried.as_ref()?.flight.as_ref()
     }
 
-    /// The flights to show in place of the items, and the first line of them to show.
+    /// The flights to show in place of the items, and the first visible line of their figures.
     pub fn figures(&self) -> Option<(&TrialFlight, usize)> {
         Some((self.flight()?, self.figures_top?))
     }
 
-    /// The number of a draft's vehicle, otherwise the name of the draft; for a draft of a trial by its index.
+    /// The vehicle number of the trial's draft with this index; the draft's name if it has no
+    /// vehicle.
     fn pilot(&self, index: usize) -> String {
         let pilots = self.flight().map(|flight| flight.pilots.as_slice());
         let Some(pilot) = pilots.and_then(|pilots| pilots.get(index)) else {
@@ -71,7 +73,7 @@ impl Drawing {
         (0..count).map(|index| self.pilot(index)).collect()
     }
 
-    /// Shows or hides the figures; false if there are none.
+    /// Shows or hides the figures; returns false if there are none.
     pub(super) fn turn_figures(&mut self) -> bool {
         self.figures_top = match self.figures_top {
             None => self.flight().map(|_| 0),
@@ -80,7 +82,8 @@ impl Drawing {
         self.flight().is_some()
     }
 
-    /// Scrolls the figures by a line, down to where the last one is at the bottom; false while the items are shown.
+    /// Scrolls the figures by a line, at most until the last line is at the bottom; returns false
+    /// while the items are shown.
     pub(super) fn scroll_figures(&mut self, sizes: PlansLayout, forward: bool) -> bool {
         let Some((flight, top)) = self.figures() else {
             return false;

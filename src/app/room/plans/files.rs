@@ -18,10 +18,10 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Transfer, Vehicle, VehicleId};
 use crate::vehicle_id::ranges;
 
-/// The extension for a file whose name has none: this format holds all lists.
+/// The extension for a file name without one; this format holds all lists.
 const ENDING: &str = "plan";
 
-/// The file to propose for a draft: its own, if it has one.
+/// The file name to propose for a draft: its own, if it has one.
 pub(super) fn proposed(draft: &Draft) -> String {
     if let Some(file) = draft.file() {
         file.to_owned()
@@ -138,7 +138,7 @@ pub(super) fn save(state: &mut State, path: Option<String>) -> Result<Effects, T
     })))
 }
 
-/// Notes that a file was written.
+/// Records that a file was written.
 pub fn written(state: &mut State, path: &str) {
     let room = &mut state.rooms.plans;
     let saved = room.saving.take_if(|(saving, ..)| saving == path);
@@ -147,7 +147,7 @@ pub fn written(state: &mut State, path: &str) {
     }
 }
 
-/// Warns of what a file lacks, each once.
+/// Warns of the data that a file lacks, each kind once.
 fn say_notes(state: &mut State, path: &str, notes: &[Note]) {
     let mut words: Vec<Text> = Vec::new();
     for note in notes.iter().map(|note| preflight::note_words(&note.kind)) {
@@ -192,10 +192,10 @@ pub(super) fn name_of(vehicle: VehicleId) -> String {
     format!("vehicle-{vehicle}")
 }
 
-/// Opens what vehicles have on board, a draft for each.
+/// Opens the lists on board these vehicles, one draft for each vehicle.
 ///
 /// # Errors
-/// None of them has anything that has been read.
+/// No list of these vehicles has been read.
 pub(super) fn take(state: &mut State, vehicles: &[VehicleId]) -> Result<(), Text> {
     let known = vehicles.iter().filter_map(|id| {
         let document = on_board(state.session.vehicles.get(id)?)?;
@@ -274,7 +274,7 @@ pub fn is_kept(state: &State) -> bool {
     drafts.iter().all(|draft| is_elsewhere(state, draft))
 }
 
-/// Whether the content of a draft is also in a file, or on board the vehicle that it is meant for.
+/// Whether the content of a draft is also in a file, or on board its vehicle.
 pub fn is_elsewhere(state: &State, draft: &Draft) -> bool {
     if draft.is_kept() {
         return true;

@@ -11,15 +11,15 @@ use crate::plan::check::USUAL_CLEARANCE_M;
 use crate::text;
 use crate::vehicle::Severity;
 
-/// The ground that the room knows.
+/// The known ground, and the folder it is read from.
 #[derive(Debug, Clone, Default)]
 pub(super) struct GroundFiles {
     /// The folder of the files; `None` where the ground counts as level.
     folder: Option<String>,
     terrain: Terrain,
-    /// The squares that were asked for.
+    /// The squares already requested.
     asked: BTreeSet<Square>,
-    /// Whether the user waits for an answer.
+    /// Whether the user must be shown the next answer.
     is_announced: bool,
 }
 
@@ -43,7 +43,7 @@ pub(super) fn choose(state: &mut State, folder: Option<String>) {
     }
 }
 
-/// Requests the ground in the squares below the drafts that have not been requested yet.
+/// Requests the ground in the squares below the drafts, except those already requested.
 pub fn wanted_ground(state: &mut State) -> Option<Effect> {
     let folder = state.rooms.plans.ground.folder.clone()?;
     let home = change::home(state).map(|home| Square::of(LatLon::from_e7(home.x, home.y)));

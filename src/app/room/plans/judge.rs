@@ -1,4 +1,5 @@
-//! The faults of a draft by the vehicle's rules, and the speeds at which the vehicle would fly it.
+//! The faults of a draft according to the vehicle's limits, and the speeds at which the vehicle
+//! would fly the draft.
 
 use crate::app::State;
 use crate::plan::Document;
@@ -15,8 +16,8 @@ fn parameter(state: &State, name: &str) -> Option<f32> {
     Some(known.value)
 }
 
-/// The speeds for the times of a draft: as the user has given them, otherwise those of the vehicle under the cursor,
-/// otherwise ArduPilot's defaults.
+/// The speeds used to compute a draft's times: the user's setting, otherwise the parameters of the
+/// vehicle under the cursor, otherwise ArduPilot's defaults.
 pub fn pace(state: &State) -> Pace {
     let usual = Pace::default();
     let own = |name, usual| {
@@ -34,7 +35,8 @@ pub fn pace(state: &State) -> Pace {
     }
 }
 
-/// The faults of a document, by the rules of the vehicle under the cursor.
+/// The faults of a document according to the parameters of the vehicle under the cursor, and its
+/// clearance above known ground.
 pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
     let vehicle = state.session.choice.cursor;
     let vehicle = vehicle.and_then(|id| state.session.vehicles().get(&id));
@@ -54,7 +56,8 @@ pub fn findings(state: &State, document: &Document) -> Vec<Finding> {
     counted_once(findings)
 }
 
-/// Findings without repetitions: what the vehicle refuses in an item of a fence is also a fault of that fence.
+/// Removes repeated findings. A fence item that the vehicle refuses and the same item's fence fault
+/// count as one.
 fn counted_once(findings: Vec<Finding>) -> Vec<Finding> {
     let mut once: Vec<Finding> = Vec::new();
     for finding in findings {

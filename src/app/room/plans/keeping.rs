@@ -1,5 +1,5 @@
-//! Unsaved drafts outlive the program: they are written to a file of the data folder while they change, and opened again
-//! by the next console.
+//! Unsaved drafts outlive the program: they are written to a file in the data folder while they
+//! change, and opened again by the next console.
 
 use std::sync::Arc;
 
@@ -46,7 +46,7 @@ pub fn keep(state: &mut State) -> Effects {
     Effects::from(Effect::File(FileEffect::KeepDrafts(text)))
 }
 
-/// Opens the drafts that a console has left unsaved; [`keep`] then writes them for this one.
+/// Opens the drafts that an earlier console left unsaved; [`keep`] then writes them for this one.
 pub fn restore(state: &mut State, text: &str) {
     let drafts = &mut state.rooms.plans.drafts;
     let mut names = Vec::new();
@@ -66,8 +66,8 @@ pub fn restore(state: &mut State, text: &str) {
     state.notices.push(notice);
 }
 
-/// Adds a draft, unless it is open already, and returns its name. If another one has that name, it gets another name and
-/// belongs to no vehicle, so that the vehicle does not get two plans.
+/// Adds a draft, unless it is open already, and returns its name. If another draft has that name,
+/// the new one is renamed and belongs to no vehicle; otherwise the vehicle would get two plans.
 fn add(drafts: &mut Drafts, kept: &Draft) -> Option<String> {
     let mut same = drafts.all().iter().filter(|it| it.name() == kept.name());
     if same.any(|it| it.document().is_same(kept.document())) {

@@ -28,7 +28,7 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal>
             let ids = meant(state, vehicles)?;
             divide::divide(state, work, &ids)?;
             let trial = Trial {
-                // The draft that was divided has no vehicle; that it is not flown is no news.
+                // The draft that was divided has no vehicle, so leaving it out needs no report.
                 left_out: None,
                 ..trial::prepared(state, None)?
             };
@@ -79,7 +79,7 @@ pub fn meant(state: &State, vehicles: Option<VehicleChoice>) -> Result<Vec<Vehic
     known.map_err(|reason| Refusal::new(EditPart::Vehicles, reason))
 }
 
-/// A name that can stand in a line: one word, and no comment.
+/// A name that is valid in a command line: one word, and not a comment.
 fn plain_name(name: Option<String>) -> String {
     let name = name.unwrap_or_else(|| "plan".to_owned());
     let words = name.split_whitespace();

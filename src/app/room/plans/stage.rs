@@ -1,4 +1,4 @@
-//! The next step with a draft and the vehicles that it is for.
+//! The next step with a draft and its vehicles.
 
 use crate::app::State;
 use crate::app::action::{Action, PlansAction};
@@ -13,16 +13,16 @@ use crate::vehicle::{Vehicle, VehicleId};
 use crate::vehicle_id::ranges;
 use crate::verb::CountsAs;
 
-/// How far a vehicle has come with the plan of a draft. Later stages matter more to the user.
+/// How far a vehicle has progressed with a draft's plan. Later stages matter more to the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PlanStage {
     /// It does not carry the plan.
     Elsewhere,
-    /// It has flown the plan, and stands on the ground.
+    /// It has flown the plan and is on the ground, disarmed.
     Flown,
-    /// It carries the plan; its motors are off.
+    /// It carries the plan and is disarmed.
     OnBoard,
-    /// It stands on the ground with its motors on.
+    /// It carries the plan and is on the ground, armed.
     Armed,
     /// It is in the air, but is not flying a plan.
     Aloft,
@@ -32,7 +32,7 @@ pub enum PlanStage {
     Flying,
 }
 
-/// The latest stage that any vehicle has reached, with the vehicles in that stage.
+/// The latest stage reached by any vehicle, and the vehicles in that stage.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NextStep {
     pub stage: PlanStage,
@@ -42,7 +42,7 @@ pub struct NextStep {
     count: usize,
     /// Whether a vehicle would refuse the draft.
     is_faulty: bool,
-    /// Whether the last rehearsal of the drafts as they are failed.
+    /// Whether the last rehearsal of the unchanged drafts failed.
     has_failed: bool,
 }
 

@@ -244,13 +244,13 @@ fn an_unsaved_draft_is_closed_only_after_a_question() {
     assert!(desk.room().drafts().current().is_none());
 }
 
-/// A vehicle whose lists have been read and are empty.
+/// Marks a vehicle's lists as read and empty.
 fn read_empty(vehicle: &mut Vehicle) {
     vehicle.plans.plan.transfer = Transfer::Done;
     vehicle.plans.fence.transfer = Transfer::Done;
 }
 
-/// A vehicle in AUTO.
+/// Puts a vehicle in AUTO, armed.
 fn flies_plan(vehicle: &mut Vehicle) {
     vehicle.heartbeat = Some(Heartbeat {
         mav_type: 2,
@@ -405,7 +405,7 @@ fn without_a_screen_lines_name_their_places() {
     assert_eq!(desk.plan().len(), 1, "nothing shows a cursor");
 }
 
-/// A draft of another country leaves neither the map nor its cursor there.
+/// A new draft after one in another country moves the map and its cursor back home.
 #[test]
 fn a_new_draft_begins_at_home_after_one_that_was_far_away() {
     let mut desk = Desk::new();

@@ -61,12 +61,12 @@ pub(super) fn prepared(state: &State, vehicles: Option<&[VehicleId]>) -> Result<
     })
 }
 
-/// The drafts with plans, by who would fly them.
+/// The drafts with plans, grouped by vehicle.
 struct Casting<'a> {
     state: &'a State,
-    /// Those that are meant for a vehicle.
+    /// Drafts meant for a vehicle.
     own: Vec<&'a Draft>,
-    /// Those without a vehicle.
+    /// Drafts without a vehicle.
     others: Vec<&'a Draft>,
     /// The current draft, if it is one of the others.
     shared: Option<&'a Draft>,
@@ -118,8 +118,8 @@ impl<'a> Casting<'a> {
         Ok(flown)
     }
 
-    /// If no draft is meant for a vehicle: the current one for each of several selected vehicles, otherwise all; and
-    /// what is left out.
+    /// The drafts to fly if none is meant for a vehicle, and the drafts left out: the current draft
+    /// for each of several selected vehicles, otherwise all drafts.
     fn without_vehicles(&self) -> Result<(Vec<TrialDraft>, Option<Text>), Text> {
         let selected = self.state.addressed();
         if self.shared.is_some() && selected.len() > 1 {
@@ -136,7 +136,7 @@ impl<'a> Casting<'a> {
         (!idle.is_empty()).then(|| text!("draft-trial-idle", vehicles = idle))
     }
 
-    /// The drafts that no vehicle has, while others have vehicles.
+    /// The drafts without a vehicle, if other drafts have one.
     fn unassigned(&self) -> Option<Text> {
         let first = self.others.first()?.name();
         let names = names(self.others.iter().copied());
@@ -160,7 +160,7 @@ fn names<'a>(drafts: impl Iterator<Item = &'a Draft>) -> String {
     drafts.map(Draft::name).collect::<Vec<_>>().join(", ")
 }
 
-/// A draft flown once, from its home.
+/// A draft flown once, from its own home; from the vehicle's if it has none.
 fn alone(state: &State, draft: &Draft) -> TrialDraft {
     let home = draft.document().home.or_else(|| change::home(state));
     TrialDraft {
@@ -219,7 +219,7 @@ pub fn tried(state: &mut State, tried: Tried) {
     state.notices.push(notice);
 }
 
-/// Shows no outcome, because it is about drafts as they no longer are.
+/// Discards the outcome with a notice, because the drafts have changed since the trial began.
 fn discard(state: &mut State, is_awaited: bool) {
     let room = &mut state.rooms.plans;
     (room.tried, room.figures_top) = (None, None);

@@ -7,21 +7,24 @@ use crate::geo::{Extent, GridSize, LatLon};
 use crate::mission::AreaKind;
 use crate::plan::{Document, ListKind};
 
-/// Rows of the screen for other things: the header, the keys, the footer.
+/// Rows of the screen outside the parts of the room: the header, the keys, the footer.
 const OTHER_ROWS: u16 = 3;
-/// Rows of the details, on small screens and on large ones: the item, the cursor, and the reports.
+/// Rows of the details (the item, the cursor and the reports) on small screens. The next constant
+/// is for large ones.
 const FEW_DETAILS: u16 = 5;
 const DETAILS: u16 = 9;
-/// Rows of the heights with their rule, on small screens and on large ones.
+/// Rows of the height profile and its rule on small screens. The next constant is for large ones.
 const LOW: u16 = 5;
 const HIGH: u16 = 11;
 /// The minimum rows of a large screen.
 const TALL: u16 = 36;
-/// Columns of the list by the minimum columns of the screen; `NARROW` on narrower ones.
+/// Pairs of the minimum columns of the screen and the columns of the list; `NARROW` applies to
+/// narrower screens.
 const LISTS: &[(u16, u16)] = &[(150, 92), (110, 58)];
 const NARROW: u16 = 40;
 
-/// The minimum side of the area that the map shows, in metres: at first, and once there are items to show.
+/// The minimum side of the area that the map shows, in metres, before there are items. The next
+/// constant applies once there are.
 const LEAST_SIDE_M: f64 = 300.0;
 const LEAST_DRAWN_M: f64 = 100.0;
 /// Rows of the screen above the map: the header, the drafts.
@@ -30,9 +33,9 @@ const ROWS_ABOVE: u16 = 2;
 /// The sizes of the room's parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlansLayout {
-    /// Columns of the list, with its gap.
+    /// Columns of the list, without the gap to the map.
     pub list: u16,
-    /// Rows of the list; the heights are below it, down to the end of the map.
+    /// Rows of the list; the height profile is below it, down to the end of the map.
     pub rows: u16,
     /// The canvas of the map.
     pub canvas: GridSize,

@@ -8,7 +8,8 @@ use crate::debrief::fit;
 use crate::text;
 use crate::text::{Text, clock, wrap};
 
-/// Columns of the time and of the points; the rest is shared.
+/// Columns of the time. The next constant is for the points; the other cells share the remaining
+/// width.
 const TIME: usize = 6;
 const POINTS: usize = 8;
 /// The share of the remaining width for the difference, in units of `1 / SHARES`.
@@ -37,7 +38,7 @@ impl Page<'_> {
         }
     }
 
-    /// The pilots of the flights, and their results.
+    /// Adds the pilots of the flights and their results.
     fn heads(&mut self, own: &ComparedFlight, other: &ComparedFlight) {
         let [mine, theirs] = [own, other].map(|it| self.text.locale.text(&it.name));
         let [time, points] = ["compare-time", "compare-points"].map(|id| self.text.locale.say(id));
@@ -74,7 +75,8 @@ impl Page<'_> {
         self.row(tone, [&time, &what, &own, &other, &points]);
     }
 
-    /// A row of the table: time, what, this flight, the other one, points. Long cells take several lines.
+    /// Adds a row of the table: time, difference, this flight, the other flight, points. Long cells
+    /// take several lines.
     fn row(&mut self, tone: Tone, cells: [&str; 5]) {
         let rest = self.text.width.saturating_sub(TIME + POINTS + 4);
         let what = rest * WHAT / SHARES;

@@ -219,7 +219,7 @@ fn take_out(state: &mut State) {
     }
 }
 
-/// Shows the next view; on a wide screen figures and mission are always visible.
+/// Shows the next view; on a wide screen, the figures and the mission are always visible.
 fn next_view(state: &mut State) {
     let room = &mut state.rooms.workshop;
     room.view = if state.display.size.0 < WIDE {
@@ -249,7 +249,7 @@ fn other_mission(state: &mut State, step: Step) {
     }
 }
 
-/// Returns to the bench; from there to the room that was shown before.
+/// Returns to the bench, or from there to the previous room.
 fn escape(state: &mut State) -> Vec<RoomRequest> {
     state.hush();
     if state.rooms.workshop.page != Page::Bench {

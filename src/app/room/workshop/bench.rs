@@ -26,7 +26,7 @@ pub struct Bench {
     candidates: Vec<Candidate>,
 }
 
-/// An earlier state of the design, with the name under which it is stored.
+/// An earlier state of the design, with the name under which it was stored.
 #[derive(Debug, Clone)]
 struct Kept {
     design: Design,
@@ -37,7 +37,7 @@ struct Kept {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SlotRow {
     pub slot: PartSlot,
-    /// Its part; `None` where one could be added.
+    /// The part of the line; `None` for a line where a part can be added.
     pub part: Option<&'static Part>,
     /// The number of pieces of the part in the slot.
     pub count: usize,
@@ -47,11 +47,12 @@ pub struct SlotRow {
 #[derive(Debug, Clone)]
 pub struct Candidate {
     pub part: &'static Part,
-    /// How many of it are already in the slot.
+    /// The number of pieces of the part already in the slot.
     pub on_board: usize,
     /// The design's figures with this part; for a part on board, the current ones.
     pub sheet: Sheet,
-    /// Why it does not fit: the fault that the design would have in this slot, or a new fault in another one.
+    /// Why the part does not fit: a fault of the design in this slot, or a new fault in another
+    /// slot.
     pub misfit: Option<Text>,
 }
 
@@ -79,7 +80,7 @@ impl Bench {
         &self.design
     }
 
-    /// The name of the trainee's own design that it is based on.
+    /// The name of the trainee's own design on which this one is based.
     pub fn origin(&self) -> Option<&str> {
         self.origin.as_deref()
     }
@@ -93,7 +94,7 @@ impl Bench {
         &self.findings
     }
 
-    /// Power in watts by speed.
+    /// Power in watts by speed in m/s.
     pub fn polar(&self) -> &[(f64, f64)] {
         &self.polar
     }
@@ -141,7 +142,7 @@ impl Bench {
         self.candidates.get(self.at())
     }
 
-    /// The worst finding about a slot.
+    /// The severity of the worst finding about a slot.
     pub fn severity(&self, slot: PartSlot) -> Option<FindingSeverity> {
         let about = self.findings.iter().filter(|finding| finding.slot == slot);
         about.map(DesignFinding::severity).max()
@@ -181,12 +182,12 @@ impl Bench {
         changed.is_some_and(|changed| self.change(changed, air))
     }
 
-    /// Removes one piece of a part. Returns false if there is none.
+    /// Removes one piece of a part. Returns false if the design has none.
     pub fn take_out(&mut self, part: &Part, air: Air) -> bool {
         self.change(self.design.without(part), air)
     }
 
-    /// Undoes one change; false if there is none.
+    /// Undoes one change; returns false if there is none.
     pub fn undo(&mut self, air: Air) -> bool {
         let Some(before) = self.done.pop() else {
             return false;
@@ -196,7 +197,7 @@ impl Bench {
         true
     }
 
-    /// Redoes the change undone last; false if there is none.
+    /// Redoes the change undone last; returns false if there is none.
     pub fn redo(&mut self, air: Air) -> bool {
         let Some(after) = self.undone.pop() else {
             return false;
@@ -217,7 +218,7 @@ impl Bench {
         self.find_part();
     }
 
-    /// Renames the design, with the name under which it is stored.
+    /// Replaces the design by a renamed one, stored under the name `origin`; this cannot be undone.
     pub fn rename(&mut self, design: Design, origin: Option<String>) {
         (self.design, self.origin) = (design, origin);
     }
@@ -311,7 +312,7 @@ impl Bench {
         }
     }
 
-    /// The first fault that a change to a slot causes.
+    /// The first fault that a change causes: any in its slot, or a new one in another slot.
     fn misfit(&self, slot: PartSlot, after: &[DesignFinding]) -> Option<Text> {
         let mut faults = after
             .iter()
@@ -325,7 +326,7 @@ impl Bench {
     }
 }
 
-/// The lines of a design's list of slots: kinds of parts, and a line for one more payload.
+/// The lines of a design's list of slots: one for each kind of part, and one for a further payload.
 pub fn rows(design: &Design) -> Vec<SlotRow> {
     let mut rows: Vec<SlotRow> = Vec::new();
     for slot in PartSlot::ALL {

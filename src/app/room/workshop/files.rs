@@ -20,7 +20,7 @@ pub(super) fn ask_save(state: &mut State) {
     state.prompt(Purpose::SaveDesign, name);
 }
 
-/// Asks for the name of a copy: of a design of the list, or of the one on the bench.
+/// Asks for the name of a copy of `design`, or of the design on the bench if it is `None`.
 pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
     if state.training.career.is_none() {
         let key = state.key(Action::Workshop(WorkshopAction::ExportDesign));
@@ -32,7 +32,7 @@ pub(super) fn ask_copy(state: &mut State, design: Option<Design>) {
     state.prompt(Purpose::CopyDesign(name), entered);
 }
 
-/// Asks for another name: of a design of the list, or of the one on the bench.
+/// Asks for a new name for `design`, or for the design on the bench if it is `None`.
 pub(super) fn ask_rename(state: &mut State, design: Option<Design>) {
     let bench = &state.rooms.workshop.bench;
     let name = design.unwrap_or_else(|| bench.design().clone()).name;
@@ -100,10 +100,11 @@ pub fn saved_as(state: &mut State, name: &str) -> Result<Effects, Text> {
     ))))
 }
 
-/// Stores a copy of a design under another name; if it is the one on the bench, the copy replaces it there.
+/// Stores a copy of a design under another name; if the design is on the bench, the copy replaces
+/// it there.
 ///
 /// # Errors
-/// The name is not valid, or taken.
+/// The name is not valid, or is taken.
 pub fn copied(state: &mut State, of: &str, name: &str) -> Result<Effects, Text> {
     let bench = &state.rooms.workshop.bench;
     let is_listed = state.rooms.workshop.page == super::Page::Designs;
@@ -194,7 +195,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
     }
 }
 
-/// The design with a name: one of the trainee's own before a built-in one.
+/// The design with this name; the trainee's own designs take precedence over built-in ones.
 fn named<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
     let mut all = shelf::stored(state).into_iter();
     all.find(|it| it.design.name == name).map(|it| it.design)
@@ -209,7 +210,7 @@ fn is_taken(state: &State, name: &str) -> bool {
     own(state, name).is_some()
 }
 
-/// Whether two names count as the same in a profile, which ignores case.
+/// Whether a profile treats two names as the same; it ignores case.
 fn same(one: &str, other: &str) -> bool {
     one.eq_ignore_ascii_case(other)
 }

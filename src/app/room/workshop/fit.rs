@@ -11,7 +11,7 @@ use crate::workshop::Design;
 /// A design compared with a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fit {
-    /// The needs of some seats, compared; seats with the same needs share an entry.
+    /// The compared needs by seat; seats with the same needs share an entry.
     pub groups: Vec<(Vec<VehicleId>, Vec<Stand>)>,
     mission: String,
     design: Design,
@@ -20,7 +20,7 @@ pub struct Fit {
 
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stand {
-    /// The comparison, with the part under the cursor if there is one.
+    /// The comparison, including the part under the cursor if there is one.
     pub line: FitLine,
     /// The value without that part, if it differs.
     pub before: Option<Text>,

@@ -35,7 +35,7 @@ pub fn seats<'a>(state: &'a State, mission: &Listing) -> Vec<Seat<'a>> {
         .collect()
 }
 
-/// The price of all chosen drones, in credits.
+/// The price of all chosen designs, in credits.
 pub fn bill(state: &State, mission: &Listing) -> u32 {
     let seats = seats(state, mission).into_iter();
     seats
@@ -62,8 +62,8 @@ pub(super) fn assign_all(state: &mut State) {
     assign(state, None);
 }
 
-/// Chooses the design on the bench for a seat, or for all. The first choice is for all: a mission does not lend only
-/// part of a fleet.
+/// Chooses the design on the bench for a seat, or for all seats with `None`. The first choice is
+/// for all seats: a mission does not lend only part of a fleet.
 fn assign(state: &mut State, seat: Option<usize>) {
     let Some(mission) = mission(state) else {
         return state.say(Weight::Notice, text!("bench-no-mission"));
@@ -92,7 +92,10 @@ fn assign(state: &mut State, seat: Option<usize>) {
     state.say(Weight::Notice, text);
 }
 
-/// Why the design on the bench cannot be chosen for a mission: it is checked in that mission's air.
+/// Checks whether the design on the bench can be chosen for a mission, in that mission's air.
+///
+/// # Errors
+/// The first fault of the design, or a part that the trainee may not use.
 fn check(state: &State, mission: &Listing) -> Result<(), Text> {
     let design = state.rooms.workshop.bench.design();
     let air = mission.needs.first().map(|need| need.air);

@@ -1,4 +1,4 @@
-//! The parts that a trainee may fly, and buying more.
+//! The parts that a trainee may use, and buying more.
 
 use super::part_under_cursor;
 use crate::app::State;
@@ -15,9 +15,9 @@ use crate::workshop::{Design, Part};
 pub enum Licence {
     /// The trainee may use it; without a career, every part.
     Held,
-    /// After paying this many credits.
+    /// The trainee may use it after paying this many credits.
     ForSale(u32),
-    /// After passing the mission with this title.
+    /// The trainee may use it after passing the mission with this title.
     Locked(Text),
 }
 

@@ -36,7 +36,7 @@ pub fn stored(state: &State) -> Vec<Stored<'_>> {
     own.chain(stock).collect()
 }
 
-/// Whether the design on the bench is stored as it is, or the bench is empty.
+/// Whether the design on the bench is stored without changes, or the bench is empty.
 pub fn is_saved(state: &State) -> bool {
     let design = state.rooms.workshop.bench.design();
     design.is_empty() || stored(state).iter().any(|it| it.design == design)
@@ -90,7 +90,8 @@ pub(super) fn begin(state: &mut State) {
     open(state, Design::new(name));
 }
 
-/// On the list, compares with the design under the cursor; elsewhere, opens or closes the list.
+/// In the list, compares the bench with the design under the cursor; elsewhere, opens or closes the
+/// list.
 pub(super) fn compare_or_choose(state: &mut State) {
     let room = &mut state.rooms.workshop;
     match room.page {
@@ -144,7 +145,7 @@ pub(super) fn ask_take_out(state: &mut State) {
     }
 }
 
-/// Built-in designs cannot be changed.
+/// Reports that built-in designs cannot be changed.
 pub(super) fn refuse(state: &mut State) {
     state.say(Severity::Notice, text!("bench-not-own"));
 }

@@ -21,14 +21,15 @@ impl Career {
         self.course.next(&self.standing, self.day)
     }
 
-    /// The mission to show next; for a drill, the mission that it belongs to.
+    /// The id of the mission to show next; for a drill, of the mission to which it belongs.
     pub fn next_mission(&self) -> Option<&str> {
         let (_, offer) = self.next()?;
         let id = offer.drill_of.as_deref();
         Some(id.unwrap_or(&offer.id))
     }
 
-    /// The skills due for a refresher that a mission trains, if it has been passed.
+    /// The skills trained by a mission that are due for a refresher; empty if the mission has not
+    /// been passed.
     pub fn due(&self, offer: &Offer) -> Vec<Skill> {
         if !self.standing.has_passed(&offer.id) {
             return Vec::new();

@@ -80,7 +80,8 @@ pub(super) fn is_carried_out(row: &VerbRow) -> bool {
     if row.scope.takes_targets() {
         return false;
     }
-    // Lines that lack an argument, or name something of this session, say nothing.
+    // Lines that lack an argument, or name something of this session, do not parse here and are
+    // left out.
     let lines = std::iter::once(row.name()).chain(row.examples.iter().copied());
     let context = Context {
         channel: Channel::Screen,

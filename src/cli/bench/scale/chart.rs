@@ -9,7 +9,7 @@ use super::figure::{Figure, figures, label};
 use super::row::ScaleRow;
 use crate::ui::ascii;
 
-/// Two figures beside each other fit an ordinary terminal.
+/// The width of a figure in columns; two figures side by side fit an ordinary terminal.
 const COLUMNS: u16 = 40;
 const ROWS: u16 = 13;
 /// The mark of a measured point: ratatui's marker, which an ASCII terminal shows as a star.

@@ -1,4 +1,4 @@
-//! Processor time of threads, processes and the machine, as Linux gives it below `/proc`.
+//! Processor time of threads, processes and the machine, as Linux reports it in `/proc`.
 
 use std::fs;
 use std::io;
@@ -118,7 +118,7 @@ impl Machine {
         })
     }
 
-    /// Share of all processors that was busy since then, in percent.
+    /// The share of all processors that was busy since `before`, in percent.
     pub fn busy_percent_since(self, before: Self) -> f64 {
         let all = self.all.saturating_sub(before.all).max(1);
         self.busy.saturating_sub(before.busy) as f64 / all as f64 * 100.0

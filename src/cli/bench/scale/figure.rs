@@ -4,9 +4,10 @@
 use super::row::ScaleRow;
 use crate::geo::maths;
 
-/// The paper's figures for a vehicle, in percent of a core: least and most.
+/// The paper's figures for a vehicle, in percent of a core: minimum and maximum.
 pub(super) const PAPER_SIM: [f64; 2] = [0.8, 1.0];
-/// The paper's figures for the console's model update of a vehicle, in percent of a core: least and most.
+/// The paper's figures for the console's model update of a vehicle, in percent of a core: minimum
+/// and maximum.
 pub(super) const PAPER_MODEL: [f64; 2] = [0.045, 0.063];
 /// The paper's model update per message, in microseconds.
 pub(super) const PAPER_US_PER_MESSAGE: f64 = 24.5;
@@ -19,7 +20,7 @@ pub(super) struct Figure {
     /// The paper's minimum and maximum without vehicles, and at the highest number of vehicles.
     pub paper: [[(f64, f64); 2]; 2],
     pub most_vehicles: f64,
-    /// Where the vertical axis ends: a number with few digits.
+    /// The end of the vertical axis, a number with few digits.
     pub top: f64,
 }
 

@@ -46,12 +46,12 @@ impl ScaleProgress {
         self.say("starting");
     }
 
-    /// Notes that the vehicles of this repeat can be armed.
+    /// Records that the vehicles of this repeat can be armed.
     pub fn booted(&mut self) {
         self.boot = self.begun.elapsed();
     }
 
-    /// Sets the present phase.
+    /// Shows the current phase.
     pub fn say(&mut self, phase: &str) {
         // A changed count within a phase is not a new phase.
         let words: String = phase.chars().filter(|c| !c.is_ascii_digit()).collect();

@@ -1,12 +1,12 @@
-//! The row of a count's repeats.
+//! The table row for all repeats with one number of vehicles.
 
 use serde::Serialize;
 
 use super::sample::{ScaleSample, percent};
 use super::strain;
 
-/// The figures of a count of vehicles: medians over its repeats, but the maximum of the lost messages. The first nine
-/// fields are what scripts rely on.
+/// The figures for a number of vehicles: medians over its repeats, except the lost messages, which
+/// are the maximum. Scripts rely on the first nine fields.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(super) struct ScaleRow {
     pub vehicles: u16,
@@ -34,7 +34,7 @@ pub(super) struct ScaleRow {
 }
 
 impl ScaleRow {
-    /// The row of a count's repeats; invalid repeats do not count.
+    /// The row for all repeats with one number of vehicles; invalid repeats do not count.
     pub fn of(vehicles: u16, samples: &[ScaleSample]) -> Self {
         let used: Vec<&ScaleSample> = samples.iter().filter(|s| s.void.is_none()).collect();
         let some = |value: &dyn Fn(&ScaleSample) -> Option<f64>| {
@@ -70,7 +70,7 @@ impl ScaleRow {
         }
     }
 
-    /// The row of a count whose vehicles did not start.
+    /// The row for a number of vehicles that did not start.
     pub fn never_flown(vehicles: u16, why: String) -> Self {
         Self {
             vehicles,

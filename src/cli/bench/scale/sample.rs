@@ -18,7 +18,8 @@ pub(super) struct ScaleMark {
     pub relay: Option<Duration>,
     /// Messages that have reached the models.
     pub messages: u64,
-    /// Messages missing in the models, and those of them that the links already lost.
+    /// Messages missing in the models. The next field is the part of them that was already lost on
+    /// the links.
     pub missing: u64,
     pub missing_before: u64,
     /// Each vehicle's clock in milliseconds, and when it was read.
@@ -33,7 +34,8 @@ pub(super) struct ScaleSample {
     pub sim_ms: f64,
     pub model_ms: f64,
     pub relay_ms: Option<f64>,
-    /// Shares of a core of the busiest thread or process: of the simulator, and of the model update.
+    /// The share of a core that the simulator's busiest thread or process used. The next field is
+    /// that of the model update.
     pub sim_most_percent: f64,
     pub model_most_percent: f64,
     pub messages: u64,
@@ -112,7 +114,7 @@ fn factor(
     Some((paces.iter().sum::<f64>() / paces.len() as f64, least))
 }
 
-/// Milliseconds as a share of a time in seconds.
+/// Milliseconds as a percentage of a time in seconds.
 pub(super) fn percent(ms: f64, window_s: f64) -> f64 {
     ms / 10.0 / window_s.max(f64::EPSILON)
 }

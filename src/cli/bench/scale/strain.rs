@@ -1,16 +1,16 @@
-//! The part that was overloaded when real time was not held.
+//! The part that was overloaded when the simulation fell behind real time.
 
 use super::cost;
 use super::sample::ScaleSample;
 
-/// Below this many simulated seconds per second, real time is not held.
+/// Below this many simulated seconds per second, the simulation counts as behind real time.
 const HELD_FROM: f64 = 0.97;
 /// A greater share of lost messages is too much.
 const LOST_SHARE: f64 = 0.01;
 /// A thread that is busy for this share of the time is saturated.
 const SATURATED_PERCENT: f64 = 90.0;
-/// On a machine that is busy for this share of the time, threads wait for processors: 12 800 embedded drones lost real
-/// time at 81 %, although no thread was saturated.
+/// On a machine that is busy for this share of the time, threads wait for processors: 12 800
+/// embedded drones fell behind real time at 81 %, although no thread was saturated.
 const CROWDED_PERCENT: f64 = 75.0;
 /// A model update that needs this share of its thread is saturated, whatever the simulator needs.
 const AT_ITS_END_PERCENT: f64 = 98.0;
@@ -62,7 +62,7 @@ fn part(sample: &ScaleSample) -> String {
             sample.lost_before
         );
     }
-    // The processors are busy; the question is which program needs them.
+    // The processors are busy; the sums below show which programs use them.
     let of_all = |ms: f64| ms / 10.0 / sample.window_s.max(f64::EPSILON);
     let (sim, model) = (of_all(sample.sim_ms), of_all(sample.model_ms));
     let relay = of_all(sample.relay_ms.unwrap_or(0.0));

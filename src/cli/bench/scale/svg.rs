@@ -3,10 +3,11 @@
 use super::figure::{Figure, figures, label, rounded_up};
 use super::row::ScaleRow;
 
-/// Pixels of the drawing's heading, and of each of the four panels below it.
+/// The height of the drawing's heading in pixels. The next constant is the size of each of the four
+/// panels below it.
 const HEADING: usize = 40;
 const PANEL: (usize, usize) = (520, 370);
-/// Pixels of a panel's plot, and of the margins on its left and above it.
+/// The size of a panel's plot in pixels. The next constant is the margin on its left and above it.
 const PLOT: (f64, f64) = (420.0, 270.0);
 const ORIGIN: (f64, f64) = (75.0, 40.0);
 const MEASURED: &str = "#005aa0";

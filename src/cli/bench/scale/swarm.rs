@@ -26,7 +26,7 @@ use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
 pub(super) const STREAMS: &[Stream] = &[stream(33, 10.0), stream(30, 10.0)];
 /// `SYS_STATUS` and `EKF_STATUS_REPORT`: they show when a vehicle can be armed, and are not streamed afterwards.
 const FOR_READINESS: [u32; 2] = [1, 193];
-/// A verb for all commands: it has enough retries that each command is repeated until it is acknowledged.
+/// A verb for all commands, with enough retries to repeat each command until it is acknowledged.
 const VERB: Verb = Verb {
     name: "scale",
     danger: Danger::None,
@@ -140,7 +140,7 @@ impl<'a> ScaleSwarm<'a> {
         self.refusal.as_deref()
     }
 
-    /// A value of each vehicle that the fleets know, in order.
+    /// A value for each vehicle heard by the fleets, in order.
     pub fn each<T>(&self, look: impl Fn(&Vehicle) -> T) -> Vec<T> {
         self.vehicles
             .values()
@@ -151,7 +151,7 @@ impl<'a> ScaleSwarm<'a> {
     /// How many vehicles can be armed, and how many were started.
     ///
     /// # Errors
-    /// The reason why one of them never will be.
+    /// The reason why one of them can never be armed.
     pub fn ready(&self) -> anyhow::Result<(usize, usize)> {
         let ready = match &self.running {
             RunningSimulation::Embedded { .. } => {

@@ -16,14 +16,15 @@ use crate::vehicle::Vehicle;
 const LOOK_EVERY: Duration = Duration::from_millis(20);
 /// The height of the first command.
 const TAKEOFF_M: f64 = 10.0;
-/// The distance to the north and the height of the second command.
+/// The distance to the north of the second command's target. The next constant is its height.
 const TARGET_NORTH_M: f64 = 1000.0;
 const TARGET_HEIGHT_M: f64 = 200.0;
 /// The minimum movement, up or north, of a vehicle that has obeyed, in metres.
 const MOVED_M: f64 = 2.0;
 /// How long all vehicles may take to obey, besides the time between two commands.
 const OBEYED_WITHIN: Duration = Duration::from_secs(20);
-/// How long vehicles may take until they can be armed, and the extra time for each of them.
+/// How long vehicles may take until they can be armed. The next constant is the extra time for each
+/// of them.
 const READY_WITHIN: Duration = Duration::from_secs(90);
 const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
 
@@ -94,7 +95,8 @@ impl ScaleTrial<'_> {
         }
     }
 
-    /// Sends the vehicles into flight; returns a text about those that have not obeyed.
+    /// Makes the vehicles fly; returns a text about those that have not obeyed, or `None` if all
+    /// have.
     fn fly(&mut self) -> Option<String> {
         self.progress.say("streams");
         // Only the measured messages are streamed.
@@ -159,7 +161,8 @@ impl ScaleTrial<'_> {
         self.wait(name, |swarm| swarm.each(&has_obeyed))
     }
 
-    /// Waits until `are_good` holds for all vehicles; returns a text if it does not.
+    /// Waits until `are_good` returns true for all vehicles; returns a text if that takes longer
+    /// than [`OBEYED_WITHIN`].
     fn wait(
         &mut self,
         name: &str,

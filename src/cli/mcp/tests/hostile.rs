@@ -44,7 +44,7 @@ prop_compose! {
     }
 }
 
-/// What a console does with a request.
+/// A console's reaction to a request.
 #[derive(Debug, Clone, Copy)]
 enum Reaction {
     State,

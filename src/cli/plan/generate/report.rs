@@ -60,7 +60,7 @@ pub(super) fn report(
     Ok(ExitCode::from(u8::from(faulty || !outcome.is_as_planned())))
 }
 
-/// The plans, with the times and batteries of their rehearsal.
+/// Prints the plans, with the times and batteries of their rehearsal.
 fn print(
     plans: &Generated,
     outcome: &Outcome,
@@ -104,7 +104,7 @@ fn columns() -> [(Text, Side); 8] {
     ]
 }
 
-/// How much more the vehicle with the largest share uses than the one with the smallest.
+/// Prints how much more the vehicle with the largest share uses than the one with the smallest.
 fn print_imbalance(used: &[f64], locale: &Locale) -> Result<(), Failure> {
     let most = used.iter().copied().fold(0.0, f64::max);
     let least = used.iter().copied().fold(f64::INFINITY, f64::min);
@@ -116,7 +116,7 @@ fn print_imbalance(used: &[f64], locale: &Locale) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Prints what a vehicle would refuse; returns whether there is anything.
+/// Prints the faults for which a vehicle would refuse a plan; returns whether there are any.
 fn print_faults(cast: &Cast, locale: &Locale) -> Result<bool, Failure> {
     let mut faulty = false;
     for (participant, name) in cast.participants.iter().zip(&cast.names) {
@@ -132,7 +132,7 @@ fn print_faults(cast: &Cast, locale: &Locale) -> Result<bool, Failure> {
     Ok(faulty)
 }
 
-/// Where a vehicle's plan is written.
+/// The path to which a vehicle's plan is written.
 fn path_of(write: Option<&Path>, number: usize) -> PathBuf {
     let pattern = match write {
         Some(path) if path.to_string_lossy().contains(NUMBER) => path.to_path_buf(),

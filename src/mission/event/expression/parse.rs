@@ -21,7 +21,8 @@ pub(super) struct Part {
 type Read = Result<Part, Diagnostic>;
 
 impl Part {
-    /// The part with a sign before it, which begins at `start` and takes and gives values of one type.
+    /// The part after a prefix operator that begins at `start`; operand and result have the type
+    /// `is`.
     fn under(
         self,
         sign: fn(Box<ExpressionNode>) -> ExpressionNode,
@@ -166,7 +167,7 @@ impl ConditionParser<'_> {
                 self.reader.sign(")")?;
                 part
             }
-            // It binds more loosely than a comparison: `not t > 3`.
+            // `not` binds more loosely than a comparison: `not t > 3`.
             OperandPrefix::Not => {
                 let operand = self.level(COMPARISONS)?;
                 operand.under(ExpressionNode::Not, Type::Bool, span.start)?

@@ -89,7 +89,7 @@ impl<'a> Reader<'a> {
         Diagnostic::new(self.end.saturating_sub(1)..self.end, message)
     }
 
-    /// Where the token read last ends.
+    /// The end of the token that was read last.
     pub fn last_end(&self) -> usize {
         let last = self.at.checked_sub(1).and_then(|at| self.tokens.get(at));
         last.map_or(0, |(_, span)| span.end)

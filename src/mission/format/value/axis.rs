@@ -15,7 +15,7 @@ use crate::mission::format::draft::Draft;
 pub(in crate::mission) struct PointsValue<const N: usize> {
     form: &'static str,
     is_good: fn([f64; N]) -> bool,
-    /// The fault for an invalid value, by the key's name.
+    /// Returns the fault for an invalid value of the key with this name.
     fault: fn(&str) -> String,
 }
 

@@ -92,7 +92,7 @@ pub(in crate::mission) struct WholeValue {
     unit: &'static str,
 }
 
-/// A whole number in a range, with what it counts.
+/// A whole number in a range; `unit` names the items that it counts.
 pub(in crate::mission) const fn whole(low: u32, high: u32, unit: &'static str) -> WholeValue {
     WholeValue { low, high, unit }
 }

@@ -1,4 +1,4 @@
-//! A record beside its flight, step by step.
+//! The comparison of a record with its flight, step by step.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -61,7 +61,8 @@ impl RecordClock {
         }
     }
 
-    /// The difference between the mission's clock and the simulator's, up to a line.
+    /// How far the clocks of the mission and the simulator have drifted apart, from the first line
+    /// to this one.
     fn drift(&self, shown: &ShownVehicles<'_>) -> Duration {
         let now = Self::of(shown);
         let mission = now.mission.saturating_sub(self.mission);
@@ -218,7 +219,7 @@ impl RecordCheck {
         }
     }
 
-    /// Whether the simulator's weather and faults were set as the mission demands.
+    /// Checks that the simulator's weather and faults were set as the mission demands.
     fn compare_wanted(&self) -> Result<(), Divergence> {
         let settled = self.seen_to.saturating_sub(SET_WITHIN);
         for ((id, name), wanted) in self
@@ -239,7 +240,7 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Whether the vehicle had this state at some time between two moments.
+    /// Checks that the vehicle had this state at some time between two moments.
     fn compare(
         &self,
         recorded: &ObservedVehicle,
@@ -261,7 +262,7 @@ impl RecordCheck {
         }
     }
 
-    /// Whether the record and its input log name the same program.
+    /// Checks that the record and its input log name the same program.
     pub(super) fn compare_programs(
         &self,
         stored: &Stored,

@@ -147,7 +147,7 @@ impl Reflight {
         self.require_state()
     }
 
-    /// Finds fingerprints that the log should have at this step, but lacks.
+    /// Checks that the log has the fingerprints that are due at this step.
     fn require_state(&self) -> Result<(), Divergence> {
         let step = self.world.steps();
         let is_within = self.lines.last().is_some_and(|last| step < last.s);

@@ -1,4 +1,4 @@
-//! Transfers that end with the console.
+//! Transfers that are interrupted because the console ends.
 
 use super::rig::kept_name;
 use super::*;

@@ -143,7 +143,8 @@ fn a_pause_close_to_a_place_can_be_resumed() {
     assert!(speed(&rig) > 2.0, "{:?}", rig.session.vehicle().plan);
 }
 
-/// The vehicle reaches the height of its item while it slows down, and stands for as long as it is not resumed.
+/// The vehicle reaches the height of its item while it slows down, and stays there until it is
+/// resumed.
 #[test]
 fn an_item_reached_while_stopping_does_not_end_a_pause() {
     let high = |command, north_m| Item {

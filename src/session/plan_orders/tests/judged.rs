@@ -33,7 +33,8 @@ fn a_changed_list_that_was_read_in_the_background_is_replaced_only_by_a_second_o
     assert_eq!(rig.ended(s(30)), RowState::Done);
 }
 
-/// A console that has just begun does not know the list on board: it asks only if there is one to lose.
+/// A console that has just begun has not read the list on board: it asks only if there is one to
+/// lose.
 #[test]
 fn a_list_that_is_not_known_yet_is_replaced_only_by_a_second_order() {
     let mut rig = Rig::new(true);
@@ -109,7 +110,8 @@ fn errors_of_a_check_refuse_an_upload_and_warnings_are_in_its_row() {
     assert!(compare::own(ListKind::Fence, &rig.on_board(ListKind::Fence)).is_empty());
 }
 
-/// A file with several lists is uploaded list by list, and each upload names what concerns its own.
+/// A file with several lists is uploaded list by list, and each upload reports only the warnings
+/// about its own list.
 #[test]
 fn an_upload_warns_of_its_own_list_only() {
     let mut rig = Rig::new(true);

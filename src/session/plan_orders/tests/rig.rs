@@ -114,7 +114,8 @@ impl Rig {
         rig
     }
 
-    /// Sets `BRD_OPTIONS` so that the vehicle neither offers nor answers MAVFTP, and asks again what it offers.
+    /// Sets `BRD_OPTIONS` so that the vehicle neither offers nor answers MAVFTP, and starts a new
+    /// session, which requests the capabilities again.
     pub(super) fn refuse_files(&mut self) {
         let set = MavMessage::PARAM_SET(PARAM_SET_DATA {
             param_value: 2.0,

@@ -1,4 +1,4 @@
-//! A scripted vehicle with logs, and the keeper of what is downloaded.
+//! A scripted vehicle with logs, and a keeper for downloaded logs.
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;

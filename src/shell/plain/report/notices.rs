@@ -9,7 +9,7 @@ use crate::notice::Notice;
 use crate::text::{Text, text};
 use crate::vehicle_id::ranges;
 
-/// How long the newest notice may still collect identical ones.
+/// How long identical notices are still merged into the newest one.
 const FOLD_TIME: Duration = Duration::from_secs(10);
 
 /// The notices that have been printed.

@@ -8,7 +8,7 @@ use crate::app::state::Activity;
 use crate::app::{App, Setup};
 use crate::vehicle::{Battery, Vehicle};
 
-/// A console that has heard two vehicles with this charge left.
+/// A console that has heard two vehicles, each with this percentage of charge left.
 fn heard(app: &mut App, percent: u8) {
     for id in [1, 2] {
         let mut vehicle = Vehicle::new(id, 1);

@@ -20,7 +20,7 @@ pub(super) struct ProcessUsage {
 }
 
 impl ProcessUsage {
-    /// The use of a new process.
+    /// The usage of a new process that has used this much processor time.
     pub fn of(cpu_ms: u64, now: Duration) -> Self {
         Self {
             at: now,
@@ -29,7 +29,8 @@ impl ProcessUsage {
         }
     }
 
-    /// Notes the total so far; returns the share of a processor, if known.
+    /// Notes the total processor time so far; returns the usage in percent of one processor, if
+    /// known.
     pub fn note(&mut self, cpu_ms: u64, now: Duration) -> Option<f32> {
         let over = now.saturating_sub(self.at);
         if cpu_ms < self.cpu_ms {

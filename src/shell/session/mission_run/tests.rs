@@ -27,7 +27,7 @@ fn flight() -> Flight {
 struct Console(App);
 
 impl Console {
-    /// A session with `processes` simulator processes, if any.
+    /// A session that hears the vehicles `heard`, with this number of simulator processes, if any.
     fn start(processes: Option<usize>, heard: &[u8]) -> Self {
         let mut console = Self(App::new(Setup::default()));
         console.hear(SessionEvent::Started(Box::new(Started {
@@ -55,7 +55,7 @@ impl Console {
     }
 }
 
-/// A session without processes.
+/// The view of a session without processes that hears these vehicles.
 fn shown(heard: &[u8]) -> FlightView {
     Console::start(None, heard).session().clone()
 }

@@ -1,4 +1,4 @@
-//! Profiles in files and folders that can only be read, or not even that.
+//! Profiles in files and folders that are read-only or unreadable.
 
 use super::*;
 
@@ -60,7 +60,7 @@ fn a_folder_that_cannot_be_read_is_named_as_such() {
     );
 }
 
-/// `SQLite` needs the folder for its log, although the file could be written.
+/// `SQLite` must write its log to the folder, although the file itself is writable.
 #[test]
 fn a_file_in_a_folder_that_cannot_be_written_is_read() {
     use std::os::unix::fs::PermissionsExt as _;

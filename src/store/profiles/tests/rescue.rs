@@ -10,7 +10,7 @@ use super::{Profiles, anna, open, run};
 use crate::store::MendedRows;
 use crate::workshop::{Design, part};
 
-/// A folder with Anna's flights and a backup, with the database closed; and the file.
+/// A folder with Anna's flights and a backup, and the path of its closed database.
 fn folder_with_copy(flights: u32) -> (tempfile::TempDir, PathBuf) {
     let data = tempfile::tempdir().expect("a folder");
     let mut profiles = open(data.path());
@@ -30,7 +30,7 @@ fn flights(profiles: &Profiles) -> usize {
     profiles.history(&anna).expect("readable").len()
 }
 
-/// The number of files in the folder with this in their name.
+/// The number of files in the folder whose names contain `part`.
 fn files(data: &Path, part: &str) -> usize {
     let files = fs::read_dir(data).expect("there").flatten();
     files

@@ -180,7 +180,7 @@ fn day(run: &RunDocument) -> i64 {
     moment(&run.ended).map_or(0, day_of)
 }
 
-/// A part of a report that is impossible for a flight of the mission, in English.
+/// Why a report is impossible for a flight of the mission, in English; `None` if it is possible.
 fn unlike(mission: &Mission, report: &Report) -> Option<String> {
     if report.medal > mission.scoring.medals.won(report.score, true) {
         return Some(format!("no such medal for {} points", report.score));

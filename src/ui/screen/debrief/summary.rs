@@ -1,5 +1,5 @@
-//! The result at a glance: outcome, medal and score; a bar for each component; and the events of the flight along its
-//! time, on tall screens with the height.
+//! The result at a glance: outcome, medal and score; a bar for each component; and the events of
+//! the flight on a time line, on tall screens with the height.
 
 use std::time::Duration;
 
@@ -20,16 +20,16 @@ use crate::ui::widget::{aligned, clip, clock, put, width};
 
 /// The score of a perfect flight.
 const PERFECT: f64 = 1000.0;
-/// The length in cells of the bar of the score, and of the bars of its components.
+/// The length of the score's bar, and of the bars of its components, in cells.
 const SCORE_BAR: usize = 24;
 const BAR: usize = 14;
-/// Columns of a component's name.
+/// The width of a component's name, in columns.
 const NAME: usize = 12;
-/// Columns of the components; the flight gets the rest.
+/// The width of the components, in columns; the flight gets the remaining columns.
 const COMPONENTS: u16 = 40;
-/// Columns before the curve of the height.
+/// The number of columns before the curve of the height.
 const AXIS: u16 = 6;
-/// The shares of a component's points that count as good, and as poor.
+/// A component counts as good from the first share of its points on, and as poor below the second.
 const GOOD: f64 = 0.8;
 const POOR: f64 = 0.5;
 
@@ -61,7 +61,7 @@ pub(super) fn draw(debrief: &Debrief, summary: Summary, panel: Panel<'_>, buffer
     }
 }
 
-/// Draws the strip between its times, in one row.
+/// Draws the strip of events between its start and end times, in one row.
 fn draw_times_and_strip(report: &Report, panel: Panel<'_>, buffer: &mut Buffer) {
     let muted = panel.style(Role::Muted);
     let (start, end) = (clock(Duration::ZERO), clock(end(report)));

@@ -78,8 +78,9 @@ fn draw_tasks(state: &State, item: HomeItem, panel: Panel<'_>, buffer: &mut Buff
     panel.mark_scroll(0, lines.len(), buffer);
 }
 
-/// Draws the text and the groups of lines below it, with blank lines between. If there is not enough room,
-/// the text is cut, then the groups before the last: the mission room shows everything.
+/// Draws the text and the groups of lines below it, with blank lines between them. If there is not
+/// enough room, the text is cut first, then the groups before the last: the mission room shows
+/// everything.
 fn draw_text(text: &str, groups: &[Vec<Line<'_>>], area: Rect, buffer: &mut Buffer) {
     let rows = usize::from(area.height);
     let below_rows: usize = groups.iter().map(|group| group.len() + 1).sum();

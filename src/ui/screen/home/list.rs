@@ -18,7 +18,7 @@ use crate::ui::widget::{aligned, below, put, row_of, stars, width};
 const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tier-3"];
 /// The maximum number of items for which groups are separated by blank lines.
 const FEW: usize = 12;
-/// Columns before a name, and of the best score after it.
+/// The width of the marks before a name, and of the best score after it, in columns.
 const MARKS: usize = 2;
 const BEST: usize = 10;
 /// The meaning of the signs before missions.
@@ -42,7 +42,7 @@ enum Sign {
     Open,
 }
 
-/// The columns that the longest line needs.
+/// The width of the longest line, in columns.
 pub(super) fn wanted_width(state: &State, look: &Look) -> u16 {
     let items = items(state).into_iter();
     let longest = items.map(|item| width(&listed(state, item, look))).max();
@@ -230,7 +230,7 @@ fn lines(state: &State, look: &Look) -> Vec<(Option<usize>, String)> {
     lines
 }
 
-/// The label of an item: missions with the number that `fly` takes.
+/// The label of an item; for a mission, with the number that `fly` takes.
 fn listed(state: &State, item: HomeItem, look: &Look) -> String {
     let name = name(state, item, look);
     let HomeItem::Mission(at) = item else {

@@ -11,12 +11,12 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, put};
 
-/// Columns of the figures behind the name.
+/// The width of the figures after the name, in columns.
 const FIGURES: usize = 58;
-/// The rows that the frame of the pane takes.
+/// The number of rows taken by the frame of the pane.
 const FRAME_ROWS: u16 = 2;
 
-/// Draws a line for each forward; returns the rest below.
+/// Draws a line for each forward; returns the area below them.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let forwards = state.session().forwards();
     let most = (panel.area.height / 3).max(FRAME_ROWS + 2);

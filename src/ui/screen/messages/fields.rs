@@ -106,7 +106,7 @@ fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The last frame's properties: version, signature, length, number.
+/// The last frame's properties: version, direction, signature, length, sequence number.
 fn dress(key: TallyKey, frame: &Anatomy<'_>, tally: &MessageTally, look: &Look) -> String {
     let version = match frame.version {
         MavlinkVersion::V1 => 1,
@@ -153,7 +153,7 @@ fn draw_rows(rows: &[Row], field: Option<usize>, panel: Panel<'_>, buffer: &mut 
     }
 }
 
-/// The fields as lines of a width.
+/// The fields as lines of at most `width` columns.
 fn rows(
     room: &Messages,
     selected: Selected<'_>,

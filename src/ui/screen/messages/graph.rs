@@ -12,11 +12,11 @@ use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::{below, clip, put};
 
-/// The preferred rows of a graph with its title.
+/// The preferred and the minimum height of a graph with its title, in rows.
 const COMFORTABLE: u16 = 6;
 const LEAST: u16 = 4;
 
-/// Rows of the pane for the graphs.
+/// The height of the pane for the graphs, in rows.
 pub(super) fn height(room: &Messages, available: u16) -> u16 {
     let count = room.pins().len() as u16;
     let wanted = count * COMFORTABLE;
@@ -99,7 +99,7 @@ fn figures(pin: &Pin, extent: PinExtent, digits: i32, look: &Look) -> String {
     figures
 }
 
-/// The last value in each column's time span; if there is none, the last known value.
+/// The last value in each column's time span; if there is none, the last value before it.
 fn columns(pin: &Pin, count: usize) -> Vec<Option<f64>> {
     let mut columns = vec![None; count];
     for (at, value) in &pin.points {

@@ -47,7 +47,7 @@ pub fn lines(
     lines.take(MOST_LINES).collect()
 }
 
-/// Draws them below a rule with the parameter's name.
+/// Draws the lines below a rule with the parameter's name.
 pub fn draw(name: &str, lines: &[Line<'static>], panel: Panel<'_>, buffer: &mut Buffer) {
     if panel.area.height == 0 {
         return;

@@ -14,13 +14,13 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put, row_of};
 use crate::vehicle::VehicleId;
 
-/// Columns of a name: the length of its field on the wire.
+/// The width of a name, in columns: the length of its field on the wire.
 const NAME: usize = 16;
-/// Columns of a value.
+/// The width of a value, in columns.
 const VALUE: usize = 13;
-/// Columns of an edit's outcome, if more columns follow.
+/// The width of an edit's outcome if more columns follow.
 const STATE: usize = 24;
-/// Columns of a type.
+/// The width of a type, in columns.
 const KIND: usize = 6;
 
 /// The rows of one vehicle's list, with the cursor.
@@ -127,7 +127,7 @@ fn line_of<'a>(
     Line::from(spans)
 }
 
-/// The columns used before those of other vehicles.
+/// The width of the columns before those of other vehicles.
 fn columns_used(is_compared: bool) -> usize {
     let marks = if is_compared { 6 } else { 2 };
     marks + NAME + 1 + VALUE + 1 + KIND + 1 + VALUE + 1 + STATE
@@ -144,7 +144,7 @@ fn others(state: &State, vehicle: VehicleId, width: u16) -> Vec<VehicleId> {
         .collect()
 }
 
-/// The value on another vehicle; a different one is highlighted.
+/// The value on another vehicle, highlighted if it differs.
 fn value_of(state: &State, id: VehicleId, row: &Row<'_>, look: &Look) -> Span<'static> {
     let value = state
         .rooms()

@@ -16,7 +16,7 @@ use crate::ui::widget::{clip, put};
 use crate::vehicle::VehicleId;
 use crate::vehicle_id::ranges;
 
-/// Columns of the progress bar.
+/// The width of the progress bar, in columns.
 const BAR: usize = 20;
 
 /// Draws a rule with the vehicle's number and a line with the progress.

@@ -19,7 +19,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
 use crate::ui::widget::{clip, put};
 
-/// Draws them; without a draft, only the reports.
+/// Draws the item, the cursor and the reports; without a draft, only the reports.
 pub(super) fn draw(
     state: &State,
     shown: Option<&Shown<'_>>,
@@ -58,7 +58,7 @@ fn item_line(shown: &Shown<'_>, row: usize, item: &Item, panel: Panel<'_>) -> Li
     Line::raw(clip(&words.join("  "), panel.width()))
 }
 
-/// The leg to an item with the turns there, or the climb where it leads straight up.
+/// The leg to an item and the turns there, or the climb if it leads straight up.
 fn leg(stop: &Stop, panel: Panel<'_>) -> String {
     let (time, slope) = (seconds(stop.leg_s), stop.slope_percent());
     if slope.is_none() && stop.turns_m < 1.0 {
@@ -70,7 +70,7 @@ fn leg(stop: &Stop, panel: Panel<'_>) -> String {
     slope.map_or_else(|| leg.clone(), |slope| format!("{leg}, {}", percent(slope)))
 }
 
-/// The minimum height above the ground on the leg to an item, where the ground is known.
+/// The minimum height above the ground on the leg to an item; `None` if the ground is unknown.
 fn above_ground(shown: &Shown<'_>, row: usize) -> Option<Text> {
     let ground = shown.room.ground();
     if ground.is_empty() || shown.room.list() != ListKind::Plan {

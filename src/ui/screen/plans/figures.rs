@@ -1,4 +1,4 @@
-//! The figures of a rehearsal: each draft, and each pair of them.
+//! The figures of a rehearsal: for each draft, and for each pair of drafts.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
@@ -13,26 +13,26 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
 use crate::ui::widget::{aligned, put, row_of, told_apart};
 
-/// Columns of the parts of a line about a draft.
+/// The widths of the parts of a line about a draft, in columns.
 const TIME: usize = 7;
 const LEFT: usize = 7;
 const FAR: usize = 8;
 const FENCE: usize = 7;
-/// Columns of a distance of a pair.
+/// The width of a distance of a pair, in columns.
 const METRES: usize = 7;
 /// The text between the names of a pair.
 const AND: &str = " + ";
 
-/// The columns of names.
+/// The widths of names, in columns.
 #[derive(Debug, Clone, Copy)]
 struct NameColumns {
     draft: usize,
-    /// Each name of a pair.
+    /// The width of each name of a pair.
     of_pair: usize,
 }
 
 impl NameColumns {
-    /// By the minimum columns of the panel.
+    /// The widths by the minimum number of columns of the panel.
     const WIDTHS: &'static [(usize, Self)] = &[
         (90, Self::new(24, 24)),
         (FIGURES_WITH_END, Self::new(8, 15)),
@@ -66,7 +66,7 @@ impl FigureLine {
     }
 }
 
-/// Draws the headings and the lines from the first one to show.
+/// Draws the headings, and the lines from the first visible one on.
 pub(super) fn draw(room: &Drawing, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some((flight, top)) = room.figures() else {
         return;

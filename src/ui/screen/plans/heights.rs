@@ -15,14 +15,14 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::{Canvas, Stroke, length, stamp};
 use crate::ui::widget::{aligned, put, row_of, width};
 
-/// Columns of the heights at the left.
+/// The width of the axis with the heights at the left, in columns.
 const AXIS: u16 = 6;
-/// Columns of a title's rule and blanks.
+/// The width of a title's rule and blanks, in columns.
 const TITLE_ENDS: usize = 6;
 /// The minimum height at the top of the scale, in metres.
 const LEAST_TOP_M: f64 = 10.0;
 
-/// The number of sections of the path at whose ends the ground counts for the scale.
+/// The number of equal sections of the path; the ground at their ends counts for the scale.
 const GROUND_STEPS: u32 = 200;
 
 /// The height of the ground above home at a distance along the path, both in metres; `None` if it is unknown.
@@ -189,7 +189,7 @@ fn follows_ground(shown: &Shown<'_>, from: &Stop, to: &Stop) -> bool {
         && to.leg_m >= 1.0
 }
 
-/// A leg at heights above the ground.
+/// Draws a leg at heights above the ground.
 fn draw_over_ground(shown: &Shown<'_>, scale: &Scale, [from, to]: [&Stop; 2], canvas: &mut Canvas) {
     let role = shown.role;
     let above = |stop: &Stop| stop.height_m - ground_m(shown, stop.along_m).unwrap_or(0.0);
@@ -216,7 +216,8 @@ fn draw_axis(scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The numbers of the items above the curve, as far as there is room; the number under the cursor is always drawn.
+/// Draws the numbers of the items above the curve, as far as there is room; the number under the
+/// cursor is always drawn.
 fn draw_numbers(shown: &Shown<'_>, scale: &Scale, panel: Panel<'_>, buffer: &mut Buffer) {
     let is_plan = shown.room.list() == ListKind::Plan;
     let cursor = shown.room.row().filter(|_| is_plan);

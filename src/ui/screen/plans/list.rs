@@ -17,7 +17,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::length;
 use crate::ui::widget::{aligned, put, row_of};
 
-/// Columns of the parts of a line.
+/// The widths of the parts of a line, in columns.
 const NUMBER: usize = 3;
 const WORD: usize = 10;
 const PLACE: usize = 15;
@@ -25,10 +25,11 @@ const HEIGHT: usize = 5;
 const LEG: usize = 8;
 const SLOPE: usize = 6;
 const TIME: usize = 7;
-/// The minimum columns of a line that shows the leg, and of one that also shows the parameters.
+/// The minimum width of a line that shows the leg, and of one that also shows the parameters, in
+/// columns.
 const WITH_LEG: usize = 58;
 const WITH_PARAMETERS: usize = 90;
-/// Columns used by everything but the parameters.
+/// The width of everything but the parameters, in columns.
 const USED: usize = 67;
 /// The longest time shown, in seconds.
 const LONGEST_S: f64 = 359_999.0;
@@ -141,7 +142,7 @@ fn fault(shown: &Shown<'_>, index: usize) -> (&'static str, Role) {
     }
 }
 
-/// The place of an item from home, otherwise in degrees; `None` without one.
+/// The place of an item as an offset from home, otherwise in degrees; `None` if it has no place.
 fn position(item: &Item, home: Option<LatLon>) -> Option<String> {
     let here = place(item)?;
     Some(match home {
@@ -166,7 +167,7 @@ fn height(item: &Item) -> String {
     }
 }
 
-/// A letter for what the height is measured from; `r` for a radius.
+/// A letter for the reference of the height; `r` for a radius.
 fn frame(item: &Item) -> &'static str {
     if command::is_circle(item.command) {
         return "r";
@@ -199,7 +200,7 @@ fn leg(stop: Option<&Stop>, with_time: bool) -> String {
     leg
 }
 
-/// A slope; level legs have no sign.
+/// A slope in percent; a level leg has no sign.
 pub(super) fn percent(slope: f64) -> String {
     if slope.abs() < 0.5 {
         "0 %".to_owned()

@@ -18,11 +18,12 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, ledger, put, wrap};
 
-/// The columns before a text, and before the lines that continue it.
+/// The number of columns before a text, and before the lines that continue it.
 const INDENT: usize = 1;
 const FURTHER: usize = 3;
 
-/// The rows of a line of each report; with fewer, the absence of faults is not mentioned beside a command.
+/// The number of rows in which each report has one line; with fewer, the absence of faults is not
+/// mentioned beside a command.
 const ALL_REPORTS: usize = 4;
 
 /// A report of one or several lines.
@@ -42,7 +43,7 @@ impl Report {
         }
     }
 
-    /// Its first lines; a mark shows that there are more.
+    /// The first lines of the report; a mark shows that there are more.
     fn cut(mut self, rows: usize, width: usize) -> Vec<Line<'static>> {
         if self.lines.len() > rows {
             self.lines.truncate(rows);
@@ -57,7 +58,7 @@ impl Report {
     }
 }
 
-/// Draws them; faults, the trial and the last command have at least a line each.
+/// Draws the reports; faults, the trial and the last command have at least one line each.
 pub(super) fn draw(
     state: &State,
     shown: Option<&Shown<'_>>,
@@ -96,7 +97,7 @@ pub(super) fn draw(
     }
 }
 
-/// The rows of each report.
+/// The number of rows of each report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct ReportRows {
     found: usize,
@@ -106,8 +107,8 @@ struct ReportRows {
 }
 
 impl ReportRows {
-    /// The rows of these that fit: first a line of each, and then lines after the first one; without a command, the next
-    /// step is the first to be left out.
+    /// The rows that fit: first one line of each report, then further lines; without a command, the
+    /// next step is left out first.
     fn within(self, rows: usize) -> Self {
         let mut left = rows;
         let mut take = |needed: usize| {
@@ -131,7 +132,7 @@ impl ReportRows {
     }
 }
 
-/// The faults: that of the item under the cursor first, then the worst.
+/// The faults: those of the item under the cursor first, then the most serious.
 fn found(shown: &Shown<'_>, is_short: bool, panel: Panel<'_>) -> Report {
     let mut report = Report::default();
     let findings = &shown.findings;
@@ -178,7 +179,7 @@ struct SharedFault<'a> {
     items: Vec<usize>,
 }
 
-/// The findings, with those that several items share as one.
+/// The findings; one that several items share appears once.
 fn shared(findings: &[Finding]) -> Vec<SharedFault<'_>> {
     let mut faults: Vec<SharedFault<'_>> = Vec::new();
     for finding in findings {
@@ -227,7 +228,7 @@ fn tried(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Report {
     report
 }
 
-/// The last command to vehicles; those of one upload count together.
+/// The last command to vehicles; the commands of one upload count as one.
 enum LastEntry<'a> {
     One(&'a LedgerEntry),
     Upload(Vec<&'a LedgerEntry>),
@@ -297,7 +298,7 @@ fn upload(entries: &[&LedgerEntry]) -> (Text, Role) {
     }
 }
 
-/// What can be done next.
+/// The next possible step.
 fn next(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Report {
     let mut report = Report::default();
     if let Some(step) = next_step(state, &shown.findings) {

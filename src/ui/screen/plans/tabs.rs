@@ -14,13 +14,13 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, columns, put, width};
 
-/// Columns between two drafts.
+/// The number of columns between two drafts.
 const GAP: usize = 2;
-/// Columns of a sign with a star or a blank.
+/// The width of a sign with a star or a blank, in columns.
 const SIGN: usize = 2;
-/// Columns between two drafts without names.
+/// The number of columns between two drafts without names.
 const CLOSE_GAP: usize = 1;
-/// Columns of a count of drafts that are not shown, such as `+12`.
+/// The width of the number of drafts that are not shown, such as `+12`, in columns.
 const COUNT: usize = 4;
 
 /// Draws the drafts at the left and the lists at the right.
@@ -99,11 +99,11 @@ fn draft_spans(state: &State, tab: Tab, columns: usize, panel: Panel<'_>) -> Vec
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Tab {
     index: usize,
-    /// Whether its name is shown, too, not only its sign.
+    /// Whether its name is shown in addition to its sign.
     is_named: bool,
 }
 
-/// The columns of a draft's name and of its short name.
+/// The widths of a draft's name and of its short name, in columns.
 #[derive(Debug, Clone, Copy)]
 struct TabWidth {
     name: usize,
@@ -111,19 +111,20 @@ struct TabWidth {
 }
 
 impl TabWidth {
-    /// The columns of its sign with its name.
+    /// The width of the sign with the name.
     fn named(self) -> usize {
         SIGN + self.name + GAP
     }
 
-    /// The columns of its sign with its short name.
+    /// The width of the sign with the short name.
     fn alone(self) -> usize {
         SIGN + self.short + CLOSE_GAP
     }
 }
 
-/// The drafts that fit into a width, given the widths of their names. The current one has its name; its neighbours come
-/// with their signs, and then with their names, the nearest first.
+/// The drafts that fit into a width, given the widths of their names. The current one is shown with
+/// its name; its neighbours are added with their signs, and then with their names, the nearest
+/// first.
 fn fitting(names: &[TabWidth], current: usize, columns: usize) -> Vec<Tab> {
     let Some(own) = names.get(current) else {
         return Vec::new();
@@ -168,7 +169,7 @@ fn short(draft: &Draft) -> String {
     }
 }
 
-/// A draft's name without its folder; a star marks one whose content is nowhere else.
+/// A draft's name without its folder; a star marks a draft whose content is stored nowhere else.
 fn name(state: &State, draft: &Draft) -> String {
     let star = if is_elsewhere(state, draft) { "" } else { "*" };
     format!("{}{star}", draft.short_name())

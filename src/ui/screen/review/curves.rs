@@ -1,4 +1,4 @@
-//! The heights and the batteries of two flights, one over the other.
+//! The heights and the batteries of two flights, drawn over each other.
 
 use std::time::Duration;
 
@@ -28,7 +28,7 @@ const CURVES: [(&str, Reading, CurveScale); 2] = [
     ),
 ];
 
-/// Heights are drawn from the ground, or from the lowest value below it.
+/// Heights are drawn from the ground up, or from the lowest value if that is below it.
 const HEIGHTS: CurveScale = CurveScale {
     includes: Some(0.0),
     step: 10.0,
@@ -71,10 +71,10 @@ impl CurveScale {
 const OWN: Role = Role::Accent;
 const OTHER: Role = Role::Text;
 
-/// Columns of both lines in the legend.
+/// The width of each line in the legend, in columns.
 const SAMPLE: u16 = 3;
 
-/// Draws the curves beside each other, that of this flight over that of the other one.
+/// Draws the charts side by side, with the curve of this flight on top of that of the other one.
 pub(super) fn draw(ghost: &Ghost, own: &ComparedFlight, panel: Panel<'_>, buffer: &mut Buffer) {
     draw_legend(ghost, own, panel, buffer);
     let panel = panel.below(1);

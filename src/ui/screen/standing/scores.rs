@@ -1,4 +1,4 @@
-//! The missions flown, and the scores of the one under the cursor, attempt by attempt.
+//! The missions flown, and the scores of the mission under the cursor, attempt by attempt.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -15,9 +15,10 @@ use crate::ui::theme::Role;
 use crate::ui::widget::bars::{Bar, Bars, draw as draw_bars};
 use crate::ui::widget::{aligned, below, put, row_of, stars, upper, width};
 
-/// The minimum rows of the chart, with its title and its axis.
+/// The minimum height of the chart, with its title and its axis, in rows.
 const CHART: u16 = 12;
-/// The maximum columns of a mission's name, and the minimum for the rest of its line.
+/// The maximum width of a mission's name, and the minimum width of the rest of its line, in
+/// columns.
 const NAME: usize = 30;
 const FIGURES: usize = 36;
 /// The score of a perfect flight.

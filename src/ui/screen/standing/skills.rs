@@ -1,4 +1,4 @@
-//! The skills as bars, and the evidence for the one under the cursor.
+//! The skills as bars, and the evidence for the skill under the cursor.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -14,11 +14,11 @@ use crate::ui::theme::Role;
 use crate::ui::widget::gauge::Gauge;
 use crate::ui::widget::{aligned, below, clip, put, row_of, upper, width};
 
-/// Columns of a skill's name, of its bar, and of its state.
+/// The widths of a skill's name, of its bar, and of its state, in columns.
 const NAME: usize = 34;
 const BAR: usize = 10;
 const MASTERY: usize = 16;
-/// Columns of everything but the name.
+/// The width of everything but the name, in columns.
 const REST: usize = 54;
 
 /// Draws the list, and below it the changes of the skill under the cursor.
@@ -142,7 +142,7 @@ fn draw_moves(subject: &StandingSubject<'_>, skill: Skill, area: Rect, buffer: &
     }
 }
 
-/// The requirements that a skill still lacks for mastery, as text.
+/// The requirements for mastery that a skill does not meet yet, as text.
 fn lacks(subject: &StandingSubject<'_>, skill: Skill) -> Option<Text> {
     let (known, day) = (subject.career.standing.skill(skill), subject.career.day);
     let lacks = known.lacks(day).into_iter().map(Lack::text).collect();

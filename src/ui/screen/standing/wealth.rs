@@ -13,7 +13,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::{below, columns, put, upper};
 
-/// Columns of the figures beside a curve.
+/// The width of the figures beside a curve, in columns.
 const FIGURES: u16 = 10;
 /// The minimum width for curves side by side.
 const WIDE: u16 = 120;

@@ -14,7 +14,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, columns, put, upper};
 
-/// Columns of the label, of a number, and of the unit.
+/// The widths of the label, of a number, and of the unit, in columns.
 const LABEL: usize = 12;
 const NUMBER: usize = 7;
 const UNIT: usize = 4;
@@ -84,7 +84,7 @@ impl LabelledCurve {
     }
 }
 
-/// Rows of all curves at this many rows each, with the title.
+/// The height of all curves with this many rows each and the title, in rows.
 pub(super) fn height(subject: &VehicleSubject<'_>, rows: u16) -> u16 {
     let of_log = log(subject).map_or(0, |(_, log)| log.channels().count());
     rows * (Channel::ALL.len() + of_log) as u16 + 1

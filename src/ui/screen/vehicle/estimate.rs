@@ -13,9 +13,9 @@ use crate::ui::theme::Role;
 use crate::ui::widget::put;
 use crate::vehicle::{EkfFlags, Grade};
 
-/// Columns of a value before a word.
+/// The width of a value before a word, in columns.
 const VALUE: usize = 19;
-/// Columns of a number before its bar, and of the bar.
+/// The widths of a number before its bar, and of the bar, in columns.
 const NUMBER: usize = 6;
 const BAR: usize = VALUE - NUMBER - 1;
 /// The value of a full bar: 25 % above the limit.

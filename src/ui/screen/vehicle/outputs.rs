@@ -14,7 +14,7 @@ use crate::ui::widget::{columns, put};
 /// The pulses of an empty and of a full bar, in microseconds.
 const SHORTEST_US: f32 = 1000.0;
 const LONGEST_US: f32 = 2000.0;
-/// Columns of a channel's number and pulse.
+/// The width of a channel's number and pulse, in columns.
 const FIGURES: usize = 9;
 
 /// Draws the outputs on the left and the channels of the radio control on the right.
@@ -35,7 +35,7 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
     draw_pulses(subject, &channels, inner, buffer);
 }
 
-/// Channels in use, down one column and, if wide enough, down the next.
+/// Draws the channels in use, down one column and, if there is room, down the next.
 fn draw_pulses(subject: &VehicleSubject<'_>, pulses_us: &[u16], area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let used: Vec<(usize, u16)> = pulses_us

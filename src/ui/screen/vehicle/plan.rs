@@ -16,9 +16,9 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{below, leg, put, upper};
 use crate::vehicle::{Plan, PlanLeg, Transfer, Vehicle};
 
-/// Rows of the fence and the rally points.
+/// The number of rows of the fence and the rally points.
 const OTHERS: u16 = 2;
-/// Columns of an item's number, name, and height.
+/// The widths of an item's number, name, and height, in columns.
 const SEQ: usize = 4;
 const NAME: usize = 16;
 const HEIGHT: usize = 8;
@@ -59,7 +59,7 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
     draw_others(subject, leg.as_ref(), below(inner, items.height), buffer);
 }
 
-/// The leg, if one is flown, the fence and the rally points in a row each.
+/// Draws the leg, if one is flown, the fence and the rally points, each in a row.
 fn draw_others(
     subject: &VehicleSubject<'_>,
     leg: Option<&PlanLeg>,

@@ -12,7 +12,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put};
 use crate::vehicle::Grade;
 
-/// Columns of a label, including the space after it.
+/// The width of a label, including the space after it, in columns.
 pub const LABEL: usize = 12;
 /// The text for an unknown value.
 pub const UNKNOWN: &str = "-";

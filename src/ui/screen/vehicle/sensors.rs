@@ -1,4 +1,4 @@
-//! Sensors: fitted, in use and healthy, by `SYS_STATUS`.
+//! The sensors that are fitted, in use and healthy, from `SYS_STATUS`.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -11,12 +11,12 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{columns, put};
 use crate::vehicle::Health;
 
-/// The minimum columns of one entry.
+/// The minimum width of an entry, in columns.
 const ENTRY: u16 = 25;
-/// Columns of a sensor's state.
+/// The width of a sensor's state, in columns.
 const STATE: usize = 5;
 
-/// `MAV_SYS_STATUS_SENSOR`: bits from 0, with the ids of their names.
+/// The bits of `MAV_SYS_STATUS_SENSOR` from 0, as the ids of their names.
 const NAMES: [&str; 31] = [
     "sensor-gyro",
     "sensor-accelerometer",

@@ -55,7 +55,7 @@ pub fn rows(spark: &Spark<'_>, size: Size, symbols: Symbols) -> Vec<String> {
         .collect()
 }
 
-/// The height of a value: at least one step, to distinguish it from a gap.
+/// The height of a value in steps: at least one, to distinguish it from a gap.
 fn step(value: f32, range: &RangeInclusive<f32>, steps: usize) -> usize {
     let (low, high) = (*range.start(), *range.end());
     let share = if high > low {

@@ -18,9 +18,9 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clock, put, severity_role, wrap};
 use crate::vehicle::{Battery, LandedState, Vehicle};
 
-/// No direction is shown for points closer than this, in metres.
+/// The distance below which no direction to a point is shown, in metres.
 const HERE_M: f64 = 1.0;
-/// The label of the alert, and the rows that it may take.
+/// The label of the alert, and the maximum number of its rows.
 const WARNING: &str = "vehicle-ready";
 const WARNING_ROWS: usize = 2;
 
@@ -100,7 +100,7 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
     ("vehicle-mode", value, role)
 }
 
-/// The alert, or whether it can be armed.
+/// The alert, or whether the vehicle can be armed.
 fn ready(subject: &VehicleSubject<'_>) -> Entry {
     let (vehicle, look) = (subject.vehicle, subject.look);
     if let Some(alert) = subject.state.session().alert(vehicle, subject.state.now()) {
@@ -213,7 +213,7 @@ fn target(vehicle: &Vehicle, look: &Look) -> String {
     }
 }
 
-/// How long it has been armed, or was armed in its last flight.
+/// How long the vehicle has been armed, or was armed in its last flight.
 fn flight(subject: &VehicleSubject<'_>) -> Entry {
     let history = subject.state.session().histories().of(subject.vehicle.id);
     let time = history.map(History::armed_for).filter(|it| !it.is_zero());

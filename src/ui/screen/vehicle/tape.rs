@@ -51,7 +51,7 @@ pub fn shown_deg(heading_deg: f32) -> String {
     format!("{:03}", (heading_deg.round() as i32).rem_euclid(360))
 }
 
-/// Numbers and strokes; the column in the middle is the heading.
+/// The rows of numbers and strokes; the column in the middle is the heading.
 fn strip(heading_deg: f32, width: usize, symbols: Symbols) -> (String, String) {
     let stroke = if symbols == Symbols::Ascii {
         '|'

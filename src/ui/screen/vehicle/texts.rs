@@ -11,7 +11,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clock, put, severity_role, wrap};
 use crate::vehicle::Severity;
 
-/// Columns of the time before a text.
+/// The width of the time before a text, in columns.
 const TIME: usize = 6;
 
 /// Draws the last texts, the newest at the bottom.

@@ -13,7 +13,7 @@ use crate::ui::widget::curve::{self, Curve, steps};
 use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
 use crate::workshop::{GOOD_THRUST, LEAST_THRUST};
 
-/// Columns of the figures beside the curve.
+/// The width of the figures beside the curve, in columns.
 const LABELS: u16 = 7;
 /// The minimum number of rows of the curve.
 const LEAST: u16 = 3;

@@ -13,7 +13,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put};
 use crate::workshop::{Design, Measure, PartSlot};
 
-/// Columns of names; the maximum for a design's parts; columns of a change.
+/// The widths of names, of a design's parts at most, and of a change, in columns.
 const NAME: usize = 20;
 const WIDEST: usize = 60;
 const CHANGE: usize = 12;

@@ -1,4 +1,4 @@
-//! The design's figures, and the changes by the part under the cursor.
+//! The design's figures, and how the part under the cursor would change them.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
@@ -11,7 +11,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put};
 use crate::workshop::{Measure, Sheet};
 
-/// Columns of the values and of a change.
+/// The widths of the values and of a change, in columns.
 const VALUES: usize = 15;
 const CHANGE: usize = 8;
 

@@ -13,10 +13,10 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, row_of, upper};
 
-/// Columns of a seat's number and of a drone's price.
+/// The widths of a seat's number and of a drone's price, in columns.
 const NUMBER: usize = 8;
 const PRICE: usize = 10;
-/// Columns of the list beside the mission's needs.
+/// The width of the list beside the mission's needs, in columns.
 const LIST: u16 = 70;
 
 /// Draws the seats, and the mission's needs beside or below them.

@@ -15,15 +15,15 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, row_of, upper, width as width_of, wrap};
 use crate::workshop::{Measure, PartSlot, Sheet};
 
-/// Columns of a part's price, or of the reason why it is locked.
+/// The width of a part's price, or of the reason why it is locked, in columns.
 const LICENCE: usize = 8;
-/// Columns of a change, and of a wider one with the name of the measure.
+/// The widths of a change, and of a change with the name of the measure, in columns.
 const CHANGE: usize = 8;
 const WIDE_CHANGE: usize = 12;
-/// The minimum columns of a name, and those of a name that is not cut.
+/// The minimum width of a name, and the width at which no name is cut, in columns.
 const NAME: usize = 16;
 const LONG_NAME: usize = 34;
-/// Rows of the details of the part under the cursor.
+/// The number of rows of the details of the part under the cursor.
 const DETAIL: u16 = 5;
 
 /// Draws the list, and below it the details of the part under the cursor.
@@ -70,11 +70,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Which columns the list has.
+/// The columns of the list.
 struct PartColumns {
     name: usize,
     licence: usize,
-    /// The measures, with their columns.
+    /// The measures, with the widths of their columns.
     shown: Vec<(Measure, usize)>,
     width: usize,
 }
@@ -219,7 +219,7 @@ fn telling(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
     }
 }
 
-/// Whether a part may be used, as a single word.
+/// The price or the lock of a part as a single word; empty for a part that may be used.
 fn short(licence: &Licence, look: &Look) -> (String, Role) {
     match licence {
         Licence::Held => (String::new(), Role::Muted),

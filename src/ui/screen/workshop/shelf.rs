@@ -12,7 +12,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, put, row_of};
 
-/// Columns of a design's owner, mass and price.
+/// The widths of a design's owner, mass, price and name, in columns.
 const WHOSE: usize = 10;
 const MASS: usize = 9;
 const PRICE: usize = 10;

@@ -13,12 +13,12 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put, row_of};
 use crate::workshop::{Design, FindingSeverity, PartSlot};
 
-/// Columns of a slot's name.
+/// The width of a slot's name, in columns.
 const NAME: usize = 12;
 const WIDE_NAME: usize = 18;
-/// The minimum columns for showing mass and price as well.
+/// The minimum width at which mass and price are shown as well, in columns.
 const ROOMY: usize = 50;
-/// Columns of mass and price.
+/// The widths of mass and price, in columns.
 const MASS: usize = 8;
 const PRICE: usize = 8;
 

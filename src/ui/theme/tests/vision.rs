@@ -7,9 +7,10 @@ use crate::geo::maths;
 
 type Rgb = [f64; 3];
 
-/// The view of people without one kind of cone, in linear RGB. G. M. Machado, M. M. Oliveira, L. A. F. Fernandes,
-/// "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE Transactions on Visualization
-/// and Computer Graphics 15 (6), 2009, the matrices of severity 1.0.
+/// Colour vision with all cones, and without one kind of cone, as matrices over linear RGB. G. M.
+/// Machado, M. M. Oliveira, L. A. F. Fernandes, "A Physiologically-based Model for Simulation of
+/// Color Vision Deficiency", IEEE Transactions on Visualization and Computer Graphics 15 (6), 2009,
+/// the matrices of severity 1.0.
 const VISIONS: [(&str, [Rgb; 3]); 4] = [
     (
         "all cones",
@@ -86,7 +87,7 @@ fn lab(rgb: Rgb) -> Rgb {
     [116.0 * y - 16.0, 500.0 * (x - y), 200.0 * (y - z)]
 }
 
-/// The difference of two colours for a kind of colour vision.
+/// The difference between two colours for a kind of colour vision, in CIE 1976 L*a*b*.
 fn distance(eyes: &[Rgb; 3], a: Color, b: Color) -> f64 {
     let seen = |colour| lab(times(eyes, linear(colour)).map(|value| value.clamp(0.0, 1.0)));
     let (a, b) = (seen(a), seen(b));
@@ -171,8 +172,8 @@ fn what_lies_on_a_map_and_the_drones_stay_apart_for_every_kind_of_colour_vision(
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// The minimum distance of a drone's colour from one with a meaning, with all cones: the vehicle's number is next to
-/// it.
+/// The minimum distance between a drone's colour and one with a meaning, with all cones: the
+/// vehicle's number is next to it.
 const LEAST_OF_DRONES: f64 = 17.0;
 
 #[test]

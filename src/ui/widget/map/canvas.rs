@@ -15,7 +15,7 @@ const UPPER: u8 = 0x1b;
 /// The first braille pattern, without any dot.
 const BRAILLE: u32 = 0x2800;
 
-/// Dots, and the role of every cell that has some.
+/// Dots, and the role of every cell that contains any.
 #[derive(Debug)]
 pub struct Canvas {
     columns: u16,
@@ -30,7 +30,7 @@ pub struct Canvas {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stroke {
     pub role: Role,
-    /// The number of dots that are drawn, before a gap.
+    /// The number of dots that are drawn before a gap.
     pub on: u32,
     pub of: u32,
 }
@@ -118,7 +118,7 @@ impl Canvas {
         *cell = (cell.0 | bit, role);
     }
 
-    /// Puts the dots into a buffer; cells without any stay as they are.
+    /// Puts the dots into a buffer; cells without dots stay as they are.
     pub fn draw(&self, panel: Panel<'_>, buffer: &mut Buffer) {
         for (row, cells) in (panel.area.y..panel.area.bottom())
             .zip(self.cells.chunks(usize::from(self.columns.max(1))))
@@ -127,7 +127,8 @@ impl Canvas {
                 if mask != 0 {
                     let cell = &mut buffer[(column, row)];
                     cell.set_char(glyph(mask, self.symbols));
-                    // A line of filled cells would be no line: without colours, some roles are reversed.
+                    // Filled cells would not look like a line: without colours, some roles are
+                    // reversed.
                     cell.set_style(panel.style(role).remove_modifier(Modifier::REVERSED));
                 }
             }
@@ -208,7 +209,8 @@ mod tests {
         assert_eq!(shown(Symbols::Ascii, line), "'.  \n  '.");
     }
 
-    /// The theme without colours reverses the role of danger, which would show a line as filled cells.
+    /// The theme without colours reverses the role of danger, so a line would appear as filled
+    /// cells.
     #[test]
     fn lines_are_never_reversed() {
         let mut canvas = Canvas::new(GridSize::new(4, 2), Symbols::Ascii);

@@ -19,7 +19,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::told_apart;
 
-/// The columns of a draft's name at a conflict.
+/// The width of a draft's name at a conflict, in columns.
 const NAME_COLUMNS: usize = 8;
 
 /// Draws the drafts over the ground, the current one last.
@@ -64,7 +64,7 @@ impl Board<'_> {
         self.canvas.line(from, to, stroke);
     }
 
-    /// A closed line, with a sign in the middle of an area to stay out of.
+    /// Draws a closed line, with a sign in the middle of an area to stay out of.
     fn outline(&mut self, kind: SketchKind, corners: &[LatLon], stroke: Stroke) {
         outline(corners, self.view, &mut self.canvas, stroke);
         if kind == SketchKind::KeepOut {
@@ -86,7 +86,7 @@ impl Board<'_> {
         self.label(place, LabelKind::Word, "H".to_owned(), Role::Title);
     }
 
-    /// Areas and homes, and what the vehicles have on board, without numbers.
+    /// Draws areas, homes and the lists on board the vehicles, without numbers.
     fn ground(&mut self, state: &State) {
         for sketch in sketches(state) {
             // What is on board must not look like a draft.
@@ -119,7 +119,7 @@ impl Board<'_> {
         }
     }
 
-    /// The places where drafts come too close to each other in the last rehearsal.
+    /// Draws the places where drafts come too close to each other in the last rehearsal.
     fn conflicts(&mut self, room: &Drawing) {
         let conflicts = room.flight().into_iter().flat_map(TrialFlight::conflicts);
         let sign = sign(SketchKind::Meeting);
@@ -138,7 +138,7 @@ impl Board<'_> {
             .extend(labels::spread(conflicts, self.view.rows));
     }
 
-    /// A draft other than the current one: its line and its sign.
+    /// Draws a draft other than the current one: its line and its sign.
     fn other(&mut self, state: &State, draft: &Draft) {
         let badge = Badge::of_draft(draft);
         let way = way(state, draft.document());
@@ -205,7 +205,7 @@ impl Board<'_> {
         }
     }
 
-    /// A line for each jump, to the item that it leads to.
+    /// Draws a line for each jump, to the item that it leads to.
     fn jumps(&mut self, plan: &[Item], role: Role) {
         for (at, item) in plan.iter().enumerate() {
             let is_jump = item.command == command::DO_JUMP;
@@ -217,7 +217,7 @@ impl Board<'_> {
         }
     }
 
-    /// The numbers of a list's items; those that keys would change stand out.
+    /// Draws the numbers of a list's items; those that keys would change stand out.
     fn numbers(&mut self, room: &Drawing, list: ListKind, items: &[Item], role: Role) {
         let marked = room.marked().filter(|_| room.list() == list);
         let (kind, prefix) = match list {

@@ -20,7 +20,7 @@ pub const SIGNS: [(Trust, char, Role, &str); 3] = [
     (Trust::Reported, '#', Role::Ok, "map-legend-reported"),
 ];
 
-/// With more contacts in view, only some have names.
+/// The maximum number of contacts in view with which every contact may have a name.
 const MOST_NAMED: usize = 12;
 
 /// The labels of contacts and reports. A report of a contact has the contact's name.
@@ -80,8 +80,8 @@ impl Roomy {
         }
     }
 
-    /// Whether a name would cover no other contact. In a crowd of contacts, names would hide the ground, so most have
-    /// none. Fires have no names.
+    /// Whether the name of a contact would cover no other contact. Among more than `MOST_NAMED`
+    /// contacts, names would hide the ground. Fires have no names.
     fn lets_name(&self, contact: &ShownContact, view: &Viewport) -> bool {
         let Some((column, row)) = view.cell(contact.at) else {
             return false;

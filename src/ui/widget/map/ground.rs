@@ -144,7 +144,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     labels::draw(labels, &vehicles, Panel::new(look, area), buffer);
 }
 
-/// The cells of the vehicles' signs, by row and column, each once.
+/// The cells of the vehicles' signs, sorted by row and column, without duplicates.
 fn vehicle_cells(state: &State, view: &Viewport) -> Vec<MapCell> {
     let vehicles = state.session().vehicles().values();
     let mut cells: Vec<MapCell> = vehicles
@@ -240,7 +240,7 @@ pub fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke:
     }
 }
 
-/// Homes and named places; only the first one in a cell.
+/// Adds the labels of homes and named places; only the first one in a cell.
 fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Label>) {
     let session = state.session();
     let mut homes: Vec<(u16, u16)> = session

@@ -12,7 +12,7 @@ use crate::ui::theme::Role;
 
 /// Shades in ascending order.
 const SHADES: [char; 4] = ['░', '▒', '▓', '█'];
-/// The shades in ASCII, as digits.
+/// The shades in ASCII: digits.
 const DIGITS: [char; 9] = ['1', '2', '3', '4', '5', '6', '7', '8', '9'];
 /// The maximum number of decimals needed to distinguish values.
 const MOST_DECIMALS: usize = 4;
@@ -38,7 +38,7 @@ pub fn draw_scale(field: &SampleField, panel: Panel<'_>, buffer: &mut Buffer) {
     let shades = shades(panel.look.symbols);
     let top = field.top();
     let name = format!(" {}, {} ", panel.text(&field.name), field.unit);
-    // With nine digits, only some get a number; on a narrow map, even fewer.
+    // With nine digits as shades, only some get a number; on a narrow map, even fewer.
     let least = if shades.len() > SHADES.len() { 4 } else { 1 };
     let steps = (least..=shades.len()).map(|step| {
         let mut spans = vec![Span::styled(name.clone(), panel.style(Role::Muted))];
@@ -73,7 +73,7 @@ fn scale_spans(shades: &[char], step: usize, top: f64, panel: Panel<'_>) -> Vec<
     .collect()
 }
 
-/// The shade for a share of the maximum; none for zero.
+/// The shade for a share of the maximum; `None` for zero.
 pub fn shade(share: f64, symbols: Symbols) -> Option<char> {
     let shades = shades(symbols);
     let level = (share.clamp(0.0, 1.0) * shades.len() as f64).ceil() as usize;

@@ -15,10 +15,10 @@ use crate::ui::widget::put;
 /// A column and a row of the map.
 pub type MapCell = (u16, u16);
 
-/// Columns after a vehicle's sign that its number is expected to cover.
+/// The number of columns after a vehicle's sign that its number is expected to cover.
 const NUMBER_WIDTH: u16 = 2;
 
-/// The rows by which a label may move away from its place.
+/// The maximum number of rows by which a label may move away from its place.
 const FARTHEST_ROW: u16 = 4;
 
 /// The part of a label that has to stay readable next to others.
@@ -28,7 +28,7 @@ pub enum LabelKind {
     Word,
     /// A sign of one character, and a name after it unless there is no room.
     Signed,
-    /// A number: beside another one it would be read as part of it.
+    /// A number: next to another one, it would be read as part of it.
     Number,
 }
 

@@ -22,11 +22,11 @@ use crate::ui::theme::Role;
 use crate::ui::widget::put;
 use crate::vehicle::VehicleId;
 
-/// The maximum number of columns of the scale bar.
+/// The maximum width of the scale bar, in columns.
 const LONGEST_BAR: u16 = 24;
 /// The vehicle whose colour the legend shows.
 const FIRST: VehicleId = 1;
-/// Columns of the signs in the legend.
+/// The width of the signs in the legend, in columns.
 const SIGN_WIDTH: usize = 5;
 
 /// Draws a bar of a round length in the lower left corner, and the north mark in the upper right one.

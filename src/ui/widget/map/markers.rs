@@ -28,10 +28,10 @@ struct Marker {
     column: u16,
     row: u16,
     sign: char,
-    /// The marks after its number.
+    /// The selection and alert marks after its number.
     marks: String,
     role: Role,
-    /// Lower ranks get their number first.
+    /// The order in which numbers are placed, lowest first.
     rank: u8,
 }
 
@@ -90,7 +90,7 @@ struct Chosen {
 }
 
 impl Chosen {
-    /// Removes the hidden vehicles from the others.
+    /// The vehicle of this marker; removes the vehicles that it hides from the others.
     fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
         // At the left edge, the sign itself must keep its column.
         let bracket = if marker.column == 0 { "" } else { "[" };
@@ -187,8 +187,8 @@ pub fn arrow(heading_deg: f32, symbols: Symbols) -> char {
     arrows[turn % arrows.len()]
 }
 
-/// Finds cells of a row with several vehicles, and writes a count there, which includes vehicles that the count covers.
-/// The others are left to be drawn individually.
+/// Finds cells of a row with several vehicles, and writes a count there, which includes vehicles
+/// that the count covers. The other vehicles are added to `singles`, to be drawn individually.
 fn gather<'a>(
     row: &'a [Marker],
     columns: Range<u16>,

@@ -12,10 +12,10 @@ use crate::mission::Progress;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 
-/// The role of its shade.
+/// The theme role of the shade.
 pub const ROLE: Role = Role::Ok;
 
-/// The fill character of its cells.
+/// The fill character of searched or sampled cells.
 pub const fn sign(symbols: Symbols) -> char {
     match symbols {
         Symbols::Braille | Symbols::Block => '·',

@@ -12,9 +12,10 @@ use crate::ui::look::{Badge, Look};
 use crate::ui::theme::Role;
 use crate::vehicle::{Vehicle, VehicleId};
 
-/// In a swarm larger than this, only the vehicles that commands address have trails and targets.
+/// In a swarm larger than this, only the vehicle under the cursor and the selected ones have trails
+/// and targets.
 const MANY: usize = 64;
-/// Dots between two numbers on a trail, if trails have the same colour.
+/// The number of dots between two vehicle numbers on a trail, if all trails have the same colour.
 const NUMBER_EVERY: f64 = 24.0;
 /// The number of dots after which a trail outside a narrow view is no longer followed.
 const FAR: f64 = 10_000.0;
@@ -66,7 +67,7 @@ pub fn draw_trails(
     labels.splice(0..0, numbers);
 }
 
-/// The lines to targets.
+/// Draws the lines to the vehicles' targets.
 pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut Vec<Label>) {
     for vehicle in shown(state) {
         let Some((from, to)) = leg(vehicle).filter(|_| !shows_leg(state, vehicle)) else {
@@ -87,7 +88,7 @@ pub fn draw_targets(state: &State, view: &Viewport, canvas: &mut Canvas, labels:
     }
 }
 
-/// The trails of the other flight beside this one.
+/// The stroke of the other flight's trails beside those of this one.
 pub const GHOST: Stroke = Stroke::dotted(Role::Muted);
 
 /// Draws the trails of the other flight so far; returns its vehicles with a `g` before their numbers.

@@ -83,7 +83,7 @@ fn short(state: RowState) -> Text {
     }
 }
 
-/// The data of a row.
+/// The data from which the cells of a row are made.
 pub struct Row<'a> {
     pub vehicle: &'a Vehicle,
     pub state: &'a State,
@@ -276,7 +276,7 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     (text, role)
 }
 
-/// The worst alert and its duration, with a mark before it until it is acknowledged.
+/// The most serious alert and its duration, with a mark before it until it is acknowledged.
 fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     let session = row.state.session();
     let Some(one) = session.alerts().worst(row.vehicle.id) else {

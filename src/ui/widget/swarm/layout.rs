@@ -21,15 +21,17 @@ struct ColumnForm {
     title: &'static str,
     /// The minimum width; the column of alerts also gets the remaining width.
     width: u16,
-    /// The columns with the smallest ranks are kept on narrow screens.
+    /// The priority of the column: narrow screens keep the columns with the lowest ranks.
     rank: u8,
     right: bool,
 }
 
-/// Columns of this rank and above are shown only if alerts then have this much more room than they need.
+/// Columns of this rank and above are shown only if alerts then have this much more room than they
+/// need, in columns.
 const EXTRA_RANK: u8 = 14;
 const ALERT_EXTRA: u16 = 26;
-/// Alerts get this much more room before columns of this rank and above are shown, so that they are rarely cut.
+/// Columns of this rank and above are shown only once alerts have this much more room than their
+/// minimum, so that alerts are rarely cut.
 const MORE_RANK: u8 = 8;
 const ALERT_MORE: u16 = 5;
 /// Columns of this rank are only shown on request.

@@ -1,10 +1,10 @@
-//! The row of the EKF.
+//! The telemetry line of the EKF.
 
 use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{EkfFlags, Grade, Vehicle};
 
-/// All ratios while they are good; otherwise the fault, and the worst ratios.
+/// All test ratios while they are good; otherwise the fault, and the worst ratios.
 pub fn text(vehicle: &Vehicle) -> Text {
     let Some(ekf) = vehicle.ekf else {
         return Text::default();
@@ -46,7 +46,7 @@ mod tests {
     use crate::text::{Language, Locale};
     use crate::vehicle::Ekf;
 
-    /// Columns of a value beside its label in the narrowest pane.
+    /// The width of a value beside its label in the narrowest pane, in columns.
     const ROOM: usize = 31;
 
     #[test]

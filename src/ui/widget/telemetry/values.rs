@@ -28,14 +28,14 @@ pub struct Reading {
     pub need: Need,
 }
 
-/// How much a line is needed where not all lines fit.
+/// How important a line is if not all lines fit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Need {
-    /// Always, such as the battery needed for the way home.
+    /// Always shown, such as the battery needed for the way home.
     Always,
-    /// As far as lines fit.
+    /// Shown as far as there is room.
     IfItFits,
-    /// Least, because the table or the line of the state also shows it.
+    /// Left out first, because the table or the state line also shows it.
     Least,
 }
 
@@ -107,7 +107,8 @@ pub fn readings(vehicle: &Vehicle, state: &State, detail: Detail) -> Vec<Reading
     lines
 }
 
-/// The lines that fit into some rows, in their order: those needed least make room for those needed always.
+/// The lines that fit into this many rows, in their order: the least important ones make room for
+/// those that are always shown.
 pub fn fitting(mut lines: Vec<Reading>, rows: usize) -> Vec<Reading> {
     while let Some(needed) = lines.iter().rposition(|line| line.need == Need::Always)
         && needed >= rows
@@ -383,7 +384,7 @@ fn channels(vehicle: &Vehicle) -> String {
         .map_or(String::new(), |rc| pulses(&rc.channels_us))
 }
 
-/// The pulses of those of the first five channels that are in use, in microseconds.
+/// The pulses of the channels in use among the first five, in microseconds.
 fn pulses(pulses_us: &[u16]) -> String {
     let used = pulses_us.iter().take(5).filter(|&&pulse| pulse > 0);
     used.map(u16::to_string).collect::<Vec<_>>().join(" ")

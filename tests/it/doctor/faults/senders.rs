@@ -33,7 +33,7 @@ async fn one_system_id_from_two_places_and_twice_behind_one_radio() {
     assert_eq!(patient.causes()[0], Cause::DuplicateSystem(4));
 }
 
-/// With many vehicles on a link, only the sequence numbers of the shared id jump.
+/// On a link with many vehicles, only the sequence numbers of the shared id jump.
 #[tokio::test(start_paused = true)]
 async fn a_duplicate_among_many_vehicles_behind_one_radio_is_found() {
     let (mut patient, mut far) = Patient::piped(Way::Serial);
@@ -52,7 +52,7 @@ async fn a_duplicate_among_many_vehicles_behind_one_radio_is_found() {
     assert_eq!(patient.causes()[0], Cause::DuplicateSystem(4));
 }
 
-/// A vehicle with a second ground station, of whose frames it forwards only some.
+/// A vehicle with a second ground station; it forwards only some of that station's frames.
 #[tokio::test(start_paused = true)]
 async fn another_ground_station_is_named_and_its_gaps_are_no_loss() {
     let (mut patient, mut far) = Patient::piped(Way::Tcp);

@@ -7,7 +7,7 @@ use quick_xml::events::{BytesStart, Event};
 
 use crate::fault::{Fault, FaultKind, Syntax};
 
-/// More levels than any KML file uses.
+/// The maximum nesting depth: deeper than any KML file uses.
 const DEEPEST: usize = 100;
 
 #[derive(Debug, Clone, PartialEq, Default)]

@@ -8,8 +8,8 @@ use crate::files::Parsed;
 use crate::files::json::{Node, Value};
 use crate::{Item, ListKind, command, frame};
 
-/// Version 1 has a single polygon to stay in, and a return point without a height; version 2 any number of areas of both
-/// kinds.
+/// Reads a fence: version 1 has a single inclusion polygon, and a return point without a height;
+/// version 2 has any number of areas of both kinds.
 pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     let point = given(node, "breachReturn");
     if check_version(node, &[1, 2], "1, 2")? == 1 {
@@ -28,13 +28,13 @@ pub(super) fn read(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     read_return([lat, lon], height.number_or_null()? as f32, point, parsed)
 }
 
-/// A value that is there and not null.
+/// The value of a key, if it is present and not null.
 fn given<'a>(node: &'a Node, key: &str) -> Option<&'a Node> {
     let value = node.get(key)?;
     (!matches!(value.value, Value::Null)).then_some(value)
 }
 
-/// The polygon of version 1; without corners, there is none.
+/// Reads the polygon of version 1, if it has corners.
 fn read_single(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     let outline = given(node, "polygon");
     match outline {

@@ -5,7 +5,7 @@ use crate::{
     command, read,
 };
 
-/// As Mission Planner writes it: home first, eight decimals.
+/// A file as Mission Planner writes it: home first, eight decimals.
 pub(super) const WPL: &str = "QGC WPL 110\r\n\
     0\t1\t0\t16\t0\t0\t0\t0\t50.4501000\t30.5234000\t170.000000\t1\r\n\
     1\t0\t3\t22\t0.00000000\t0.00000000\t0.00000000\t0.00000000\t0.00000000\t0.00000000\t20.000000\t1\r\n\
@@ -13,7 +13,8 @@ pub(super) const WPL: &str = "QGC WPL 110\r\n\
     3\t0\t0\t177\t2.00000000\t5.00000000\t0.00000000\t0.00000000\t0.00000000\t0.00000000\t0.000000\t1\r\n\
     4\t0\t3\t20\t0.00000000\t0.00000000\t0.00000000\t0.00000000\t0.00000000\t0.00000000\t0.000000\t1\r\n";
 
-/// As QGroundControl writes it: a takeoff, a survey with its items, a jump by id, a fence and rally points.
+/// A file as QGroundControl writes it: a takeoff, a survey with its items, a jump by id, a fence
+/// and rally points.
 pub(super) const PLAN: &str = r#"{
     "fileType": "Plan",
     "geoFence": {
@@ -87,7 +88,7 @@ pub(super) fn zip(kml: &[u8]) -> Vec<u8> {
     ])
 }
 
-/// Files by name, packed content, method and size.
+/// A zip archive of files, each given by its name, packed content, method and size.
 fn archive(files: &[(&str, &[u8], u16, usize)]) -> Vec<u8> {
     let (mut bytes, mut directory) = (Vec::new(), Vec::new());
     for (name, packed, method, size) in files {
@@ -325,7 +326,8 @@ const DYNAMIC: &[u8] = &[
     224, 244, 104, 208, 224, 45, 106, 71, 106, 129, 198, 58, 27, 63,
 ];
 
-/// As older versions of QGroundControl wrote fences: one polygon to stay in, and a return point without a height.
+/// A fence as older versions of QGroundControl wrote it: one polygon to stay in, and a return point
+/// without a height.
 #[test]
 fn a_fence_of_version_1_is_read() {
     let plan = |fence: &str| {

@@ -1,4 +1,4 @@
-//! Damaged files: a fault with a place in the text, or loaded; never a panic.
+//! Damaged files either load or give a fault with a place in the text; reading never panics.
 
 use super::examples::{GEOJSON, KML, OLD_FENCE, OLD_RALLY, PLAN, WPL, zip};
 use crate::check::{CheckOptions, check};
@@ -73,7 +73,8 @@ fn try_damaged(file: &[u8], count: usize, dice: &mut Dice) -> [usize; 2] {
         match read(&bytes, &ReadOptions::default()) {
             Ok(loaded) => {
                 outcomes[0] += 1;
-                // Neither the rules of the vehicle nor the writers may fail on what was read.
+                // Neither the rules of the vehicle nor the writers may fail on a document that was
+                // read.
                 drop(check(&loaded.document, &CheckOptions::default()));
                 drop(areas(&loaded.document));
                 for format in [FileFormat::QgcPlan, FileFormat::Kml, FileFormat::GeoJson] {

@@ -6,7 +6,7 @@ use crate::{
     Document, FileFormat, Home, Item, ListKind, ReadOptions, Unwritable, command, read, write,
 };
 
-/// Any number that a parameter may have in every format, including "not set".
+/// A number that a parameter can have in every format, including "not set".
 fn parameter() -> impl Strategy<Value = f32> {
     prop_oneof![
         Just(0.0_f32),
@@ -74,7 +74,7 @@ pub(super) fn plan_items() -> impl Strategy<Value = Vec<Item>> {
     })
 }
 
-/// Polygons, circles and a return point as `.plan` has them.
+/// Polygons, circles and a return point as `.plan` files store them.
 fn whole_fence() -> impl Strategy<Value = Vec<Item>> {
     let item = |command, frame, param1, (x, y), z| Item {
         command,
@@ -127,7 +127,8 @@ fn home() -> impl Strategy<Value = Option<Home>> {
     prop::option::of(some)
 }
 
-/// A document that every format can hold: with one list at least, since a file without any is a fault.
+/// A document that every format can hold: it has at least one list, since a file without any is a
+/// fault.
 pub(super) fn document() -> impl Strategy<Value = Document> {
     let lists = (home(), plan_items(), whole_fence(), rally());
     let document = lists.prop_map(|(home, plan, fence, rally)| Document {

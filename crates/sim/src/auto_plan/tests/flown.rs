@@ -28,7 +28,7 @@ fn follow(ground: &mut Ground, real: &[(f64, &[&str])], share: f64) {
     }
 }
 
-/// The mission of the recording of 20 November 2026, with its interventions.
+/// The recorded mission of 20 November 2026, with its interventions.
 fn recorded() -> Vec<Item> {
     vec![
         act(22, [0.0; 4], 20.0),

@@ -14,7 +14,7 @@ fn short() -> Vec<Item> {
     ]
 }
 
-/// In the air on the way to the first waypoint.
+/// A vehicle in the air, on the way to the first waypoint.
 fn under_way(items: &[Item]) -> Ground {
     let mut ground = under_way_from(items, 2);
     ground.run(6.0);
@@ -23,7 +23,7 @@ fn under_way(items: &[Item]) -> Ground {
     ground
 }
 
-/// Just past the takeoff, when an item has become the current one.
+/// A vehicle just past its takeoff, after an item has become the current one.
 fn under_way_from(items: &[Item], current: u16) -> Ground {
     let mut ground = ready_with(items);
     ground.start_mission();
@@ -415,7 +415,8 @@ fn a_height_is_met_where_the_estimator_believes_it_to_be() {
     assert!((highest_m - 17.0).abs() < 1.5, "{highest_m}");
 }
 
-/// A ground station's pilot may type this: the takeoff is accepted, and AUTO entered before the motors lift.
+/// A pilot at a ground station may enter AUTO after the takeoff is accepted and before the motors
+/// lift.
 #[test]
 fn auto_entered_after_a_commanded_takeoff_lifts_without_throttle() {
     let mut ground = ready_with(&short());

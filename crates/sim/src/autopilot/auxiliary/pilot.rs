@@ -52,7 +52,7 @@ impl Autopilot {
         }
     }
 
-    /// Empties the mission, except while it is flown.
+    /// Empties the mission, except while it is being flown.
     fn clear_mission(&mut self) {
         let vehicle = &mut self.vehicle;
         if vehicle.safety.armed && vehicle.flight.mode.number == mode::AUTO {
@@ -124,8 +124,8 @@ impl Autopilot {
         self.set_simple(mode);
     }
 
-    /// The modes of the mode switch choose the reference of the sticks (`SIMPLE`, `SUPER_SIMPLE`), unless another
-    /// switch does.
+    /// Sets the reference of the sticks for a position of the mode switch (`SIMPLE`,
+    /// `SUPER_SIMPLE`), unless another switch sets it.
     pub(in crate::autopilot) fn choose_simple(&mut self, switch_position: usize) {
         let rules = &self.vehicle.tuning.flight.radio;
         if rules.has_switch(SIMPLE) || rules.has_switch(SUPER_SIMPLE) {
@@ -186,7 +186,8 @@ impl Autopilot {
         self.inform(MAV_SEVERITY_INFO, &format!("ZIGZAG: moving to {name}"));
     }
 
-    /// Returns control to the pilot of ZIGZAG at the destination, or after a landing; to be called ten times a second.
+    /// In ZIGZAG, returns control to the pilot at the destination or after a landing; to be called
+    /// ten times a second.
     pub(in crate::autopilot) fn watch_zigzag(&mut self) {
         let flight = &self.vehicle.flight;
         let arrived = matches!(&flight.task, Task::Route(route) if route.reached);
@@ -195,8 +196,8 @@ impl Autopilot {
         }
     }
 
-    /// Returns control to the pilot of ZIGZAG; the vehicle holds the destination or, if `keeps_target` is false, stops
-    /// where it is.
+    /// In ZIGZAG, returns control to the pilot; the vehicle holds the destination or, if
+    /// `keeps_target` is false, stops where it is.
     fn end_zigzag(&mut self, keeps_target: bool) {
         let vehicle = &mut self.vehicle;
         let is_zigzag = vehicle.flight.mode.number == mode::ZIGZAG;
@@ -269,7 +270,7 @@ impl Autopilot {
         }
     }
 
-    /// Settings that are stored or only reported.
+    /// Changes a setting that is stored or only reported.
     pub(super) fn switch_setting(&mut self, function: u16, position: SwitchPosition) {
         let number = position.number();
         match function {

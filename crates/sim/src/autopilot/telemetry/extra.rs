@@ -116,7 +116,7 @@ pub(super) fn scaled_imu(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// There is a third compass but no third inertial sensor.
+/// The third compass alone: there is no third inertial sensor.
 pub(super) fn scaled_imu3(autopilot: &Autopilot) -> MavMessage {
     let field = sensors::magnetic(autopilot);
     MavMessage::SCALED_IMU3(SCALED_IMU3_DATA {

@@ -85,7 +85,7 @@ pub(super) fn global_position_int(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// Before the GPS has a fix there is no position to report.
+/// `GLOBAL_POSITION_INT` without a position, before the first GPS fix.
 fn nowhere_yet(autopilot: &Autopilot) -> MavMessage {
     MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
         time_boot_ms: boot_ms(autopilot),

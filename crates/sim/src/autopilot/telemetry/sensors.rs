@@ -32,7 +32,7 @@ pub(super) fn gps_raw_int(autopilot: &Autopilot) -> MavMessage {
         } else {
             0
         },
-        // The receiver does not know the height of the geoid.
+        // The receiver has no data about the height of the geoid.
         alt_ellipsoid: if seen {
             (here.altitude_amsl_m * 1000.0) as i32
         } else {

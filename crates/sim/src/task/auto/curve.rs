@@ -1,12 +1,12 @@
 //! Motion along a line whose snap is limited: `ArduPilot`'s S-curve.
 //!
-//! Its jerk rises and falls as a raised cosine. Such a profile is the sum of a few smoothed steps of jerk, and every
-//! smoothed step has a closed form, so that no table of segments is needed.
+//! Its jerk rises and falls as a raised cosine. Such a profile is the sum of a few smoothed steps
+//! of jerk, and every smoothed step has a closed form, so no table of segments is needed.
 
 use sortie_geo::maths;
 use std::f64::consts::PI;
 
-/// Steps of a halving search: enough for a hundredth of a millimetre.
+/// Steps of a bisection: enough for a hundredth of a millimetre.
 const HALVINGS: usize = 40;
 /// Speeds closer than this are the same, metres per second.
 const SAME_SPEED_M_S: f64 = 1e-6;

@@ -49,7 +49,7 @@ impl Orbit {
         self.centre_m + (self.outwards(from_m) * self.radius_m).extend(0.0)
     }
 
-    /// Whether a place is well outside, so that the nose may turn on the way there.
+    /// Whether a place is so far outside that the nose may turn on the way to the circle.
     pub(crate) fn is_outside(&self, place_m: DVec3) -> bool {
         let off_m = (place_m - self.centre_m).truncate().length();
         off_m > self.radius_m && off_m > 5.0

@@ -10,7 +10,7 @@ use crate::kinematics::square_root;
 const SPOOL: Duration = Duration::from_millis(1400);
 /// The time to the lift-off in a mode in which the stick drives the motors: fitted to a climb of 51 m in 7.8 s.
 const MANUAL_SPOOL: Duration = Duration::from_millis(850);
-/// How long the throttle stick must ask for a climb until a takeoff to a height begins.
+/// How long the throttle stick must command a climb before a takeoff to a height begins.
 const TRIGGERS: Duration = Duration::from_millis(400);
 /// A takeoff is over within this share of its height.
 const ENDS_SHARE: f64 = 0.01;
@@ -29,7 +29,7 @@ enum Ascent {
 /// The state of a lift-off.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct LiftOff {
-    /// The time since which the throttle stick has commanded a vehicle on the ground to climb.
+    /// The time at which the throttle stick began to command a vehicle on the ground to climb.
     spooling_since: Option<Duration>,
     ascent: Ascent,
 }
@@ -65,7 +65,8 @@ impl LiftOff {
         now >= *self.spooling_since.get_or_insert(now.max(from)) + MANUAL_SPOOL
     }
 
-    /// The climb of a takeoff under way, in m/s upwards; the stick's own once it is over or the stick asks to sink.
+    /// The climb rate of a takeoff under way, in m/s upwards; that of the stick once the takeoff is
+    /// over or the stick commands a descent.
     pub(super) fn climb(&mut self, asked_m_s: f64, here_m: f64, rules: &PilotRules) -> f64 {
         if self.ascent == Ascent::Spools {
             self.ascent = Ascent::ClimbsTo(here_m - rules.takeoff_m);

@@ -30,7 +30,7 @@ pub(crate) struct PilotRules {
     pub(super) hover: f64,
     /// The height of a takeoff by the throttle stick; 0 for none.
     pub(super) takeoff_m: f64,
-    /// Sticks move a vehicle that lands on its own.
+    /// Whether the sticks move a vehicle that lands on its own.
     pub(crate) moves_landing: bool,
 }
 

@@ -95,7 +95,7 @@ impl FtpRequest {
         }
     }
 
-    /// The path in the data, whose length must be the size.
+    /// The path in the data; its length must equal the request's size.
     pub(super) fn path(&self) -> Result<String, Refusal> {
         let end = self.data.iter().position(|byte| *byte == 0);
         let len = end.unwrap_or(self.data.len());

@@ -7,7 +7,7 @@ use crate::text;
 use crate::text::wrap;
 
 impl MissionPage<'_> {
-    /// Adds them before the flight.
+    /// Adds the plan and the points if the mission has not been flown yet.
     pub(super) fn points(&mut self) {
         let is_read = self.state.session.activity.is_none() || self.awaits_launch();
         let review = self.state.training.reviews.get(&self.mission.id);

@@ -36,7 +36,7 @@ fn a_draft_on_board_of_its_vehicle_is_not_lost() {
     assert!(kept.contains("vehicle-1"), "{kept}");
 }
 
-/// A vehicle that stands ready at a place.
+/// Adds a vehicle that stands ready at its place.
 pub(super) fn standing(desk: &mut Desk, id: VehicleId) {
     desk.vehicle(id, |vehicle| {
         read_empty(vehicle);
@@ -53,7 +53,7 @@ pub(super) fn standing(desk: &mut Desk, id: VehicleId) {
     });
 }
 
-/// A field of 300 m by 200 m, drawn in the fence.
+/// Draws a field of 300 m by 200 m as a fence.
 pub(super) fn draw_field(desk: &mut Desk) {
     desk.give("draft new field");
     desk.give("draft fence polygon n 50 e -100");
@@ -209,7 +209,8 @@ fn the_ground_comes_from_files_of_a_folder() {
     assert!(desk.room().ground().is_empty());
 }
 
-/// A change of frame says that it has assumed level ground, also if only one of the items is outside the files.
+/// A change of frame reports that it assumed level ground, even if only one of the items is outside
+/// the files.
 #[test]
 fn a_change_of_frame_on_unknown_ground_is_not_silent() {
     let mut desk = Desk::new();
@@ -309,7 +310,7 @@ fn in_a_mission_lines_lie_as_close_as_its_sensors_need() {
     assert!(lines.count() >= 20, "{:?}", desk.room().items());
 }
 
-/// The legs of all parts lead around the drawn areas to stay out of, and each draft is checked against them.
+/// The legs of all parts avoid the drawn keep-out areas, and each draft is checked against them.
 #[test]
 fn divided_work_keeps_out_of_forbidden_areas() {
     let mut desk = Desk::new();

@@ -1,4 +1,4 @@
-//! Refusals: the word at fault, and what the keys say.
+//! Refusals: the faulty word, and the messages for keys.
 
 use super::*;
 use crate::draft::PlanFrame;
@@ -13,7 +13,7 @@ impl Desk {
         span.and_then(|span| self.line().get(span)).unwrap_or("")
     }
 
-    /// What a tick at this time writes as unsaved drafts; `None` removes them.
+    /// The contents that a tick at this time writes as unsaved drafts; `None` removes them.
     fn writings_at(&mut self, ms: u64) -> Vec<Option<String>> {
         let now = Duration::from_millis(ms);
         let effects = self.app.update(Event::Tick { now, wall: now }).into_iter();
@@ -72,7 +72,8 @@ fn several_vehicles_need_several_files() {
     assert_eq!(desk.give("1-2 plan download v{id}.plan").len(), 1);
 }
 
-/// Without data about the ground it counts as level, so that the reference goes around.
+/// Without terrain data, the ground counts as level, so the key cycles through all height
+/// references.
 #[test]
 fn the_reference_of_heights_goes_around() {
     let mut desk = Desk::new();

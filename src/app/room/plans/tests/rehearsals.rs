@@ -7,7 +7,7 @@ use crate::plan::ContentHash;
 use crate::rehearsal::{FlightEnding, Flown};
 use crate::text::Text;
 
-/// A plan on board has failed as well if it failed as a draft.
+/// A plan on board counts as failed if it failed as a draft.
 #[test]
 fn a_failed_rehearsal_of_drafts_makes_the_start_of_their_plans_dangerous() {
     let mut desk = Desk::new();
@@ -87,7 +87,7 @@ fn drafts_fly_together_before_an_upload() {
     assert!(desk.room().tried().is_none(), "the draft is another one");
 }
 
-/// A draft that several vehicles would get is flown by each of them, from where it stands.
+/// A draft shared by several vehicles is flown by each of them, from its own position.
 #[test]
 fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
     let mut desk = Desk::new();
@@ -134,7 +134,7 @@ fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
     assert_eq!(again.len(), 3, "{again:?}");
 }
 
-/// What a line leaves out of a rehearsal.
+/// The drafts and vehicles that a line leaves out of a rehearsal.
 fn left_out(effects: &[Effect]) -> Option<String> {
     let [Effect::TryDrafts(trial)] = effects else {
         panic!("{effects:?}");
@@ -228,7 +228,7 @@ fn the_outcome_of_drafts_that_have_changed_is_discarded() {
     assert!(desk.room().tried().is_some(), "the drafts are as they were");
 }
 
-/// The last line of the figures can be reached, and a key back moves at once.
+/// The figures scroll to their last line, and one key press back scrolls at once.
 #[test]
 fn the_figures_scroll_to_their_last_line() {
     let pilot = |ending| TrialPilot {

@@ -22,7 +22,7 @@ impl Desk {
         step.text(self.app.state()).to_string()
     }
 
-    /// The newest command is done for a vehicle.
+    /// Marks the newest command as done for a vehicle.
     fn done(&mut self, vehicle: VehicleId) {
         let newest = self.app.state().session().ledger().entries().len() as u32 - 1;
         let _ = self.app.update(Event::from(VehicleEvent::Row(RowUpdate {
@@ -53,7 +53,7 @@ fn at(items: Vec<Item>, mode: u8, armed: bool, landed: LandedState) -> impl FnOn
     }
 }
 
-/// From the upload to the end of the flight, the hint is what can be done in that state.
+/// From the upload to the end of the flight, the hint shows the next possible step.
 #[test]
 fn the_next_step_follows_the_flight() {
     const AUTO: u8 = 3;
@@ -128,7 +128,7 @@ fn a_step_that_concerns_some_of_the_vehicles_names_them() {
     assert!(desk.next().starts_with("2: "), "{}", desk.next());
 }
 
-/// What the vehicle refuses in an item of a fence is one fault, not two.
+/// A fence item that the vehicle refuses is one fault, not two.
 #[test]
 fn a_fault_is_counted_once() {
     let mut desk = Desk::new();

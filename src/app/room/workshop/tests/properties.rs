@@ -8,7 +8,7 @@ use crate::app::action::Step;
 use crate::app::room::workshop::{Bench, air};
 use crate::workshop::{Design, FindingKind, FindingSeverity, Measure, PartSlot, Sheet, parts_for};
 
-/// A design from choices: for each slot a part by number, or none.
+/// A design built from choices: for each slot the index of a part, or of no part.
 fn built(choices: &[usize]) -> Design {
     let mut design = Design::new("any");
     for (slot, choice) in PartSlot::ALL.into_iter().zip(choices) {

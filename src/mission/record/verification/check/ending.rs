@@ -30,8 +30,9 @@ impl RecordCheck {
         self.reflight.is_cut && at > self.reflight.lasts()
     }
 
-    /// Flies on to the end of the input log, and finds whether the vehicles show anything that the record should have
-    /// after its last line. A killed console loses what happened in the last moments, so that is not counted.
+    /// Flies on to the end of the input log; returns whether the vehicles show anything that the
+    /// record should have after its last line. A killed console loses what happened in the last
+    /// moments, so that is not counted.
     pub(super) fn goes_on(&mut self) -> Result<bool, Divergence> {
         let lasts = self.reflight.lasts();
         let lost = SHOWN_WITHIN.mul_f64(self.reflight.pace).min(LATE_AT_MOST);
@@ -49,7 +50,7 @@ impl RecordCheck {
         Ok(false)
     }
 
-    /// Whether the refusals and the score follow from the flight.
+    /// Checks that the refusals and the score follow from the flight.
     pub(in crate::mission::record::verification) fn compare_end(
         &mut self,
         stored: &Stored,
@@ -69,8 +70,8 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Whether the record contains every command that a vehicle refused; one without an end, those that had time to be
-    /// recorded.
+    /// Checks that the record contains every command that a vehicle refused; a record without an
+    /// end, those that had time to be recorded.
     fn compare_refusals(&self, stored: &Stored) -> Result<(), Divergence> {
         let is_open = stored.is_open();
         let until = if is_open {
@@ -92,7 +93,7 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Whether the record ends with the score that follows from it.
+    /// Checks that the record ends with the score that follows from it.
     fn compare_outcome(&self, stored: &Stored, report: &Report) -> Result<(), Divergence> {
         let again = End {
             score: report.score,
