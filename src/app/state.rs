@@ -75,9 +75,9 @@ pub use training::{Trainee, Training};
 pub(in crate::app) use typing::Folder;
 pub use typing::Typing;
 
-/// How long a message that needs attention stays on the last line of the screen. The next constant
-/// applies to confirmations.
+/// How long a message that needs attention stays on the last line of the screen.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
+/// How long a confirmation stays there.
 const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 
 /// The console's state; `R` is the state of the rooms.

@@ -21,9 +21,9 @@ const REACH: f64 = 1.3;
 pub(super) const USUAL_HEIGHT_M: f64 = 20.0;
 /// Wind above this has gusts that need [`GUSTY_THRUST`].
 const CALM_M_S: f64 = 3.0;
-/// The thrust-to-weight ratio needed to hold a position; below, the one needed to hold it in gusts
-/// without saturating the motors.
+/// The thrust-to-weight ratio needed to hold a position.
 const CALM_THRUST: f64 = LEAST_THRUST;
+/// The ratio needed to hold it in gusts without saturating the motors.
 const GUSTY_THRUST: f64 = GOOD_THRUST;
 
 /// The needs of some seats of a mission.

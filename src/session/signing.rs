@@ -20,8 +20,9 @@ use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{Content, Frame, MavAddress, Outgoing, Seal, SystemId};
 
-/// How many times a key is sent; below, the time between two attempts.
+/// How many times a key is sent.
 const TRIES: u8 = 5;
+/// The time between two attempts.
 const SEND_EVERY: Duration = Duration::from_secs(1);
 /// The time between two questions, and the time for an answer to any of them.
 const ASK_EVERY: Duration = Duration::from_millis(500);

@@ -26,11 +26,13 @@ const DEAF: Duration = Duration::from_secs(1);
 pub const TEXT_WIDTH: u16 = 80;
 /// The minimum width in columns of the map of the truth beside the text.
 const TRUTH_LEAST: u16 = 60;
-/// The minimum number of screen rows for a summary with the height curve. The next three constants:
-/// the rows of that summary's head, and the minimum and maximum number of rows for its components.
+/// The minimum number of screen rows for a summary with the height curve.
 const TALL: u16 = 36;
+/// Rows of the head of a summary with the height curve.
 const SUMMARY_HEAD: u16 = 4;
+/// The minimum number of rows for the components of a summary with the height curve.
 const SUMMARY_LEAST: u16 = 6;
+/// The maximum number of rows for these components.
 const SUMMARY_MOST: u16 = 10;
 /// Rows of a compact summary besides its components: title, outcome, strip and a blank line.
 const COMPACT_HEAD: u16 = 4;

@@ -23,8 +23,9 @@ const QUIET: Duration = Duration::from_millis(120);
 const STARTING: Duration = Duration::from_secs(10);
 /// A key without any output for this long is a fault.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// The console's query to a terminal. The next constant is the terminal's answer.
+/// The console's query to a terminal.
 const QUESTION: &[u8] = b"\x1b[5n";
+/// The terminal's answer.
 const ANSWER: &[u8] = b"\x1b[0n";
 
 /// Options of `sortie bench latency`.

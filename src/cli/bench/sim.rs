@@ -16,8 +16,9 @@ use crate::wire::{Decoder, Encoder};
 
 /// The time after which the vehicles are in flight.
 const WARM_UP: Duration = Duration::from_secs(30);
-/// The streamed messages: `GLOBAL_POSITION_INT` and `ATTITUDE`. The next constant is their rate.
+/// The streamed messages: `GLOBAL_POSITION_INT` and `ATTITUDE`.
 const STREAMED: [u32; 2] = [33, 30];
+/// The rate of each streamed message.
 const RATE_HZ: u64 = 10;
 /// The output of this many steps is collected before it is counted.
 const STEPS_PER_COUNT: u64 = 100;

@@ -14,8 +14,9 @@ use crate::store::{KeyFile, KeyFileFault};
 use crate::text::Text;
 
 /// The processor use of one idle or flying `ArduCopter` 4.6, in percent of a core, measured with up
-/// to 32 of them. The next constant is its resident memory.
+/// to 32 of them.
 const CORE_PERCENT: f64 = 3.1;
+/// The resident memory of such an instance.
 const MEMORY_KIB: u64 = 8 * 1024;
 /// Files that one instance keeps open in this program: its connection, its listener, its output.
 const FILES_EACH: u64 = 4;

@@ -8,10 +8,11 @@ use crate::hangar::programs::{self, Missing, PATIENCE, ProgramIdentity, Programs
 use crate::hangar::sockets::{self, ListeningSocket, Protocol};
 use crate::sitl::SitlKind;
 
-/// The first port of SITL's TCP listeners. The next constants are the first port of its RC inputs,
-/// and the distance between the ports of two instances.
+/// The first port of SITL's TCP listeners.
 const FIRST_TCP: u16 = 5760;
+/// The first port of SITL's RC inputs.
 const FIRST_RC: u16 = 5501;
+/// The distance between the ports of two instances.
 const APART: u16 = 10;
 /// The number of instances whose ports are checked.
 const INSTANCES: u16 = 64;

@@ -68,9 +68,9 @@ pub(super) enum Reliance {
 #[derive(Debug, Serialize)]
 pub(super) struct VerifyDocument {
     pub(super) verdict: Verdict,
-    /// The id of the mission that was compared; `None` without a mission. The next field is its
-    /// seed.
+    /// The id of the mission that was compared; `None` without a mission.
     pub(super) mission: Option<String>,
+    /// The seed of that mission.
     pub(super) seed: Option<u64>,
     /// The score that follows from the record; `None` without a mission.
     pub(super) score: Option<u16>,
@@ -86,9 +86,9 @@ pub(super) struct VerifyDocument {
     pub(super) flown_by: Option<FlyingHand>,
     /// The program that flew the original, as the record states.
     pub(super) program: String,
-    /// The pilot's profile, as the record states; `None` without a mission. The next field is the
-    /// date of the flight.
+    /// The pilot's profile, as the record states; `None` without a mission.
     pub(super) profile: Option<String>,
+    /// The date of the flight.
     pub(super) when: Option<String>,
     /// The fields of this document that are only stated in the record: no comparison covers them.
     pub(super) unproved: &'static [&'static str],

@@ -36,8 +36,9 @@ const FAINTEST: f64 = 0.1;
 #[derive(Debug)]
 struct PlumeHazard {
     leak: LeakPlan,
-    /// The standard deviation of the axis; below, that of the logarithm of the concentration.
+    /// The standard deviation of the axis, in degrees.
     meander_deg: f64,
+    /// The standard deviation of the logarithm of the concentration.
     intermittency: f64,
 }
 

@@ -26,9 +26,9 @@ mod workload;
 const TWO_COLUMNS: u16 = 110;
 /// The greatest width of a line.
 const WIDEST: usize = 88;
-/// The maximum number of columns for the state of an objective. The next constant, `POINTS`, is the
-/// width of its points.
+/// The maximum number of columns for the state of an objective.
 const DETAIL: usize = 24;
+/// The number of columns for the points of an objective.
 const POINTS: usize = 7;
 
 /// The lines of one column, or of two where the screen is wide enough. Empty without a mission.

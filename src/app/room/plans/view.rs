@@ -9,12 +9,13 @@ use crate::plan::{Document, ListKind};
 
 /// Rows of the screen outside the parts of the room: the header, the keys, the footer.
 const OTHER_ROWS: u16 = 3;
-/// Rows of the details (the item, the cursor and the reports) on small screens. The next constant
-/// is for large ones.
+/// Rows of the details (the item, the cursor and the reports) on small screens.
 const FEW_DETAILS: u16 = 5;
+/// Rows of the details on large screens.
 const DETAILS: u16 = 9;
-/// Rows of the height profile and its rule on small screens. The next constant is for large ones.
+/// Rows of the height profile and its rule on small screens.
 const LOW: u16 = 5;
+/// Rows of the height profile and its rule on large screens.
 const HIGH: u16 = 11;
 /// The minimum rows of a large screen.
 const TALL: u16 = 36;

@@ -8,9 +8,9 @@ use crate::debrief::fit;
 use crate::text;
 use crate::text::{Text, clock, wrap};
 
-/// Columns of the time. The next constant is for the points; the other cells share the remaining
-/// width.
+/// Columns of the time.
 const TIME: usize = 6;
+/// Columns of the points; the other cells share the remaining width.
 const POINTS: usize = 8;
 /// The share of the remaining width for the difference, in units of `1 / SHARES`.
 const WHAT: usize = 2;

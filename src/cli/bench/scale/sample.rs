@@ -18,9 +18,9 @@ pub(super) struct ScaleMark {
     pub relay: Option<Duration>,
     /// Messages that have reached the models.
     pub messages: u64,
-    /// Messages missing in the models. The next field is the part of them that was already lost on
-    /// the links.
+    /// Messages missing in the models.
     pub missing: u64,
+    /// The part of these messages that was already lost on the links.
     pub missing_before: u64,
     /// Each vehicle's clock in milliseconds, and when it was read.
     pub clocks: Vec<Option<(u32, Duration)>>,
@@ -34,9 +34,9 @@ pub(super) struct ScaleSample {
     pub sim_ms: f64,
     pub model_ms: f64,
     pub relay_ms: Option<f64>,
-    /// The share of a core that the simulator's busiest thread or process used. The next field is
-    /// that of the model update.
+    /// The share of a core that the simulator's busiest thread or process used.
     pub sim_most_percent: f64,
+    /// The share of a core that the busiest model update used.
     pub model_most_percent: f64,
     pub messages: u64,
     /// Messages that the console's queues dropped.

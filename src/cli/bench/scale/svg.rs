@@ -3,12 +3,13 @@
 use super::figure::{Figure, figures, label, rounded_up};
 use super::row::ScaleRow;
 
-/// The height of the drawing's heading in pixels. The next constant is the size of each of the four
-/// panels below it.
+/// The height of the drawing's heading in pixels.
 const HEADING: usize = 40;
+/// The size of each of the four panels below the heading, in pixels.
 const PANEL: (usize, usize) = (520, 370);
-/// The size of a panel's plot in pixels. The next constant is the margin on its left and above it.
+/// The size of a panel's plot in pixels.
 const PLOT: (f64, f64) = (420.0, 270.0);
+/// The margin on the left of a plot and above it, in pixels.
 const ORIGIN: (f64, f64) = (75.0, 40.0);
 const MEASURED: &str = "#005aa0";
 const PAPER: &str = "#be5000";

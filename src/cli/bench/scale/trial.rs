@@ -16,16 +16,17 @@ use crate::vehicle::Vehicle;
 const LOOK_EVERY: Duration = Duration::from_millis(20);
 /// The height of the first command.
 const TAKEOFF_M: f64 = 10.0;
-/// The distance to the north of the second command's target. The next constant is its height.
+/// The distance to the north of the second command's target.
 const TARGET_NORTH_M: f64 = 1000.0;
+/// The height of the second command's target.
 const TARGET_HEIGHT_M: f64 = 200.0;
 /// The minimum movement, up or north, of a vehicle that has obeyed, in metres.
 const MOVED_M: f64 = 2.0;
 /// How long all vehicles may take to obey, besides the time between two commands.
 const OBEYED_WITHIN: Duration = Duration::from_secs(20);
-/// How long vehicles may take until they can be armed. The next constant is the extra time for each
-/// of them.
+/// How long vehicles may take until they can be armed.
 const READY_WITHIN: Duration = Duration::from_secs(90);
+/// The extra time for each vehicle.
 const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
 
 /// The plan of a repeat.

@@ -19,9 +19,9 @@ pub(super) const STEP_S: f64 = 1.0;
 const ROUGHNESS: f64 = 0.2;
 /// The number of embers from a burning cell that start a fire elsewhere, per second and m/s of wind.
 const EMBERS_PER_S: f64 = 2e-5;
-/// The minimum and maximum distance that embers fly, in metres; below, their maximum deviation from
-/// the wind's direction, in degrees.
+/// The minimum and maximum distance that embers fly, in metres.
 const EMBERS_FLY_M: [f64; 2] = [20.0, 120.0];
+/// The maximum deviation of embers from the wind's direction, in degrees.
 const EMBERS_SPREAD_DEG: f64 = 20.0;
 
 /// The neighbours of a cell, in columns and rows.
