@@ -54,8 +54,7 @@ use surroundings::Surroundings;
 use timesync::Timesync;
 
 pub use ftp::{
-    FtpChecksum, FtpClient, FtpEntry, FtpEvent, FtpFault, FtpNak, FtpPayload, FtpStep, FtpTask,
-    FtpTicket,
+    FtpClient, FtpEntry, FtpEvent, FtpFault, FtpNak, FtpPayload, FtpStep, FtpTask, FtpTicket,
 };
 pub use gaps::{FileBytes, GapMap};
 pub use hearing::{LOST_AFTER, autopilot_of};

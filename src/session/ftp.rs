@@ -10,7 +10,6 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
-mod checksum;
 mod exchange;
 mod fault;
 mod file;
@@ -24,7 +23,6 @@ mod tests;
 mod work;
 mod writing;
 
-pub use checksum::FtpChecksum;
 pub use fault::{FtpFault, FtpNak};
 pub use listing::FtpEntry;
 pub use packet::FtpPayload;
@@ -58,7 +56,7 @@ pub enum FtpTask {
     /// A file, or its missing parts. With gaps, it must have the size of the gap map; without, the vehicle determines
     /// its end.
     Read { path: String, gaps: Option<GapMap> },
-    /// The checksum of a file of this size in bytes ([`FtpChecksum`]).
+    /// The checksum of a file of this size in bytes ([`FtpChecksum`](crate::wire::FtpChecksum)).
     Checksum { path: String, size: u32 },
     /// Replace a file. It takes effect when it is closed, after the last byte.
     Write { path: String, bytes: Vec<u8> },

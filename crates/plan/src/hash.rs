@@ -2,7 +2,11 @@
 
 use std::fmt;
 
+use crc::{CRC_32_ISO_HDLC, Crc};
+
 use crate::{HeightFrame, Item, ListKind, board, command};
+
+const CRC_32: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 
 /// CRC-32 (ISO-HDLC) of the items of a list in the form in which the vehicle stores them
 /// ([`board`]), which is the same for a file, for what a ground station sends and for what the
@@ -16,14 +20,9 @@ pub struct ContentHash(pub u32);
 impl ContentHash {
     /// The hash of a list, without home.
     pub fn of(items: &[Item]) -> Self {
-        let mut crc = u32::MAX;
+        let mut digest = CRC_32.digest();
         for item in items {
             let item = stored(item);
-            let mut add = |bytes: &[u8]| {
-                for byte in bytes {
-                    crc = (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)];
-                }
-            };
             let frame = match item.height_frame() {
                 _ if !command::has_place(item.command) => 0,
                 HeightFrame::SeaLevel => 1,
@@ -31,17 +30,17 @@ impl ContentHash {
                 HeightFrame::Terrain => 3,
                 HeightFrame::Other => item.frame.saturating_add(4),
             };
-            add(&item.command.to_le_bytes());
-            add(&[frame]);
+            digest.update(&item.command.to_le_bytes());
+            digest.update(&[frame]);
             for param in item.params {
-                add(&normal(param).to_le_bytes());
+                digest.update(&normal(param).to_le_bytes());
             }
-            add(&item.x.to_le_bytes());
-            add(&item.y.to_le_bytes());
+            digest.update(&item.x.to_le_bytes());
+            digest.update(&item.y.to_le_bytes());
             // The vehicle stores heights in centimetres.
-            add(&((f64::from(normal(item.z)) * 100.0).round() as i64).to_le_bytes());
+            digest.update(&((f64::from(normal(item.z)) * 100.0).round() as i64).to_le_bytes());
         }
-        Self(!crc)
+        Self(digest.finalize())
     }
 }
 
@@ -78,29 +77,6 @@ impl fmt::Display for ContentHash {
     }
 }
 
-const TABLE: [u32; 256] = table();
-
-const fn table() -> [u32; 256] {
-    const POLYNOMIAL: u32 = 0xEDB8_8320;
-    let mut table = [0; 256];
-    let mut index = 0;
-    while index < table.len() {
-        let mut value = index as u32;
-        let mut bit = 0;
-        while bit < 8 {
-            value = if value & 1 == 1 {
-                (value >> 1) ^ POLYNOMIAL
-            } else {
-                value >> 1
-            };
-            bit += 1;
-        }
-        table[index] = value;
-        index += 1;
-    }
-    table
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -114,14 +90,6 @@ mod tests {
         y: 305_234_000,
         z: 20.0,
     };
-
-    #[test]
-    fn the_table_is_that_of_crc_32() {
-        let crc = b"123456789".iter().fold(u32::MAX, |crc, byte| {
-            (crc >> 8) ^ TABLE[usize::from(crc as u8 ^ byte)]
-        });
-        assert_eq!(!crc, 0xCBF4_3926);
-    }
 
     #[test]
     fn what_the_vehicle_spells_differently_has_the_same_hash_and_what_it_flies_differently_has_not()

@@ -1,7 +1,8 @@
 //! A frame's bytes split into their parts, for display.
 
-use mavlink::{MavlinkVersion, calculate_crc};
+use mavlink::MavlinkVersion;
 
+use super::checksum;
 use super::decoder::{FLAG_SIGNED, SIGNATURE_LEN, STX_V1, STX_V2};
 use super::{ComponentId, SystemId};
 
@@ -92,7 +93,7 @@ impl<'a> Anatomy<'a> {
 
     /// Whether the checksum is right for a message with this seed (`CRC_EXTRA`).
     pub fn matches(&self, seed: u8) -> bool {
-        calculate_crc(self.covered, seed) == self.checksum
+        checksum::of_frame(self.covered, seed) == self.checksum
     }
 }
 

@@ -2,8 +2,9 @@
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::error::ParserError;
-use mavlink::{MavlinkVersion, Message as _, calculate_crc};
+use mavlink::{MavlinkVersion, Message as _};
 
+use super::checksum;
 use super::{Content, Frame, Seal};
 
 #[cfg(test)]
@@ -198,7 +199,7 @@ impl Decoder {
             self.position += end;
             return Some(frame);
         }
-        let crc = calculate_crc(&bytes[1..crc_at], MavMessage::extra_crc(layout.id));
+        let crc = checksum::of_frame(&bytes[1..crc_at], MavMessage::extra_crc(layout.id));
         if crc.to_le_bytes() != bytes[crc_at..crc_at + 2] {
             let counted_already = self.position < self.dropped_until;
             if followed_by_start && !counted_already {

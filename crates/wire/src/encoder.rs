@@ -1,8 +1,9 @@
 //! Encodes messages as frames.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
-use mavlink::{MavlinkVersion, Message as _, calculate_crc};
+use mavlink::{MavlinkVersion, Message as _};
 
+use super::checksum;
 use super::decoder::{FLAG_SIGNED, STX_V1, STX_V2};
 use super::signature::{self, SigningKey, Stamp};
 use super::{ComponentId, SystemId};
@@ -133,7 +134,7 @@ impl Encoder {
         };
         self.head(head, bytes);
         bytes.extend_from_slice(payload);
-        let crc = calculate_crc(&bytes[start + 1..], MavMessage::extra_crc(id));
+        let crc = checksum::of_frame(&bytes[start + 1..], MavMessage::extra_crc(id));
         bytes.extend_from_slice(&crc.to_le_bytes());
         if let Some((key, stamp)) = seal {
             stamp.append_to(bytes);

@@ -16,12 +16,14 @@ use mavlink::{MavlinkVersion, Message as _, MessageData as _};
 mod anatomy;
 #[macro_use]
 mod channels;
+mod checksum;
 mod decoder;
 mod encoder;
 mod loss;
 mod signature;
 
 pub use anatomy::{Anatomy, frame_len, without_payload};
+pub use checksum::FtpChecksum;
 pub use decoder::{Counters, Decoder, is_frame_start};
 pub use encoder::{Encoder, Outgoing};
 pub use loss::{LossMeter, SequenceStep};

@@ -206,7 +206,7 @@ impl FileServer {
         else {
             return self.answer(request, 129, &[7]);
         };
-        let mut sum = super::FtpChecksum::default();
+        let mut sum = crate::wire::FtpChecksum::default();
         sum.add(content);
         let sum = sum.value() ^ u32::from(self.quirks.sums == Sums::Wrong);
         self.answer(request, 128, &sum.to_le_bytes())

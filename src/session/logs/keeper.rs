@@ -49,7 +49,7 @@ pub trait LogKeeper: Debug + Send + Sync {
     /// The bytes or the gaps cannot be written.
     fn keep(&self, log: &VehicleLog, bytes: &[FileBytes], gaps: &GapMap) -> Result<(), Text>;
 
-    /// The checksum of a complete log ([`FtpChecksum`](crate::session::FtpChecksum)).
+    /// The checksum of a complete log ([`FtpChecksum`](crate::wire::FtpChecksum)).
     ///
     /// # Errors
     /// The stored bytes cannot be read.

@@ -6,9 +6,10 @@ use std::iter;
 use std::path::{Path, PathBuf};
 
 use super::{unreadable, unwritable};
-use crate::session::{FileBytes, FtpChecksum, GapMap};
+use crate::session::{FileBytes, GapMap};
 use crate::store::regular::read_regular_text;
 use crate::store::{StoreError, sharing};
+use crate::wire::FtpChecksum;
 
 /// The number of bytes that are read again to check that a file belongs to the same log.
 const SAMPLE: u32 = 720;

@@ -1,5 +1,6 @@
 use super::*;
-use crate::session::{FtpChecksum, ListedLog};
+use crate::session::ListedLog;
+use crate::wire::FtpChecksum;
 
 fn log(size: u32) -> VehicleLog {
     let log = ListedLog {

@@ -155,15 +155,6 @@ pub(super) fn writable(path: &str) -> Result<String, u8> {
     }
 }
 
-/// The checksum of a file as `MAVLink` FTP defines it: CRC-32 without the inversions of zip.
-pub(super) fn crc32(bytes: &[u8]) -> u32 {
-    bytes.iter().fold(0, |crc: u32, byte| {
-        (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
-            (crc >> 1) ^ if crc & 1 == 1 { 0xEDB8_8320 } else { 0 }
-        })
-    })
-}
-
 fn dotted(entries: Vec<FolderEntry>) -> Vec<FolderEntry> {
     let mut all = vec![FolderEntry::folder("."), FolderEntry::folder("..")];
     all.extend(entries);
@@ -200,11 +191,5 @@ mod tests {
         assert_eq!(FilePlace::of("@PARAM/param.pck?start=1"), parameters);
         assert_eq!(FilePlace::of("/a/b"), FilePlace::Disk("a/b".into()));
         assert_eq!(writable("@SYS/tasks.txt"), Err(READ_ONLY));
-    }
-
-    #[test]
-    fn the_check_sum_starts_from_nothing() {
-        assert_eq!(crc32(b""), 0);
-        assert_eq!(crc32(b"123456789"), 0x2DFD_2D88);
     }
 }

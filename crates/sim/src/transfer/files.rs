@@ -9,6 +9,7 @@ use std::time::Duration;
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::FILE_TRANSFER_PROTOCOL_DATA;
 use mavlink::dialects::ardupilotmega::MavSeverity::MAV_SEVERITY_DEBUG;
+use sortie_wire::FtpChecksum;
 
 use self::open::Open;
 use self::wire::{
@@ -324,7 +325,7 @@ impl Talk<'_> {
         loop {
             let bytes = content.read(&self.autopilot.vehicle.parameters, all.len(), block)?;
             if bytes.is_empty() {
-                return Ok(content::crc32(&all));
+                return Ok(FtpChecksum::of(&all));
             }
             all.extend_from_slice(bytes);
         }

@@ -11,6 +11,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::*;
 use crate::session::ftp::server::FileServer;
+use crate::wire::FtpChecksum;
 
 /// Keeps logs in memory.
 #[derive(Debug, Default)]
