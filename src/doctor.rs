@@ -64,7 +64,7 @@ pub enum HeartbeatRole {
     GroundStation,
     /// A camera, a gimbal, a companion computer.
     Other,
-    /// The autopilot has sent no heartbeat.
+    /// No heartbeat was received from this sender.
     Silent,
 }
 

@@ -142,7 +142,7 @@ pub enum Arrival {
 pub enum CountsAs {
     /// A command that gives its vehicles another task.
     Task,
-    /// A command that changes a setting beside the task, in its own slot.
+    /// A command that changes a setting and leaves the task alone; repeating the last line of its verb changes nothing.
     Setting,
     /// As [`CountsAs::Setting`]: another plan on board.
     PlanChange,

@@ -59,7 +59,7 @@ check-note = { $line } (a note, not a fault)
 
 # `sortie verify`
 verify-other-start = the input log begins with another seed or with other start positions
-verify-unfit-input = an impossible input
+verify-unfit-input = the input log contains an invalid input
 verify-other-state = the state of the vehicle does not match
 verify-no-vehicle = unknown vehicle
 verify-other-position = the recorded position does not match

@@ -4,7 +4,7 @@ mission-sensor-zoom = zoom camera
 mission-sensor-thermal = thermal camera
 mission-sensor-magnetometer = magnetometer
 mission-sensor-metal-detector = metal detector
-mission-sensor-radar = ground radar
+mission-sensor-radar = ground-penetrating radar
 
 # What detectors find. A contact is called c1, c2 and so on.
 contact-mine = mine

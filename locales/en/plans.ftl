@@ -55,7 +55,7 @@ plan-file-expected-word = expected { $words }
 
 plan-note-height = no height in the file: { $height } m above home is used (`--height`)
 plan-note-home-height = home has no height: 0 m above sea level is assumed
-plan-note-fraction = a fraction of parameter 5 or 6 is rounded: MAVLink sends them as whole numbers
+plan-note-fraction = parameters 5 and 6 are rounded: MAVLink sends them as whole numbers
 plan-note-lines = { $count } lines are joined into one plan
 
 plan-refused-command = the vehicle refuses { $command } in this list

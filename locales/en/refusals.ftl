@@ -72,11 +72,11 @@ refused-no-parameter = not sent: the vehicle has no parameter { $name }
 refused-no-parameter-but = not sent: the vehicle has no parameter { $name }; did you mean { $nearest }?
 refused-neither-parameter = not sent: the vehicle has neither { $name } nor { $other }
 refused-neither-parameter-but = not sent: the vehicle has neither { $name } nor { $other }; did you mean { $nearest }?
-refused-protected-parameter = { $parameter } is fixed by the mission: it can be set in practice only
-refused-protected-home = home is fixed by the mission: it can be moved in practice only
-refused-protected-limits = the fence and the rally points are fixed by the mission: they can be changed in practice only
-refused-protected-raw = raw commands are allowed in practice only; use the verb for what you want to do
-refused-protected-item = item { $item } ({ $command }) changes home or the fence, which are fixed by the mission: a plan with it can be uploaded in practice only
+refused-protected-parameter = { $parameter } is fixed by the mission: it can be set only in a practice flight
+refused-protected-home = home is fixed by the mission: it can be moved only in a practice flight
+refused-protected-limits = the fence and the rally points are fixed by the mission: they can be changed only in a practice flight
+refused-protected-raw = raw commands are allowed only in a practice flight; use the verb for what you want to do
+refused-protected-item = item { $item } ({ $command }) changes home or the fence, which are fixed by the mission: a plan with it can be uploaded only in a practice flight
 refused-value = { $name } stayed { $value }: { $wanted } was not accepted
 
 reason-no-orbit = this autopilot cannot orbit: use mode CIRCLE

@@ -1,4 +1,4 @@
-//! Profiles for commands: opened, and found by name, with explained faults.
+//! Opens the profiles for the subcommands, finds them by name and explains failures.
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -85,10 +85,10 @@ pub(super) struct OpenedFolder {
 }
 
 impl Run {
-    /// Adds a run below the root, finds the leftovers of others, and removes the oldest runs that are over.
+    /// Adds a run below the root, finds the leftovers of earlier runs, and removes the oldest runs that are over.
     ///
     /// # Errors
-    /// The root cannot be created or written, or others could write into it.
+    /// The root cannot be created or written, belongs to another user, or is writable by other users.
     pub fn open(root: &Path) -> Result<OpenedFolder, FolderError> {
         make(root, true).map_err(cannot("create the folder", root))?;
         let is_safe = is_own(root).and_then(|own| if own { Ok(()) } else { Err(foreign()) });

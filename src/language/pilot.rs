@@ -23,7 +23,7 @@ struct PilotStep {
     statement: Statement,
     /// The target vehicles; `None` for all that exist when the line is reached.
     vehicles: Option<Vec<VehicleId>>,
-    /// The condition of the line, which is skipped if it does not hold.
+    /// The condition of the line; if it does not hold, the line is skipped.
     only_if: Option<Guard>,
 }
 

@@ -2,7 +2,8 @@
 
 use sortie_geo::{LatLon, maths};
 
-/// The horizontal limit of a conflict, in metres: two vehicles are in conflict if they are below both limits.
+/// The horizontal limit of a conflict, in metres: two vehicles are in conflict if both distances between them, the
+/// horizontal and the vertical, are below their limits.
 pub const TOO_NEAR_M: f64 = 5.0;
 /// The vertical limit of a conflict, in metres.
 pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
