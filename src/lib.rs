@@ -4,7 +4,8 @@
 //!
 //! Dependencies point down only, and the parts of a module depend on each other in one direction
 //! only, at every depth: `tests/it/layering.rs` reads the sources and enforces both. Code that
-//! other programs could also use is in libraries of the workspace, below everything else.
+//! other programs could also use is in libraries of the workspace (`crates/`), below everything
+//! else.
 //!
 //! | layer | module | contents |
 //! | --- | --- | --- |
@@ -14,11 +15,11 @@
 //! | | [`api`] | the interface for programs: their requests, and states as JSON lines |
 //! | | [`replay`] | a recorded flight as the events that the console received then, starting at any moment |
 //! | | [`ui`] | screens and widgets: state in, cells out |
-//! | | [`app`] | state, events, effects, key bindings, the rooms' behaviour, one `update`; when an alert is active, rings and is muted |
+//! | | [`app`] | state, events, effects, one `update`; the rooms' behaviour, their keys and the hints in their footers; when an alert is active, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
 //! | | [`hangar`] | SITL processes, started here or by a service over HTTP |
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
-//! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs, records |
+//! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs, records; what a finished or abandoned flight adds to a career |
 //! | pure | [`exercise`] | when a mission begins and which clock counts its time (also in the console); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles and the mission, and the outcome back to the ledger |
 //! | | [`campaign`] | a career: unlocks, earnings, possessions, the mastery of each skill, and what an attempt counts as |
@@ -26,7 +27,7 @@
 //! | | [`comparison`] | two flights of a mission side by side: the positions of the other one, the differences and their cost |
 //! | | [`debrief`] | a report as text |
 //! | | [`mission`] | the mission file, and the referee of a flight: hazards, sensors, radio, objectives, events, the trainee's workload, vehicles without attention |
-//! | | [`scoring`] | points, medals, and the report of a flight |
+//! | | [`scoring`] | points and their components (safety, alerts, commands, workload), medals, and the report of a flight |
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
 //! | | [`record`] | the record of a session: the frames of its links (`.tlog`), and the journal of everything else (a mission's own record is in [`mission`]) |
@@ -35,16 +36,16 @@
 //! | | [`forward`] | sharing links with other ground stations: the routes of frames, and the stations' commands |
 //! | | [`language`] | the grammar, and the one table of verbs for vehicles, the mission and the console, with their properties: retries, danger, precedence, what `wait arrived` waits for |
 //! | | [`dataflash`] | flight data from vehicle logs, aligned with a record |
-//! | | [`commands`] | typed commands: when one is refused, how it is encoded, and which telemetry shows its effect |
+//! | | [`commands`] | typed commands: when one is refused for the vehicle's state, how it is encoded, and which telemetry shows its effect |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
 //! | | [`ledger`], [`notice`], [`alert`], [`moment`] | the outcome of each command; notices to people; the kinds of alerts; the moments of a flight |
-//! | | [`vehicle`] | the model of one vehicle, and the battery needed to return home |
+//! | | [`vehicle`] | the model of one vehicle, the grades of its readings (good, poor, bad), its fence and limits, and the battery needed to return home |
 //! | | [`doctor`] | the faults of a link (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`signing`] | the keys of MAVLink signing and the console's time stamps |
 //! | | [`inspector`] | messages, counted and decoded field by field |
-//! | | [`parameters`] | parameter lists, files, differences |
+//! | | [`parameters`] | parameter lists, files, differences, and which parameters belong to one vehicle and are not copied |
 //! | | [`workshop`] | parts, designs, and the performance of a design, such as endurance and radio range |
-//! | | [`config`] | settings and the source of each |
+//! | | [`config`] | settings and the source of each; the columns of the swarm table |
 //! | | [`diagnostic`] | faults in files and lines, with place and advice |
 //! | | [`draft`] | plans, fences and rally points that are being drawn: every change, undo, legs and heights |
 //! | | [`preflight`] | plan files before a flight: faults, notes and findings in words |
@@ -53,7 +54,7 @@
 //! | | [`vehicle_id`] | the numbers of vehicles, and sets of them (`1-4,7`) |
 //! | | [`hash`] | a hash that never changes |
 //! | libraries | [`rehearsal`] | plans of several vehicles flown in simulation: times, batteries, closest approaches |
-//! | | [`sim`] | simulated vehicles |
+//! | | [`sim`] | simulated vehicles, their batteries and radios, and the wind |
 //! | | [`wire`] | MAVLink frames |
 //! | | [`plan`] | items of plans, fences and rally points: their files, and the faults in them |
 //! | | [`geo`] | positions and maps |
@@ -70,6 +71,16 @@
 //! [`Order`](commands::Order), and the [`ledger`] opens a row per target. The [`shell`] passes the
 //! order to the [`operator`], which decides what follows for each vehicle and for the mission. Each
 //! vehicle's session sends, waits, retries, and watches telemetry for the effect.
+//!
+//! A command can be refused at three places before it is sent: when its line is read ([`language`]),
+//! for the state of the vehicle ([`commands`]), and for the vehicle's parameters (`fit` in
+//! [`session`]).
+//!
+//! # The end of a flight
+//! A mission's [`exercise`] ends with a report of [`scoring`], and [`store`] adds it to the career
+//! ([`campaign`] decides what it counts as). A mission is never resumed by another run of the
+//! program: the record of a killed one is stored as left early, at the next start. Pauses, also by
+//! Ctrl-Z, are in the [`shell`].
 //!
 //! # Invariants
 //! - Pure modules use no clock, no randomness, no files and no sockets: `now` and seeds are

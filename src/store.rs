@@ -18,7 +18,6 @@ use crate::workshop::Design;
 mod append;
 mod folders;
 mod history;
-mod journal;
 mod keys;
 mod links;
 mod logs;
@@ -30,6 +29,7 @@ mod profiles;
 mod records;
 mod regular;
 mod runs;
+mod settlement;
 mod sharing;
 mod signature;
 mod source;
@@ -40,7 +40,6 @@ mod unsaved;
 
 pub use folders::Folders;
 pub use history::History;
-pub use journal::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
 pub use keys::{KeyFile, KeyFileFault};
 pub use links::open_own;
 pub use logs::LogFolder;
@@ -57,6 +56,7 @@ pub use records::{
     RecordingFault, Records, read_log,
 };
 pub use runs::{RunFile, Runs, read_run, utc};
+pub use settlement::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
 pub use sharing::share_with_group;
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, read_bytes, read_found, read_start};

@@ -1,4 +1,4 @@
-//! Whether a vehicle can take a parameter's new value.
+//! Checks of a command against the parameters of the vehicle, before it is sent.
 
 use crate::commands::{Command, ParameterCommand};
 use crate::diagnostic::nearest;
