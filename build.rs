@@ -15,7 +15,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("cargo::rerun-if-changed=build.rs");
     list_missions()?;
     let version = env::var("CARGO_PKG_VERSION").unwrap_or_default();
-    // A package inside another project's checkout is not part of its commits; the path to its root is then not empty.
+    // A package inside another project's checkout is not part of that project's commits; the path
+    // to the root of the checkout is then not empty.
     let is_checkout = git(&["rev-parse", "--show-cdup"]).as_deref() == Some("");
     // A fixed length, because the length that git would choose depends on the clone.
     let format = [

@@ -141,7 +141,8 @@ impl AlertKind {
     }
 }
 
-/// The alert for a status text about a crash, from ArduPilot's crash check or from the simulator.
+/// The alert for a status text about a crash, from ArduPilot's crash check or from the simulator;
+/// `None` for other texts and for a soft touchdown.
 pub fn crash(text: &str) -> Option<Text> {
     if text.contains("Crash: Disarming") {
         return Some(text!("alert-crashed"));

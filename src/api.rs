@@ -52,7 +52,7 @@ pub enum Request {
     /// Send the present state of a subject once.
     Get {
         what: Subject,
-        /// The vehicle whose parameters or plan are wanted.
+        /// The vehicle whose parameters or plan are requested.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         vehicle: Option<VehicleId>,
     },

@@ -213,7 +213,7 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 }
 
 impl CliCommand {
-    /// Whether the command stores nothing in the data folder unless that exists.
+    /// Whether the command only reads the data folder, so a missing folder is not created.
     fn only_reads(&self) -> bool {
         match self {
             Self::Profile(options) => options.only_reads(),

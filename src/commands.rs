@@ -93,7 +93,7 @@ pub enum Setup<'command> {
     Parameter(&'command str),
     /// Home: the reference of the vehicle's heights, and the place to which it returns.
     Home,
-    /// The areas that it must keep to, or the places where a return may end.
+    /// The areas that the vehicle must keep to, or the places where a return may end.
     Limits,
     /// An item of a plan that changes home or the fence when it is flown.
     PlanItem(ProtectedItem),

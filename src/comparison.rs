@@ -1,8 +1,9 @@
-//! Two flights of a mission side by side: the positions of the other flight's vehicles, the differences, and their
-//! cost.
+//! Two flights of a mission side by side: the positions of the other flight's vehicles, the
+//! differences, and the points that they cost.
 //!
-//! Times are those of the mission's own clock, so that flights can be compared at any speed-up. The data of a flight
-//! come from its record, or from a pilot script that has just flown it; both give the same data.
+//! Times are those of the mission's own clock, so that flights can be compared at any speed-up. The
+//! data of a flight come from its record, or from a pilot script that has just flown it; both give
+//! the same data.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -102,7 +103,8 @@ impl ComparedFlight {
         self
     }
 
-    /// The positions of its vehicles at a mission time; empty before its start and after its end.
+    /// The positions of the flight's vehicles at a mission time; empty before its start and after
+    /// its end.
     pub fn at(&self, time: Duration) -> impl Iterator<Item = (VehicleId, TrackPoint)> {
         let second = sample_of(time);
         self.tracks.iter().filter_map(move |(&vehicle, track)| {
@@ -111,7 +113,7 @@ impl ComparedFlight {
         })
     }
 
-    /// The paths of its vehicles in the air up to a mission time.
+    /// The paths of the flight's vehicles in the air up to a mission time.
     pub fn ways(&self, until: Duration) -> impl Iterator<Item = Vec<LatLon>> {
         let count = sample_of(until).saturating_add(1);
         self.tracks.values().map(move |track| {
@@ -128,15 +130,15 @@ impl ComparedFlight {
         heights.max_by(f64::total_cmp)
     }
 
-    /// The lowest charge of its batteries at a mission time, in percent; `None` if no charge is
-    /// known.
+    /// The lowest charge of the vehicles' batteries at a mission time, in percent; `None` if no
+    /// charge is known.
     pub fn battery_percent(&self, time: Duration) -> Option<f64> {
         let left = self.at(time).filter_map(|(_, it)| it.battery_percent);
         left.min_by(f64::total_cmp)
     }
 
-    /// The times at which both flights are aligned; `None` if one of them lacks the event. Bookmarks with the same text
-    /// take precedence over the first ones.
+    /// The times at which both flights are aligned; `None` if one of them lacks the event.
+    /// Bookmarks with the same text take precedence over the first bookmarks.
     pub fn anchors(own: &Self, other: &Self, alignment: Alignment) -> Option<Anchors> {
         let same = || {
             own.bookmarks.iter().find_map(|mine| {
@@ -163,8 +165,8 @@ impl ComparedFlight {
         }
     }
 
-    /// The time of the event by which it is aligned with another flight; `None` if it lacks the
-    /// event.
+    /// The time of the event by which the flight is aligned with another one; `None` if the flight
+    /// lacks the event.
     pub fn anchor(&self, alignment: Alignment) -> Option<Duration> {
         match alignment {
             Alignment::Start => Some(Duration::ZERO),
@@ -230,7 +232,7 @@ impl FlightCourse {
         self.reached.resize(progress.objectives.len(), None);
         for (objective, reached) in progress.objectives.iter().zip(&mut self.reached) {
             if objective.is_reached() {
-                // The objective was reached since the last note.
+                // The objective was reached after the previous sample.
                 reached.get_or_insert(now.saturating_sub(SAMPLE_EVERY));
             }
         }

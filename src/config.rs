@@ -76,10 +76,10 @@ pub struct ResultsConfig {
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum Readers {
-    /// Only the trainee may read them.
+    /// Only the trainee may read the results.
     #[default]
     Owner,
-    /// The group of their folder may read them, too.
+    /// The group of the results' folder may read them, too.
     Group,
 }
 
@@ -122,7 +122,7 @@ pub struct AlertsConfig {
     pub mute: Vec<AlertKind>,
     /// The horizontal distance below which two vehicles in the air are too close to each other, in metres; 0 for none.
     pub separation: u16,
-    /// The vertical distance below which they are too close, in metres.
+    /// The vertical distance, in metres, below which such vehicles are too close to each other.
     pub separation_height: u16,
 }
 

@@ -88,7 +88,7 @@ impl Diagnostic {
         format!("{file}:{line}:{column}: {}{help}", self.message)
     }
 
-    /// The same line as a text in the user's language.
+    /// The line of [`Self::one_line`] as a text in the user's language.
     pub fn text(&self, file: &str, source: &str) -> Text {
         let (line, column) = self.line_column(source);
         let place = Text::verbatim(format!("{file}:{line}:{column}:"));

@@ -74,8 +74,8 @@ pub struct Sender {
     /// The ids of the sender, and its peer.
     pub source: FrameSource,
     pub role: HeartbeatRole,
-    /// How long it has been heard without a pause; before that it may have been stopped and unable
-    /// to answer.
+    /// How long the sender has been heard without a pause; before that it may have been stopped and
+    /// unable to answer.
     pub known_for: Duration,
     pub heartbeat_hz: f64,
     /// Whether its last heartbeat was signed.

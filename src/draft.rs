@@ -47,7 +47,8 @@ const MOST_CHANGES: usize = 1000;
 pub struct Draft {
     name: String,
     vehicle: Option<VehicleId>,
-    /// Its number among the open drafts without a vehicle, for its sign; it keeps the number while it is open.
+    /// Its number among the open drafts without a vehicle, which decides its sign on the screen; it
+    /// keeps the number while it is open.
     slot: usize,
     /// The file that it was read from or last written to.
     file: Option<String>,
@@ -93,7 +94,7 @@ impl Draft {
         }
     }
 
-    /// The file that it was read from or last written to.
+    /// The file that the draft was read from or last written to.
     pub fn file(&self) -> Option<&str> {
         self.file.as_deref()
     }
@@ -102,17 +103,17 @@ impl Draft {
         &self.name
     }
 
-    /// Its name without the folder of its file.
+    /// The draft's name without the folder of its file.
     pub fn short_name(&self) -> &str {
         self.name.rsplit(['/', '\\']).next().unwrap_or_default()
     }
 
-    /// The vehicle that it is meant for, if it is meant for one alone.
+    /// The vehicle that the draft is meant for, if it is meant for one alone.
     pub fn vehicle(&self) -> Option<VehicleId> {
         self.vehicle
     }
 
-    /// Its number among the open drafts without a vehicle, from 0.
+    /// The draft's number among the open drafts without a vehicle, from 0.
     pub fn slot(&self) -> usize {
         self.slot
     }
@@ -122,7 +123,8 @@ impl Draft {
         &self.now
     }
 
-    /// Whether closing it loses nothing: it is empty, or its content is also in a file or on board.
+    /// Whether closing the draft loses nothing: it is empty, or its content is also in a file or on
+    /// board.
     pub fn is_kept(&self) -> bool {
         let is_same =
             |kept: &Arc<Document>| Arc::ptr_eq(kept, &self.now) || kept.is_same(&self.now);
@@ -138,7 +140,7 @@ impl Draft {
         self.kept = other.kept;
     }
 
-    /// Changes its content, and returns the index of the item that the change affects.
+    /// Changes the content of the draft, and returns the index of the item that the change affects.
     ///
     /// # Errors
     /// The reason why the change is not possible; nothing changes.

@@ -183,7 +183,7 @@ impl Fleet {
         self.ask(FleetRequest::FetchParameters(vehicle))
     }
 
-    /// Notes that a vehicle's autopilot was restarted: its earlier state is void.
+    /// Records that a vehicle's autopilot was restarted: its earlier state is void.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up.
@@ -191,7 +191,7 @@ impl Fleet {
         self.ask(FleetRequest::Restarted(vehicle))
     }
 
-    /// Changes a vehicle's simulator, or the simulated radio between it and the console.
+    /// Changes a vehicle's simulator, or the simulated radio between the vehicle and the console.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up; nothing was done.

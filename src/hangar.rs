@@ -1,16 +1,17 @@
 //! The hangar: ArduPilot SITL processes on this host, started, watched and ended.
 //!
-//! A [`Hangar`] owns its processes: they end with it, however it ends. Each instance runs in its own folder and
-//! connects to a listener of the hangar on loopback, so that no other program can reach it. A program can
-//! [attach](Hangar::attach) to its byte stream.
+//! A [`Hangar`] owns its processes: they end with it, however it ends. Each instance runs in its
+//! own folder and connects to a listener of the hangar on loopback, so that no other program can
+//! reach it. A program can [attach](Hangar::attach) to its byte stream.
 //!
-//! - `launcher` starts a process so that it cannot outlive this one; `folder` manages the instances' folders, and finds
-//!   what an earlier hangar has left; `process` queries the system about processes; `output` keeps what they print.
-//! - `launch` is a request to start an instance, `refusal` the reason against it; `roster` lists the instances and the
-//!   free numbers.
-//! - `instance` is one instance's task: its process, its connection, its stages, its end. `relay` carries bytes
-//!   between it and the attached program. `progress` follows its start: `probe` queries it, `stages` evaluates.
-//!   `restarts` decides whether it is started again.
+//! - `launcher` starts a process so that it cannot outlive this one; `folder` manages the
+//!   instances' folders, and finds the processes that an earlier hangar has left; `process` queries
+//!   the system about processes; `output` keeps what they print.
+//! - `launch` is a request to start an instance, `refusal` the reason why a request is refused;
+//!   `roster` lists the instances and the free numbers.
+//! - `instance` is one instance's task: its process, its connection, its stages, its end. `relay`
+//!   carries bytes between it and the attached program. `progress` follows its start: `probe`
+//!   queries it, `stages` evaluates the answers. `restarts` decides whether it is started again.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -310,7 +311,7 @@ impl Hangar {
         self.shared.roster.watch()
     }
 
-    /// The folder of its instances' folders: a new one below the root given to
+    /// The folder of the instances' folders: a new one below the root given to
     /// [`open`](Self::open).
     pub fn folder(&self) -> &Path {
         self.shared.run.path()

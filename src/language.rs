@@ -119,10 +119,11 @@ pub struct Statement {
 }
 
 impl Statement {
-    /// The order that it gives; the selection replaces missing targets.
+    /// The order that the line gives; the selection replaces missing targets.
     ///
     /// # Errors
-    /// A text if there is no target vehicle (see [`Targets::resolve`]), or if the line is not an order.
+    /// A text if there is no target vehicle (see [`Targets::resolve`]), or if the line is not an
+    /// order.
     pub fn into_order(self, selection: &[VehicleId], context: &Context) -> Result<Order, Text> {
         let targets = self.targets.resolve(selection, context)?;
         let Meaning::Act(act) = self.meaning else {

@@ -36,7 +36,7 @@ pub enum RowState {
     Done,
     /// Accepted, but the effect did not show in time.
     NoEffect,
-    /// The vehicle refused it, or it was not sent because it did not suit this vehicle.
+    /// The vehicle refused the command, or it was not sent because it did not suit this vehicle.
     Refused,
     /// No answer before the deadline.
     TimedOut,
@@ -56,7 +56,7 @@ impl RowState {
         )
     }
 
-    /// Whether it ended otherwise than intended.
+    /// Whether the command ended otherwise than intended.
     pub fn is_failure(self) -> bool {
         matches!(
             self,
@@ -141,7 +141,7 @@ pub struct LedgerRow {
 }
 
 impl LedgerRow {
-    /// Whether it was done, but its effect has ended since.
+    /// Whether the command was done, but its effect has ended since.
     pub fn is_over(&self) -> bool {
         self.state == RowState::Done && self.ended_by.is_some()
     }
@@ -202,7 +202,8 @@ pub struct LedgerEntry {
 }
 
 impl LedgerEntry {
-    /// The state of one of its rows in a few words. A rehearsal without an effect counts as failed.
+    /// The state of one of the entry's rows in a few words. A rehearsal without an effect counts as
+    /// failed.
     pub fn state_of(&self, row: &LedgerRow) -> Text {
         match (self.verb.counts_as, row.state) {
             (CountsAs::Rehearsal, RowState::NoEffect) => text!("state-rehearsal-failed"),

@@ -153,8 +153,8 @@ impl Inbox {
         Arc::make_mut(&mut self.parameters).forget();
     }
 
-    /// Handles time-outs: releases chunked texts with missing parts (after 1 s), with `...` in their place, and drops
-    /// a target that is no longer sent. Call it a few times a second.
+    /// Handles time-outs: releases chunked texts with missing parts (after 1 s), with `...` in
+    /// their place, and drops a target that is no longer sent. Must be called a few times a second.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
         let mut report = HandlerNotices {
             vehicle: vehicle.id,

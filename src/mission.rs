@@ -230,7 +230,7 @@ impl Mission {
         self.rules.open_parameters.iter().any(is_same)
     }
 
-    /// The simulator's world for it: its vehicles on their pads.
+    /// The simulator's world for the mission: its vehicles on their pads.
     pub fn world(&self, seed: u64) -> WorldConfig {
         WorldConfig {
             starts: self.starts(),
@@ -241,8 +241,8 @@ impl Mission {
         }
     }
 
-    /// The places that the grammar may name: those of the file, the cells (`A1`), `pad` for the first pad, and `pad1`,
-    /// `pad2` and so on for each.
+    /// The places that a line may name: those of the file, the cells (`A1`), `pad` for the first
+    /// pad, and `pad1`, `pad2` and so on for each.
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let named = self.site.places.iter();
         let mut places: BTreeMap<String, LatLon> = named

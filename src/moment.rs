@@ -51,7 +51,7 @@ pub enum MomentKind {
     Rule,
     /// An event of the mission, or an inject of the instructor, changed something.
     Event,
-    /// Two flying vehicles were closest to each other.
+    /// Two flying vehicles came close to each other, or closest in the whole flight.
     Separation,
     /// An event in a vehicle's log that was joined to the record.
     Log,
@@ -70,7 +70,8 @@ impl MomentKind {
         Text::new(format!("moment-kind-{}", self.name()), Vec::new())
     }
 
-    /// Whether a review lists it; changes of mode and arming happen in every flight and are left out.
+    /// Whether a review lists it: events of logs, and changes of mode and arming, which happen in
+    /// every flight, are left out.
     pub fn is_reviewed(self) -> bool {
         match self {
             Self::Mode | Self::Arming | Self::Log => false,
@@ -96,7 +97,7 @@ impl MomentKind {
         }
     }
 
-    /// The kind with a name.
+    /// The kind with this name, if any.
     pub fn named(name: &str) -> Option<Self> {
         name.parse().ok()
     }
@@ -129,7 +130,7 @@ impl Alignment {
         self.into()
     }
 
-    /// The alignment with a name.
+    /// The alignment with this name, if any.
     pub fn named(name: &str) -> Option<Self> {
         name.parse().ok()
     }

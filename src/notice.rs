@@ -1,4 +1,4 @@
-//! Notices to the operator: events that a line reports.
+//! Notices to the operator: events, each reported in one line.
 
 use std::time::Duration;
 

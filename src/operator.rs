@@ -1,4 +1,4 @@
-//! Carries out lines: the part that the console and pilot scripts share.
+//! Carries out command lines: the part that the console and pilot scripts share.
 //!
 //! [`read_order`] reads a line and finds its vehicles. An [`Operator`] carries an order out: it
 //! decides which vehicles get a command, what the mission does with the order, and which rows of
@@ -48,7 +48,8 @@ pub enum Dispatch {
     Notice(Notice),
     /// Fly plans in simulation, which takes a while.
     Rehearse(PlanRehearsal),
-    /// Show the mission's reason for refusing an order. The rows have it too, but no vehicle sends it.
+    /// Show the mission's reason for refusing an order. The rows contain it too, but no vehicle
+    /// reports it.
     Refused(Text),
 }
 
@@ -67,7 +68,7 @@ pub struct OperatorScene<'a> {
 #[derive(Debug, Clone, Default)]
 pub struct Operator {
     conductor: Conductor,
-    /// Setpoints that could not be delivered: a stop is sent only once.
+    /// Setpoints to deliver again: a stop is sent only once, so a lost one would never arrive.
     undelivered: BTreeMap<VehicleId, Steering>,
     rehearsals: RehearsalQueue,
     divided: DividedWork,
@@ -112,7 +113,7 @@ pub fn first_word(line: &str) -> Range<usize> {
 }
 
 impl Dispatch {
-    /// The same work with its times on another clock.
+    /// The same work with its times set to `now`, on another clock.
     #[must_use]
     pub fn at(self, now: Duration) -> Self {
         match self {
@@ -303,7 +304,8 @@ fn plan_command(deed: PlanDeed) -> Command {
     })
 }
 
-/// A warning about vehicles that carry parts of earlier work, with the command that removes them.
+/// A warning about vehicles that still carry the plans of an earlier task, with the command that
+/// removes them.
 fn left_over(vehicles: &[VehicleId]) -> Option<Text> {
     let left = ranges(vehicles.iter().copied());
     (!vehicles.is_empty()).then(|| text!("outcome-plan-left", vehicles = left))
@@ -324,7 +326,7 @@ fn prepared(prepared: Prepared) -> impl Iterator<Item = Dispatch> {
     rows.chain(prepared.rehearsal.map(Dispatch::Rehearse))
 }
 
-/// The notice that a vehicle has no part, and why.
+/// The notice that a vehicle takes no part in the task, and why.
 fn without_part(vehicle: VehicleId, idle: &[(VehicleId, Idle)], now: Duration) -> Dispatch {
     let own = idle.iter().find(|(id, _)| *id == vehicle);
     let why = own.map_or(Idle::Spare, |(_, why)| *why);

@@ -22,12 +22,12 @@ pub struct Remark {
     pub severity: Severity,
 }
 
-/// A fault that prevents a file from being read.
+/// The diagnostic for a fault that prevents a file from being read.
 pub fn fault(fault: &Fault) -> Diagnostic {
     Diagnostic::new(fault.span.clone(), faults::words(&fault.kind))
 }
 
-/// The notes of a reader, and the findings about what was read, in the order of the file.
+/// The notes of a reader and the findings about the content, in the order of the file.
 pub fn remarks(loaded: &Loaded, findings: &[Finding]) -> Vec<Remark> {
     let notes = loaded.notes.iter().map(|note: &Note| Remark {
         diagnostic: Diagnostic::new(note.span.clone(), faults::note(&note.kind)),

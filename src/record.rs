@@ -79,7 +79,7 @@ fn is_real_time(speedup: &f64) -> bool {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Subject {
-    /// A mission by its id; the mission's own record has the rest.
+    /// A mission by its id; the details are in the mission's own record.
     Mission(String),
     /// Simulated vehicles without a task.
     Free,

@@ -68,7 +68,7 @@ pub struct Replay {
     /// The length last reported to the console, and the number of gaps.
     known_length: Duration,
     known_gaps: usize,
-    /// Whether the damage of the frames was reported.
+    /// Whether the damage to the frames has been reported.
     has_told_damage: bool,
 }
 
@@ -155,7 +155,7 @@ impl Replay {
         }
     }
 
-    /// Applies a control; returns a remark if it did something other than its name says.
+    /// Applies a control; returns a remark about an effect that the user may not expect.
     fn control(&mut self, effect: ReplayEffect) -> Result<Option<Text>, Text> {
         let now = self.stage.now();
         match effect {
@@ -362,7 +362,7 @@ impl Replay {
         (gaps.len() > known).then(|| ReplayEvent::Gaps(gaps).into())
     }
 
-    /// The index's news since the last call.
+    /// The event `Known`, if the moments or the length have changed since the last call.
     fn news(&mut self) -> Option<Event> {
         self.player.note_indexed(self.index.reached());
         let length = self.length();

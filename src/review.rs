@@ -146,7 +146,7 @@ impl Review {
     /// Reads a review from the text of its file.
     ///
     /// # Errors
-    /// The text is not a review, or comes from a later version.
+    /// The text is not a review, or comes from another version.
     pub fn read(text: &str) -> Result<Self, Text> {
         let review: Self = serde_json::from_str(text)
             .map_err(|error| text!("review-unreadable", error = error.to_string()))?;

@@ -1,8 +1,9 @@
 //! The conversation with one vehicle, without any input or output of its own.
 //!
-//! A [`Session`] takes frames and orders, with the time, updates the [`Vehicle`] model, and returns messages to send
-//! and reports. The fleet drives one per vehicle from a task; an exercise drives them in lock step with the simulator.
-//! Both therefore behave the same, and every time-out and retry can be tested without waiting.
+//! A [`Session`] takes frames, orders and the current time, updates the [`Vehicle`] model, and
+//! returns reports and the messages to send. The fleet drives one session per vehicle from a task;
+//! an exercise drives them in lock step with the simulator. Both therefore behave the same, and
+//! every time-out and retry can be tested without waiting.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -130,7 +131,7 @@ impl Session {
         self
     }
 
-    /// Takes the files of plans from `shelf`, and writes them there.
+    /// Reads and writes plan files through `shelf`.
     #[must_use]
     pub fn with_plan_files(mut self, shelf: Arc<dyn PlanShelf>) -> Self {
         self.lists.take_from(shelf);
@@ -294,7 +295,7 @@ impl Session {
     /// only ends earlier movements.
     ///
     /// # Errors
-    /// The place does not exist; nothing is sent.
+    /// The setpoint is in the ground or not a valid position; nothing is sent.
     pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
         let (line, moment) = self.line(now);
         line.steer(steering, moment)

@@ -142,7 +142,7 @@ async fn hear_last_answer(screen: &mut Screen, keyboard: &mut Keyboard) {
             }
         }
     };
-    // After that the terminal has stalled.
+    // After this time, the terminal counts as stalled.
     drop(tokio::time::timeout(LAST_ANSWER_PATIENCE, answer).await);
 }
 
@@ -199,7 +199,8 @@ struct Console {
     /// The last history line written to its file.
     kept: Option<String>,
     over: bool,
-    /// Whether the terminal has disappeared or the program was told to end: the trainee did not abandon the flight.
+    /// Whether the terminal has disappeared or a signal ends the program: the trainee did not
+    /// abandon the flight.
     is_cut_off: bool,
     /// The work on another flight of the mission, to show beside this one.
     ghost: Option<ghost::GhostWork>,

@@ -1,4 +1,4 @@
-//! MAVLink 2 signing on the console's side: keys and time stamps.
+//! MAVLink 2 signing on the console's side: keys and timestamps.
 //!
 //! A [`Keyring`] owns both. It checks the signature of a received frame, signs the frames to a
 //! vehicle with the key that the vehicle has proved, and keeps a new key beside the old one until
@@ -21,14 +21,14 @@ mod tests;
 
 pub use file::KeyringFault;
 
-/// One second in units of a time stamp.
+/// One second in units of a timestamp.
 pub const SECOND: u64 = 100_000;
-/// The beginning of 2015 (UTC), from which time stamps count, in seconds since 1970.
+/// The beginning of 2015 (UTC), from which timestamps count, in seconds since 1970.
 pub const EPOCH_UNIX_S: u64 = 1_420_070_400;
 /// How far the first frame of a stream may be behind the newest frame of its vehicle, as in the
 /// MAVLink guide.
 const MARGIN: u64 = 60 * SECOND;
-/// How many time stamps are reserved in the file in advance, so that they never go back after a
+/// How many timestamps are reserved in the file in advance, so that they never go back after a
 /// crash.
 const AHEAD: u64 = 60 * SECOND;
 /// The smallest reserve: a hundred thousand frames, if the clock of this machine is behind the
@@ -117,7 +117,7 @@ struct SignedStream {
     link: u8,
 }
 
-/// The keys of one vehicle, and the last time stamp of each of its streams.
+/// The keys of one vehicle, and the last timestamp of each of its streams.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 struct VehicleKeys {
     /// The key that the vehicle has proved.
@@ -167,12 +167,12 @@ impl VehicleKeys {
     }
 }
 
-/// The keys of vehicles, and the console's time stamps.
+/// The keys of vehicles, and the console's timestamps.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Keyring {
-    /// The last time stamp sent, or a later one received from a vehicle.
+    /// The last timestamp sent, or a later one received from a vehicle.
     clock: u64,
-    /// The last time stamp that may be sent before the keyring is written again.
+    /// The last timestamp that may be sent before the keyring is written again.
     reserved: u64,
     /// Whether keys have changed since the keyring was last written.
     has_changed: bool,
@@ -183,8 +183,8 @@ pub struct Keyring {
 }
 
 impl Keyring {
-    /// Checks a frame's signature. A valid one proves which key its vehicle has; its time stamp
-    /// then counts as used.
+    /// Checks a frame's signature. A valid one proves which key its vehicle has; its timestamp then
+    /// counts as used.
     pub fn check(&mut self, link: &str, frame: &Frame, bytes: &[u8]) -> Seal {
         let Some(stamp) = Stamp::of(bytes).filter(|_| frame.seal.is_signature()) else {
             return frame.seal;
@@ -255,7 +255,7 @@ impl Keyring {
         sealed.collect()
     }
 
-    /// The next time stamp. It never goes back, even if the clock of this machine does.
+    /// The next timestamp. It never goes back, even if the clock of this machine does.
     fn stamp(&mut self, wall: u64) -> u64 {
         self.clock = wall.max(self.clock.saturating_add(1));
         self.clock
@@ -277,7 +277,7 @@ impl Keyring {
         self.has_changed = true;
     }
 
-    /// The message that gives a vehicle a key, or none; `None` if there is no such key.
+    /// The message that gives a vehicle a key or removes its key; `None` if there is no such key.
     pub fn message(
         &mut self,
         link: &str,

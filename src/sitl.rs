@@ -90,7 +90,7 @@ pub struct Recipe {
     pub start: Start,
     /// Its system id, 1 to 254.
     pub system: u8,
-    /// Simulated seconds per second.
+    /// Simulated seconds per second of real time.
     pub speedup: f64,
     /// Parameters that extend or override the defaults of every new vehicle.
     pub parameters: BTreeMap<String, f64>,
@@ -235,7 +235,8 @@ impl Recipe {
 }
 
 impl SerialEndpoint {
-    /// The ports of serial 0, 1 and 2 for an instance that listens.
+    /// The ports of serial 0, 1 and 2 for an instance that listens; empty for one that connects
+    /// outwards.
     ///
     /// # Errors
     /// SITL has no instance with this number.

@@ -104,7 +104,7 @@ pub fn missions_with_id(id: &str) -> Vec<String> {
     same.map(|source| source.name).collect()
 }
 
-/// The mission that is a drill for another one, by its file's name.
+/// The drill for a mission, by the name of the drill's file, if there is one.
 pub fn drill_of(mission: &str) -> Option<String> {
     let all = missions().into_iter();
     let mut drills = all.filter(|source| {
@@ -149,7 +149,7 @@ pub fn missions() -> Vec<Source> {
     merged("file-mission", MISSIONS, MISSION_FOLDER, "toml")
 }
 
-/// The errors of the mission files in the folders that cannot be read.
+/// The errors of the unreadable mission files in the folders.
 pub fn unreadable_missions() -> Vec<StoreError> {
     let folders = Folders::find();
     let layers = folders.iter().flat_map(Folders::layers);
@@ -238,7 +238,8 @@ pub fn themes() -> Vec<Source> {
     merged("file-theme", &[], folders::THEMES, "toml")
 }
 
-/// The files in a folder with that ending, by name; those that cannot be read are left out and logged.
+/// The files with that ending in a folder, by name; those that cannot be read are left out and
+/// logged.
 pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
     let mut sources = Vec::new();
     for file in found(folder, kind, ending) {
@@ -250,7 +251,7 @@ pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
     sources
 }
 
-/// The files in a folder with that ending, by name, or why each cannot be read.
+/// The files with that ending in a folder, by name, or why each cannot be read.
 fn found(folder: &Path, kind: &'static str, ending: &str) -> Vec<Result<Source, StoreError>> {
     let mut paths: Vec<PathBuf> = fs::read_dir(folder)
         .into_iter()

@@ -199,7 +199,8 @@ impl Conductor {
         }
     }
 
-    /// Begins a manoeuvre. Its members leave what they were doing; vehicles that cannot take part are refused.
+    /// Begins a manoeuvre. Its members leave their earlier manoeuvres; vehicles that cannot take
+    /// part are refused.
     fn begin(&mut self, call: Call<'_>, vehicles: &Vehicles, now: Duration) -> Vec<RowUpdate> {
         if *call.manoeuvre == Manoeuvre::Disband {
             return self.disband(call, vehicles, now);

@@ -37,7 +37,7 @@ use writer::{FrameWriter, Traffic};
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 /// DSR: the terminal answers as soon as it has read everything before it.
 const QUESTION: &[u8] = b"\x1b[5n";
-/// Reports presses of buttons, with coordinates beyond 223.
+/// Switches on reports of button presses, with coordinates beyond 223.
 const MOUSE_ON: &[u8] = b"\x1b[?1000h\x1b[?1006h";
 const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
 /// XTWINOPS: the terminal saves the title of its window; the second sequence restores it.
@@ -46,7 +46,7 @@ const TAKE_TITLE_BACK: &[u8] = b"\x1b[23;2t";
 
 /// Whether the terminal has been taken over, so that it is restored exactly once.
 static TAKEN: AtomicBool = AtomicBool::new(false);
-/// Whether the title of the window has been saved, to be restored with it.
+/// Whether the title of the window has been saved, so that it is restored with the terminal.
 static KEPT_TITLE: AtomicBool = AtomicBool::new(false);
 
 /// The screen of the console.
@@ -169,7 +169,7 @@ impl Screen {
         self.traffic.bytes()
     }
 
-    /// Draws one frame; only what changed is written.
+    /// Draws one frame; only the changes are written.
     ///
     /// # Errors
     /// The terminal is gone.
@@ -209,7 +209,7 @@ impl Screen {
         Write::flush(writer)
     }
 
-    /// Rings the terminal's bell, after what has been drawn.
+    /// Rings the terminal's bell, after the output drawn so far.
     ///
     /// # Errors
     /// The terminal is gone.

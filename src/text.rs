@@ -24,7 +24,7 @@ pub use figure::{clock, clock_s, figure, lasting, rounded, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 
-/// A language of the texts. The names are its ISO 639 codes.
+/// A language of the texts. The names are ISO 639 codes.
 #[derive(
     Debug,
     Clone,
@@ -65,7 +65,8 @@ impl Language {
         self.into()
     }
 
-    /// The language of a code or of a POSIX locale: `uk`, `uk_UA.UTF-8`, `en_GB`.
+    /// The language of a code or of a POSIX locale, if it is supported: `uk`, `uk_UA.UTF-8`,
+    /// `en_GB`.
     pub fn of(name: &str) -> Option<Self> {
         let code = name.split(['_', '-', '.', '@']).next()?;
         Self::ALL

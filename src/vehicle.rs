@@ -99,7 +99,7 @@ pub struct Vehicle {
     pub fence: Option<Fence>,
     /// RANGEFINDER or `DISTANCE_SENSOR` facing down: metres to the ground.
     pub rangefinder_m: Option<f32>,
-    /// WIND: its direction of origin and its speed.
+    /// WIND: the direction that it comes from, and its speed.
     pub wind: Option<Wind>,
     /// The height above home at which it last estimated the wind in flight, in metres.
     pub wind_height_m: Option<f32>,
@@ -179,12 +179,13 @@ impl Vehicle {
         }
     }
 
-    /// The time since its boot, by its own clock: with a speed-up, it passes faster than that of the console.
+    /// The time since its boot, by its own clock; with a speed-up, this clock runs faster than that
+    /// of the console.
     pub fn clock(&self) -> Option<Duration> {
         self.boot_ms.map(|it| Duration::from_millis(it.into()))
     }
 
-    /// Its clock in milliseconds since boot, even while simulated radio hides it.
+    /// Its clock in milliseconds since boot, if known, even while simulated radio hides it.
     pub fn clock_ms(&self) -> Option<u32> {
         self.unheard.map(|unheard| unheard.boot_ms).or(self.boot_ms)
     }
@@ -208,19 +209,19 @@ impl Vehicle {
         self.heartbeat.is_some_and(|heartbeat| heartbeat.armed)
     }
 
-    /// Height above home in metres.
+    /// Height above home in metres, if known.
     pub fn altitude_m(&self) -> Option<f64> {
         self.global.map(|global| global.altitude_m)
     }
 
-    /// Speed over ground in m/s.
+    /// Speed over ground in m/s, if known.
     pub fn ground_speed_m_s(&self) -> Option<f32> {
         self.global
             .map(|global| global.ground_speed_m_s())
             .or_else(|| self.hud.map(|hud| hud.ground_speed_m_s))
     }
 
-    /// Heading, 0 to 360 degrees.
+    /// Heading, 0 to 360 degrees, if known.
     pub fn heading_deg(&self) -> Option<f32> {
         self.attitude
             .map(|attitude| attitude.yaw_deg)
@@ -228,14 +229,16 @@ impl Vehicle {
             .or_else(|| self.hud.map(|hud| hud.heading_deg))
     }
 
-    /// Horizontal distance to home in metres.
+    /// Horizontal distance to home in metres; `None` if unknown, or too far for the home of this
+    /// flight.
     pub fn distance_home_m(&self) -> Option<f64> {
         let (global, home) = (self.global?, self.home?);
         let metres = global.at_point.distance_m(home.at_point);
         (metres < FARTHEST_HOME_M).then_some(metres)
     }
 
-    /// Its distance from another vehicle, in metres in three dimensions, from both reported positions.
+    /// Its distance from another vehicle, in metres in three dimensions; `None` unless both report
+    /// a position.
     pub fn distance_m(&self, other: &Self) -> Option<f64> {
         let (here, there) = (self.global?, other.global?);
         let across_m = here.at_point.distance_m(there.at_point);
@@ -245,7 +248,7 @@ impl Vehicle {
         ))
     }
 
-    /// The main pack, which powers the motors.
+    /// The main pack, which powers the motors, if it is reported.
     pub fn battery(&self) -> Option<&Battery> {
         self.batteries.first()
     }

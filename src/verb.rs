@@ -44,7 +44,7 @@ impl Verb {
 pub enum Danger {
     /// The command is sent without a confirmation.
     None,
-    /// Its targets are listed, and it is sent only after a second key.
+    /// The targets are listed, and the command is sent only after a second key press.
     Confirm,
 }
 
@@ -95,12 +95,12 @@ pub enum Movement {
     Turn,
     /// It moves or stops the vehicle and supersedes the previous movement.
     To(Arrival),
-    /// Like `To(Done)`; once in their places, the vehicles' task is to stay there.
+    /// Like `To(Done)`; once the vehicles are in their places, their task is to stay there.
     Station,
 }
 
 impl Movement {
-    /// When such an order counts as arrived; `None` if it is not a movement.
+    /// When the vehicles of such an order count as arrived; `None` if it is not a movement.
     pub fn arrival(self) -> Option<Arrival> {
         match self {
             Self::None | Self::Turn => None,

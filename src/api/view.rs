@@ -29,7 +29,7 @@ pub struct VehicleView {
     pub vehicle: VehicleId,
     pub system_id: u8,
     pub component_id: u8,
-    /// The flight mode by its name, or by its number where it has none.
+    /// The flight mode by its name, or by its number if it has none.
     pub mode: Option<String>,
     pub armed: bool,
     pub in_air: bool,
@@ -102,14 +102,14 @@ pub struct RowView {
     /// `overtaken`.
     #[schema(value_type = String)]
     pub state: &'static str,
-    /// The progress that the vehicle reports.
+    /// The progress that the vehicle reports, in percent.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub percent: Option<u8>,
     /// Whether the state is the last one.
     pub is_final: bool,
     /// The number of times that the command has been sent.
     pub tries: u8,
-    /// The reason for a refusal, or a remark.
+    /// The reason for a refusal, or a remark, if there is one.
     pub remark: Option<String>,
 }
 
@@ -165,7 +165,7 @@ impl EntryView {
 /// A notice; identical ones within a short time are merged.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct NoticeView {
-    /// When the first one came, in seconds since the start of the program.
+    /// When the first of them arrived, in seconds since the start of the program.
     pub at_s: f64,
     pub vehicle: Option<VehicleId>,
     /// `MAV_SEVERITY`: 0 (emergency) to 7 (debug).
@@ -195,9 +195,9 @@ pub struct MissionView {
     pub title: String,
     pub elapsed_s: f64,
     pub limit_s: f64,
-    /// The score if it ended now, 0 to 1000; `null` before the first takeoff.
+    /// The score if the mission ended now, 0 to 1000; `null` before the first takeoff.
     pub score: Option<u16>,
-    /// Whether it is over.
+    /// Whether the mission is over.
     pub over: bool,
     pub objectives: Vec<ObjectiveView>,
     pub readings: Vec<ReadingView>,
@@ -215,7 +215,7 @@ pub struct ObjectiveView {
     pub title: String,
     /// Its progress in words.
     pub detail: String,
-    /// The share of it that is reached, 0 to 1.
+    /// The share of the objective that is reached, 0 to 1.
     pub fraction: f64,
     pub met: bool,
 }
@@ -247,7 +247,7 @@ pub struct NamedPlaceView {
 }
 
 impl MissionView {
-    /// `known` are the places that are known from the start.
+    /// A mission's progress for programs; `known` are the places that are known from the start.
     pub(super) fn new(
         progress: &Progress,
         known: &BTreeMap<String, LatLon>,
@@ -304,9 +304,9 @@ impl NamedPlaceView {
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct LinkView {
     pub address: String,
-    /// Whether it carries data.
+    /// Whether the link carries data.
     pub up: bool,
-    /// Why it carries none.
+    /// The reason why the link carries no data.
     pub error: Option<String>,
     pub bytes_in_per_s: f64,
     pub bytes_out_per_s: f64,
@@ -391,6 +391,6 @@ pub struct RecordView {
     pub bytes: u64,
     /// The file with the frames of all links, a tlog.
     pub frames: Option<String>,
-    /// The record of the mission's run.
+    /// The record of the mission's run; `null` if there is none.
     pub run: Option<String>,
 }

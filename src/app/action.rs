@@ -22,7 +22,7 @@ macro_rules! actions {
         single { $($(#[$about:meta])* $single:ident,)+ }
         groups { $($(#[$group_about:meta])* $group:ident($Group:ty),)+ }
     ) => {
-        /// An intent, which the keymap makes from a key. Its name in keymap files is that of the
+        /// An intent, to which the keymap maps keys. Its name in keymap files is that of the
         /// innermost variant; the message `action-NAME` describes it. Actions of only some rooms
         /// have enums of their own.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
@@ -105,7 +105,7 @@ actions! {
         Line(LineAction),
         /// Other ways to fly the listed mission.
         Start(StartAction),
-        /// Controls the replay, in every room.
+        /// Actions that control the replay, in every room.
         Replay(ReplayAction),
         /// Actions of the Debrief room.
         Debrief(DebriefAction),
@@ -132,7 +132,7 @@ impl Action {
     /// The cursor keys, in the order of hints.
     pub const UP_AND_DOWN: &[Self] = &[Self::Move(Step::Down), Self::Move(Step::Up)];
 
-    /// The action with a name.
+    /// The action with a name, if there is one.
     pub fn named(name: &str) -> Option<Self> {
         Self::all().find(|action| action.name() == name)
     }

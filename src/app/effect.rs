@@ -24,7 +24,8 @@ pub struct Launch {
     pub stake: Stake,
     /// The seed, if the trainee chose it for practice.
     pub seed: Option<u64>,
-    /// The built drones, one for all seats or one per seat; empty for the mission's own.
+    /// The designs of the drones, one for all seats or one per seat; empty for the mission's own
+    /// drones.
     pub fleet: Vec<Design>,
 }
 
@@ -63,7 +64,7 @@ pub enum Effect {
         entry: EntryId,
         order: Order,
     },
-    /// Answer the program whose line was the event: carried out or refused.
+    /// Report to the program whether its line was carried out or refused.
     AnswerProgram(Result<ProgramAnswer, ProgramFault>),
     /// Download all parameters of vehicles.
     FetchParameters(Vec<VehicleId>),
@@ -93,7 +94,7 @@ pub struct ProgramAnswer {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProgramFault {
     pub fault: Diagnostic,
-    /// Whether it would be carried out if the program confirmed it.
+    /// Whether the line would be carried out if the program confirmed it.
     pub asks: bool,
 }
 
@@ -219,7 +220,7 @@ pub enum SessionEffect {
     Process(ProcessDeed, VehicleId),
     /// Trigger an inject of the mission, by name.
     Inject(String),
-    /// Set a bookmark with a text at this moment.
+    /// Set a bookmark with a text at the current time.
     Bookmark(String),
     /// Fetch another flight of the mission to show beside this one.
     Ghost(GhostSource),

@@ -17,7 +17,7 @@ pub fn name_key(state: &State, progress: &mut Progress) {
     }
 }
 
-/// The key for an action or a verb in flight.
+/// The key for an action or a verb in flight, if one is bound.
 pub fn key_of(keymap: &Keymap, name: &str) -> Option<String> {
     let meaning = match Action::named(name) {
         Some(action) => Meaning::Do(action),

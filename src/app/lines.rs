@@ -67,7 +67,7 @@ pub fn check(line: &str, themes: &[String]) -> Result<(), Diagnostic> {
 /// Checks the beginning of a line that the user will complete: its verb must exist.
 ///
 /// # Errors
-/// The verb is unknown or not allowed on the command line; with its position.
+/// The verb is unknown or not allowed on the command line; the diagnostic contains its position.
 pub fn check_beginning(line: &str) -> Result<(), Diagnostic> {
     if line.is_empty() {
         return Ok(());

@@ -91,7 +91,7 @@ impl Room {
         matches!(self, Self::Fly | Self::Vehicle | Self::Map)
     }
 
-    /// The room with a name.
+    /// The room with a name, if there is one.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|room| room.name() == name)
     }

@@ -202,7 +202,7 @@ impl<R> State<R> {
             .filter(|message| self.wall.saturating_sub(message.at) < message.life())
     }
 
-    /// Switches to a language, if the terminal can show its letters.
+    /// Switches to a language; returns false if the terminal cannot show its letters.
     pub fn speak(&mut self, language: Language) -> bool {
         // Words of other scripts would show only question marks.
         if language != Language::English && self.config.symbols == Some(Symbols::Ascii) {
@@ -303,7 +303,8 @@ impl<R> State<R> {
         !self.session.task.over && progress.is_none_or(|progress| progress.can_pledge)
     }
 
-    /// The vehicle class for modes on the command line: that of the first target.
+    /// The vehicle class for modes on the command line: that of the first target; a copter if it is
+    /// unknown.
     pub fn class(&self) -> VehicleClass {
         let first = self.addressed().first().copied();
         let vehicle = first.and_then(|id| self.session.vehicles.get(&id));

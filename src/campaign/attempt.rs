@@ -58,7 +58,7 @@ pub struct AttemptTrainee<'a> {
 /// The circumstances of an attempt that decide how it counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AttemptMeans {
-    /// How the mission compares with that of the course.
+    /// How the mission file compares with that of the course.
     pub mission_file: MissionFile,
     /// The source of the commands.
     pub flown_by: FlownBy,
@@ -74,8 +74,8 @@ pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
     stake == Stake::Practice || !flown_by.unwrap_or_default().is_by_hand()
 }
 
-/// How to score a flight whose record has no end: a flight that counts was left, by closing or
-/// killing the program.
+/// How to score a flight whose record has no end: a flight that counts is scored as abandoned,
+/// because the program was closed or killed.
 pub fn without_end(stake: Stake, flown_by: Option<FlownBy>) -> WithoutEnd {
     if is_practice(stake, flown_by) {
         WithoutEnd::Over

@@ -157,7 +157,7 @@ impl MissionCourse {
         flight
     }
 
-    /// The mission with an id.
+    /// The mission with an id, if the course has it.
     pub fn offer(&self, id: &str) -> Option<&Offer> {
         self.offers.iter().find(|offer| offer.id == id)
     }

@@ -18,7 +18,7 @@ pub struct Reward {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exam_passed: Option<bool>,
     pub pay_credits: u32,
-    /// Credits deducted for wear and loss of own drones.
+    /// Credits deducted for wear and loss of the trainee's own drones.
     pub wear_credits: u32,
     pub credits: u32,
     pub experience: u64,

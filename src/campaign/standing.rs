@@ -31,7 +31,7 @@ pub struct Best {
     pub tries: u32,
     /// The highest score; `None` if no flight earned a point.
     pub score: Option<u16>,
-    /// The highest score of passed flights.
+    /// The highest score of passed flights; `None` if no flight was passed.
     pub passed: Option<u16>,
     /// The best medal of all graded flights.
     pub medal: Option<Medal>,
@@ -183,7 +183,7 @@ impl CareerStanding {
     /// The purchase of a part's licence.
     ///
     /// # Errors
-    /// Why it cannot be bought.
+    /// The reason why the part cannot be bought.
     pub fn buy(&self, id: &str, course: &MissionCourse) -> Result<Purchase, PurchaseRefusal> {
         let part = part(id).ok_or(PurchaseRefusal::Unknown)?;
         match self.part_state(part, course) {
@@ -265,7 +265,7 @@ impl CareerStanding {
         self.best(mission).is_some_and(|best| best.passed.is_some())
     }
 
-    /// The trainee's knowledge of a skill; the initial one without evidence.
+    /// The trainee's knowledge of a skill; without evidence, the initial knowledge.
     pub fn skill(&self, skill: Skill) -> Knowledge {
         self.skills.get(&skill).cloned().unwrap_or_default()
     }

@@ -89,7 +89,7 @@ pub(super) fn check(
     let known = known_missions(files);
     let locale = Locale::new(settings.language());
     let mut faulty = false;
-    // A wrong name is a fault of usage, so no file is checked before all names are understood.
+    // A wrong file name is a usage error, so no file is checked before all names are understood.
     files.iter().try_for_each(|path| has_known_ending(path))?;
     for path in files {
         if plan::is_plan_file(path) {
@@ -177,8 +177,8 @@ fn has_known_ending(path: &Path) -> Result<(), Failure> {
     }
 }
 
-/// The kind of a file: of the TOML kinds, the one with most of its first-level keys. If the keys do not decide, its
-/// name and its folder do; otherwise it is a mission.
+/// The kind of a file. A TOML file is of the kind to which most of its first-level keys belong; if
+/// the keys do not decide, its name and its folder do; otherwise it is a mission.
 fn kind(path: &Path, text: &str) -> FileKind {
     if path.extension().is_some_and(|ending| ending == "pilot") {
         return FileKind::Script;

@@ -80,7 +80,8 @@ fn stored_run(path: &Path, runs: Option<&Runs>) -> Result<Stored, Text> {
     Ok(stored)
 }
 
-/// Why the debrief of a record may not be that of its flight: damage, edits, a journal of another flight, another score.
+/// Why the debrief of a record may not match its flight: damage, edits, a journal of another
+/// flight, another score.
 fn doubts(stored: &Stored, path: &Path, again: &Rescored) -> Vec<Text> {
     let files = RecordFiles::beside(path);
     let first_unix_us = TlogSpan::of(&files).map(|it| it.first_unix_us);
@@ -98,7 +99,7 @@ fn doubts(stored: &Stored, path: &Path, again: &Rescored) -> Vec<Text> {
     doubts.into_iter().flatten().collect()
 }
 
-/// The file of a run: the newest, a file by its path, or that of a record.
+/// The file of a run: of the newest run, of a path, or of a record.
 fn file_of_run(run: &str, runs: Option<&Runs>, settings: &CliSettings) -> Result<PathBuf, Failure> {
     let locale = Locale::new(settings.language());
     match (run, runs) {

@@ -71,7 +71,7 @@ pub(super) fn find(name: &str, settings: &CliSettings, locale: &Locale) -> Resul
     })
 }
 
-/// The trainee's own design of a name; upper and lower case are the same.
+/// The trainee's own design of a name; case does not matter.
 fn own(name: &str, settings: &CliSettings, locale: &Locale) -> Result<Option<Design>, Failure> {
     let profiles = trainee::open_to_read(settings, locale)?;
     let profile = trainee::choose(&profiles, None, settings, locale)?;

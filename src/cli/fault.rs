@@ -20,7 +20,8 @@ pub(super) enum FileFault {
 }
 
 impl FileFault {
-    /// A line for each fault without the folder, for notices; only the first few of many.
+    /// A line for each fault, without the file's folder, for notices; only the first few if there
+    /// are many.
     pub fn texts(&self) -> Vec<Text> {
         match self {
             Self::Inside(source, faults) => {
@@ -35,7 +36,7 @@ impl FileFault {
         }
     }
 
-    /// Each fault with the lines around it; only the first few of many.
+    /// Each fault with the lines around it; only the first few if there are many.
     pub fn explained(&self) -> String {
         match self {
             Self::Inside(source, faults) => {

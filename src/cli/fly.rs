@@ -105,7 +105,7 @@ fn forward(words: &str) -> Result<ForwardSpec, String> {
 }
 
 impl ForwardArguments {
-    /// The forwards that were named, or those of the configuration if none was.
+    /// The forwards that were named, or those of the configuration if none were.
     fn or_configured(&self, settings: &CliSettings) -> Result<Vec<ForwardSpec>, Failure> {
         if !self.forwards.is_empty() {
             return Ok(self.forwards.clone());
@@ -210,8 +210,8 @@ fn look(settings: &CliSettings) -> Look {
     }
 }
 
-/// The console's options. Faults of the user's files are printed before it starts, so that they are visible after it
-/// ends.
+/// The console's options. Faults of the user's files are printed before the console starts, so that
+/// they are visible after it ends.
 pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<ConsoleOptions, Failure> {
     if let Opening::Connect(addresses) = &opening {
         for address in addresses {

@@ -1,4 +1,4 @@
-//! `--home`, of the commands that place simulated vehicles.
+//! The option `--home` of the commands that place simulated vehicles.
 
 use std::str::FromStr;
 

@@ -47,7 +47,7 @@ fn pages() -> io::Result<Vec<(String, Vec<u8>)>> {
     Ok(pages)
 }
 
-/// The manual pages of a subcommand and of those below it.
+/// Adds the manual pages of a subcommand and of those below it.
 fn page_of(command: &Command, pages: &mut Vec<(String, Vec<u8>)>) -> io::Result<()> {
     if command.get_name() == "help" {
         return Ok(());
@@ -93,7 +93,7 @@ fn page() -> io::Result<Vec<u8>> {
     Ok(page)
 }
 
-/// The sections of a subcommand and of those below it.
+/// Writes the sections of a subcommand and of those below it.
 fn subcommand(parent: &str, command: &Command, page: &mut Vec<u8>) -> io::Result<()> {
     let name = format!("{parent} {}", command.get_name());
     let man = Man::new(command.clone().bin_name(name.clone()));
@@ -114,7 +114,7 @@ fn subcommand(parent: &str, command: &Command, page: &mut Vec<u8>) -> io::Result
         .try_for_each(|command| subcommand(&name, command, page))
 }
 
-/// The text after a command's help: its examples.
+/// Writes the text after a command's help: its examples.
 fn examples(command: &Command, page: &mut Vec<u8>) -> io::Result<()> {
     let Some(text) = command.get_after_help() else {
         return Ok(());

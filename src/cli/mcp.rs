@@ -95,7 +95,8 @@ pub(super) fn serve(arguments: &McpArguments) -> Result<ExitCode, Failure> {
 }
 
 impl McpServer<'_> {
-    /// Sends a request to the console, connecting if necessary; without a console, its call fails.
+    /// Sends a request to the console, connecting first if necessary; if no console can be reached,
+    /// all open calls fail.
     fn ask(&mut self, request: String) -> io::Result<()> {
         if self.console.is_none() {
             match connect(self.socket, &self.events) {
@@ -116,7 +117,8 @@ fn send_all(messages: &[Value]) -> io::Result<()> {
     messages.iter().try_for_each(send)
 }
 
-/// Writes a message unchanged, since a client compares numbers and tokens; JSON has no line ends inside.
+/// Writes a message as one line: unchanged, because a client compares numbers and tokens, and
+/// without line ends, because serialized JSON contains none.
 fn send(message: &Value) -> io::Result<()> {
     writeln!(io::stdout(), "{message}")
 }

@@ -136,7 +136,7 @@ fn load(path: &Path, options: ReadOptions) -> Result<Loaded, FileFault> {
     })
 }
 
-/// Reads all files; each has its name without the folder.
+/// Reads all files; returns each with its file name, without the folder.
 fn load_all(paths: &[PathBuf], options: ReadOptions) -> Result<Vec<(String, Loaded)>, Failure> {
     let load = |path: &PathBuf| {
         let loaded = load(path, options).map_err(|fault| fault.failure())?;

@@ -107,7 +107,7 @@ struct ListedRecord {
     began: String,
     subject: String,
     profile: Option<String>,
-    /// Whether it belongs to a run of a mission.
+    /// Whether the record belongs to a run of a mission.
     has_run: bool,
     /// The seed of the mission's world.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -181,7 +181,7 @@ impl RecordsCommands<'_> {
         self.settings.find_record(named)
     }
 
-    /// A record for the list, with its number there; `None` for a file from elsewhere.
+    /// A record for the list; `number` is its number there, or `None` for a file from elsewhere.
     fn listed(&self, number: Option<usize>, files: &RecordFiles) -> ListedRecord {
         // The first and the last frame give the duration: a list of 200 records must not require
         // reading all frames.
@@ -326,7 +326,7 @@ impl RecordsCommands<'_> {
     }
 }
 
-/// The result of a record in a word: of its mission, or that it was cut off.
+/// The result of a record for the list: that of its mission, or that the record was cut off.
 fn result_of(record: &ListedRecord) -> Text {
     let Some(result) = record.result else {
         return if record.cut_off {

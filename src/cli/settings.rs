@@ -327,7 +327,8 @@ impl CliSettings {
         }
     }
 
-    /// The keymap file, which need not exist. A relative path in the configuration is relative to that file.
+    /// The keymap file, which need not exist; `None` without one. A relative path in a
+    /// configuration file is relative to the folder of that file.
     pub fn keymap_file(&self) -> Option<PathBuf> {
         match &self.config.keymap {
             Some(name) => Some(match self.sources.folder_of("keymap") {
@@ -338,7 +339,7 @@ impl CliSettings {
         }
     }
 
-    /// Reports a wrong value of a setting: at its place in the file, otherwise as a fault of usage.
+    /// Reports a wrong value of a setting: at its place in the file, otherwise as a usage error.
     fn wrong(&mut self, setting: &str, text: &str) -> Result<(), Failure> {
         match self.sources.place_of(setting) {
             Some(SettingPlace { source, span }) => {
@@ -349,7 +350,7 @@ impl CliSettings {
         }
     }
 
-    /// Returns a fault of usage, which ends the command; stores any other fault for a later report.
+    /// Returns a usage error, which ends the command; stores any other fault for a later report.
     fn told(&mut self, fault: FileFault, is_usage: bool) -> Result<(), Failure> {
         if is_usage {
             return Err(fault.failure());
@@ -374,7 +375,7 @@ impl CliSettings {
     }
 }
 
-/// The faults of a configuration file.
+/// The faults of a configuration file; `None` if it has none.
 pub(super) fn faults_in(source: &Source, themes: &Themes) -> Option<Vec<Diagnostic>> {
     let themes = theme_names(themes);
     let check = |setting: &str, word: &str| check(setting, word, &themes);

@@ -137,8 +137,8 @@ fn endpoints(options: &SimArguments) -> Vec<Endpoint> {
     endpoints
 }
 
-/// Raises the limit of open files, which is usually 1024 and may be raised by any user: each TCP server needs one. If
-/// that is not enough, the simulator reports the error.
+/// Raises the limit on open files, usually 1024, as any user may: each TCP server needs one file.
+/// If that is not enough, the simulator reports the error.
 fn allow_many_files() {
     if let Ok((_, hard)) = getrlimit(Resource::RLIMIT_NOFILE) {
         let _ = setrlimit(Resource::RLIMIT_NOFILE, hard, hard);

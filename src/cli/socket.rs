@@ -22,7 +22,8 @@ impl ConsoleLine {
     /// The content, deserialized into the type of its kind.
     ///
     /// # Errors
-    /// The content does not fit the type, as from a console with another version of the interface.
+    /// The content does not fit the type, for example because the console has another version of
+    /// the interface.
     pub fn read<'a, T: Deserialize<'a>>(&'a self) -> Result<T, Failure> {
         T::deserialize(&self.content).map_err(|error| {
             Failure::Failed(anyhow::anyhow!("cannot read `{}`: {error}", self.text))

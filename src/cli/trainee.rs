@@ -9,7 +9,8 @@ use crate::store::{Profile, ProfileError, Profiles, open_profiles, open_profiles
 use crate::text;
 use crate::text::{Locale, Text};
 
-/// The profiles of the data folder; with warnings about repaired files and recovered flights.
+/// Opens the profiles of the data folder, and prints warnings about repaired files and recovered
+/// flights.
 ///
 /// # Errors
 /// The data folder is missing, or its profiles cannot be opened or written.
@@ -71,7 +72,7 @@ pub(super) fn choose(
     }
 }
 
-/// Converts a fault of profiles to a failure of the command: a wrong name or file is a fault of usage.
+/// Converts a fault of profiles to a failure of the command: a wrong name or file is a usage error.
 pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
     let words = locale.text(&error.text());
     match error {
@@ -90,7 +91,7 @@ pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
     }
 }
 
-/// A failure for a fault of usage.
+/// A failure for a usage error.
 pub(super) fn invalid(text: &Text, locale: &Locale) -> Failure {
     Failure::Invalid(format!("sortie: {}", locale.text(text)))
 }

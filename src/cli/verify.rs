@@ -124,7 +124,7 @@ fn read_journal(files: &RecordFiles) -> (Option<Journal>, Vec<Text>) {
     (journal, found)
 }
 
-/// Compares a flight without a mission, of which only the flight itself can be repeated.
+/// Compares a flight without a mission: there is no score, so only the flight itself is repeated.
 fn judge_free(
     journal: Option<&Journal>,
     inputs: Option<&StoredInputs>,

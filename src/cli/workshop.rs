@@ -328,7 +328,7 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
     Ok(ExitCode::SUCCESS)
 }
 
-/// A document with its numbers rounded to thousandths, because finer digits are noise of the arithmetic.
+/// A document with its numbers rounded to thousandths, because further digits are arithmetic noise.
 fn with_rounded_numbers(value: Value) -> Value {
     match value {
         Value::Number(number) if number.is_f64() => {

@@ -1,5 +1,5 @@
-//! Deeds: commands to the mission, not to an autopilot. Payloads, reports of contacts, and the trainee's prediction
-//! and goal.
+//! Deeds: commands to the mission, not to an autopilot. They concern payloads, reports of contacts,
+//! and the trainee's prediction and goal.
 
 use std::fmt;
 use std::time::Duration;

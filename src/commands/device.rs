@@ -64,8 +64,8 @@ impl DeviceCommand {
         }
     }
 
-    /// The reason for a confirmation: with its fence off, nothing stops an armed vehicle at its
-    /// limits.
+    /// Why the command needs a confirmation: with its fence off, nothing stops an armed vehicle at
+    /// its limits. `None` if it needs none.
     pub(super) fn hazard(self, vehicle: &Vehicle) -> Option<Text> {
         let switches_off = self == Self::Fence { on: false };
         (switches_off && vehicle.armed()).then(|| text!("hazard-fence-off"))

@@ -10,16 +10,16 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, PlanPhase, Vehicle, VehicleClass};
 
-/// The horizontal tolerance of a reached place.
+/// The horizontal distance from a place within which it counts as reached.
 const ARRIVED_M: f64 = 1.5;
-/// The vertical tolerance of a reached place.
+/// The vertical distance from a place within which it counts as reached.
 const ARRIVED_HEIGHT_M: f64 = 1.0;
 /// The distance below its height at which a climb counts as done, since its last part is slow. A setpoint given
 /// earlier would abort a takeoff.
 const CLIMB_ENDS_M: f64 = 1.5;
 /// The tolerance of a turn.
 const TURNED_DEG: f64 = 5.0;
-/// The tolerance of a set home.
+/// The distance from the requested place within which home counts as set.
 const HOME_M: f64 = 5.0;
 /// A speed below this counts as standing still.
 const STILL_M_S: f64 = 0.5;
@@ -151,7 +151,7 @@ impl Effect {
         self.within
     }
 
-    /// Its description, such as "armed" or "within 1.5 m of the target".
+    /// A description of the effect, such as "armed" or "within 1.5 m of the target".
     pub fn describe(&self) -> Text {
         match &self.watched {
             Watched::Nothing => text!("effect-nothing"),
@@ -266,7 +266,8 @@ fn arrived(vehicle: &Vehicle, place: TravelEnd) -> bool {
     })
 }
 
-/// The distance to a place in metres, horizontally and vertically.
+/// The distance to a place in metres, horizontally and vertically; `None` while the vehicle's
+/// position is unknown.
 fn separation(vehicle: &Vehicle, place: TravelEnd) -> Option<(f64, f64)> {
     match place {
         TravelEnd::Global { point, altitude_m } => {

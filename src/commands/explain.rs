@@ -15,7 +15,7 @@ pub enum AckResult {
     TemporarilyRejected,
     /// Not possible with the given parameters.
     Denied,
-    /// The autopilot does not know the command.
+    /// The autopilot does not support the command.
     Unsupported,
     /// The command was possible, but failed.
     Failed,
@@ -118,8 +118,8 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
     }
 }
 
-/// The reason for a refused speed: a copter takes a speed only in modes that fly to places; in
-/// others it reports a failure.
+/// Why a speed was refused: a copter takes a speed only in modes that fly to places; in others it
+/// reports a failure. `None` if that is not the reason.
 fn speed_reason(vehicle: &Vehicle) -> Option<Text> {
     let mode = vehicle.mode()?;
     let takes_speeds = SPEED_MODES.iter().any(|name| mode.is(name));

@@ -45,7 +45,7 @@ impl FindKind {
         self.into()
     }
 
-    /// Its name on the screen.
+    /// The name of the kind on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::Mine => text!("contact-mine"),

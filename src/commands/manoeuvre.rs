@@ -42,7 +42,7 @@ pub enum Manoeuvre {
         /// The first follower's height above home; `None` for one step above the leader.
         up_m: Option<f64>,
     },
-    /// Move apart until every distance is at least this.
+    /// Move apart until all vehicles are at least this far from each other.
     Spread { spacing_m: f64 },
     /// Search around a place.
     Search {

@@ -183,7 +183,7 @@ fn orbit(
     Request::int(vehicle, &fields)
 }
 
-/// Points the nose or the camera at a place with its height above home, or stops that.
+/// Points the nose or the camera at a place with its height above home; `None` ends that.
 fn look_at(vehicle: &Vehicle, target: Option<(LatLon, f64)>) -> Result<Request, Text> {
     let fields = match target {
         Some((point, height_m)) => {

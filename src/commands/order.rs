@@ -18,7 +18,7 @@ pub struct Order {
 }
 
 impl Order {
-    /// Its form for the ledger.
+    /// The order as a command to enter in the ledger.
     pub fn given(&self) -> Given<'_> {
         Given {
             line: &self.line,

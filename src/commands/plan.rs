@@ -52,7 +52,7 @@ pub enum PlanDeed {
 }
 
 impl PlanDeed {
-    /// Whether it changes the list on board.
+    /// Whether the operation changes the list on board.
     pub const fn writes(&self) -> bool {
         match self {
             Self::Upload { .. } | Self::Clear => true,
@@ -81,7 +81,7 @@ impl PlanCommand {
         }
     }
 
-    /// Whether it changes the fence or the rally points.
+    /// Whether the command changes the fence or the rally points.
     fn changes_limits(&self) -> bool {
         let is_limit = match self.kind {
             ListKind::Fence | ListKind::Rally => true,
@@ -90,7 +90,7 @@ impl PlanCommand {
         is_limit && self.deed.writes()
     }
 
-    /// Whether it changes the plan on board.
+    /// Whether the command changes the plan on board.
     pub fn changes_plan(&self) -> bool {
         self.kind == ListKind::Plan && self.deed.writes()
     }

@@ -21,7 +21,7 @@ const STANDING_M_S: f32 = 0.5;
 /// Flies the plan on board, or interrupts it. Items are numbered as on board: 0 is home.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlanFlight {
-    /// Fly it in AUTO; on the ground, the vehicle takes off.
+    /// Fly the plan in AUTO; on the ground, the vehicle takes off.
     Start,
     /// Continue at an item, in AUTO or when AUTO is entered.
     Goto { item: u16 },
@@ -122,8 +122,8 @@ impl PlanFlight {
 
 /// The messages of a resumption, in order.
 ///
-/// `MIS_RESTART` lets AUTO begin at the first item, so the item is set again once AUTO is accepted.
-/// The item is also set before AUTO, so that the vehicle does not begin a wrong leg.
+/// With `MIS_RESTART`, AUTO begins at the first item, so the item is set again once AUTO is
+/// accepted. The item is also set before AUTO, so that the vehicle does not begin a wrong leg.
 fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text> {
     carries_plan(vehicle)?;
     if !vehicle.armed() || vehicle.is_on_the_ground() {

@@ -1,4 +1,4 @@
-//! Setpoints: the end of a `goto`, and when it is possible.
+//! Setpoints: the end of a `goto`, and the conditions for setpoints.
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
@@ -272,7 +272,7 @@ impl Setpoint {
     }
 }
 
-/// Whether a vehicle can take part in the manoeuvre `verb`.
+/// Checks that a vehicle can take part in the manoeuvre `verb`.
 ///
 /// # Errors
 /// A text if something is missing: GUIDED, armed motors, height or a position.

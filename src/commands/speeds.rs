@@ -20,7 +20,7 @@ pub(super) fn fields(axis: SpeedAxis, speed_m_s: f64) -> LongFields {
     LongFields::new(MavCmd::MAV_CMD_DO_CHANGE_SPEED, &changed)
 }
 
-/// Repeats the commanded speeds, one message each.
+/// The messages that repeat the commanded speeds, one for each.
 ///
 /// # Errors
 /// The vehicle cannot be addressed.

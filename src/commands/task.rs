@@ -52,7 +52,7 @@ pub enum PlanTask {
 }
 
 impl PlanTask {
-    /// Its height above home in metres; `None` for the default.
+    /// The task's height above home in metres; `None` for the default.
     pub fn up_m(&self) -> Option<f64> {
         match self {
             Self::Survey { up_m, .. }

@@ -54,7 +54,7 @@ fn time(at: Option<Duration>) -> Text {
     at.map_or_else(|| text!("compare-never"), |at| clock(at).into())
 }
 
-/// The difference of one event's times, if they differ.
+/// The difference between the two times of one event, if there is one.
 fn times(what: Text, own: Option<Duration>, other: Option<Duration>) -> Option<Difference> {
     let is_same = match (own, other) {
         (Some(own), Some(other)) => own.abs_diff(other) < SAME_TIME,
@@ -70,7 +70,7 @@ fn times(what: Text, own: Option<Duration>, other: Option<Duration>) -> Option<D
     })
 }
 
-/// The differences of the objectives: their times and their points.
+/// The differences in the objectives: their times and their points.
 fn objectives(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
     let reports = own.report.objectives.iter().zip(&other.report.objectives);
     let reached = own.reached.iter().zip(&other.reached);
@@ -96,7 +96,7 @@ fn objectives(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
     .collect()
 }
 
-/// The first command that differs.
+/// The first command that differs; `None` if all commands are the same.
 fn commands(own: &Report, other: &Report) -> Option<Difference> {
     let [mine, theirs] = [own, other].map(|report| {
         let entries = report.ledger.iter();
@@ -218,7 +218,7 @@ fn counts(own: &Report, other: &Report) -> Vec<Difference> {
         .collect()
 }
 
-/// The differences of the score's components.
+/// The differences in the score's components.
 fn components(own: &Report, other: &Report) -> Vec<Difference> {
     let both = own.components.iter().filter_map(|mine| {
         let theirs = other

@@ -315,7 +315,7 @@ impl LayerReading<'_> {
     }
 }
 
-/// The texts of a value: itself, or those of its list.
+/// The texts of a value: the value itself, or the items of its list.
 fn words(value: &Spanned<DeValue<'_>>) -> Vec<Spanned<String>> {
     let word = |word: &Spanned<DeValue<'_>>| {
         let text = word.get_ref().as_str()?;

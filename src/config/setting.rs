@@ -286,7 +286,7 @@ impl Setting {
         SETTINGS.iter().find(|setting| setting.name == name)
     }
 
-    /// Its section; empty for those without.
+    /// The setting's section; empty for a setting without one.
     pub fn section(&self) -> &'static str {
         match (self.name.split_once('.'), self.kind) {
             (Some((section, _)), _) => section,
@@ -295,7 +295,7 @@ impl Setting {
         }
     }
 
-    /// Its name within its section.
+    /// The setting's name within its section.
     pub fn key(&self) -> &'static str {
         self.name.rsplit('.').next().unwrap_or(self.name)
     }

@@ -33,7 +33,7 @@ const EVERY_US: u64 = 200_000;
 struct AutopilotStart {
     /// Pairs of microseconds since boot and microseconds from the beginning of the record.
     places: Vec<(u64, u64)>,
-    /// When it booted, by its clock: microseconds since 1970 (UTC).
+    /// When the autopilot booted, by its clock: microseconds since 1970 (UTC).
     booted_unix_us: Option<u64>,
     course: Course,
 }
@@ -42,7 +42,7 @@ struct AutopilotStart {
 #[derive(Debug, Clone, Default)]
 pub struct VehicleClock {
     boots: Vec<AutopilotStart>,
-    /// When it was armed, in microseconds from the beginning of the record.
+    /// When the vehicle was armed, in microseconds from the beginning of the record.
     armed_us: Vec<u64>,
     is_armed: Option<bool>,
 }

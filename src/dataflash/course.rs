@@ -72,9 +72,9 @@ impl Course {
         is_certain(telemetry.places.iter().filter_map(elsewhere)).then_some(Disagreement::Position)
     }
 
-    /// The modes of a log around a time; `None` before [`LAG_US`] after its first mode, and after
-    /// its last mode or position, whichever is later. A log without positions covers only the time
-    /// until its last change of mode.
+    /// The modes of a log around a time; `None` earlier than [`LAG_US`] after its first mode, or
+    /// later than both its last mode and its last position. A log without positions covers only the
+    /// time until its last change of mode.
     fn modes_around(&self, boot_us: u64) -> Option<impl Iterator<Item = u32>> {
         let last_place_us = self.places.last().map(|it| it.boot_us);
         let last_us = last_place_us.max(self.modes.last().map(|it| it.boot_us));

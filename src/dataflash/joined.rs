@@ -84,7 +84,7 @@ impl JoinedLog {
         text
     }
 
-    /// Its moments, earliest first.
+    /// The log's moments, earliest first.
     pub fn moments(&self) -> Vec<Moment> {
         let moment = |it: &JoinedEvent| {
             // The file may have been changed by hand.

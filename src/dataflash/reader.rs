@@ -94,7 +94,7 @@ impl Record<'_> {
         value.is_finite().then_some(value)
     }
 
-    /// Its size in bytes, including its header.
+    /// The size of the record in bytes, including its header.
     pub fn len(&self) -> usize {
         self.bytes.len()
     }
@@ -110,7 +110,7 @@ impl Record<'_> {
         matches!(letter, b'n' | b'N' | b'Z').then(|| text(bytes))
     }
 
-    /// The time at which it was written, in microseconds since the autopilot booted.
+    /// The time at which the record was written, in microseconds since the autopilot booted.
     pub fn time_us(&self) -> Option<u64> {
         match self.column("TimeUS")? {
             (b'Q', bytes) => Some(u64::from_le_bytes(bytes.try_into().ok()?)),

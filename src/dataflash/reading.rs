@@ -13,7 +13,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, VehicleClass, VehicleId};
 
-/// The vibration above which `ArduPilot`'s guide considers it too strong, in m/s².
+/// The vibration above which `ArduPilot`'s guide calls vibration too strong, in m/s².
 const SHAKEN_M_S2: f64 = 30.0;
 /// The test ratio at which the estimator starts to reject a measurement.
 const REJECTED: f64 = 1.0;

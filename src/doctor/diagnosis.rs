@@ -36,7 +36,8 @@ const MOST_DAMAGED: f64 = 0.05;
 const MOST_LOST: f64 = 0.10;
 /// The heartbeat rate that reveals two autopilots with one id; one autopilot sends one a second.
 const TWO_HEARTBEATS_HZ: f64 = 1.5;
-/// A vehicle that has changed its port is heard on both for less than this; two vehicles are heard for longer.
+/// A vehicle that has changed its port is heard on both ports for less than this; two vehicles are
+/// heard for longer.
 const BOTH_FOR: Duration = Duration::from_secs(6);
 /// The minimum number of garbage bytes that count as noise; fewer may be the rest of a frame that
 /// began before the link was opened.
@@ -188,7 +189,7 @@ fn fine(chart: &Chart) -> Vec<Cause> {
     unanswered.into_iter().chain(well).collect()
 }
 
-/// The faults of one link, without the other links.
+/// The faults of one link, examined on its own.
 fn examine(chart: &Chart) -> Vec<Cause> {
     let Some(last) = chart.last() else {
         return vec![Cause::Listening];
@@ -285,7 +286,7 @@ fn strangers(chart: &Chart) -> Cause {
 /// of the frames is lost in each direction.
 fn queries_without_doubt(lost: f64) -> u32 {
     let answered = (1.0 - lost) * (1.0 - lost);
-    // The lower limit is that of no loss; the upper one keeps the logarithm below 0 at total loss.
+    // The lower limit means no loss; the upper one keeps the logarithm below 0 at total loss.
     let missed = (1.0 - answered).clamp(0.0, 0.99);
     let queries = (maths::ln(MISTAKEN) / maths::ln(missed)).ceil();
     queries.min(f64::from(MOST_QUERIES)) as u32
@@ -348,7 +349,8 @@ fn share(part: u64, of: u64) -> f64 {
     part as f64 / of.max(1) as f64
 }
 
-/// The share of messages that arrive intact and are decoded.
+/// The faults in the received data: damaged or missing frames, noise, and messages that the dialect
+/// does not have.
 fn quality(change: &ChartChange, lost: f64) -> Vec<Cause> {
     let percent = |share: f64| (share * 100.0).round().clamp(0.0, 100.0) as u8;
     let damaged = share(change.crc_errors, change.frames + change.crc_errors);
@@ -411,7 +413,7 @@ fn autopilots(chart: &Chart) -> impl Iterator<Item = &Sender> {
     senders.filter(|sender| sender.role == HeartbeatRole::Autopilot)
 }
 
-/// Whether bytes are readable text: a console, a boot loader, a GPS receiver.
+/// Whether bytes are readable text, such as that of a shell, a boot loader or a GPS receiver.
 fn is_text(bytes: &[u8]) -> bool {
     let readable = |byte: &&u8| matches!(byte, b' '..=b'~' | b'\r' | b'\n' | b'\t');
     !bytes.is_empty() && bytes.iter().filter(readable).count() * 10 >= bytes.len() * 9

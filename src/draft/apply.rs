@@ -20,7 +20,7 @@ impl Edit {
     /// The document with this change. A document without a home gets that of its surroundings.
     ///
     /// # Errors
-    /// The reason why it is not possible.
+    /// The reason why the change is not possible.
     pub fn apply(&self, document: &Document, around: &Surroundings) -> Result<Edited, Refusal> {
         let mut document = document.clone();
         document.home = document.home.or(around.home);

@@ -37,7 +37,8 @@ fn joined(outline: Vec<LatLon>, hole: &[LatLon]) -> Vec<LatLon> {
 pub fn rings(outline: &Outline) -> Vec<Vec<LatLon>> {
     let mut line = outline.corners();
     let mut holes = Vec::new();
-    // A hole with its own holes contains theirs, so the shortest comes first.
+    // A hole may have holes of its own, which lie within its stretch of the line, so the shortest
+    // stretch comes first.
     while let Some((at, end)) = seam(&line) {
         holes.push(line[at + 1..end - 1].to_vec());
         line.drain(at + 1..=end);
@@ -45,10 +46,10 @@ pub fn rings(outline: &Outline) -> Vec<Vec<LatLon>> {
     std::iter::once(line).chain(holes).collect()
 }
 
-/// The shortest stretch of a line that leaves a place, goes around a hole and comes back the same way: the indices of
-/// the place before and after it.
+/// The shortest stretch of a line that leaves a place, goes around a hole and comes back the same
+/// way: the indices of the place before and after it. `None` if there is no such stretch.
 fn seam(line: &[LatLon]) -> Option<(usize, usize)> {
-    /// The places of the smallest hole and its two seams.
+    /// The number of places in the smallest hole with its two seams.
     const LEAST: usize = 5;
     let is_seam =
         |(at, end): &(usize, usize)| line[*at] == line[*end] && line[at + 1] == line[end - 1];

@@ -27,7 +27,7 @@ impl Items {
         }
     }
 
-    /// Their places in the list, from 0.
+    /// The indices of the items in the list, from 0.
     pub(super) fn range(self) -> Range<usize> {
         self.first.saturating_sub(1)..self.last
     }
@@ -56,7 +56,7 @@ pub enum PlanFrame {
 }
 
 impl PlanFrame {
-    /// The number of its `MAV_FRAME`.
+    /// The number of the frame's `MAV_FRAME`.
     pub const fn number(self) -> u8 {
         match self {
             Self::Sea => 0,
@@ -209,7 +209,7 @@ pub enum ItemsChange {
 }
 
 impl Edit {
-    /// The list that it changes.
+    /// The list that the edit changes.
     pub fn list(&self) -> ListKind {
         match self {
             Self::Items { list, .. } => *list,
@@ -244,7 +244,7 @@ pub struct Edited {
 pub enum EditPart {
     /// The change as a whole.
     Whole,
-    /// The items that it changes.
+    /// The items that the change affects.
     Items,
     /// The new number of the items, or the item that a jump leads to.
     Target,

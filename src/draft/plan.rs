@@ -111,8 +111,9 @@ pub fn needs_ground(document: &Document, items: Items, frame: PlanFrame, ground:
     })
 }
 
-/// Changes the frame of items. Their true height stays the same; where the ground is not known, it counts as level with
-/// home. Between home and terrain, the number stays if home is not known either.
+/// Changes the frame of items. Their true height stays the same; where the ground is not known, it
+/// counts as level with home. Between home and terrain, the value stays the same if home is not
+/// known either.
 fn change_frame(
     document: &mut Document,
     items: Items,

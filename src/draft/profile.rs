@@ -29,17 +29,17 @@ pub struct Stop {
 }
 
 impl Stop {
-    /// The length of its leg with the turns at its end, in metres.
+    /// The length of the leg with the turns at its end, in metres.
     pub fn way_m(&self) -> f64 {
         self.leg_m + self.turns_m
     }
 
-    /// The length of the path when the vehicle leaves it, in metres.
+    /// The length of the path when the vehicle leaves the stop, in metres.
     pub fn left_m(&self) -> f64 {
         self.along_m + self.turns_m
     }
 
-    /// The slope of its leg in percent; `None` for a leg straight up or down.
+    /// The slope of the leg in percent; `None` for a leg straight up or down.
     pub fn slope_percent(&self) -> Option<f64> {
         (self.leg_m >= 1.0).then(|| self.climb_m / self.leg_m * 100.0)
     }
@@ -53,7 +53,7 @@ pub struct Profile {
     pub stops: Vec<Stop>,
     pub length_m: f64,
     pub time_s: f64,
-    /// Whether jumps repeat parts of it; length and time leave these out.
+    /// Whether jumps repeat parts of the plan; length and time leave the repetitions out.
     pub repeats: bool,
 }
 

@@ -19,7 +19,7 @@ impl Drafts {
         &self.all
     }
 
-    /// The index of the current one; 0 if there are none.
+    /// The index of the current draft; 0 if there are none.
     pub fn current_index(&self) -> usize {
         self.current
     }
@@ -32,8 +32,8 @@ impl Drafts {
         self.all.get_mut(self.current)
     }
 
-    /// Notes that a draft was written to a file, which becomes its file. The draft is also named after the file, unless
-    /// it is meant for a vehicle or another draft has that name.
+    /// Records that a draft was written to a file, which becomes the draft's file. The draft is
+    /// also named after the file, unless it is meant for a vehicle or another draft has that name.
     pub fn note_saved(&mut self, name: &str, path: &str, document: Arc<Document>) {
         let is_free = name == path || self.all.iter().all(|draft| draft.name != path);
         let Some(draft) = self.all.iter_mut().find(|draft| draft.name == name) else {
@@ -46,8 +46,8 @@ impl Drafts {
         }
     }
 
-    /// Adds drafts, and makes the first of them the current one. One of the same name takes over the new content, so
-    /// that undo can restore the earlier content.
+    /// Adds drafts, and makes the first of them the current one. An open draft of the same name
+    /// takes over the new content, so that undo can restore the earlier content.
     pub fn put(&mut self, drafts: impl IntoIterator<Item = Draft>) {
         let mut first = None;
         for mut draft in drafts {
@@ -94,7 +94,7 @@ impl Drafts {
         }
     }
 
-    /// Closes those that are meant for one of these vehicles.
+    /// Closes the drafts that are meant for one of these vehicles.
     pub fn drop_of(&mut self, vehicles: &[VehicleId]) {
         let is_theirs = |draft: &Draft| draft.vehicle.is_some_and(|id| vehicles.contains(&id));
         let before = self.all.iter().take(self.current);
@@ -103,7 +103,7 @@ impl Drafts {
         self.current = self.current.min(self.all.len().saturating_sub(1));
     }
 
-    /// Closes the current one.
+    /// Closes the current draft.
     pub fn close(&mut self) {
         if self.current < self.all.len() {
             self.all.remove(self.current);

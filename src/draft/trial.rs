@@ -27,9 +27,9 @@ const LAYER_M: f32 = 6.0;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trial {
     pub drafts: Vec<TrialDraft>,
-    /// Whether to look for changes that keep them apart.
+    /// Whether to look for changes that keep the drafts apart.
     pub is_apart: bool,
-    /// Whether the user has asked for it, and waits for the outcome.
+    /// Whether the user has requested the trial and waits for the outcome.
     pub is_awaited: bool,
     /// The drafts or vehicles that are left out and why, in words, if there are any.
     pub left_out: Option<Text>,
@@ -78,7 +78,7 @@ pub struct Tried {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlanVerdict {
     pub plan: ContentHash,
-    /// Why it was not flown as intended.
+    /// Why the plan was not flown as intended.
     pub failure: Option<Text>,
 }
 

@@ -22,7 +22,7 @@ impl PacedClock {
         }
     }
 
-    /// Its time for a time of the other clock.
+    /// The time of this clock at a time of the other clock.
     pub fn at(&self, now: Duration) -> Duration {
         self.reached + now.saturating_sub(self.since).mul_f64(self.rate)
     }

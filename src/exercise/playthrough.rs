@@ -33,7 +33,7 @@ pub struct Playthrough {
     seed: u64,
 }
 
-/// One of its flights, and the result.
+/// One flight of a playthrough, with its result.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct PlaythroughFlight {
     /// Id of the mission.

@@ -59,7 +59,7 @@ impl Observed {
         self.position_ned_m.first().map_or(0.0, |(at, _)| at)
     }
 
-    /// The time of its last message.
+    /// The time of the last message.
     pub fn end_s(&self) -> f64 {
         self.end_s
     }

@@ -105,8 +105,9 @@ fn system_of(recording: &Recording) -> SystemId {
         .map_or(SYSTEM, |timed| timed.frame.system)
 }
 
-/// The same message, addressed to the simulated vehicle if it was addressed to the recorded one; other addresses were
-/// wrong on purpose and stay wrong. `None` for messages that the dialect does not know.
+/// The same message, addressed to the simulated vehicle if it was addressed to the recorded one;
+/// other addresses were wrong on purpose and stay wrong. `None` for messages that the dialect
+/// lacks.
 fn readdressed(content: &Content, recorded: SystemId) -> Option<Outgoing> {
     match content {
         Content::Message(message) => {

@@ -5,9 +5,9 @@ use std::time::Duration;
 
 use tokio::time::Instant;
 
-/// The longest time that a running program can go without looking at its clock. Every task of a session looks several
-/// times a second, so after a longer time the whole program was stopped. It is shorter than the silence after which a
-/// vehicle counts as lost.
+/// The longest time for which a running program can leave its clock unread. Every task of a session
+/// reads it several times a second, so after a longer gap the whole program was stopped. This is
+/// shorter than the silence after which a vehicle counts as lost.
 const STOPPED_AFTER: Duration = Duration::from_secs(2);
 
 /// The program's clock: every `now` in the pure modules counts from its start. All clones share one clock: while it is
@@ -28,7 +28,7 @@ struct ClockPauses {
     /// The time of the last look at the clock; `None` if the clock runs on while the program is
     /// stopped.
     seen: Option<Instant>,
-    /// How long the program was stopped since that was last reported.
+    /// How long the program has been stopped since the last report of a stop.
     stopped: Duration,
 }
 

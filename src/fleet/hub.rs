@@ -50,7 +50,7 @@ struct PeerRoute {
     conflict_said_at: Option<Duration>,
     inbox: mpsc::Sender<ToVehicle>,
     state: watch::Receiver<Arc<Vehicle>>,
-    /// Waiting changes to its simulator or its link, oldest first.
+    /// Waiting changes to the vehicle's simulator or its link, oldest first.
     wants: VecDeque<Want>,
 }
 
@@ -79,8 +79,8 @@ impl PeerRoute {
         heartbeat.map_or(VehicleClass::Other, |heartbeat| heartbeat.class)
     }
 
-    /// Delivers changes to its simulator or its link while there is room. Each is sent only once, so none may be lost
-    /// or reordered.
+    /// Delivers changes to the vehicle's simulator or its link while there is room. Each is sent
+    /// only once, so none may be lost or reordered.
     fn hand_over_wants(&mut self) {
         while !self.wants.is_empty()
             && let Ok(room) = self.inbox.try_reserve()

@@ -1,4 +1,4 @@
-//! The forwards of a fleet: other ground stations that use its links, and what they command.
+//! The forwards of a fleet: other ground stations that use its links, and their commands.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -91,7 +91,7 @@ impl ParameterFeed {
 }
 
 impl VehicleTask {
-    /// Runs until it is cancelled or the hub has ended.
+    /// Runs the task until it is cancelled or the hub has ended.
     pub async fn run(mut self, cancel: CancellationToken) {
         loop {
             let patience = self.session.patience();
@@ -171,7 +171,8 @@ impl VehicleTask {
         }
     }
 
-    /// An impossible setpoint is not reported separately: the manoeuvre notices that the vehicle does not move.
+    /// Sends a setpoint to the vehicle. An impossible one is not reported separately: the manoeuvre
+    /// detects that the vehicle does not move.
     fn steer(&mut self, steering: &Steering, now: Duration) {
         if let Err(reason) = self.session.steer(steering, now) {
             tracing::warn!(vehicle = self.session.vehicle().id, "not steered: {reason}");

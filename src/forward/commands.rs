@@ -17,7 +17,8 @@ const COMMAND_INT: u32 = 75;
 pub struct StationId(pub MavAddress);
 
 impl StationId {
-    /// Its name: `GCS 254`; with its component if it uses the usual system id of ground stations.
+    /// The station's name: `GCS 254`; with its component if it uses the usual system id of ground
+    /// stations.
     pub fn name(self) -> String {
         let MavAddress { system, component } = self.0;
         if system == GROUND_STATION_SYSTEM {

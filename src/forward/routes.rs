@@ -157,7 +157,7 @@ pub struct Router {
 }
 
 impl Router {
-    /// A router before the first message; `own` is the console's own address.
+    /// A router that has seen no frames yet; `own` is the console's own address.
     pub fn new(own: MavAddress) -> Self {
         Self {
             own,

@@ -21,7 +21,7 @@ pub struct SentCommands {
 }
 
 impl SentCommands {
-    /// Notes a message to the vehicle.
+    /// Records the command in a message sent to the vehicle, if the message contains one.
     pub fn note(&mut self, message: &Outgoing, now: Duration) {
         let command = match message {
             Outgoing::Message(MavMessage::COMMAND_LONG(data)) => data.command as u16,

@@ -1,4 +1,4 @@
-//! Routes of frames, texts of forwards, and what stations command.
+//! Routes of frames, texts of forwards, and the commands of stations.
 
 use std::time::Duration;
 

@@ -151,11 +151,11 @@ impl Run {
         Ok(path)
     }
 
-    /// Records an instance's process, so that the next hangar finds it if this one does not end it. Must be called as
-    /// soon as it runs.
+    /// Records an instance's process, so that the next hangar finds it if this one does not end it.
+    /// Must be called as soon as it runs.
     ///
     /// # Errors
-    /// It cannot be written; then the instance runs, but would not be found.
+    /// The record cannot be written; the instance then runs, but would not be found.
     pub fn note(&self, id: InstanceId, pid: u32, program: &Path) -> Result<(), FolderError> {
         let path = self.vehicle(id)?.join(INSTANCE);
         let Some(record) = leftover::Record::of(pid, program) else {

@@ -104,7 +104,7 @@ impl InstanceTask {
         }
     }
 
-    /// Waits for its turn, and starts the process.
+    /// Waits for the instance's turn, and starts the process.
     async fn start(&mut self) -> Result<RunningProcess, ProcessEnd> {
         self.shown.fault = None;
         self.shown.hint = None;
@@ -259,7 +259,7 @@ impl InstanceTask {
         }
     }
 
-    /// Accepts a connection if it is the instance's own.
+    /// Accepts a connection if it is the instance's own; returns whether it is.
     fn admit(&mut self, stream: TcpStream, pid: u32) -> bool {
         let belongs = Connection::of(&stream).map(|connection| connection.is_of_process(pid));
         let is_own = match belongs {
@@ -269,8 +269,8 @@ impl InstanceTask {
             Some(Belongs::No) | None => false,
         };
         if is_own {
-            // The running program may differ from the one started: a script may have replaced
-            // itself with it.
+            // The running program may differ from the one started: a script may have been replaced
+            // by the program that it starts.
             self.note_process(pid);
             self.relay.connect(stream);
         } else {

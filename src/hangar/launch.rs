@@ -130,7 +130,7 @@ impl From<Start> for LaunchHome {
 }
 
 impl Launch {
-    /// Checks whether it can be started. A SITL with invalid input dies, or hangs forever.
+    /// Checks that the instance can be started: with invalid input, SITL dies or hangs forever.
     ///
     /// # Errors
     /// The first fault.

@@ -21,7 +21,7 @@ use crate::wire::{
     Outgoing, SystemId,
 };
 
-/// `MAV_COMP_ID_ONBOARD_COMPUTER2`: no console uses it.
+/// `MAV_COMP_ID_ONBOARD_COMPUTER2`: no ground station uses it.
 const COMPONENT: ComponentId = 192;
 /// How often the speed is set until the vehicle confirms it.
 const SPEED_EVERY: Duration = Duration::from_millis(500);

@@ -48,7 +48,7 @@ impl ProcessIdentity {
 pub(super) struct ProcessUsage {
     /// Resident memory in bytes.
     pub memory_bytes: u64,
-    /// The processor time of all its threads since it was started.
+    /// The processor time of all the process's threads since it was started.
     pub cpu: Duration,
 }
 
@@ -119,12 +119,13 @@ impl Connection {
         })
     }
 
-    /// The user of the process that it comes from; `None` if the system cannot tell, or the connection is gone.
+    /// The user of the process that the connection comes from; `None` if the system cannot tell, or
+    /// the connection is gone.
     pub fn user(self) -> Option<u32> {
         system::socket(self).map(|socket| socket.user)
     }
 
-    /// Whether it comes from this process, or from another process of its session.
+    /// Whether the connection comes from this process, or from another process of its session.
     pub fn is_of_process(self, pid: u32) -> Belongs {
         let Some(socket) = system::socket(self) else {
             return Belongs::Unknown;

@@ -11,7 +11,7 @@ pub(super) struct StartProgress {
     system: u8,
     speedup: f64,
     stages: Stages,
-    /// The probe, until it is ready.
+    /// The probe, until the instance is ready.
     probe: Option<InstanceProbe>,
     parameters: [u16; 2],
     reboots: u32,
@@ -32,14 +32,14 @@ impl StartProgress {
         }
     }
 
-    /// Notes a connection: it boots, for the first time or again.
+    /// Notes a connection: the instance boots, for the first time or again.
     pub fn connected(&mut self, now: Duration) {
         self.stages.connected(now);
         self.probe = Some(InstanceProbe::new(self.system, self.speedup, now));
         self.forget();
     }
 
-    /// Notes the end of its connection.
+    /// Notes the end of the instance's connection.
     pub fn disconnected(&mut self, now: Duration) {
         self.stages.disconnected(now);
         self.probe = None;
@@ -65,7 +65,7 @@ impl StartProgress {
         }
     }
 
-    /// The bytes to send to it now; none once it is ready.
+    /// The bytes to send to the instance now; none once it is ready.
     pub fn say(&mut self, is_attached: bool, now: Duration) -> Vec<u8> {
         let Some(probe) = &mut self.probe else {
             return Vec::new();
@@ -79,7 +79,7 @@ impl StartProgress {
         last.unwrap_or_default()
     }
 
-    /// Whether it still needs queries.
+    /// Whether the instance must still be queried.
     pub fn is_asking(&self) -> bool {
         self.probe.is_some()
     }
@@ -93,7 +93,7 @@ impl StartProgress {
         self.parameters
     }
 
-    /// How long it has been ready since its last boot.
+    /// How long the instance has been ready since its last boot.
     pub fn ready_for(&self, now: Duration) -> Duration {
         self.ready_since
             .map_or(Duration::ZERO, |since| now.saturating_sub(since))

@@ -6,7 +6,7 @@ use super::Restart;
 
 /// The number of failures in a row before the instance is abandoned.
 const FAILURES: u32 = 5;
-/// After being ready for this long, earlier failures do not count.
+/// Once an instance has been ready for this long, its earlier failures do not count.
 const GOOD_FOR: Duration = Duration::from_secs(60);
 /// The wait before the first attempt; each further one is twice as long.
 const FIRST_WAIT: Duration = Duration::from_secs(1);
@@ -31,8 +31,8 @@ impl Restarts {
         self.failures = 0;
     }
 
-    /// Notes a failure after being ready for a time. Returns the delay before a restart, or `None` if the instance is
-    /// abandoned.
+    /// Counts a failure of an instance that had been ready for `ready_for`. Returns the delay
+    /// before a restart, or `None` if the instance is abandoned.
     pub fn failed(&mut self, ready_for: Duration) -> Option<Duration> {
         if ready_for >= GOOD_FOR {
             self.forgive();

@@ -16,7 +16,7 @@ struct RosterEntry {
     requests: mpsc::Sender<InstanceRequest>,
     system: u8,
     output: Option<ProcessOutput>,
-    /// Whether it has ended and is not restarted, and therefore takes no place.
+    /// Whether the instance has ended and is not restarted, and therefore takes no place.
     is_down: bool,
 }
 

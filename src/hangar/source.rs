@@ -49,7 +49,7 @@ pub struct VehicleBackend {
 }
 
 impl VehicleBackend {
-    /// Its name in the debrief and in `--json`.
+    /// The name of the simulator in the debrief and in `--json`.
     pub fn kind(&self) -> FlightBackend {
         match self.ardupilot {
             Some(_) => FlightBackend::ArduPilot,

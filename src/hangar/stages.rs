@@ -69,7 +69,7 @@ impl Stages {
         self.again(now);
     }
 
-    /// Notes a reboot within its connection.
+    /// Notes a reboot within the connection.
     pub fn again(&mut self, now: Duration) {
         self.stage = SitlStage::Process;
         self.parameters = 0;
@@ -77,7 +77,7 @@ impl Stages {
         self.heard = now;
     }
 
-    /// Notes bytes from the vehicle.
+    /// Records that bytes arrived from the vehicle.
     pub fn heard(&mut self, now: Duration) {
         self.heard = now;
     }
@@ -91,12 +91,12 @@ impl Stages {
         self.parameters = self.parameters.max(parameters);
     }
 
-    /// The stage reached, even if it is silent now.
+    /// The stage reached, even if the instance is silent now.
     pub fn reached(&self) -> SitlStage {
         self.stage
     }
 
-    /// Its stage; an instance without a heartbeat counts only as a running process.
+    /// The current stage; an instance without a heartbeat counts only as a running process.
     pub fn stage(&self, now: Duration) -> SitlStage {
         if self.is_silent(now) {
             SitlStage::Process

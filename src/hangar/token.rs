@@ -87,7 +87,7 @@ impl HangarToken {
     /// Reads a token from a file that only its owner may read.
     ///
     /// # Errors
-    /// It cannot be read, others could read it, or it does not contain a token.
+    /// The file cannot be read, others could read it, or it does not contain a token.
     pub fn load(path: &Path) -> Result<Self, TokenError> {
         let fail = |source| TokenError::File {
             what: "read",
@@ -128,8 +128,8 @@ impl HangarToken {
         }
     }
 
-    /// The token in a file, which is created with a new token if missing. Several programs that do so at once get the
-    /// same token.
+    /// The token in a file, which is created with a new token if missing. Several programs that
+    /// create the file at once get the same token.
     ///
     /// # Errors
     /// As [`Self::load`], or the file cannot be created.

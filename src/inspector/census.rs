@@ -59,7 +59,7 @@ pub struct TallyKey {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct WatchedMessage {
     pub key: TallyKey,
-    /// The time and the bytes of each, oldest first.
+    /// The time and the bytes of each frame, oldest first.
     pub frames: VecDeque<(Duration, Vec<u8>)>,
     /// The number of frames that were not kept.
     pub dropped: u64,

@@ -105,7 +105,7 @@ impl FieldReading {
         figures.join(" ")
     }
 
-    /// The number to draw: the first element.
+    /// The number to draw: the first element; `None` without one, or if it is not finite.
     pub fn number(&self) -> Option<f64> {
         let number = self.elements.first().map(|element| element.number());
         number.filter(|number| number.is_finite())

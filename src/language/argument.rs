@@ -116,14 +116,14 @@ impl Argument {
         }
     }
 
-    /// Its meaning and its valid values, such as "height above home, 0.5 to 1000 m".
+    /// The argument's meaning and its valid values, such as "height above home, 0.5 to 1000 m".
     pub(super) fn explained(&self) -> Text {
         let meaning = Some(self.meaning()).filter(|text| !text.is_empty());
         let parts = meaning.into_iter().chain(self.kind.limits());
         Text::joined(", ", parts.collect())
     }
 
-    /// Its meaning, without the values.
+    /// The argument's meaning, without the values.
     pub(super) fn meaning(&self) -> Text {
         match self.help {
             "" => Text::default(),

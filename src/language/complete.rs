@@ -24,7 +24,7 @@ pub struct Completion {
     /// The word to insert.
     pub text: String,
     pub hint: Text,
-    /// The bytes of the line that it replaces; empty where a new word begins.
+    /// The bytes of the line that the word replaces; empty where a new word begins.
     pub replaces: Range<usize>,
 }
 
@@ -57,7 +57,7 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
         .collect()
 }
 
-/// The beginning of the file name at the cursor, if a plan's file may stand there.
+/// The beginning of the file name at the cursor, if a plan's file is possible there.
 pub fn file_begun<'a>(line: &'a str, cursor: usize, context: &Context) -> Option<&'a str> {
     let cursor = floor_boundary(line, cursor);
     let mut before = words(&line[..cursor]);
@@ -203,7 +203,7 @@ fn described(word: Text, meaning: Text) -> Text {
     Text::joined(": ", parts.filter(|part| !part.is_empty()).collect())
 }
 
-/// The next argument; required ones come first.
+/// The next argument: the first required one, otherwise the first optional one.
 fn next_argument(fit: &Fit) -> Option<&'static Argument> {
     fit.expected
         .iter()

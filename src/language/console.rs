@@ -20,7 +20,7 @@ pub enum ConsoleLine {
     /// Show a report: in its room, or as text without a screen.
     Report(Report),
     Select(VehicleChoice),
-    /// Show which of its targets carry the same list.
+    /// Show which of the targets carry the same list.
     Carried {
         kind: ListKind,
         targets: Targets,
@@ -35,7 +35,7 @@ pub enum ConsoleLine {
     Ungroup(String),
     /// Forget vehicles whose link is lost: these, or all.
     Forget(Option<VehicleChoice>),
-    /// Share the links with other ground stations, or end that.
+    /// Share the links with other ground stations, or stop sharing them.
     Forward(ForwardLine),
     /// Go to the room with this name.
     Show(String),
@@ -91,14 +91,14 @@ pub enum ConsoleLine {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum LineNeeds {
     Nothing,
-    /// A flight under way: it has no effect on a recorded one.
+    /// A flight under way: the line has no effect on a recorded one.
     Flight,
-    /// A replay, which it controls.
+    /// A replay, which the line controls.
     Replay,
 }
 
 impl ConsoleLine {
-    /// The condition for it to have an effect.
+    /// The condition for the line to have an effect.
     pub fn needs(&self) -> LineNeeds {
         match self {
             Self::Forget(_)
@@ -252,7 +252,7 @@ pub enum ReviewLine {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum GhostLine {
     Show(GhostSource),
-    /// Align it with this flight at an event of both flights.
+    /// Align the other flight with this one at an event of both flights.
     AlignedBy(Alignment),
     Off,
 }
@@ -317,9 +317,10 @@ pub enum DraftLine {
     Speed(Option<f64>),
     /// Fly the drafts together in simulation.
     Try {
-        /// Whether to change those that come too close to each other.
+        /// Whether to change the drafts that come too close to each other.
         is_apart: bool,
-        /// The vehicles that would fly them; `None` for those of the drafts, otherwise the selected ones.
+        /// The vehicles that would fly the drafts; `None` for the drafts' own vehicles, otherwise
+        /// the selected ones.
         vehicles: Option<VehicleChoice>,
     },
     /// Take the height of the ground from files in this folder; `None` counts it as level.

@@ -180,7 +180,7 @@ fn misfit_fault(meant: &Meant, word: &Word, misfits: &[&Misfit], context: &Conte
 /// The maximum number of words of plan commands that a fault names.
 const MOST_WORDS: usize = 12;
 
-/// The names similar to a word in place of a command of a plan, and where to find them all.
+/// The plan commands with names similar to a word, and where to find them all.
 fn near_commands(word: &str, names: &[String]) -> Text {
     let names = near(word, names.iter().map(String::as_str)).into_iter();
     let quoted: Vec<Text> = names.map(|name| format!("`{name}`").into()).collect();

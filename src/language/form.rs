@@ -56,7 +56,8 @@ impl Expected {
         }
     }
 
-    /// Its description in an error or a hint: "`up`" or "ALTITUDE (height above home, 0.5 to 1000 m)".
+    /// A description of the word for an error or a hint: "`up`" or "ALTITUDE (height above home,
+    /// 0.5 to 1000 m)".
     pub fn describe(self) -> Text {
         match self {
             Self::Keyword(argument) => format!("`{}`", argument.keyword).into(),

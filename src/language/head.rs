@@ -24,7 +24,7 @@ pub(super) struct Head {
 /// The verb of a line, after optional targets.
 ///
 /// # Errors
-/// The verb is missing or not allowed there, or the targets are wrong.
+/// The verb is missing or not allowed in lines from this source, or the targets are wrong.
 pub fn said(line: &str, context: &Context) -> Result<&'static VerbRow, Diagnostic> {
     head(&words(line), context).map(|head| head.row)
 }
@@ -79,7 +79,7 @@ pub(super) fn head(words: &[Word], context: &Context) -> Result<Head, Diagnostic
     Ok(head)
 }
 
-/// The fault of a verb that is not allowed there.
+/// The fault of a verb that is not allowed in lines from this source.
 fn out_of_place(word: &Word, scope: Scope) -> Diagnostic {
     let fault = |message: Text| Diagnostic::new(word.span.clone(), message);
     match scope {

@@ -17,7 +17,7 @@ impl Word<'_> {
         self.text.eq_ignore_ascii_case(other)
     }
 
-    /// Whether it means targets: `all`, or a word that begins with a digit or `@`.
+    /// Whether the word means targets: `all`, or a word that begins with a digit or `@`.
     pub fn is_targets(&self) -> bool {
         self.is("all")
             || self

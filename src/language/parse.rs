@@ -62,7 +62,8 @@ pub(super) fn understand(
     Err(fault(head.row, &fits, rest, all, context))
 }
 
-/// The position of a part of a change in a line about a draft.
+/// The position of a part of a change in a line about a draft; `None` if the line does not contain
+/// the part.
 pub fn draft_part(line: &str, part: EditPart, context: &Context) -> Option<Range<usize>> {
     let words = words(line);
     let head = head(&words, context).ok()?;

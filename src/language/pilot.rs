@@ -31,7 +31,7 @@ struct PilotStep {
 #[derive(Debug, Clone, PartialEq)]
 struct Guard {
     condition: Wait,
-    /// The vehicles for which it must hold; `None` for all.
+    /// The vehicles for which the condition must hold; `None` for all.
     vehicles: Option<Vec<VehicleId>>,
 }
 

@@ -21,7 +21,8 @@ pub enum Targets {
 }
 
 impl fmt::Display for Targets {
-    /// Its notation in a line; empty for the selection. Consecutive ids are joined.
+    /// Writes the targets in the notation of a line; nothing for the selection. Consecutive ids are
+    /// joined.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Selection => Ok(()),

@@ -38,7 +38,7 @@ pub enum Scope {
 }
 
 impl Scope {
-    /// Whether a verb of this scope is allowed there.
+    /// Whether a verb of this scope is allowed in lines from this source.
     pub fn includes(self, channel: Channel) -> bool {
         match self {
             Self::Everywhere => true,
@@ -48,7 +48,7 @@ impl Scope {
         }
     }
 
-    /// Whether it is for vehicles, so that a line may have targets.
+    /// Whether a verb of this scope is for vehicles, so that a line may have targets.
     pub fn takes_targets(self) -> bool {
         match self {
             Self::Everywhere | Self::Scripts => true,
@@ -96,7 +96,7 @@ impl VerbRow {
         self.verb.name
     }
 
-    /// Whether a word is its name or an alias.
+    /// Whether a word is the verb's name or an alias.
     pub fn is_called(&self, word: &str) -> bool {
         self.name().eq_ignore_ascii_case(word)
             || self
@@ -105,17 +105,17 @@ impl VerbRow {
                 .any(|alias| alias.eq_ignore_ascii_case(word))
     }
 
-    /// Its summary in one line.
+    /// The verb's summary in one line.
     pub fn summary(&self) -> Text {
         Text::new(format!("verb-{}", self.name()), Vec::new())
     }
 
-    /// Other words for it in a language, if there are any.
+    /// Other words for the verb in a language, if there are any.
     pub fn synonyms(&self, locale: &Locale) -> Option<String> {
         locale.find(&format!("words-{}", self.name()))
     }
 
-    /// Its usage, a line per form: "takeoff ALTITUDE".
+    /// The verb's usage, a line per form: "takeoff ALTITUDE".
     pub fn usage(&self) -> Vec<String> {
         self.forms
             .iter()
@@ -123,19 +123,19 @@ impl VerbRow {
             .collect()
     }
 
-    /// Its usages in a sentence: "`ack` or `ack KIND`".
+    /// The verb's usages in a sentence: "`ack` or `ack KIND`".
     pub(super) fn usages(&self) -> Text {
         let usages = self.usage().into_iter();
         either(usages.map(|usage| format!("`{usage}`").into()).collect())
     }
 
-    /// Whether one of its arguments is of a kind.
+    /// Whether one of the verb's arguments is of a kind.
     pub fn takes(&self, kind: Kind) -> bool {
         let mut arguments = self.forms.iter().flat_map(|form| form.arguments);
         arguments.any(|argument| argument.kind == kind)
     }
 
-    /// Its verb, and those of forms with another meaning.
+    /// The row's verb, and those of forms with another meaning.
     pub(super) fn verbs(&'static self) -> impl Iterator<Item = &'static Verb> {
         let others = self.forms.iter().filter_map(|form| form.means);
         std::iter::once(&self.verb).chain(others)
@@ -171,8 +171,8 @@ impl Form {
         }
     }
 
-    /// The words that it begins with, before its values: `fence circle` in `draft fence circle 150`, `open` in
-    /// `draft open FILE`.
+    /// The words that the form begins with, before its values: `fence circle` in `draft fence
+    /// circle 150`, `open` in `draft open FILE`.
     pub(super) fn beginning(&self) -> impl Iterator<Item = &'static str> {
         let is_only = self.arguments.len() == 1;
         let is_said = move |argument: &&Argument| {
@@ -183,7 +183,7 @@ impl Form {
         said.map(|argument| argument.keyword)
     }
 
-    /// Its usage, with the argument at `marked` between ‹ and ›.
+    /// The form's usage, with the argument `marked` between ‹ and ›.
     pub(super) fn usage(&self, verb: &str, marked: Option<&Argument>) -> String {
         let mut usage = verb.to_owned();
         for argument in self.arguments {

@@ -11,7 +11,8 @@ use crate::verb::Arrival;
 
 /// The default time-out of a wait.
 pub(super) const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
-/// The distance to its target at which a vehicle has arrived, in metres, if the ledger does not show it.
+/// The distance to its target at which a vehicle has arrived, in metres, if the ledger does not
+/// show the arrival.
 const ARRIVED_M: f64 = 2.0;
 /// A speed below this counts as standing still.
 const STILL_M_S: f32 = 0.5;
@@ -76,7 +77,7 @@ pub enum Situation {
     /// The vehicle is in the air.
     Airborne,
     Ready,
-    /// An alert of the mission about it waits for an answer.
+    /// An alert of the mission about the vehicle waits for an answer.
     Alerted,
 }
 
@@ -131,7 +132,7 @@ impl Situation {
 }
 
 impl Field {
-    /// Its current value, if known.
+    /// The field's current value, if known.
     pub fn of(self, vehicle: &Vehicle, findings: &Findings) -> Option<f64> {
         match self {
             Self::Altitude => vehicle.altitude_m(),
@@ -148,7 +149,7 @@ impl Field {
 }
 
 impl Relation {
-    /// Whether it holds for a value and a bound.
+    /// Whether the comparison holds for a figure and a bound.
     pub fn holds(self, figure: f64, value: f64) -> bool {
         match self {
             Self::Above => figure > value,
@@ -160,7 +161,8 @@ impl Relation {
 }
 
 impl Until {
-    /// Whether it concerns vehicles, so that a script must name them; a time, the contacts and the alerts do not.
+    /// Whether the condition concerns vehicles, so that a script must name them; a time, the
+    /// contacts and the alerts do not.
     pub(super) fn is_of_vehicles(&self) -> bool {
         !matches!(
             self,
@@ -172,7 +174,7 @@ impl Until {
         )
     }
 
-    /// Whether it holds for a vehicle. A time never does.
+    /// Whether the condition holds for a vehicle. A time never does.
     pub fn holds(&self, vehicle: &Vehicle, seen: Seen<'_>) -> bool {
         match self {
             Self::Passed(_) => false,
@@ -215,7 +217,7 @@ fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
     }
 }
 
-/// Whether its mode ends on the ground.
+/// Whether the vehicle's mode ends on the ground.
 fn comes_down(vehicle: &Vehicle) -> bool {
     vehicle.mode().is_some_and(Mode::comes_down)
 }

@@ -36,7 +36,7 @@ impl LinkBeat {
         self.timer.reset_immediately();
     }
 
-    /// Whether it should be done now that the task is awake; if so, restarts the interval.
+    /// Whether the action should be done now that the task is awake; if so, restarts the interval.
     pub fn is_handy(&mut self, now: Instant) -> bool {
         let is_handy = now.duration_since(self.last) >= self.pace.handy;
         if is_handy {

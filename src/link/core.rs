@@ -62,7 +62,7 @@ pub(super) enum ConnectionEnd {
     Cancelled,
     /// The connection failed for this reason; another attempt follows.
     Lost(Text),
-    /// It must not be reopened; the reason is given unless this is the regular end.
+    /// The connection must not be reopened; the reason is given unless this is the regular end.
     Final(Option<Text>),
 }
 

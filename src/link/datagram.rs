@@ -135,7 +135,8 @@ impl Peers {
         self.tails.iter().map(pause).min()
     }
 
-    /// Handles a datagram, or a pause after one. An unknown sender becomes a peer with an intact frame.
+    /// Handles a datagram, or a pause after one. An unknown sender becomes a peer with its first
+    /// intact frame.
     fn receive(
         &mut self,
         from: SocketAddr,
@@ -170,7 +171,7 @@ impl Peers {
     ) -> Option<(LinkPeer, Vec<Frame>)> {
         let now = Instant::now();
         let known = self.strangers.remove(&from);
-        // If it becomes a peer, it will have this number.
+        // If the sender becomes a peer, it will have this number.
         let mut stream =
             known.unwrap_or_else(|| PeerStream::new(&self.config, LinkPeer(self.next)));
         stream.belongs_to(LinkPeer(self.next));

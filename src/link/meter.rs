@@ -131,13 +131,14 @@ impl LinkMeter {
         sum.undecoded += after.undecoded - before.undecoded;
     }
 
-    /// Notes bytes that were skipped before a decoder.
+    /// Counts bytes that were skipped before a decoder.
     pub(super) fn passed_over(&mut self, bytes: u64) {
         self.status.decoder.bytes += bytes;
         self.status.decoder.skipped_bytes += bytes;
     }
 
-    /// Notes the sequence number of a frame. A frame of an unknown message may be noise and adds no sender.
+    /// Counts a frame by its sequence number. A frame of an unknown message may be noise and adds
+    /// no sender.
     pub(super) fn numbered(&mut self, frame: &Frame, step: SequenceStep) {
         let sender = (frame.system, frame.component);
         if frame.is_verified() || self.status.numbered.contains_key(&sender) {
@@ -152,7 +153,7 @@ impl LinkMeter {
         self.status.sent_bytes += bytes as u64;
     }
 
-    /// Notes messages that could not be sent.
+    /// Counts messages that could not be sent.
     pub(super) fn dropped(&mut self, messages: u64) {
         self.dropped += messages;
     }

@@ -113,7 +113,8 @@ impl Player {
     }
 }
 
-/// Delivers frames and waits until they are accepted, including the previous ones.
+/// Delivers frames and waits until they are accepted, including the previous ones. `None` if the
+/// link must close.
 async fn deliver(link: &mut LinkCore, frames: Vec<Frame>) -> Option<()> {
     link.deliver(PEER, frames);
     link.delivered().await
@@ -135,7 +136,7 @@ impl PlaybackPace {
         }
     }
 
-    /// When to play a record. A step back in time counts as none.
+    /// When to play a record. A step back in time counts as no gap.
     fn due(&mut self, unix_us: u64) -> Instant {
         let last_us = self.last_us.replace(unix_us);
         if let Playback::Speed(speed) = self.playback {

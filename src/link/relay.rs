@@ -20,7 +20,7 @@ use crate::wire::{Frame, MavAddress, Outgoing, SystemId, is_secret};
 /// The maximum number of streams whose rate one forward limits; others pass.
 const MOST_STREAMS: usize = 4096;
 
-/// Another ground station has commanded vehicles over a forward.
+/// A command of another ground station to vehicles, over a forward.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StationNews {
     pub station: StationId,
@@ -180,7 +180,8 @@ impl RelayPort {
         }
     }
 
-    /// Shows the stations a message that the console sends to a vehicle, unless it contains a secret.
+    /// Sends the stations a copy of a message that the console sends to a vehicle, unless it
+    /// contains a secret.
     pub fn share(&self, outgoing: &Outgoing) {
         let id = outgoing.id();
         if self.is_forward || !self.relay.is_used() || is_secret(id) {
@@ -196,7 +197,7 @@ impl RelayPort {
         }
     }
 
-    /// Notes a frame of the console to stations, to recognise its echo.
+    /// Records a frame that the console sends to stations, so that its echo is recognised.
     pub fn note_own(&self, bytes: &[u8]) {
         if self.is_forward {
             let now = self.relay.0.opened.elapsed();
@@ -209,7 +210,7 @@ impl RelayPort {
 struct Passing {
     facts: FrameFacts,
     bytes: Arc<[u8]>,
-    /// When it arrived, since the relay was opened.
+    /// When the frame arrived, since the relay was opened.
     now: Duration,
 }
 

@@ -70,7 +70,7 @@ impl Signer {
         SignedLink {
             signer: self.clone(),
             address: address.into(),
-            // Time stamps are unique in this program, so that two links may share a number.
+            // Time stamps are unique in this program, so two links may share a number.
             id: id.0 as u8,
         }
     }

@@ -178,8 +178,8 @@ impl Simulator {
     /// Runs a world at a pace until cancelled. Ground stations can connect once this has returned.
     ///
     /// # Errors
-    /// A port that cannot be listened on, an address that cannot be sent to, or an impossible speedup; nothing runs
-    /// then.
+    /// A port that cannot be listened on, an address that cannot be sent to, or an impossible
+    /// speed-up; nothing runs then.
     pub async fn start(
         world: World,
         pace: impl Into<PaceFeed>,
@@ -215,8 +215,8 @@ impl Simulator {
             pipes,
             addresses,
         } = opened;
-        // Without the exemption, tokio's cooperative budget would make the sockets of later vehicles look idle in
-        // every round, because those of earlier ones use it up.
+        // The task is exempt from tokio's cooperative budget. Otherwise, the sockets of earlier
+        // vehicles would use it up, and those of later ones would look idle in every round.
         let (count, connections) = watch::channel(world.connections());
         let (passed, steps) = watch::channel(world.steps());
         let running = SteppedWorld {

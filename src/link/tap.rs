@@ -60,22 +60,22 @@ impl Tap {
         self.relay.as_ref().is_some_and(RelayPort::is_forward)
     }
 
-    /// Shows the stations that share the link a message that the console sends on it.
+    /// Sends the stations that share the link a copy of a message that the console sends on it.
     pub(super) fn share(&self, outgoing: &Outgoing) {
         if let Some(port) = &self.relay {
             port.share(outgoing);
         }
     }
 
-    /// Notes a frame of the console itself.
+    /// Records a frame that the console itself sends.
     pub(super) fn sent_own(&self, bytes: &[u8]) {
         if let Some(port) = &self.relay {
             port.note_own(bytes);
         }
     }
 
-    /// Looks into the census; `now`, and all times in it, count from the link's opening. Must be quick, because the
-    /// link waits in the meantime.
+    /// Calls `look` with the census and the current time, which counts from the link's opening, as
+    /// do all times in the census. `look` must be quick, because the link waits in the meantime.
     pub fn look<T>(&self, look: impl FnOnce(&mut Census, Duration) -> T) -> T {
         let now = self.opened.elapsed();
         look(&mut self.census(), now)

@@ -98,8 +98,8 @@ fn current_a(centiamperes: i16) -> Option<f32> {
     (centiamperes >= 0).then(|| f32::from(centiamperes) * 0.01)
 }
 
-/// The charge or energy used since the start, in the message's unit. -1 means unknown; other
-/// negative values and the end of the range are not plausible.
+/// The charge or energy used since the start, in the message's unit; `None` for -1, which means
+/// that it is unknown, and for implausible values: other negative ones, and the end of the range.
 fn known(count: i32) -> Option<f32> {
     (0..i32::MAX).contains(&count).then_some(count as f32)
 }

@@ -26,7 +26,7 @@ pub(super) enum Step {
     TwoClocks,
 }
 
-/// Judges readings of the clock.
+/// Evaluates readings of the clock.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct BootClock {
     /// The reading before the last step back, and when that step was seen.

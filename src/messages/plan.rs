@@ -128,8 +128,8 @@ fn follow(
     }
 }
 
-/// The items between two that were not flown: `5` or `5, 7`. `None` if there are none, or if a jump may have led around
-/// them.
+/// The items between `before` and `now` that were not flown: `5` or `5, 7`. `None` if there are
+/// none, or if a jump may have led around them.
 fn left_out(plan: &Plan, before: u16, now: u16, reached: &BTreeSet<u16>) -> Option<Text> {
     let number = |at: usize| u16::try_from(at).ok();
     let numbered = plan.items.iter().enumerate();
@@ -220,7 +220,7 @@ pub(super) fn apply_text(vehicle: &mut Vehicle, text: &str, report: &mut Handler
     }
 }
 
-/// The item with a command that is nearest to the current one.
+/// The item nearest to the current one that has this command.
 fn nearest(vehicle: &Vehicle, command: u16) -> Option<u16> {
     let plan = vehicle.plans.plan.content.as_ref()?;
     let numbered = plan.items.iter().enumerate();

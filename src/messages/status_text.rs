@@ -191,8 +191,9 @@ fn text_of(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Adds a text to the vehicle's and to the notices. A reason not to arm is also kept separately; one that comes later
-/// than [`SAME_CHECK`] after the last one (`reasons_at`) replaces all earlier ones.
+/// Adds a text to the vehicle's texts and to the notices. A reason not to arm is also kept
+/// separately; one that comes later than [`SAME_CHECK`] after the last one (`reasons_at`) replaces
+/// all earlier ones.
 pub(super) fn apply(
     vehicle: &mut Vehicle,
     joined: &Joined,

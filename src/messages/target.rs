@@ -12,8 +12,9 @@ use crate::geo::LatLon;
 use crate::plan::HeightFrame;
 use crate::vehicle::{Place, Target, Vehicle};
 
-/// The silence after which a target is void. Targets are requested once a second and may be lost. It is longer than
-/// the time-out of a link, so that the last target of a lost vehicle stays known.
+/// The silence after which a target is void. Targets are requested once a second and may be lost.
+/// This is longer than the time-out of a link, so that the last target of a lost vehicle stays
+/// known.
 const SILENT: Duration = Duration::from_millis(3500);
 
 /// Applies `POSITION_TARGET_GLOBAL_INT`. `ArduPilot` gives the height above mean sea level; it becomes height above
@@ -38,8 +39,9 @@ pub(super) fn apply_global(
     });
 }
 
-/// Applies `POSITION_TARGET_LOCAL_NED`, which is measured from the origin of local coordinates. Without a known
-/// `origin` it is converted by the vehicle's current position in both kinds of coordinates.
+/// Applies `POSITION_TARGET_LOCAL_NED`, which is measured from the origin of local coordinates.
+/// Without a known `origin`, it is converted with the vehicle's current position in both kinds of
+/// coordinates.
 pub(super) fn apply_local(
     vehicle: &mut Vehicle,
     data: &POSITION_TARGET_LOCAL_NED_DATA,
@@ -106,7 +108,8 @@ impl Uses {
     }
 }
 
-/// Home's height above mean sea level, from home itself or from the two heights of a position report.
+/// Home's height above mean sea level, from home itself or from the two heights of a position
+/// report; `None` without either.
 fn home_altitude_m(vehicle: &Vehicle) -> Option<f64> {
     vehicle.home.map(|home| home.altitude_amsl_m).or_else(|| {
         vehicle

@@ -75,7 +75,7 @@ impl PlanFault {
         ("no_return", Self::NoReturn),
     ];
 
-    /// Its description after the flight.
+    /// The fault's description after the flight.
     pub fn title(self) -> Text {
         match self {
             Self::SeaLevel => text!("plan-fault-sea-level"),

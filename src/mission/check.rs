@@ -66,7 +66,7 @@ impl<'m> Examined<'m> {
         self.mission.file.written.get(name)
     }
 
-    /// The tables of a section with several.
+    /// The tables of a section that can occur several times.
     fn tables(&self, name: &str) -> &'m [WrittenValue] {
         self.mission.file.written.items_of(name)
     }

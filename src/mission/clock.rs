@@ -45,7 +45,7 @@ struct ClockReading {
     boot_ms: u32,
     /// Mission time by this clock.
     claim_ms: i64,
-    /// How far it has advanced since mission time last advanced.
+    /// How far the vehicle's clock has advanced since mission time last advanced.
     behind_ms: i64,
 }
 

@@ -54,7 +54,7 @@ pub(crate) struct Sighting {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Seen {
     New(usize),
-    /// A second kind of sensor has now seen it.
+    /// A second kind of sensor has now seen the contact.
     Confirmed(usize),
     /// The contact turns out to need no report.
     Harmless(usize),
@@ -73,7 +73,7 @@ fn stem(kind: FindKind) -> &'static str {
 pub(crate) struct Contacts(Vec<Contact>);
 
 impl Contacts {
-    /// All of them, in the order of their numbers.
+    /// All contacts, in the order of their numbers.
     pub fn all(&self) -> &[Contact] {
         &self.0
     }
@@ -168,7 +168,7 @@ impl Contact {
         self.sensors.len() > 1
     }
 
-    /// The kind that detectors take it for, as text.
+    /// The kind that detectors take the contact for, as text.
     pub fn kind_text(&self) -> Text {
         self.kind.title()
     }

@@ -21,7 +21,7 @@ const NEAR_GROUND_M: f64 = 3.0;
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
 /// The margin above a limit before it counts as exceeded: the height of a hovering vehicle varies by some decimetres.
 const SWING_M: f64 = 1.0;
-/// A landing farther than this from every pad costs safety.
+/// A landing farther than this from every pad costs safety points.
 const OFF_PAD_M: f64 = 3.0;
 
 /// A vehicle in a mission.
@@ -103,40 +103,41 @@ impl Craft {
         }
     }
 
-    /// Whether it is disarmed on the ground after flying.
+    /// Whether the vehicle is disarmed on the ground after flying.
     pub fn is_down(&self) -> bool {
         self.flown && !self.lost && !self.armed && !self.airborne
     }
 
-    /// Whether its detectors work and its radio delivers their results.
+    /// Whether the vehicle's detectors work and its radio delivers their results.
     pub fn can_see(&self) -> bool {
         self.heard && self.airborne && !self.lost
     }
 
-    /// Whether it flies a plan.
+    /// Whether the vehicle flies a plan.
     pub fn flies_plan(&self) -> bool {
         self.in_auto && self.airborne && !self.lost
     }
 
-    /// Its true position, even while the operator does not receive it; `None` before the first.
+    /// The vehicle's true position, even while the operator does not receive it; `None` before the
+    /// first.
     pub fn truly_at(&self) -> Option<Point> {
         self.unheard.map(|(at, _)| at).or(self.at)
     }
 
-    /// Its true position with its height: metres east, north and up; `None` before the first
-    /// position.
+    /// The vehicle's true position with its height: metres east, north and up; `None` before the
+    /// first position.
     pub fn place_m(&self) -> Option<[f64; 3]> {
         let known = self.at.map(|at| (at, self.height_m));
         let ([east_m, north_m], up_m) = self.unheard.or(known)?;
         Some([east_m, north_m, up_m])
     }
 
-    /// Whether it has a sensor, by id.
+    /// Whether the vehicle has a sensor, by id.
     pub fn carries(&self, sensor: &str) -> bool {
         self.sensors.iter().any(|fitted| fitted.id == sensor)
     }
 
-    /// The readings of its hazard sensors.
+    /// The readings of the vehicle's hazard sensors.
     pub fn shown(&self) -> Vec<f64> {
         self.probes.iter().map(|probe| probe.shown).collect()
     }
@@ -271,7 +272,8 @@ impl Craft {
         breaches
     }
 
-    /// The rules that it breaks by not being disarmed on the ground at the end of the mission.
+    /// The rules that the vehicle breaks by not being disarmed on the ground at the end of the
+    /// mission.
     pub fn unlanded_breaches(&self, mission: &Mission) -> Vec<Breach> {
         let mut breaches = Vec::new();
         if self.lost || !self.flown || self.is_down() {
@@ -291,7 +293,7 @@ impl Craft {
         breaches
     }
 
-    /// Its battery in percent, if that is below the reserve required at landing.
+    /// The vehicle's battery in percent, if that is below the reserve required at landing.
     fn below_reserve(&self, mission: &Mission) -> Option<f64> {
         let percent = self.battery_percent?;
         (percent < mission.rules.land_reserve_percent).then_some(percent)

@@ -62,10 +62,10 @@ pub(crate) enum Action {
     Alert {
         level: AlertLevel,
         text: Text,
-        /// The condition that answers it; `None` for an alert that needs no answer.
+        /// The condition that answers the alert; `None` for an alert that needs no answer.
         ok: Option<Expression>,
         within: Duration,
-        /// The index of the vehicle that it is about, from 0.
+        /// The index of the vehicle that the alert is about, from 0.
         about: Option<usize>,
     },
     Weather(Change),

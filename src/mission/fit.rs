@@ -13,7 +13,7 @@ pub(crate) struct Fit {
     pub sensors: Vec<&'static Sensor>,
     /// The loads that it starts with and that a pad restores; loads that are not listed here are never on board.
     pub loads: BTreeMap<Load, u32>,
-    /// Its own radio; `None` for the mission's, if radio matters there.
+    /// Its own radio; `None` for that of the mission, if the mission models the radio.
     pub radio: Option<Set>,
 }
 

@@ -19,12 +19,12 @@ pub(super) const TANK_S: u32 = 15;
 pub(super) const DROPPER: &str = "s_drop";
 
 impl Mission {
-    /// The designs that fly it, one per seat; empty for the mission's own drones.
+    /// The designs that fly the mission, one per seat; empty for the mission's own drones.
     pub fn fleet(&self) -> &[Design] {
         &self.seats.designs
     }
 
-    /// The air in which it is flown. Battery packs are warm at launch.
+    /// The air in which the mission is flown. Battery packs are warm at launch.
     pub fn air(&self) -> Air {
         Air {
             altitude_m: self.site.origin.altitude_amsl_m,

@@ -158,8 +158,8 @@ impl Flight {
         self.clues.set_attempt(attempt);
     }
 
-    /// One [`TICK`]. `now` is mission time, 0 at the start. Returns the notices, in mission time. Every entry of the
-    /// ledger counts. After the end, nothing changes.
+    /// Advances by one [`TICK`]. `now` is mission time, 0 at the start. Returns the notices, in
+    /// mission time. Every entry of the ledger counts. After the end, nothing changes.
     pub fn step(&mut self, now: Duration, vehicles: &Vehicles, ledger: &Ledger) -> Vec<Notice> {
         if self.is_over() {
             return Vec::new();

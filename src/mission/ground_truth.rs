@@ -78,7 +78,7 @@ pub(crate) enum ObjectClass {
 }
 
 impl ObjectClass {
-    /// The kind to report it as; `None` if it should not be reported.
+    /// The kind to report such an object as; `None` if it should not be reported.
     pub fn kind(self) -> Option<FindKind> {
         Some(match self {
             Self::MetalMine | Self::MinimumMetalMine | Self::SurfaceMine => FindKind::Mine,
@@ -106,7 +106,7 @@ pub(crate) enum Load {
 impl Load {
     pub const ALL: [Self; 4] = [Self::Ball, Self::Spray, Self::Kit, Self::Node];
 
-    /// Its name in mission files.
+    /// The load's name in mission files.
     pub const fn id(self) -> &'static str {
         match self {
             Self::Ball => "ball",
@@ -126,7 +126,7 @@ impl Load {
         }
     }
 
-    /// Its name on the screen.
+    /// The load's name on the screen.
     pub fn name(self) -> Text {
         match self {
             Self::Ball => text!("load-ball"),

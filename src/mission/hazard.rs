@@ -52,12 +52,13 @@ pub(crate) trait Field: Debug + Send + Sync {
         0.0
     }
 
-    /// Its objects that detectors can find; their order and number never change during a flight.
+    /// The hazard's objects that detectors can find; their order and number never change during a
+    /// flight.
     fn objects(&self) -> &[Object] {
         &[]
     }
 
-    /// Whether a point is in the area where its objects may lie.
+    /// Whether a point is in the area where the hazard's objects may lie.
     fn may_lie_at(&self, _at: Point) -> bool {
         true
     }
@@ -67,7 +68,7 @@ pub(crate) trait Field: Debug + Send + Sync {
         None
     }
 
-    /// The help given to its people; `None` if it has no people.
+    /// The help given to the hazard's people; `None` if it has no people.
     fn care(&self) -> Option<Care> {
         None
     }

@@ -35,7 +35,8 @@ impl Phase {
         ("done", Self::Done),
     ];
 
-    /// How much its hints reveal: 1 is the routine of every flight, 2 the requirements of this mission.
+    /// How much the hints of the phase reveal: 1 is the routine of every flight, 2 the requirements
+    /// of this mission.
     pub fn level(self) -> u8 {
         match self {
             Self::Ground | Self::Armed => 1,

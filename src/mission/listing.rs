@@ -79,7 +79,7 @@ pub struct Listing {
 }
 
 impl Listing {
-    /// Speed and direction of its wind.
+    /// Speed and direction of the mission's wind.
     pub fn wind(&self) -> Text {
         if self.wind_m_s > 0.0 {
             text!(
@@ -162,7 +162,7 @@ impl Mission {
         }
     }
 
-    /// Its places, and its gates before the seed moves them.
+    /// The mission's places, and its gates before the seed moves them.
     fn sites(&self) -> BTreeMap<String, LatLon> {
         let demands = self.objectives.iter().map(|it| it.kind.demands());
         let gates = demands.filter_map(|it| it.route).flat_map(|route| {

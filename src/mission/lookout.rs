@@ -109,7 +109,7 @@ impl Lookout {
     }
 }
 
-/// The state of one detector at one moment.
+/// The state of one detector at one time.
 struct DetectorWatch<'a> {
     seed: u64,
     craft: &'a Craft,
@@ -259,7 +259,7 @@ struct Find {
 }
 
 impl Glance {
-    /// Adds a tick of looking.
+    /// Adds a tick of looking; returns a find if the detector detects the object now.
     fn take(&mut self, look: &Look, now: Duration) -> Option<Find> {
         let exposure = -maths::ln(1.0 - look.chance.min(SUREST));
         let away = now.saturating_sub(std::mem::replace(&mut self.last, now));

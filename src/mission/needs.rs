@@ -23,7 +23,7 @@ pub(super) const USUAL_HEIGHT_M: f64 = 20.0;
 const CALM_M_S: f64 = 3.0;
 /// The thrust-to-weight ratio needed to hold a position.
 const CALM_THRUST: f64 = LEAST_THRUST;
-/// The ratio needed to hold it in gusts without saturating the motors.
+/// The ratio needed to hold a position in gusts without saturating the motors.
 const GUSTY_THRUST: f64 = GOOD_THRUST;
 
 /// The needs of some seats of a mission.
@@ -60,7 +60,7 @@ pub struct FitLine {
     pub has: Text,
     /// Whether the design meets the need.
     pub met: bool,
-    /// Whether the task is impossible without it; otherwise it is only risky or slow.
+    /// Whether the task is impossible if the need is not met; otherwise it is only risky or slow.
     pub is_block: bool,
 }
 

@@ -81,8 +81,8 @@ pub(crate) struct GroundPatch {
 
 /// The behaviour of a kind of objective.
 pub(crate) trait ObjectiveKind: Debug + Send + Sync {
-    /// The skill that it demonstrates in a mission with this many vehicles; swarm skills need
-    /// several.
+    /// The skill that the objective demonstrates in a mission with this many vehicles; swarm skills
+    /// need several.
     fn skill(&self, vehicles: usize) -> Option<Skill>;
 
     /// The conditions for an attempt at the objective.
@@ -100,12 +100,12 @@ pub(crate) trait ObjectiveKind: Debug + Send + Sync {
         None
     }
 
-    /// Its demands on the mission; none for kinds that any flight can meet.
+    /// The objective's demands on the mission; none for kinds that any flight can meet.
     fn demands(&self) -> Demands<'_> {
         Demands::default()
     }
 
-    /// The names of the places that its tracker adds.
+    /// The names of the places that the objective's tracker adds.
     fn place_names(&self) -> Vec<String> {
         Vec::new()
     }
@@ -152,7 +152,7 @@ pub(crate) struct ObjectiveScene<'a> {
     pub surveys: &'a [Survey],
     pub world: &'a World,
     pub marks: &'a [Mark],
-    /// Each vehicle's link margin in dB; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty if the mission does not model the radio.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub releases: &'a [Release],
     /// The actions on the plans on board.

@@ -81,7 +81,7 @@ pub struct MissionSite {
     pub(crate) zones: Vec<Zone>,
     pub(crate) places: Vec<(String, Point)>,
     pub(crate) hazards: Vec<Box<dyn Hazard>>,
-    /// The radio model; `None` if radio does not matter.
+    /// The radio model; `None` if the mission does not model the radio.
     pub(crate) radio: Option<radio::Radio>,
 }
 

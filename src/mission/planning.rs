@@ -21,7 +21,7 @@ pub(crate) struct PlanLog {
 #[derive(Debug, Clone, Copy)]
 struct PlanRow {
     is_rehearsal: bool,
-    /// When it was given, or last seen waiting: a rehearsal waits for uploads.
+    /// When the command was given, or last seen waiting: a rehearsal waits for uploads.
     begun: Duration,
     /// When its end was seen, and in which state.
     ended: Option<(Duration, RowState)>,
@@ -169,7 +169,7 @@ mod tests {
         let rehearsal = watch.give("1 plan rehearse");
         watch.end(rehearsal, RowState::Queued);
         watch.end(change, RowState::Done);
-        // It may begin and end between two checks.
+        // A rehearsal may begin and end between two checks.
         watch.end(rehearsal, RowState::Done);
         assert!(watch.log.is_rehearsed(1));
     }

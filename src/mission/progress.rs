@@ -67,7 +67,7 @@ pub struct Progress {
     pub movers: Vec<MovingThing>,
     /// Unanswered alerts, the most urgent first.
     pub alerts: Vec<OpenAlert>,
-    /// Each vehicle's link margin in dB; empty where radio does not matter.
+    /// Each vehicle's link margin in dB; empty if the mission does not model the radio.
     pub margins_db: BTreeMap<VehicleId, f64>,
 }
 
@@ -133,7 +133,7 @@ pub enum ObjectiveState {
 }
 
 impl ObjectiveProgress {
-    /// Whether it is met.
+    /// Whether the objective is met.
     pub fn is_reached(&self) -> bool {
         self.state == ObjectiveState::Met
     }

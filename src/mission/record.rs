@@ -154,7 +154,7 @@ pub(super) struct Recorder {
     newest: Option<EntryId>,
     revision: Option<u64>,
     stepped: Option<Duration>,
-    /// The number of simulator steps so far, if its time is not the mission's.
+    /// The number of simulator steps so far, if the simulator's time is not the mission's.
     simulated: Option<u64>,
     /// Whether the newest step has a line.
     is_step_written: bool,
@@ -182,7 +182,7 @@ impl Recorder {
         std::mem::take(&mut self.written)
     }
 
-    /// Notes the number of simulator steps so far, if its time is not the mission's.
+    /// Notes the number of simulator steps so far, if the simulator's time is not the mission's.
     pub fn note_simulated(&mut self, steps: u64) {
         self.simulated = Some(steps);
     }

@@ -41,7 +41,7 @@ impl Marks {
         new
     }
 
-    /// Withdraws the nearest report within reach.
+    /// Withdraws the nearest report within reach; `None` if there is none.
     pub fn remove(&mut self, at: Point) -> Option<Mark> {
         let distances = self.0.iter().map(|mark| distance_m(mark.at, at));
         let (index, distance) = distances.enumerate().min_by(|a, b| a.1.total_cmp(&b.1))?;

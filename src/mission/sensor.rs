@@ -32,7 +32,7 @@ pub(crate) enum Work {
 }
 
 impl Sensor {
-    /// Its measuring properties, if it is a probe.
+    /// The sensor's measuring properties, if it is a probe.
     pub fn probe(&self) -> Option<&ProbeSpec> {
         match &self.work {
             Work::Probe(spec) => Some(spec),
@@ -40,7 +40,7 @@ impl Sensor {
         }
     }
 
-    /// Its detection properties, if it is a detector.
+    /// The sensor's detection properties, if it is a detector.
     pub fn detector(&self) -> Option<&DetectorSpec> {
         match &self.work {
             Work::Probe(_) => None,
@@ -48,13 +48,14 @@ impl Sensor {
         }
     }
 
-    /// The width of the strip that it covers at a height above the ground; `None` for a probe.
+    /// The width of the strip that the sensor covers at a height above the ground; `None` for a
+    /// probe.
     pub fn swath_m(&self, height_m: f64) -> Option<f64> {
         self.detector().map(|spec| spec.swath_m(height_m))
     }
 
-    /// Whether it can replace another one. A camera can replace any camera of the same band; a finer one merely works
-    /// from a greater height.
+    /// Whether the sensor can replace another one. A camera can replace any camera of the same
+    /// band; a finer one merely works from a greater height.
     pub fn stands_in_for(&self, other: &Self) -> bool {
         match (self.detector(), other.detector()) {
             (Some(DetectorSpec::Camera(one)), Some(DetectorSpec::Camera(other))) => {

@@ -1,4 +1,4 @@
-//! The competencies of a swarm operator that missions require and objectives show.
+//! The competencies of a swarm operator that missions require and objectives demonstrate.
 
 use serde::{Deserialize, Serialize};
 use strum::{EnumString, IntoStaticStr, VariantArray};
@@ -59,7 +59,7 @@ impl Skill {
         self.into()
     }
 
-    /// The skill with a code.
+    /// The skill with this code, if any.
     pub fn of(code: &str) -> Option<Self> {
         code.parse().ok()
     }

@@ -29,14 +29,15 @@ pub(crate) struct UsageLook {
 #[derive(Debug, Clone)]
 pub(crate) struct VehicleUsage {
     totals: VehicleUse,
-    /// The place where it stands still, and for how long.
+    /// The place where it stands still, and how long it has stood there.
     anchor: [f64; 3],
     still_for: Duration,
     /// How long it has been productive since its last command; `None` if it is not.
     neglected_for: Option<Duration>,
     /// How long it has been waiting for its next command; `None` if it is not.
     waiting_for: Option<Duration>,
-    /// The time in the air so far in which it was productive after a command; then the time in which it waited for one.
+    /// The total time in the air in which it was productive after a command, and the total in which
+    /// it waited for one.
     neglected: Duration,
     waited: Duration,
 }
@@ -166,7 +167,7 @@ mod tests {
         let (mut usage, mut times) = (VehicleUsage::new(1), SwarmTimes::default());
         step(&mut usage, &mut times, 40, |_| 0.0);
         let before = usage.load().neglected;
-        // It needs a second to move.
+        // The vehicle needs a second to start moving.
         step(&mut usage, &mut times, 31, |t| (t - 1.0).max(0.0) * 4.0);
         let worked = usage.load().neglected.saturating_sub(before);
         assert!(worked > Duration::from_secs(30), "{worked:?}");

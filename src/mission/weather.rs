@@ -25,7 +25,7 @@ impl Wind {
     }
 }
 
-/// The light, which sets what cameras see.
+/// The light conditions, which determine what cameras can see.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Light {
     Day,

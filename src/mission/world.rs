@@ -129,7 +129,8 @@ impl World {
         })
     }
 
-    /// The kinds to report of a hazard, in words of [`Deed::KINDS`](crate::commands::Deed::KINDS).
+    /// The kinds of object to report for a hazard; see
+    /// [`Deed::KINDS`](crate::commands::Deed::KINDS) for their names.
     pub fn kinds(&self, hazard: usize) -> impl Iterator<Item = FindKind> {
         let of_it = self.sought.iter().filter(move |(_, of)| *of == hazard);
         of_it.map(|(kind, _)| *kind)
@@ -143,12 +144,12 @@ impl World {
         sought.any(|&(known, hazard)| known == kind && here(hazard))
     }
 
-    /// The hazard with an index in the file.
+    /// The hazard with this index in the file.
     pub fn field(&self, hazard: usize) -> Option<&dyn Field> {
         self.fields.get(hazard).map(AsRef::as_ref)
     }
 
-    /// The pieces of truth that the debrief shows, each with the index of its hazard in the file.
+    /// The pieces of truth that the debrief shows, each with its hazard's index in the file.
     pub fn truth(&self) -> impl Iterator<Item = (usize, TruthPiece)> + '_ {
         let fields = self.fields.iter().enumerate();
         fields.flat_map(|(hazard, field)| field.truth().into_iter().map(move |t| (hazard, t)))

@@ -14,7 +14,7 @@ pub(crate) struct Zone {
     pub shape: Shape,
     /// Whether it is active from the start; events switch zones on and off.
     pub active: bool,
-    /// The maximum by which the seed moves it on each axis, in metres.
+    /// The maximum distance by which the seed moves it on each axis, in metres.
     pub jitter_m: f64,
 }
 
@@ -73,7 +73,7 @@ pub(crate) enum ZoneKind {
 }
 
 impl ZoneKind {
-    /// The ceiling of a fence, in metres.
+    /// The ceiling of a fence, in metres; `None` without a ceiling, and for other zones.
     pub fn fence_ceiling_m(self) -> Option<f64> {
         match self {
             Self::Geofence { ceiling_m } => ceiling_m,

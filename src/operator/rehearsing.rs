@@ -176,7 +176,7 @@ impl PlanRehearsal {
         self.crew.iter().map(|it| it.seat.vehicle).collect()
     }
 
-    /// Gives a vehicle those of the parameters read from it that decide how it flies.
+    /// Stores those of a vehicle's parameters that determine how it flies.
     pub fn set_parameters(&mut self, vehicle: VehicleId, list: &Arc<ParameterList>) {
         let value = |name: &str| list.get(name).map(|known| known.value);
         let members = self.crew.iter_mut();
@@ -201,8 +201,8 @@ impl PlanRehearsal {
         }
     }
 
-    /// Gives the vehicles their airframes, in the order of their numbers; the last one applies to all further
-    /// vehicles.
+    /// Sets the airframe of each vehicle: the first one is that of vehicle 1, and so on; the last
+    /// one applies to all further vehicles.
     pub fn set_airframes(&mut self, airframes: &[Arc<Airframe>]) {
         for member in &mut self.crew {
             let seat = usize::from(member.seat.vehicle).saturating_sub(1);

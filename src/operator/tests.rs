@@ -128,7 +128,7 @@ fn setting(name: &str, stake: Stake, rules: &str) -> Vec<RowState> {
     answered(&format!("2 param set {name} 0"), stake, rules)
 }
 
-/// The states of a line's rows in a flight; none if it goes to the vehicle.
+/// The states of a line's rows in a flight; none if the line goes to the vehicle.
 fn answered(line: &str, stake: Stake, rules: &str) -> Vec<RowState> {
     let source = include_str!("../../missions/00-first-flight.toml");
     let source = source.replacen("[rules]\n", &format!("[rules]\n{rules}\n"), 1);

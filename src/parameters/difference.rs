@@ -62,8 +62,9 @@ pub fn differences<'a>(
     found.collect()
 }
 
-/// Whether a parameter identifies one vehicle or counts its use: its system id, the ids of its sensors, its hours. It
-/// must not be copied: two vehicles with one system id receive each other's commands.
+/// Whether a parameter identifies one vehicle or counts its use: its system id, the ids of its
+/// sensors, its hours. It must not be copied: two vehicles with the same system id receive each
+/// other's commands.
 pub fn is_the_vehicles_own(name: &str) -> bool {
     matches!(name, "SYSID_THISMAV" | "MAV_SYSID" | "FORMAT_VERSION")
         || name.starts_with("STAT_")

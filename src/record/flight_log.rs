@@ -27,7 +27,8 @@ impl FlightLog {
         }
     }
 
-    /// Adds a frame, unless it contains a secret. A time before the last entry's is raised to it.
+    /// Adds a frame, unless it contains a secret. A time earlier than that of the last entry is
+    /// raised to it.
     pub fn note_frame(&mut self, at: Duration, frame: &[u8]) {
         self.last_at = self.last_at.max(at);
         let since = u64::try_from(self.last_at.as_micros()).unwrap_or(u64::MAX);
@@ -38,7 +39,7 @@ impl FlightLog {
         );
     }
 
-    /// Adds a line to the journal. A time before the last entry's is raised to it.
+    /// Adds a line to the journal. A time earlier than that of the last entry is raised to it.
     pub fn note(&mut self, at: Duration, what: Happening) {
         self.last_at = self.last_at.max(at);
         let line = JournalLine::new(self.last_at, what);

@@ -48,8 +48,8 @@ impl JournalLine {
         Duration::from_micros(self.us)
     }
 
-    /// Whether its time is possible after the line before it. Without a limit, one damaged digit could make a replay
-    /// last for centuries.
+    /// Whether its time is possible after that of the previous line. Without a limit, one damaged
+    /// digit could make a replay last for centuries.
     pub(super) fn can_follow(&self, before: Duration) -> bool {
         let is_short = match self.what {
             Happening::Mission { ms } => Duration::from_millis(ms) <= LONGEST_SILENCE,
@@ -85,7 +85,7 @@ pub enum Happening {
     Entry(EntryLine),
     /// The state of a command has changed for one vehicle.
     Row(RowLine),
-    /// A notice that neither telemetry nor the mission repeats.
+    /// A notice that a replay cannot derive from telemetry or the mission.
     Notice(NoticeLine),
     /// The radio between a vehicle and the console has changed to this state.
     Loss(LossLine),

@@ -105,7 +105,8 @@ impl Contents {
         Some((last, shown.find(|at| *at > now)?))
     }
 
-    /// The frame that shows the first moment of these kinds between two times, in either direction.
+    /// The frame that shows the first moment of these kinds between two times, in either direction;
+    /// `None` if there is none.
     pub fn between(&self, from: Duration, to: Duration, kinds: &[MomentKind]) -> Option<Duration> {
         let stops = |it: &&Moment| kinds.contains(&it.kind);
         let times = self.moments.iter().filter(stops).map(|it| it.at);

@@ -106,7 +106,8 @@ fn whole(to: &Path, write: impl FnOnce(&Path) -> io::Result<()>) -> io::Result<(
     written
 }
 
-/// The records of a recording by the time of day; damaged ones are skipped.
+/// The records of a recording, with their times of day corrected for pauses; damaged ones are
+/// skipped.
 pub(super) fn records(film: &Film) -> Result<impl Iterator<Item = TlogRecord>, Text> {
     let pieces = film.reader(0, None)?.map_while(Result::ok);
     let began = film.began_unix_us();

@@ -20,8 +20,8 @@ use crate::text::Text;
 
 /// The initial time between key frames.
 const KEY_EVERY: Duration = Duration::from_secs(10);
-/// The maximum number of key frames kept; beyond that, every other one is dropped. Each has a few kilobytes per
-/// vehicle, and twenty more for its curves.
+/// The maximum number of key frames kept; beyond that, every other one is dropped. Each takes a few
+/// kilobytes per vehicle, and another twenty for its curves.
 const MOST_KEYS: usize = 240;
 
 /// A snapshot at one time.

@@ -11,10 +11,12 @@ use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::wire::{AUTOPILOT_COMPONENT, Decoder};
 
-/// Joins a log to a recording. The log belongs to the vehicle that it names, unless `vehicle` names another one.
+/// Joins a log to a recording. `vehicle` is needed only if the log does not name its vehicle and
+/// the recording has several.
 ///
 /// # Errors
-/// The file is not a log, its vehicle is not in the recording, or it is from another time.
+/// The file is not a log, `vehicle` is missing or differs from the vehicle that the log names, the
+/// vehicle is not in the recording, or the log is from another time.
 pub fn join_log(
     film: &Film,
     bytes: &[u8],

@@ -70,7 +70,7 @@ impl Lookout {
         is_news.then(|| self.found.clone())
     }
 
-    /// Handles the events of one step and the resulting console.
+    /// Handles the events of one step and the resulting state of the console.
     pub fn watch(&mut self, now: Duration, events: &[Event], state: &State) {
         let mut has_moved = false;
         for event in events {

@@ -198,8 +198,8 @@ impl Stage {
         self.cast.is_at_end && self.cast.next_line >= self.lines().len()
     }
 
-    /// Converts a time stamp to a time of the recording. If the recorder's clock was set, the next record counts as
-    /// being one second later than the last.
+    /// Converts a timestamp to a time of the recording. If the recorder's clock was set, the next
+    /// record counts as being one second later than the last.
     fn time_of(&mut self, unix_us: u64) -> Duration {
         let cast = &mut self.cast;
         let since_us = unix_us.saturating_sub(self.film.began_unix_us());

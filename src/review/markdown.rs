@@ -104,7 +104,7 @@ impl MarkdownPage<'_> {
         self.locale.say(id)
     }
 
-    /// The mission, its seed, the attempt and the trainee.
+    /// Writes the mission, its seed, the attempt and the trainee.
     fn flown(&mut self, report: &Report, trainee: Option<&str>) {
         let mission = text!(
             "review-mission",

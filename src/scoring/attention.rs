@@ -80,7 +80,7 @@ pub fn attention_value(alerts: &[AlertFact]) -> Option<f64> {
     (total > 0.0).then(|| weighted.sum::<f64>() / total)
 }
 
-/// The value, and the alert with the greatest effect on it, as text.
+/// The value, and the alert with the greatest effect on it, as text; `None` without alerts.
 pub(super) fn value_and_words(alerts: &[AlertFact]) -> Option<(f64, Text)> {
     let value = attention_value(alerts)?;
     let words = match worst(alerts) {
@@ -107,7 +107,8 @@ pub(super) fn advice(alerts: &[AlertFact]) -> Option<Text> {
     ))
 }
 
-/// The alert with the greatest loss, and the number of late ones.
+/// The late alert with the greatest loss, and the number of late ones; `None` if all were answered
+/// in time.
 fn worst(alerts: &[AlertFact]) -> Option<(&AlertFact, usize)> {
     let late = || alerts.iter().filter(|alert| !alert.is_in_time());
     let cost = |alert: &&AlertFact| alert.level.weight() * (1.0 - alert.value());

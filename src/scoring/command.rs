@@ -21,7 +21,8 @@ pub struct CommandTally {
     pub given: u32,
     /// Accepted, with an effect.
     pub accepted: u32,
-    /// Accepted without an effect, because the goal was already met; such commands do not outweigh faults.
+    /// Accepted without an effect, because the goal was already met; such commands do not offset
+    /// faults.
     pub empty: u32,
     /// Refused, or unanswered by a vehicle with a link.
     pub rejected: u32,
@@ -121,7 +122,7 @@ pub enum CommandEvent {
 }
 
 impl CommandLog {
-    /// Mission time of the last command.
+    /// Mission time of the last command; `None` before the first.
     pub fn last_given(&self) -> Option<Duration> {
         self.last_given
     }

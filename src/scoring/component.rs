@@ -90,8 +90,9 @@ impl Weights {
         self.0[component as usize]
     }
 
-    /// The weights of the components that apply. The weight of utilisation goes to safety if there is a single vehicle;
-    /// those of other missing components are distributed over the rest in proportion.
+    /// The weights of the components that apply. The weight of utilisation goes to safety if there
+    /// is a single vehicle; those of other missing components are distributed over the others in
+    /// proportion.
     fn applied(&self, applies: [bool; 8], vehicles: usize) -> [f64; 8] {
         let mut weights = self.0;
         if vehicles <= 1 {

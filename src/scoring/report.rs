@@ -267,7 +267,7 @@ pub struct UseReport {
     pub productive_s: f64,
     /// The part of the air time without a task for more than [`IDLE_AFTER`](crate::scoring::IDLE_AFTER) at a time.
     pub idle_s: f64,
-    /// Whether it fell or was made to fall.
+    /// Whether it crashed or was disarmed in the air.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub crashed: bool,
 }

@@ -187,7 +187,8 @@ pub struct SafetyLog {
 }
 
 impl SafetyLog {
-    /// Notes a breach at this moment. Repeated calls extend the event; true for a new one.
+    /// Notes a breach at this moment; repeated calls extend the event. Returns `true` for a new
+    /// event.
     pub fn note(
         &mut self,
         kind: SafetyKind,

@@ -78,7 +78,7 @@ impl SwarmTimes {
     }
 }
 
-/// The median; of two middle values, the lower.
+/// The median; of two middle values, the lower. `None` without values.
 fn median(times: &[Duration]) -> Option<Duration> {
     let mut sorted = times.to_vec();
     sorted.sort_unstable();

@@ -76,7 +76,7 @@ pub(super) fn value_and_words(uses: &[VehicleUse]) -> (f64, Text) {
     (value, words)
 }
 
-/// Advice on the use of the vehicles; `None` if all were used.
+/// Advice on the use of the vehicles; `None` if all were used well.
 pub(super) fn advice(uses: &[VehicleUse]) -> Option<Text> {
     let unused = uses.iter().find(|one| one.airborne.is_zero());
     let idle = || {

@@ -120,7 +120,7 @@ impl WorkloadCourse {
         self.answers.push(WorkloadAnswer { at_s, level });
     }
 
-    /// The newest question that was answered.
+    /// The newest question that was answered, counted from 1, if any was.
     pub fn answered_question(&self) -> Option<u64> {
         let answers = self.answers.iter().rev();
         answers

@@ -50,7 +50,7 @@ impl Acknowledgement {
 
 /// Acknowledgements that may still arrive for commands that no longer wait for them. If they were
 /// not tracked, the late answer to an arm command would be mistaken for the answer to the kill that
-/// replaced it: both are one `MAV_CMD`.
+/// replaced it: both have the same `MAV_CMD`.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OwedAcks(Vec<(u16, Duration)>);
 

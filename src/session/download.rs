@@ -29,7 +29,8 @@ const FRUITLESS: u16 = 24;
 const PLACE_COST: Duration = Duration::from_millis(30);
 /// After this many lists with many losses, only single values are requested.
 const LISTS: u8 = 4;
-/// How many times a list is read again because the number of parameters has changed.
+/// The maximum number of times that a list is read again because the number of parameters has
+/// changed.
 const RESTARTS: u8 = 3;
 
 /// The phase of a download.
@@ -280,7 +281,7 @@ fn round_trip(vehicle: &Vehicle) -> Duration {
     vehicle.link.round_trip.unwrap_or_default()
 }
 
-/// Requests a parameter by its index.
+/// A request for a parameter by its index.
 fn read(vehicle: &Vehicle, index: u16) -> Outgoing {
     MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: index as i16,

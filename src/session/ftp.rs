@@ -118,7 +118,7 @@ impl FtpClient {
         ticket
     }
 
-    /// Drops a task and closes a file that it has opened. The task gives no more events.
+    /// Drops a task and closes a file that it has opened. The task causes no further events.
     pub fn cancel(&mut self, ticket: FtpTicket) {
         self.waiting.retain(|(waiting, _)| *waiting != ticket);
         if let Some(job) = self.job.take_if(|job| job.ticket == ticket) {
@@ -137,8 +137,8 @@ impl FtpClient {
         self.job.is_some() || !self.waiting.is_empty()
     }
 
-    /// Handles what the vehicle's server has sent, if anything, and advances time. `round_trip` is the delay of the
-    /// link there and back.
+    /// Handles the answer of the vehicle's server, if there is one, and advances time. `round_trip`
+    /// is the round-trip time of the link.
     pub fn step(
         &mut self,
         incoming: Option<&FtpPayload>,

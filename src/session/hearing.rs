@@ -14,7 +14,7 @@ use crate::wire::{ComponentId, Content, Frame, LossMeter};
 pub const LOST_AFTER: Duration = Duration::from_millis(2500);
 
 const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;
-/// The autopilot type of a component without one.
+/// The autopilot type of a component without an autopilot.
 const AUTOPILOT_NONE: u8 = MavAutopilot::MAV_AUTOPILOT_INVALID as u8;
 
 /// The autopilot's component id, if the frame is a heartbeat of a vehicle.

@@ -106,7 +106,7 @@ impl Line {
         }
     }
 
-    /// Notes that an acknowledgement may come that no order waits for.
+    /// Notes that an acknowledgement may arrive for which no order waits.
     pub fn expect_ack(&mut self, command: u16, now: Duration) {
         self.owed.add(command, 1, now);
     }
@@ -180,7 +180,7 @@ impl Line {
             let Some(active) = &mut self.active else {
                 continue;
             };
-            // Polled in place, not moved: it is large, and waits in most steps.
+            // The transaction is polled in place, not moved: it is large, and waits in most steps.
             let progress = active.poll(moment.vehicle, now, moment.output);
             if progress == Progress::Waiting {
                 break;
@@ -223,7 +223,7 @@ impl Line {
     /// Checks for awaited effects, and whether another source has taken control.
     fn watch(&mut self, moment: &mut Moment) {
         let (vehicle, now) = (&*moment.vehicle, moment.now);
-        // A change that our own order is about to cause is not another source.
+        // A change that our own order is about to cause does not come from another source.
         let is_ours = self
             .active
             .as_ref()
@@ -258,7 +258,7 @@ impl Line {
         }
     }
 
-    /// The row update when the last order's effect has ended.
+    /// The row update if another source has ended the last order's effect.
     fn ended(&self, vehicle: &Vehicle, now: Duration) -> Option<RowUpdate> {
         let holding = self.holding.as_ref()?;
         let by = holding.claim.contradicted(vehicle)?;

@@ -36,7 +36,7 @@ impl Lists {
         self.reader.only_follow();
     }
 
-    /// Takes the files of orders from `shelf`, and writes them there.
+    /// Reads and writes the files of orders through `shelf`.
     pub fn take_from(&mut self, shelf: Arc<dyn PlanShelf>) {
         self.orders.take_from(shelf);
     }

@@ -60,7 +60,7 @@ struct LogsJob {
 #[derive(Debug, Clone)]
 enum LogsPhase {
     Listing(Listing),
-    /// The list has been read; a vehicle that offers files is asked for those of its logs.
+    /// The list has been read; if the vehicle offers files, those of its logs are searched for.
     Searching(Box<FileSearch>),
     Reading(Box<Reading>),
 }

@@ -36,8 +36,8 @@ impl Renamed {
     }
 }
 
-/// Replaces the parameter's name in an order by the vehicle's. False if the vehicle must be asked first: vehicles
-/// ignore unknown names.
+/// Replaces the parameter's name in an order by the vehicle's. Returns `false` if the vehicle must
+/// be asked first: vehicles ignore unknown names.
 pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
     let (name, value) = match &mut order.command {
         Command::Parameter(ParameterCommand::Get { name }) => (name, None),

@@ -90,7 +90,7 @@ impl PlanOrders {
         self.waiting.push_back(order);
     }
 
-    /// Begins to read what is on board, because the link was down or the vehicle has rebooted.
+    /// Begins to read the list on board, because the link was down or the vehicle has rebooted.
     pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
         if let Some(job) = &mut self.job {
             job.begin_anew(ftp, now);
@@ -145,13 +145,14 @@ impl PlanOrders {
         desk.output.reports.extend(notices.map(Report::Notice));
     }
 
-    /// Sends the next list of the mission. The vehicle must have a home by then: it is read back as item 0 of the plan.
+    /// Sends the next list of the mission. The vehicle must have a home by then: the home is read
+    /// back as item 0 of the plan.
     fn begin_stock(&mut self, desk: &mut Desk<'_>) {
         let is_ready = desk.vehicle.heartbeat.is_some() && desk.vehicle.home.is_some();
         let Some((command, document)) = self.stock.upload().filter(|_| is_ready) else {
             return;
         };
-        // It is not checked: a mission may put faulty lists on board.
+        // The list is not checked: a mission may put faulty lists on board.
         let list = PlanOrderGoal {
             items: Some(whole(&document, command.kind)),
             ..PlanOrderGoal::default()

@@ -2,13 +2,12 @@
 //! and again after changes. An operator's orders about them are in
 //! [`plan_orders`](super::plan_orders).
 //!
-//! Only one list is read at a time, and only one question is open. A list has changed when
+//! Only one list is read at a time, and only one request is outstanding. A list has changed when
 //! `MISSION_CURRENT` contains another count or id, or when the vehicle has accepted another
 //! program's upload. `ArduPilot` gives no ids, but reports changes in texts and by its parameters
-//! `FENCE_TOTAL` and `RALLY_TOTAL`. An upload of the same length over another link shows in none of
-//! these, so a list without an id is read again periodically. A list that the vehicle does not
-//! offer is not requested; a failed one is requested again at growing intervals, and then
-//! abandoned.
+//! `FENCE_TOTAL` and `RALLY_TOTAL`. None of these shows an upload of the same length over another
+//! link, so a list without an id is read again periodically. A list that the vehicle does not offer
+//! is not requested; a failed one is requested again at growing intervals, and then abandoned.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -70,7 +69,7 @@ const NO_INDEX: u16 = u16::MAX;
 /// Reads the lists of one vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct PlanReader {
-    /// Whether it requests nothing and reads what is answered to others, as in a recording.
+    /// Whether it requests nothing and only reads the answers to other stations, as in a recording.
     only_follows: bool,
     /// When the vehicle was first heard.
     heard_at: Option<Duration>,
@@ -84,8 +83,8 @@ pub(super) struct PlanReader {
     /// Lists that the vehicle has refused: they are not requested again.
     refused: [bool; 3],
     download: Option<Download>,
-    /// The lists that the user knows to be on board: as first read, or as last read or written by an order. Another
-    /// program's list that is read in the background is not.
+    /// The lists that the user knows to be on board: as first read, or as last read or written by
+    /// an order. A list of another program that is read in the background is not one of them.
     acknowledged: [Option<Vec<Item>>; 3],
     /// The count and the ids in `MISSION_CURRENT`.
     announced: Option<[u32; 4]>,
@@ -101,7 +100,7 @@ impl PlanReader {
         };
     }
 
-    /// Requests nothing from now on, but still reads answers to others.
+    /// Requests nothing from now on, but still reads the answers to other stations.
     pub fn only_follow(&mut self) {
         self.only_follows = true;
     }
@@ -139,8 +138,8 @@ impl PlanReader {
         self.acknowledged[kind as usize].as_deref()
     }
 
-    /// Takes the next list that is read as the known one: after a transfer with an unknown outcome, it does not count
-    /// as changed by another program.
+    /// Accepts the next list read as the one known to the user: after a transfer with an unknown
+    /// outcome, it does not count as changed by another program.
     pub fn forget_acknowledged(&mut self, kind: ListKind) {
         self.acknowledged[kind as usize] = None;
     }

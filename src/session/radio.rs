@@ -89,7 +89,7 @@ impl Channel {
             || self.fault.loss > 0.0 && self.random.random::<f64>() < self.fault.loss
     }
 
-    /// Accepts a frame from the vehicle; false if it is lost.
+    /// Accepts a frame from the vehicle; returns `false` if it is lost.
     pub fn hear(&mut self, frame: &Frame, now: Duration) -> bool {
         let passes = !self.loses();
         if passes {
@@ -122,7 +122,7 @@ impl Channel {
     }
 }
 
-/// The vehicle's position in a frame.
+/// The vehicle's position, if the frame contains one.
 pub(super) fn position(frame: &Frame) -> Option<Unheard> {
     let Content::Message(MavMessage::GLOBAL_POSITION_INT(data)) = &frame.content else {
         return None;

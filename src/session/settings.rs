@@ -16,7 +16,7 @@ use crate::plan::Document;
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame, Outgoing};
 
-/// The first time-out of an answer.
+/// The initial time-out for an answer.
 const FIRST_PATIENCE: Duration = Duration::from_millis(400);
 /// The longest time-out; it grows while the vehicle does not answer.
 const LONGEST_PATIENCE: Duration = Duration::from_secs(5);

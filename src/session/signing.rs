@@ -38,7 +38,7 @@ pub trait KeyDesk: Debug + Send + Sync {
     /// The key cannot be made or written; nothing must be sent then.
     fn begin(&self, vehicle: SystemId, change: SigningChange) -> Result<(), Text>;
 
-    /// The message that gives a vehicle a key; `None` if there is no such key.
+    /// The message that gives a vehicle a key or removes its key; `None` if there is no such key.
     fn message(&self, vehicle: MavAddress, which: SentKey) -> Option<Outgoing>;
 
     /// Notes that the vehicle has proved a change.

@@ -57,7 +57,7 @@ const AUTOPILOT_VERSION: u32 = AUTOPILOT_VERSION_DATA::ID;
 
 /// The time over which rates are measured.
 const WINDOW: Duration = Duration::from_secs(4);
-/// The time of the first measurement, shorter so that a new vehicle's telemetry appears soon.
+/// The length of the first measurement: short, so that a new vehicle's telemetry appears soon.
 const FIRST_LOOK: Duration = Duration::from_millis(150);
 /// How many times a message is requested.
 const TRIES: u32 = 3;

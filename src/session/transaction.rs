@@ -32,9 +32,9 @@ enum TransactionPhase {
     /// Sent, awaiting the answer.
     AwaitingAnswer {
         deadline: Duration,
-        /// The vehicle works on it, so it is not sent again.
+        /// The vehicle is working on the command, so the command is not sent again.
         in_progress: bool,
-        /// The vehicle rejected it temporarily, so it is worth another attempt.
+        /// The vehicle rejected the command temporarily, so another attempt is worthwhile.
         rejected: bool,
     },
     /// Refused; the reason may still come.
@@ -49,7 +49,8 @@ enum TransactionPhase {
         repeated: u8,
     },
     Done,
-    /// Refused, unanswered, without effect, or taken over.
+    /// Refused, timed out, without effect, or ended because another source has taken over the
+    /// vehicle.
     Over,
 }
 
@@ -142,7 +143,7 @@ impl Transaction {
         self.order.verb
     }
 
-    /// Whether it decides where the vehicle flies.
+    /// Whether it was accepted and decides where the vehicle flies.
     pub fn moves_the_vehicle(&self) -> bool {
         self.is_accepted && self.order.verb.movement.moves()
     }
@@ -167,7 +168,7 @@ impl Transaction {
         self.order.verb.movement.gives_way()
     }
 
-    /// The command with acknowledgements that may still arrive although none is expected, and their number.
+    /// The command whose acknowledgements may still arrive if it is dropped now, and their number.
     pub fn owed_acks(&self) -> Option<(u16, u8)> {
         match (&self.request.answer, self.phase) {
             (Answer::Ack(command), TransactionPhase::AwaitingAnswer { .. }) => {
@@ -189,8 +190,8 @@ impl Transaction {
         }
     }
 
-    /// Ends the command if another source has taken control of the vehicle, unless one of the console's orders causes
-    /// the change.
+    /// Ends the command if telemetry contradicts its claim after having agreed with it: another
+    /// source has taken control of the vehicle.
     pub fn yield_to_others(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
         let by = self.claim.contradicted(vehicle);
         match by {

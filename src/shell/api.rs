@@ -109,12 +109,12 @@ struct Program {
     outbox: mpsc::Sender<String>,
     /// News for which the queue had no room: the rest of one batch, as further news waits until it is sent.
     held: VecDeque<String>,
-    /// Whether a notice has told the user that the program gives commands.
+    /// Whether the user has been notified that the program gives commands.
     is_noticed: bool,
 }
 
 impl Program {
-    /// Sends the news in order, as far as the queue has room; the rest is held.
+    /// Sends the news in order, as far as the queue has room, and holds the remaining news.
     fn send(&mut self, news: &[Message]) {
         self.held.extend(news.iter().map(Message::line));
         while let Some(line) = self.held.pop_front() {

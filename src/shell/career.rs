@@ -79,7 +79,7 @@ impl Console {
         self.show_career();
     }
 
-    /// The profile whose flights are stored now, by name.
+    /// The name of the profile whose flights are stored now; `None` without a profile.
     pub(super) fn trainee(&self) -> Option<&str> {
         self.careers.as_ref()?.name()
     }

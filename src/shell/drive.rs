@@ -11,8 +11,9 @@ use super::{Console, ConsoleOptions, key};
 use crate::app::event::TerminalEvent;
 use crate::terminal::Screen;
 
-/// Runs the console without a terminal and without a user, for measurements. At each of the given times, a line is
-/// entered on the command line. After every tick, `look` gets the bytes drawn so far.
+/// Runs the console without a terminal and without a user, for measurements. At each of the given
+/// times, a line is entered on the command line. After every tick, `look` receives the bytes drawn
+/// so far.
 ///
 /// # Errors
 /// Drawing failed.

@@ -9,7 +9,7 @@ use crate::text;
 use crate::text::Text;
 
 impl Console {
-    /// Reads or writes a file of parameters or of a design.
+    /// Carries out an effect on the user's files, such as reading parameters or listing a folder.
     pub(super) fn handle_file(&mut self, effect: FileEffect) {
         let event = match effect {
             FileEffect::List { folder } => {

@@ -20,7 +20,7 @@ use crate::store::{self, RecordFiles, Records, read_run};
 use crate::text;
 use crate::text::Text;
 
-/// The work on a ghost under way.
+/// The thread that fetches a ghost.
 pub(super) type GhostWork = JoinHandle<Result<Ghost, Text>>;
 
 /// The mission in flight or in replay.

@@ -14,7 +14,7 @@ use crate::workshop::Design;
 /// Attempts by mission, oldest first.
 pub type Tries = BTreeMap<String, Vec<TryReport>>;
 
-/// Keeps only the attempts at missions' current revisions.
+/// Keeps only the attempts at the current revisions of missions.
 pub fn current(mut tries: Tries, missions: &[MissionListing]) -> Tries {
     tries.retain(|id, tries| {
         let mission = missions.iter().find(|mission| mission.id == *id);

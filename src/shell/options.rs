@@ -35,7 +35,7 @@ pub struct ConsoleOptions {
     pub backend: VehicleBackend,
     /// ArduPilot's SITL, if it is available for a choice on the home screen.
     pub ardupilot: Option<SitlSource>,
-    /// Simulated vehicles in free flight.
+    /// The number of simulated vehicles in free flight.
     pub vehicles: u8,
     /// The seed of missions and simulation; `None` for a random one.
     pub seed: Option<u64>,
@@ -53,7 +53,8 @@ pub struct ConsoleOptions {
 }
 
 impl ConsoleOptions {
-    /// The source of commands that flights are recorded with: a script if programs may give commands.
+    /// The source of commands that a flight's record states: a script if programs may give
+    /// commands.
     pub fn flown_by(&self) -> FlownBy {
         if self.api.as_ref().is_some_and(|api| api.commands) {
             FlownBy::Script

@@ -1,4 +1,4 @@
-//! Orders to vehicles, carried out.
+//! Carries out orders to vehicles.
 
 use std::time::Duration;
 

@@ -1,13 +1,14 @@
 //! The console without a screen: lines in, lines out, for screen readers and for pipes.
 //!
-//! It is the same console, with the same [`App`](crate::app::App) and session. The things that a screen would show are
-//! printed as lines, each once: notices, outcomes of commands, the state of objectives, the debrief. The output is
-//! plain text.
+//! It is the same console, with the same [`App`](crate::app::App) and session. Notices, outcomes of
+//! commands, the state of objectives and the debrief, which a screen would show, are printed as
+//! lines, each once. The output is plain text.
 //!
-//! A person's lines are carried out at once. From a pipe, the first line waits until the vehicles are ready. Each
-//! further line waits until the earlier commands have ended, and `wait` can delay it further. A question is answered by
-//! the next line: the answer that it names, or `no`; any other line is a command, and the question counts as a failure.
-//! The end of the pipe ends the flight. Outside of missions, a failed line makes the whole flight fail.
+//! A person's lines are carried out at once. From a pipe, the first line waits until the vehicles
+//! are ready. Each further line waits until the earlier commands have ended, and `wait` can delay
+//! it further. A question is answered by the next line: the answer that it names, or `no`; any
+//! other line is a command, and the question counts as a failure. The end of the pipe ends the
+//! flight. Outside of missions, a failed line makes the whole flight fail.
 
 use std::time::Duration;
 
@@ -297,7 +298,7 @@ impl Plain {
         }
     }
 
-    /// Carries out a line that requests a report or a wait; false for any other line.
+    /// Carries out a line that requests a report or a wait; returns `false` for any other line.
     fn carry_out_here(&mut self, line: &str) -> bool {
         let state = self.console.app.state();
         // Faults are reported where all lines are handled.

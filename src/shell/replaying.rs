@@ -18,8 +18,9 @@ use crate::text::Text;
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 
 impl Console {
-    /// Replays a recording in place of the current session, or starts with its review: the one at a path, otherwise
-    /// the current session's, otherwise the trainee's newest.
+    /// Replays a recording in place of the current session, or starts with its review. The
+    /// recording is the one at `path`, otherwise that of the current session, otherwise the
+    /// trainee's newest.
     pub(super) fn replay(&mut self, path: Option<&str>, review: bool) -> Result<(), Text> {
         if let Some(path) = path {
             let records = self.options.preferences.records.as_ref();

@@ -91,7 +91,8 @@ impl RunningSession {
         })
     }
 
-    /// Downloads all parameters of vehicles. Vehicles that cannot be asked now are asked at a later tick.
+    /// Downloads all parameters of these vehicles. Vehicles that cannot be asked now are asked at a
+    /// later tick.
     pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
             if self.fleet.fetch_parameters(vehicle).is_err() {
@@ -202,7 +203,8 @@ impl RunningSession {
         }
     }
 
-    /// Adds an event to the session's journal if neither telemetry nor the mission repeats it.
+    /// Adds an event to the session's journal, unless a replay can derive it from telemetry or the
+    /// mission.
     pub fn note_event(&self, now: Duration, event: &Event) {
         if let Event::Vehicle(event) = event
             && let Some(what) = recorder::happening(event)

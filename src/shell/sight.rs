@@ -13,7 +13,7 @@ pub(super) struct Sight {
     pub look: Look,
     /// The revision of the state in the last frame.
     drawn: Option<u64>,
-    /// A new frame limit not passed on yet.
+    /// A new frame limit to pass on to the screen, in frames per second.
     pub fps: Option<u8>,
     /// Whether the bell must ring.
     pub bell: bool,

@@ -18,7 +18,8 @@ const HEAD: &str = "\
 /// The length of a key in the file: two hexadecimal digits for each byte.
 const DIGITS: usize = 64;
 
-/// The line at which a file is not a keyring. The content is left out, because it may be a key.
+/// The line at which the text of a keyring is not valid. The content is left out, because it may be
+/// a key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct KeyringFault {
     pub line: usize,
@@ -47,7 +48,7 @@ struct VehicleRow {
     /// The key in use; by default `key`, so that a key can be added by hand.
     #[serde(default)]
     uses: Uses,
-    /// The last time stamps received, by component and link id: `1/0`.
+    /// The last timestamps received, by component and link id: `1/0`.
     #[serde(default)]
     heard: BTreeMap<String, u64>,
 }
@@ -120,7 +121,7 @@ impl Keyring {
     }
 
     /// Notes that a text of [`Self::write`] could not be written: writing is retried with the next
-    /// change of a key, or once the time stamps are used up.
+    /// change of a key, or once the timestamps are used up.
     pub fn unwritten(&mut self) {
         self.is_asked = true;
     }
@@ -146,7 +147,7 @@ impl VehicleRow {
         }
     }
 
-    /// `None` if a key or a stream is malformed.
+    /// The keys of a vehicle; `None` if a key or a stream is malformed.
     fn keys(&self) -> Option<VehicleKeys> {
         let heard = self.heard.iter().map(|(name, &stamp)| {
             let (component, link) = name.split_once('/')?;

@@ -1,4 +1,4 @@
-//! Keys and time stamps through crashes, replays and changes of the clock.
+//! Keys and timestamps through crashes, replays and changes of the clock.
 
 use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage};
 use proptest::prelude::*;
@@ -261,7 +261,7 @@ fn a_row_by_hand_needs_system_link_and_key() {
     assert_eq!(Keyring::read(""), Ok(Keyring::default()));
 }
 
-/// What can happen to the time stamps of a console.
+/// An event that affects the timestamps of a console.
 #[derive(Debug, Clone)]
 enum Turn {
     /// A message at a time of this machine, whose clock may be set.

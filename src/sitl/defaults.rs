@@ -1,8 +1,8 @@
-//! The parameters that a new vehicle lacks before it can be armed.
+//! The parameters that a new vehicle needs before it can be armed.
 //!
 //! Tested with the copter, plane, rover and sub of `ArduPilot` 4.6: with these parameters, each
-//! arms in GUIDED (a sub in MANUAL) as soon as it has a position. Names that a version does not
-//! know are silently ignored.
+//! arms in GUIDED (a sub in MANUAL) as soon as it has a position. A version silently ignores
+//! parameters that it does not have.
 
 use super::SitlKind;
 use crate::sim::Airframe;

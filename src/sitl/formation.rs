@@ -18,7 +18,7 @@ pub enum FormationShape {
     Row,
     /// One behind the other.
     Column,
-    /// Rows behind each other, about as many as there are vehicles in a row.
+    /// Rows one behind the other, with about as many rows as vehicles in a row.
     Grid,
     /// A circle, clockwise from home, with its centre behind the first vehicle.
     Circle,

@@ -89,10 +89,11 @@ fn of(kind: SitlKind) -> impl Iterator<Item = &'static SitlModel> {
     all.filter(move |model| model.kind == kind)
 }
 
-/// The model with a name, otherwise the first one that matches the number of motors and the requested parameters.
+/// The model with a name, otherwise the first one that matches the number of motors and the
+/// requested parameters.
 ///
 /// # Errors
-/// No model fits, or the named one does not; the error lists those that would.
+/// No model fits, or the named one does not; the error lists the models that fit.
 pub(super) fn choose(
     kind: SitlKind,
     name: Option<&str>,

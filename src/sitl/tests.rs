@@ -176,7 +176,7 @@ fn every_kind_has_a_model_and_parameters() {
             .expect("it fits");
         assert_eq!(command.arguments[1].split(':').next(), Some(model));
         assert!(command.files[0].1.contains("COMPASS_OFS_X 5\n"));
-        // SITL reads a line of a parameter file up to 97 characters.
+        // SITL reads at most 97 characters of a line in a parameter file.
         assert!(command.files[0].1.lines().all(|line| line.len() < 98));
     }
 }

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::{StoreError, sharing};
 
-/// A file for its owner and the readers of its folder. It is locked while it is open; the lock
-/// shows other consoles that it is still being written.
+/// A file that its owner and the readers of its folder can read. It is locked while it is open; the
+/// lock shows other consoles that it is still being written.
 #[derive(Debug)]
 pub(super) struct AppendFile {
     file: File,

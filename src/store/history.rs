@@ -33,7 +33,7 @@ impl History {
     /// The lines of earlier sessions, oldest first, each once; shortens a long file.
     ///
     /// # Errors
-    /// The file exists, but cannot be read or shortened.
+    /// The file exists, but is too large, or cannot be read or shortened.
     pub fn read(&self) -> io::Result<Vec<String>> {
         match fs::metadata(&self.path) {
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
@@ -96,7 +96,7 @@ impl History {
     }
 }
 
-/// Whether a line could come from the command line: it has no control characters.
+/// Whether a line could come from the command line: it is not blank and has no control characters.
 fn is_plain(line: &str) -> bool {
     !line.trim().is_empty() && !line.chars().any(char::is_control)
 }

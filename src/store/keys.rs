@@ -1,5 +1,5 @@
-//! The file with the keys of MAVLink signing. Only its owner may read it, and only one console uses it at a time: two
-//! would send the same time stamps.
+//! The file with the keys of MAVLink signing. Only its owner may read it, and only one console uses
+//! it at a time: two would send the same timestamps.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io;

@@ -1,6 +1,8 @@
-//! Links in paths that the program writes without being asked: the user's own are followed, those of others are not.
+//! Symbolic links in paths that the program writes on its own: links of the user are followed,
+//! those of others are not.
 //!
-//! In a folder writable by others, a link planted there could redirect a write into any of this user's files.
+//! In a folder writable by others, a link planted there could redirect a write into any of this
+//! user's files.
 
 use std::fs::{self, File, OpenOptions};
 use std::io;
@@ -28,7 +30,7 @@ pub fn open_own(options: &mut OpenOptions, path: &Path) -> io::Result<File> {
     options.custom_flags(flags).open(target)
 }
 
-/// Whether a path names an open file, such as `/dev/stdout`: its links do not lead to a folder.
+/// Whether a path names an open file, such as `/dev/stdout`, and not an entry of a folder.
 pub(super) fn is_open_file(path: &Path) -> bool {
     let is_descriptor = path.parent().is_some_and(|folder| folder.ends_with("fd"));
     let is_standard = path == Path::new("/dev/stdout") || path == Path::new("/dev/stderr");

@@ -1,4 +1,4 @@
-//! Names of files: as typed, those in a folder, and those that are not found.
+//! Names of files: as typed, in a folder, and suggestions for those that are not found.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};

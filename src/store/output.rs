@@ -173,7 +173,8 @@ fn create_file(path: &Path, text: &str, mode: u32) -> io::Result<()> {
     give_new_name(&part.path, &target)
 }
 
-/// The target of a dangling link; any other path unchanged.
+/// The path to which the links at the end of a path lead, whether it exists or not; a path that is
+/// no link is unchanged.
 ///
 /// # Errors
 /// Too many links follow one another.

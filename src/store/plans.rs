@@ -60,7 +60,7 @@ impl PlanFiles {
         Some(folder.join(format!("{vehicle}-{name}")))
     }
 
-    /// Creates the folder for kept lists.
+    /// Creates the folder for kept lists; returns whether it exists now.
     fn make_folder(&self) -> bool {
         let Some(folder) = &self.kept else {
             return false;
@@ -106,7 +106,7 @@ impl PlanShelf for PlanFiles {
 
     fn release(&self, vehicle: VehicleId, kind: ListKind) {
         if let Some(file) = self.file(vehicle, kind) {
-            // A file that cannot be removed is reported again at the next contact.
+            // A file that cannot be removed is reported again when the vehicle is next heard.
             let _ = std::fs::remove_file(file);
         }
     }

@@ -135,7 +135,7 @@ impl Profiles {
     /// A profile by name.
     ///
     /// # Errors
-    /// No profile has this name; the error lists the names.
+    /// No profile has this name (the error lists the names), or the database cannot be read.
     pub fn find(&self, name: &str) -> Result<Profile, ProfileError> {
         let mut query =
             self.ask("SELECT key, name, since, settings FROM profiles WHERE name = ?1")?;
@@ -261,7 +261,8 @@ fn profile(row: &rusqlite::Row<'_>) -> rusqlite::Result<Profile> {
         key: row.get(0)?,
         name: sanitised(&row.get::<_, String>(1)?),
         since: sanitised(&row.get::<_, String>(2)?),
-        // Unknown settings, of a newer version or edited by hand, are not worth losing a profile for.
+        // Unknown settings, from a newer version or edited by hand, must not make the profile
+        // unreadable.
         settings: serde_json::from_str(&row.get::<_, String>(3)?).unwrap_or_default(),
     })
 }

@@ -110,7 +110,7 @@ impl Records {
         self.limits
     }
 
-    /// Checks that the records can be listed. A missing folder of records in an existing data folder is an empty one.
+    /// Checks that the records can be listed. A missing folder counts as an empty one.
     ///
     /// # Errors
     /// The folder cannot be read.
@@ -151,7 +151,7 @@ impl Records {
     /// name. Without a folder of records, only files are found.
     ///
     /// # Errors
-    /// No such record, or not a file; as text.
+    /// A text if there is no such record or file.
     pub fn find(records: Option<&Self>, named: &str) -> Result<RecordFiles, Text> {
         let all = records.map(Self::list).unwrap_or_default();
         if let Ok(number) = named.parse() {
@@ -175,7 +175,7 @@ impl Records {
     /// The record with a number, the newest being 1.
     ///
     /// # Errors
-    /// There is no such record; as text.
+    /// A text if there is no such record.
     pub fn numbered(&self, number: usize) -> Result<RecordFiles, Text> {
         numbered(self.list(), number)
     }

@@ -27,7 +27,7 @@ const MOMENT: &str = "%Y-%m-%dT%H:%M:%SZ";
 pub(super) const ENDING: &str = ".run.jsonl";
 /// The suffix of the inputs of its simulated vehicles.
 pub(super) const INPUTS: &str = ".inputs.jsonl";
-/// The pattern of the time stamp at the beginning of a run's file name, with any digits.
+/// The pattern of the timestamp at the beginning of a run's file name, with any digits.
 const STAMP: &str = "0000-00-00T00-00-00Z_";
 /// The maximum number of runs; the oldest are removed first.
 const RUNS_KEPT: usize = 300;
@@ -298,7 +298,7 @@ pub(super) fn moment(text: &str) -> Option<SystemTime> {
     is_ours.then(|| UNIX_EPOCH + Duration::from_secs(seconds))
 }
 
-/// The first line of a run, and the last one if it is its end.
+/// The first line of a run, and its last line if that ends the run.
 pub(super) fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
     let file = File::open(path)?;
     let mut first = Vec::new();

@@ -198,8 +198,8 @@ struct LeftRun<'a> {
     /// When its record was last written.
     when: SystemTime,
     left: Option<LeftFlight>,
-    /// Whether the record follows from the files beside it. A flight that was left early gains
-    /// nothing, so it is not repeated.
+    /// Whether the flight, repeated from the files beside the record, matches it. A flight that was
+    /// left early gains nothing, so it is not repeated.
     is_confirmed: bool,
 }
 
@@ -285,7 +285,7 @@ fn left(head: &Head) -> Option<LeftFlight> {
     })
 }
 
-/// Whether a run follows from the files beside it.
+/// Whether a flight, repeated from the files beside its record, matches the recorded run.
 fn is_confirmed(path: &Path, stored: &Stored) -> bool {
     let files = RecordFiles::beside(path);
     let inputs = files.inputs.as_deref().and_then(|inputs| {

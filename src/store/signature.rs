@@ -130,7 +130,7 @@ impl RecordKey {
     }
 }
 
-/// The public key that checks signatures.
+/// A public key with which signatures are checked.
 #[derive(Debug)]
 pub struct RecordPublicKey(PublicKey);
 

@@ -11,7 +11,7 @@ use crate::text::Text;
 /// The maximum size of a file, in bytes: more than 3601 by 3601 points of two bytes each.
 const MOST_BYTES: u64 = 26_000_000;
 
-/// Reads the file of a square in a folder; returns false if there is none.
+/// Reads the file of a square in a folder; returns `false` if there is none.
 ///
 /// # Errors
 /// It cannot be read, or its size does not match either resolution.

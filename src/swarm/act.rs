@@ -51,7 +51,8 @@ pub(super) struct WorldView<'a> {
 /// The work once all members are in place.
 #[derive(Debug, Clone)]
 pub(super) enum Work {
-    /// Each member flies its course and is done at its end. Lanes are pairs of points, and others can take them over.
+    /// Each member flies its course and is done at its end. Lanes are pairs of points, and other
+    /// members can take them over.
     Courses {
         /// Whether the courses are lanes.
         lanes: bool,

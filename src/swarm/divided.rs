@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use crate::vehicle::{VehicleId, Vehicles};
 
-/// For each vehicle, the work that was last divided among vehicles including it.
+/// For each vehicle, the last work in which it has had a part.
 #[derive(Debug, Clone, Default)]
 pub struct DividedWork {
     /// The number of the work, from 1.
@@ -31,7 +31,7 @@ impl DividedWork {
         left
     }
 
-    /// Forgets the part of a vehicle that has got another plan, or none.
+    /// Forgets the part of a vehicle that has received another plan, or none.
     pub fn forget(&mut self, vehicle: VehicleId) {
         self.last.remove(&vehicle);
     }

@@ -125,7 +125,7 @@ impl March {
         }
     }
 
-    /// Turns onto the course; false once that is done.
+    /// Turns onto the course; returns `false` once that is done.
     fn turn(&mut self, goal: DVec3, step_s: f64, pace: f64) -> bool {
         let way = (goal - self.anchor).truncate();
         let wanted = maths::atan2(way.y, way.x);

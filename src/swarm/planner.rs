@@ -189,7 +189,7 @@ impl<'a> Planner<'a> {
         found.ok_or_else(|| text!("refused-no-position"))
     }
 
-    /// The spacing between two lines at a height.
+    /// The requested spacing of the lines, otherwise the default at a height, with a remark.
     fn line_spacing(&mut self, spacing_m: Option<f64>, up_m: f64) -> f64 {
         spacing_m.unwrap_or_else(|| {
             let metres = self.rules.line_spacing_m(up_m);
@@ -202,7 +202,10 @@ impl<'a> Planner<'a> {
         })
     }
 
-    /// Refuses a spacing below the separation.
+    /// Returns the spacing.
+    ///
+    /// # Errors
+    /// The spacing is below the separation with its margin, and there are several vehicles.
     fn roomy(&self, spacing_m: f64) -> Result<f64, Text> {
         let separation_m = self.rules.separation_m;
         let least = separation_m + MARGIN_M;

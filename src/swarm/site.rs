@@ -35,7 +35,8 @@ impl Site {
         Some(self.flat(global.at_point).extend(global.altitude_m))
     }
 
-    /// A given place in the frame; offsets from an EKF origin refer to that of the vehicle `reference`.
+    /// A given place in the frame, if it is known; offsets from an EKF origin refer to that of the
+    /// vehicle `reference`.
     pub fn spot(&self, spot: Datum, reference: &Vehicle) -> Option<DVec2> {
         match spot {
             Datum::Global(place) => place.is_valid().then(|| self.flat(place)),

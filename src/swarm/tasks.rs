@@ -63,7 +63,7 @@ impl Conductor {
     }
 }
 
-/// A task as plans for its vehicles.
+/// The plans into which a task was divided.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DividedPlans {
     pub plans: Vec<(VehicleId, Document)>,

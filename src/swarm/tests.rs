@@ -94,7 +94,7 @@ impl Stage {
         self.watch(seconds, |_| false);
     }
 
-    /// Runs until a condition is true; false if it did not become true in time.
+    /// Runs until a condition is true; returns `false` if it did not become true in time.
     fn watch(&mut self, seconds: f64, mut until: impl FnMut(&Self) -> bool) -> bool {
         let end = self.now() + Duration::from_secs_f64(seconds);
         while self.now() < end {

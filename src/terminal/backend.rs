@@ -41,7 +41,7 @@ impl FrameBackend {
         }
     }
 
-    /// Ends the frame; false if there was nothing to write.
+    /// Ends the frame; returns `false` if there was nothing to write.
     pub fn end_frame(&mut self) -> io::Result<bool> {
         if std::mem::take(&mut self.begun) {
             queue!(self.inner, EndSynchronizedUpdate)?;

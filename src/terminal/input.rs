@@ -77,7 +77,8 @@ impl Parser {
         !self.bytes.is_empty() && self.paste.is_none()
     }
 
-    /// Handles a time-out: the apparent start of a sequence was the Esc key.
+    /// Handles a time-out: a lone Esc character was the Esc key, and a longer incomplete sequence
+    /// is dropped.
     pub fn give_up(&mut self) -> Option<Input> {
         let is_escape = self.bytes.first() == Some(&0x1b);
         let alone = self.bytes.len() == 1;

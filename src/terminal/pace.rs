@@ -37,7 +37,7 @@ const KEY_INTERVAL: Duration = Duration::from_micros(1_000_000 / 120);
 /// A write that takes longer than this has met a terminal that did not read, not a slow line.
 const STALLED: Duration = Duration::from_secs(5);
 
-/// The pace of the frames. All times are of one clock.
+/// The pace of the frames. All times are from the same clock.
 #[derive(Debug, Clone)]
 pub struct Pace {
     interval: Duration,
@@ -53,7 +53,7 @@ pub struct Pace {
     catches_up: bool,
     /// Whether the last write met a full buffer.
     blocked: bool,
-    /// Bytes sent since the last query, without its frame.
+    /// The number of bytes sent since the frame with the last query.
     unasked_bytes: u64,
     /// Whether a key press has not been shown by a frame yet.
     has_key: bool,

@@ -147,7 +147,7 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Removes what was drawn in its area.
+    /// Clears its area.
     pub fn clear(self, buffer: &mut Buffer) {
         Clear.render(self.area, buffer);
         buffer.set_style(self.area, self.style(Role::Text));

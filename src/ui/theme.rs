@@ -1,6 +1,6 @@
-//! Themes: the styles of the console's roles. A widget uses a role ("warning"), never a colour. A theme file gives
-//! roles a style and may inherit the rest from another theme. A theme that inherits nothing must define every role
-//! without a stand-in.
+//! Themes: the styles of the console's roles. A widget uses a role ("warning"), never a colour. A
+//! theme file gives roles a style and may inherit the rest from another theme. A theme that
+//! inherits nothing must define every role that has no stand-in.
 
 use std::collections::BTreeMap;
 

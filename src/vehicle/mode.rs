@@ -164,7 +164,7 @@ impl VehicleClass {
         }
     }
 
-    /// Names and numbers of the modes of this class.
+    /// The numbers and names of the modes of this class.
     pub fn modes(self) -> &'static [(u32, &'static str)] {
         match self {
             Self::Copter => COPTER,
@@ -175,7 +175,7 @@ impl VehicleClass {
         }
     }
 
-    /// The mode with a name; case does not matter and underscores are optional.
+    /// The mode with this name, if any; case does not matter and underscores are optional.
     pub fn mode(self, name: &str) -> Option<Mode> {
         self.modes()
             .iter()

@@ -25,8 +25,8 @@ impl PlanPause {
         slowest_m_s: f32::INFINITY,
     };
 
-    /// The pause after a report of the phase; `is_news`: another item or another plan has become
-    /// current.
+    /// The pause after a report of the phase; `is_news` means that another item or another plan has
+    /// become current.
     pub(crate) fn reported(
         before: Option<Self>,
         phases: [Option<PlanPhase>; 2],

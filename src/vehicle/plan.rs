@@ -140,7 +140,7 @@ pub struct FenceArea {
 pub enum FenceShape {
     /// Corners in order; the last is joined to the first.
     Polygon(Vec<LatLon>),
-    /// A circle: all points at a distance from its centre.
+    /// A circle, by its centre and its radius.
     Circle { center: LatLon, radius_m: f32 },
 }
 

@@ -47,7 +47,8 @@ impl<'a> Route<'a> {
         self.plan.items.get(usize::from(number))
     }
 
-    /// The place to which an item takes the vehicle.
+    /// The place to which an item takes the vehicle; `None` for an item without one, such as a
+    /// takeoff.
     pub fn goal(&self, number: u16) -> Option<LatLon> {
         let item = self.item(number)?;
         match item.command {
@@ -76,7 +77,8 @@ impl<'a> Route<'a> {
         self.whole_s(self.item(number)?, &mut way, true)
     }
 
-    /// The seconds until the end of the plan.
+    /// The seconds until the end of the plan; `None` if they cannot be estimated, or the plan has
+    /// no end.
     pub fn end_s(&self, number: u16) -> Option<f64> {
         let mut way = self.start(number)?;
         let mut jumps: BTreeMap<u16, u16> = self.vehicle.plan_jumps.clone();
@@ -208,7 +210,7 @@ impl<'a> Route<'a> {
             flown_to if command::is_flown_to(flown_to) => {
                 self.leg_s(way, item.place().unwrap_or(way.at.place), height_m)
             }
-            // It ends at a command of a ground station or a script, or at an altitude.
+            // Such an item ends at a command of a ground station or a script, or at an altitude.
             _ => None,
         }
     }
@@ -253,7 +255,7 @@ impl<'a> Route<'a> {
         (whole_s > 0.0).then(|| (whole_s - passed_s.unwrap_or(0.0)).max(0.0))
     }
 
-    /// An item's height above home, in metres.
+    /// An item's height above home, in metres; `None` if it has none, or its reference is unknown.
     fn height_m(&self, item: &Item) -> Option<f64> {
         let height_m = f64::from(item.altitude_m()?);
         match item.height_frame() {

@@ -30,7 +30,7 @@ impl AskedSpeeds {
         }
     }
 
-    /// The commanded speed over ground, in m/s.
+    /// The commanded speed over ground, in m/s, if any.
     pub fn ground_m_s(&self) -> Option<f64> {
         self.ground_m_s
     }

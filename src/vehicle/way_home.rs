@@ -74,7 +74,8 @@ impl WayHome {
 }
 
 impl Vehicle {
-    /// The way home, compared with the remaining charge; `None` on the ground, or without the necessary data.
+    /// The way home, compared with the remaining charge; `None` for a vehicle that is not a copter,
+    /// on the ground, or without the necessary data.
     pub fn way_home(&self) -> Option<WayHome> {
         let class = self.heartbeat?.class;
         let (global, home, load) = (self.global?, self.home?, self.load?);

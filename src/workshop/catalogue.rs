@@ -59,7 +59,7 @@ pub fn parts_for(slot: PartSlot) -> impl Iterator<Item = &'static Part> {
     parts().filter(move |part| part.slot() == slot)
 }
 
-/// The part with an id.
+/// The part with this id, if any.
 pub fn part(id: &str) -> Option<&'static Part> {
     parts().find(|part| part.id == id)
 }

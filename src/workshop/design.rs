@@ -162,12 +162,12 @@ impl Design {
         parts + OTHER_POWER_W
     }
 
-    /// The properties of the first part in a slot.
+    /// The properties of the first part in a slot; `None` if the slot is empty.
     pub(super) fn spec(&self, slot: PartSlot) -> Option<&'static Spec> {
         self.in_slot(slot).first().map(|part| &part.spec)
     }
 
-    /// The number of cells of its battery in series.
+    /// The number of cells of its battery in series; `None` without a battery.
     pub(super) fn cells(&self) -> Option<u8> {
         match self.spec(PartSlot::Battery)? {
             Spec::Battery(battery) => Some(battery.cells),

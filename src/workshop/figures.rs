@@ -76,7 +76,7 @@ pub struct Figures {
     pub hover_current_a: f64,
     /// Voltage of the pack at that current.
     pub hover_voltage_v: f64,
-    /// Revolutions of the propellers per minute.
+    /// Revolutions per minute of the propellers in the hover.
     pub hover_rpm: f64,
     /// The share of the maximum thrust that the hover needs, with a full battery.
     pub hover_throttle: f64,

@@ -35,7 +35,7 @@ pub enum Measure {
     Range,
     /// The fastest level flight.
     TopSpeed,
-    /// The reach of the radio with a fade margin of 20 dB, at 50 m of height.
+    /// The reach of the radio with a fade margin of 20 dB, at a height of 50 m.
     RadioReach,
     /// The mass that can be added.
     Spare,

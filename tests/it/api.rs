@@ -246,7 +246,7 @@ fn the_socket_goes_with_a_console_that_is_told_to_end() {
     assert!(!served.socket().exists());
 }
 
-/// Runs an example against a mission; returns what it printed.
+/// Runs an example against a mission; returns its output.
 fn example(name: &str, mission: &str) -> String {
     let python = std::env::var_os("SORTIE_PYTHON").expect("SORTIE_PYTHON names a Python");
     let served = Served::start(&[mission, "--seed", "1", "--speedup", "8"], "--api");

@@ -171,7 +171,8 @@ fn dronekit_flies() {
     run("dronekit_flight.py", &["dronekit", "past"], "tcp:", 5);
 }
 
-/// Runs a script for MAVSDK. Until version 3, the package `mavsdk` was the present `mavsdk_grpc`.
+/// Runs a script for MAVSDK. Until version 3, the package now called `mavsdk_grpc` was called
+/// `mavsdk`.
 fn run_mavsdk(script: &str) {
     let modules: &[&str] = if has_modules(&interpreter(), &["mavsdk_grpc"]) {
         &["mavsdk_grpc"]

@@ -35,7 +35,7 @@ fn document(name: &str) -> Document {
     Document::read(root().join(name))
 }
 
-/// Collects the faults of all documents, and fails with all of them.
+/// Checks all documents; fails with the faults of all of them, if there are any.
 fn all_are_right(check: impl Fn(&Document) -> Vec<String>) {
     let wrong: Vec<String> = documents()
         .iter()
@@ -71,8 +71,8 @@ fn links_lead_to_files_and_headings() {
     });
 }
 
-/// The fault of a command line that begins with `sortie`: an unknown subcommand, option or choice. Placeholders, and
-/// what may follow in the shell, are not checked.
+/// The fault of a command line that begins with `sortie`: an unknown subcommand, option or choice.
+/// Placeholders and later parts of a shell line are not checked.
 fn unknown_to_the_program(line: &str) -> Option<String> {
     let words = line
         .split_whitespace()

@@ -12,8 +12,8 @@ const ARRIVAL_PERCENT: f64 = 5.0;
 const ARRIVAL_S: f64 = 0.25;
 
 /// Manoeuvres that exceed a limit: the recording, the manoeuvre, its second in the recording, and
-/// the maximum measured difference in position (metres) and in arrival (percent). All others keep
-/// the limits.
+/// the maximum measured difference in position (metres) and in arrival (percent). All others stay
+/// within the limits.
 const EXCEPTIONS: &[(&str, &str, f64, f64, f64)] = &[
     // The command is 20 m/s and drag allows 10.3: the real path runs a little ahead of the vehicle, and stops later.
     ("b_classic", "velocity 0 0 0", 156.0, 1.8, 5.0),

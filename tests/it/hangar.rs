@@ -189,7 +189,8 @@ impl Attached {
     }
 }
 
-/// A console loses a vehicle whose process is killed, finds it again after the restart, and can command it.
+/// Checks that a console loses a vehicle whose process is killed, finds it again after the restart,
+/// and can command it.
 async fn assert_a_console_has_it_back(stand: &Stand) {
     let id = stand.launch().await;
     let mut console = Console::start();

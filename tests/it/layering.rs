@@ -70,7 +70,7 @@ fn top_level() -> BTreeMap<String, Vec<ModuleSource>> {
         };
         found.entry(top.to_owned()).or_default().push(module);
     }
-    // The rest under the program's own name is the list of modules in `lib.rs`.
+    // Under the program's own name, only the list of modules in `lib.rs` remains.
     found.remove("sortie");
     found
 }

@@ -163,7 +163,7 @@ fn a_mission_is_flown_and_begun_again_with_new_processes() {
     let again = children(terminal.process_id());
     assert_eq!(again.len(), pids.len());
     terminal.command("quit");
-    // On a slow machine the mission has begun by now, and giving it up takes an answer.
+    // On a slow machine the mission has begun by now, and giving it up requires an answer.
     terminal.until("the end or a question", |terminal| {
         !terminal.in_alternate_screen() || terminal.contents().contains("are you sure")
     });

@@ -1,9 +1,9 @@
-//! Functions whose results are the same to the last bit on every machine.
+//! Maths functions with the same results, to the last bit, on every machine.
 //!
 //! `+ - * /` and the square root are exact everywhere; the other functions of `std` come from the
 //! platform's library and differ between machines. Scores must not depend on the machine, so the
-//! whole workspace uses these functions, which are those of musl, ported to Rust ([`libm`]). Clippy
-//! forbids the others (`.clippy.toml`).
+//! whole workspace uses these functions: those of musl, ported to Rust ([`libm`]). Clippy forbids
+//! the others (`.clippy.toml`).
 
 /// Sine of an angle in radians.
 #[must_use]
@@ -144,7 +144,6 @@ pub fn hypot_f32(x: f32, y: f32) -> f32 {
 mod tests {
     use super::*;
 
-    /// The exact bits, on every target.
     #[test]
     fn the_bits_are_these() {
         let x = 0.732_421_875;

@@ -11,10 +11,10 @@ use super::LatLon;
 const FINE: usize = 3601;
 /// Points on a side at 3 arc seconds.
 const COARSE: usize = 1201;
-/// The height of a point that was not measured.
+/// The value that a file holds where no height was measured.
 const VOID: i16 = -32_768;
 
-/// A square of one degree, by the whole degrees of its south-west corner.
+/// A one-degree square, identified by the whole degrees of its south-west corner.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Square {
     /// Latitude of the south edge, in degrees.
@@ -23,7 +23,7 @@ pub struct Square {
     pub lon: i16,
 }
 
-/// A file that is not a square of heights; contains its length in bytes.
+/// The error for a file whose length fits neither resolution; contains the length in bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WrongSize(pub usize);
 
@@ -126,7 +126,8 @@ impl Terrain {
         self.squares.is_empty()
     }
 
-    /// The height of the ground above mean sea level, in metres; `None` where there is no file, or no measurement.
+    /// The height of the ground above mean sea level, in metres; `None` if no file covers the place
+    /// or the height there was not measured.
     pub fn height_m(&self, place: LatLon) -> Option<f64> {
         let square = Square::of(place);
         let grid = self.squares.get(&square)?;

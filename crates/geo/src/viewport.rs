@@ -1,8 +1,10 @@
-//! A part of the earth on a grid of character cells: what a map draws and where.
+//! A part of the earth on a grid of character cells: converts places to the dots and cells of a
+//! map, and back.
 //!
-//! A cell is assumed to be twice as high as it is wide and holds two by four dots, those of a braille pattern, so
-//! that a dot is square. Places are projected onto a plane that touches the earth at the middle of the view. Both
-//! directions use the same scale, so a place and its dot correspond exactly.
+//! A cell is assumed to be twice as high as it is wide and holds two by four dots, those of a
+//! braille pattern, so a dot is square. Places are projected onto a plane that touches the earth at
+//! the middle of the view. Both directions use the same scale, so a place and its dot correspond
+//! exactly.
 
 use super::LatLon;
 use crate::maths;
@@ -205,7 +207,7 @@ impl Extent {
         }
     }
 
-    /// The smallest extent that contains all places.
+    /// The smallest extent that contains all places; `None` without places.
     pub fn around(places: impl IntoIterator<Item = LatLon>) -> Option<Self> {
         let mut places = places.into_iter();
         let mut extent = Self::at(places.next()?);

@@ -46,7 +46,7 @@ impl<P> FenceArea<P> {
 }
 
 impl<P: Copy + Into<[f64; 2]>> FenceArea<P> {
-    /// Whether a vehicle at a point breaks the rule of this area; all points are in metres north and east.
+    /// Whether a vehicle at a point breaches this area; all points are in metres north and east.
     pub fn is_broken_at(&self, point: P) -> bool {
         match &self.shape {
             AreaShape::Polygon(corners) => is_inside(point, corners) != self.keeps_in,
@@ -82,13 +82,13 @@ pub fn is_inside<P: Copy + Into<[f64; 2]>>(point: P, corners: &[P]) -> bool {
     inside
 }
 
-/// The fault of an invalid fence; its text is the vehicle's own.
+/// The fault of an invalid fence; its `Display` text is the vehicle's own message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 pub enum FenceError {
-    /// A polygon that claims fewer than three corners.
+    /// A polygon that states fewer than three corners.
     #[error("Invalid vertex count ({0})")]
     VertexCount(u8),
-    /// Two corners of one polygon that claim different counts.
+    /// Two corners of one polygon that state different counts.
     #[error("Unexpected vertex count want={wanted} got={got}\n")]
     OtherCount {
         /// The number of corners that the first corner states.
@@ -144,8 +144,8 @@ impl Fence {
     /// Builds a fence from a list.
     ///
     /// # Errors
-    /// The first invalid item, in the vehicle's order, and its place in the list. Commands that are not fence items are
-    /// skipped; the upload has already refused them.
+    /// The index and the fault of the first invalid item, in the vehicle's order. Commands that are
+    /// not fence items are skipped; the upload has already refused them.
     pub fn check(items: &[Item]) -> Result<Self, (usize, FenceError)> {
         let mut fence = Self::default();
         let mut unfinished = None;

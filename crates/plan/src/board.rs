@@ -1,7 +1,7 @@
-//! ArduPilot's rules for the items of a list, and the form in which it stores them: storage is small, so values that do
-//! not fit are truncated or dropped, and a download shows the item as it will be flown. The simulator follows these
-//! rules, and a check reports in advance what they refuse. Source: `AP_Mission`, `AP_Rally` and `AC_Fence` of
-//! ArduCopter 4.6.
+//! ArduPilot's rules for the items of a list, and the form in which it stores them: storage is
+//! small, so values that do not fit are truncated or dropped, and a download shows the item as it
+//! will be flown. The simulator follows these rules, and the check of a file reports in advance the
+//! items that they refuse. Source: `AP_Mission`, `AP_Rally` and `AC_Fence` of ArduCopter 4.6.
 
 use std::ops::RangeInclusive;
 
@@ -74,16 +74,17 @@ pub fn wrong_jump(item: &Item, items: usize) -> Option<usize> {
     is_wrong.then_some(target)
 }
 
-/// Altitudes of this many metres or more, above or below the reference, do not fit.
+/// Altitudes of this many metres or more, above or below the reference, do not fit into the
+/// vehicle's storage.
 const ALTITUDE_LIMIT_M: f32 = 83_000.0;
 
 /// Numbers that the vehicle uses internally and refuses in items.
 const NEVER_COMMANDS: RangeInclusive<u16> = 0..=1;
 
-/// The item of a mission as the vehicle keeps it, or the reason to refuse it.
+/// The item of a mission as the vehicle keeps it.
 ///
 /// # Errors
-/// The reason.
+/// The reason why the vehicle refuses it.
 pub fn plan_item(item: &Item) -> Result<Item, Refusal> {
     check_numbers(item)?;
     if NEVER_COMMANDS.contains(&item.command) {
@@ -118,8 +119,8 @@ pub fn plan_item(item: &Item) -> Result<Item, Refusal> {
     Ok(stored)
 }
 
-/// The item of a mission without the coordinates that the vehicle does not store: in `ArduPilot`'s mission file, they
-/// repeat those of the item before.
+/// The item of a mission without the coordinates that the vehicle does not store: in `ArduPilot`'s
+/// mission file, these repeat the coordinates of the previous item.
 #[must_use]
 pub fn without_leftovers(item: &Item) -> Item {
     let Some(kept) = letters(item.command) else {
@@ -134,10 +135,10 @@ pub fn without_leftovers(item: &Item) -> Item {
     }
 }
 
-/// An item as the vehicle keeps it in the list that it belongs to, or the reason to refuse it.
+/// An item as the vehicle keeps it in the list that it belongs to.
 ///
 /// # Errors
-/// The reason.
+/// The reason why the vehicle refuses it.
 pub fn kept(kind: ListKind, item: &Item) -> Result<Item, Refusal> {
     match kind {
         ListKind::Plan => plan_item(item),
@@ -146,10 +147,10 @@ pub fn kept(kind: ListKind, item: &Item) -> Result<Item, Refusal> {
     }
 }
 
-/// A rally point as the vehicle keeps it, or the reason to refuse it.
+/// A rally point as the vehicle keeps it.
 ///
 /// # Errors
-/// The reason.
+/// The reason why the vehicle refuses it.
 pub fn rally_item(item: &Item) -> Result<Item, Refusal> {
     if item.command != command::RALLY_POINT {
         return Err(Refusal::Command);
@@ -169,11 +170,11 @@ pub fn rally_item(item: &Item) -> Result<Item, Refusal> {
     })
 }
 
-/// A corner, circle or return point of a fence as the vehicle keeps it, or the reason to refuse it. The fence as a
-/// whole is checked when it is complete.
+/// A corner, circle or return point of a fence as the vehicle keeps it. The fence as a whole is
+/// checked when it is complete.
 ///
 /// # Errors
-/// The reason.
+/// The reason why the vehicle refuses it.
 pub fn fence_item(item: &Item) -> Result<Item, Refusal> {
     height_frame(item.frame)?;
     let first = match item.command {
@@ -209,7 +210,7 @@ fn check_place(item: &Item) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Refuses infinite parameters, and NaN except where it means "as it is".
+/// Refuses infinite parameters, and NaN except where it means "keep the current value".
 fn check_numbers(item: &Item) -> Result<(), Refusal> {
     let may_be_nan: &[usize] = match item.command {
         command::WAYPOINT | command::LAND | command::TAKEOFF | command::VTOL_TAKEOFF => &[3],
@@ -231,7 +232,7 @@ fn check_numbers(item: &Item) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// The frame as it appears in a download: sea level, home, terrain.
+/// The frame as a download shows it: relative to sea level, home or terrain.
 fn height_frame(frame: u8) -> Result<u8, Refusal> {
     match HeightFrame::of(frame) {
         HeightFrame::SeaLevel => Ok(SEA_LEVEL),
@@ -262,8 +263,8 @@ fn shortened(letter: u8, value: f32) -> f32 {
     }
 }
 
-/// The whole part of a value. Stored in fewer bits, it keeps only the lowest ones, so values too large for a field
-/// wrap. A value beyond 32 bits gives `i32::MIN`, whose lowest bits are 0.
+/// The whole part of a value. A field with fewer bits keeps only the lowest ones, so values too
+/// large for it wrap. A value beyond 32 bits gives `i32::MIN`; its lowest bits are 0.
 fn wrapped(value: f32) -> i32 {
     let whole = f64::from(value).trunc();
     if (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&whole) {

@@ -35,8 +35,8 @@ impl VehicleKind {
         }
     }
 
-    /// Whether this kind carries out a command of a plan. Others are accepted by an upload and skipped in flight.
-    /// Source: `start_command` of ArduPilot 4.6's vehicles.
+    /// Whether this kind carries out a command of a plan. An upload accepts other commands too, but
+    /// the vehicle skips them in flight. Source: `start_command` of ArduPilot 4.6's vehicles.
     const fn flies(self, number: u16) -> bool {
         match number {
             // CONTINUE_AND_CHANGE_ALT, ALTITUDE_WAIT, GO_AROUND, INVERTED_FLIGHT, VTOL_TRANSITION.
@@ -56,7 +56,8 @@ impl VehicleKind {
         }
     }
 
-    /// Whether this kind keeps the parameters of a command as a copter does: planes differ for waypoints.
+    /// Whether this kind keeps the parameters of a command as a copter does; a plane keeps those of
+    /// a waypoint differently.
     const fn keeps_as_copter(self, number: u16) -> bool {
         !matches!(self, Self::Plane) || number != command::WAYPOINT
     }
@@ -71,9 +72,9 @@ impl VehicleKind {
 pub struct CheckOptions {
     /// The kind of vehicle; `None` for the kind that the file names, or else a copter.
     pub vehicle: Option<VehicleKind>,
-    /// `FENCE_ALT_MAX` in metres above home, where that fence is on.
+    /// `FENCE_ALT_MAX` in metres above home, if that fence is on.
     pub ceiling_m: Option<f32>,
-    /// `FENCE_RADIUS` in metres from home, where that fence is on.
+    /// `FENCE_RADIUS` in metres from home, if that fence is on.
     pub radius_m: Option<f32>,
     /// Whether the vehicle has terrain data for the area.
     pub has_terrain: bool,
@@ -196,9 +197,9 @@ pub enum FindingKind {
     },
     /// A height above terrain, and the vehicle has no terrain data.
     NoTerrain,
-    /// The heights of this item and of the one before are measured from different references.
+    /// The heights of this item and of the previous one are measured from different references.
     MixedFrames {
-        /// The height of the item before.
+        /// The height of the previous item.
         before: Height,
         /// The height of this item.
         here: Height,
@@ -221,7 +222,7 @@ pub enum FindingKind {
         /// The minimum height that is allowed, in metres.
         least_m: f32,
     },
-    /// The height counts from the ground, and no terrain file covers the leg.
+    /// The height is measured from the ground, and no terrain file covers the leg.
     NoGround,
     /// The number of legs that no terrain file covers.
     Uncovered(usize),
@@ -241,7 +242,7 @@ pub enum FindingKind {
     },
 }
 
-/// A fence area whose rule a place breaks.
+/// A fence area that a place breaches.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct BrokenArea {
     /// The area, counted from 0.

@@ -4,7 +4,7 @@
 pub const WAYPOINT: u16 = 16;
 /// Circles or hovers without end.
 pub const LOITER_UNLIMITED: u16 = 17;
-/// Flies turns around a place.
+/// Circles a place for a number of turns.
 pub const LOITER_TURNS: u16 = 18;
 /// Stays at a place for a time.
 pub const LOITER_TIME: u16 = 19;
@@ -42,9 +42,9 @@ pub const DO_SET_HOME: u16 = 179;
 pub const DO_FENCE_ENABLE: u16 = 207;
 /// Acts like a switch of the remote control: parameter 1 is the auxiliary function.
 pub const DO_AUX_FUNCTION: u16 = 218;
-/// The start of the return path.
+/// Marks the start of the return path.
 pub const DO_RETURN_PATH_START: u16 = 188;
-/// The start of a landing.
+/// Marks the start of a landing sequence.
 pub const DO_LAND_START: u16 = 189;
 /// A region of interest at a place.
 pub const DO_SET_ROI_LOCATION: u16 = 195;
@@ -116,19 +116,19 @@ pub fn is_circle(command: u16) -> bool {
     matches!(command, FENCE_CIRCLE_INCLUSION | FENCE_CIRCLE_EXCLUSION)
 }
 
-/// Whether it is a navigation command: these are carried out one after the other, while others act at the same time.
-/// Source: `AP_Mission::is_nav_cmd`.
+/// Whether a command is a navigation command. These are carried out one after the other; other
+/// commands act in parallel. Source: `AP_Mission::is_nav_cmd`.
 pub fn is_navigation(command: u16) -> bool {
     // NAV_SET_YAW_SPEED, NAV_SCRIPT_TIME, NAV_ATTITUDE_TIME.
     command <= LAST_NAVIGATION || matches!(command, 213 | 42_702 | 42_703)
 }
 
-/// Whether it is a jump.
+/// Whether a command is a jump.
 pub fn is_jump(command: u16) -> bool {
     matches!(command, DO_JUMP | DO_JUMP_TAG)
 }
 
-/// Whether it is a takeoff.
+/// Whether a command is a takeoff.
 pub fn is_takeoff(command: u16) -> bool {
     matches!(command, TAKEOFF | VTOL_TAKEOFF)
 }

@@ -7,7 +7,7 @@ use crate::{Item, ListKind};
 /// Items of the plan are numbered from 1, because 0 is home (ArduPilot's count): the jump target 3 is `plan[2]`.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Document {
-    /// Where the vehicle is meant to start.
+    /// Where the vehicle is meant to start, if the file states it.
     pub home: Option<Home>,
     /// The items that the mode AUTO flies, without home.
     pub plan: Vec<Item>,

@@ -110,7 +110,8 @@ pub fn relocate(items: &[Item], range: Range<usize>, to: usize) -> Result<Vec<It
 /// Puts a waypoint in the middle of the leg that leads to an item.
 ///
 /// # Errors
-/// No leg leads there, or the heights of its two ends have different references.
+/// There is no such item, no leg leads to it, or the heights of the leg's two ends have different
+/// references.
 pub fn split(items: &[Item], at: usize) -> Result<Vec<Item>, EditError> {
     let end = *items.get(at).ok_or(EditError::NoItem(items.len()))?;
     let has_place = |item: &&Item| command::is_flown_to(item.command) && (item.x, item.y) != (0, 0);
@@ -180,8 +181,9 @@ fn has_height(item: &Item) -> bool {
 pub enum FrameChange<'a> {
     /// The numbers stay the same, so the vehicle flies at a different height.
     KeepNumbers,
-    /// The vehicle flies at the same height as before: heights are converted with the height of home, and with that of
-    /// the ground at each item's place (metres above sea level), as far as these are needed.
+    /// The vehicle flies at the same height as before: heights are converted with the height of
+    /// home and, where needed, with that of the ground at each item's place (metres above sea
+    /// level).
     KeepHeights {
         /// The home position, if the document has one.
         home: Option<Home>,
@@ -190,8 +192,7 @@ pub enum FrameChange<'a> {
     },
 }
 
-/// Changes what the heights of a range are measured from; `frame` is the number of a global
-/// `MAV_FRAME`.
+/// Changes the reference of the heights in a range; `frame` is the number of a global `MAV_FRAME`.
 ///
 /// # Errors
 /// The range is empty or out of bounds, or a required height is unknown.

@@ -29,7 +29,7 @@ pub enum FaultKind {
     },
     /// A line with too few or too many fields.
     Fields {
-        /// The number on the line.
+        /// The number of fields on the line.
         found: usize,
         /// The number of fields that the line should have.
         expected: usize,
@@ -80,7 +80,7 @@ pub enum Syntax {
     Text,
     /// Content after the end of the document.
     Trailing,
-    /// Nested more deeply than any such file.
+    /// Values nested more deeply than in any valid file.
     TooDeep,
 }
 
@@ -150,7 +150,7 @@ pub enum Unwritable {
     /// The format cannot store a list that is not empty.
     #[error("the format has no {0:?} list")]
     List(ListKind),
-    /// Rally points of `.plan` files are above home, but this one, counted from 0, is not.
+    /// A rally point, counted from 0, whose height is not above home, as `.plan` files require.
     #[error("rally point {0} is not above home")]
     RallyFrame(usize),
     /// The fence does not consist of complete polygons and circles; contains the first such item, counted from 0.

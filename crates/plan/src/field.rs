@@ -246,7 +246,7 @@ const WORDS: &[(u16, &str, &[Field])] = &[
     (command::RALLY_POINT, "rally", &[]),
 ];
 
-/// The parameters of a command without a row of its own.
+/// The parameters of a command that has no row in the table.
 const NUMBERED: &[Field] = &[
     field(0, "p1", FieldUnit::None),
     field(1, "p2", FieldUnit::None),
@@ -302,7 +302,7 @@ pub fn fields(command: u16) -> &'static [Field] {
     row(command).map_or(NUMBERED, |(_, _, fields)| *fields)
 }
 
-/// The parameter of a command by its number, from 1; `None` for numbers without a name.
+/// The parameter of a command by its number, from 1 to 4; `None` for other numbers.
 pub fn field_numbered(command: u16, number: u8) -> Option<Field> {
     let mut known = fields(command).iter().chain(NUMBERED);
     known
@@ -310,7 +310,8 @@ pub fn field_numbered(command: u16, number: u8) -> Option<Field> {
         .copied()
 }
 
-/// The parameter of a command by its name; `p1` to `p4` name the parameters of every command.
+/// The parameter of a command by its name, in any case; `p1` to `p4` name the parameters of every
+/// command. `None` for other names.
 pub fn field_named(command: u16, name: &str) -> Option<Field> {
     let mut known = fields(command).iter().chain(NUMBERED);
     known
@@ -318,7 +319,7 @@ pub fn field_named(command: u16, name: &str) -> Option<Field> {
         .copied()
 }
 
-/// Every name of a parameter, once, with its unit.
+/// All parameter names, each once, with their units.
 pub fn field_names() -> impl Iterator<Item = (&'static str, FieldUnit)> {
     let all = WORDS.iter().flat_map(|(_, _, fields)| fields.iter());
     let mut names: Vec<(&str, FieldUnit)> = all

@@ -17,7 +17,7 @@ mod shapes;
 mod tests;
 mod wpl;
 
-/// A format that is read.
+/// A format that can be read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SourceFormat {
     /// `QGC WPL 110` or `120`: Mission Planner, MAVProxy, QGroundControl.
@@ -36,7 +36,7 @@ pub enum SourceFormat {
     GeoJson,
 }
 
-/// A format that is written.
+/// A format that can be written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum FileFormat {
     /// `QGC WPL 110` with one of the lists; a plan also contains home.
@@ -107,7 +107,7 @@ pub struct Places {
 }
 
 impl Places {
-    /// The place of an item of a list, counted from 0.
+    /// The place of an item of a list, counted from 0; `None` beyond the end of the list.
     pub fn item(&self, kind: ListKind, index: usize) -> Option<Range<usize>> {
         self.lists[usize::from(kind.number())].get(index).cloned()
     }
@@ -154,7 +154,7 @@ impl Parsed {
 /// The largest number of items of a list: they are counted in 16 bits on the wire, and home is one of them.
 const MOST_ITEMS: usize = u16::MAX as usize - 1;
 
-/// Reads a file of any of the formats; the content decides which it is.
+/// Reads a file in any of the formats, which is recognised by the content.
 ///
 /// # Errors
 /// Every fault that was found, with its place, and the text to which the places refer.
@@ -257,7 +257,7 @@ fn parsed(
 /// Writes a document.
 ///
 /// # Errors
-/// The format cannot hold all of it.
+/// The format cannot store the whole document.
 pub fn write(document: &Document, format: FileFormat) -> Result<String, Unwritable> {
     match format {
         FileFormat::Wpl(kind) => wpl::write(document, kind),

@@ -260,7 +260,7 @@ struct Circle {
     turns: u8,
 }
 
-/// Plans for the vehicles at these homes.
+/// Generates plans for the vehicles at these homes.
 ///
 /// # Errors
 /// See [`GenerateError`].
@@ -307,7 +307,7 @@ pub fn generate(task: &Task, team: &[Home], manner: &Manner) -> Result<Generated
     checked(&scene, team, manner, &works)
 }
 
-/// Plans of lines that are divided among the vehicles.
+/// Plans for lines that are divided among the vehicles.
 fn shared(
     scene: &Scene,
     team: &[Home],
@@ -323,7 +323,7 @@ fn shared(
     })
 }
 
-/// Plans of a pattern that must not be cut off by a fence.
+/// Plans for a pattern that must lie completely inside the fence.
 fn checked(
     scene: &Scene,
     team: &[Home],

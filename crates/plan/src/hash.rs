@@ -9,11 +9,11 @@ use crate::{HeightFrame, Item, ListKind, board, command};
 const CRC_32: Crc<u32> = Crc::<u32>::new(&CRC_32_ISO_HDLC);
 
 /// CRC-32 (ISO-HDLC) of the items of a list in the form in which the vehicle stores them
-/// ([`board`]), which is the same for a file, for what a ground station sends and for what the
-/// vehicle sends back: parameters that a command does not use are dropped, numbers are truncated as
-/// in storage, the two numbers of a frame count as one, and commands without a place have no frame
-/// and no place. Items that a vehicle refuses are hashed unchanged. `auto_continue` does not count:
-/// ArduPilot does not keep it.
+/// ([`board`]). It is the same for a file, for the list that a ground station sends and for the
+/// list that the vehicle sends back: parameters that a command does not use are dropped, numbers
+/// are truncated as in storage, the two numbers of a frame count as one, and commands without a
+/// place have no frame and no place. Items that a vehicle refuses are hashed unchanged.
+/// `auto_continue` does not count: ArduPilot does not keep it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ContentHash(pub u32);
 
@@ -61,7 +61,7 @@ fn stored(item: &Item) -> Item {
     board::kept(kind, &board::as_sent(&set)).unwrap_or(set)
 }
 
-/// Makes NaN and negative zero 0, so that they have the same hash.
+/// Replaces NaN and negative zero by 0, so that they have the same hash.
 fn normal(number: f32) -> f32 {
     if number.is_nan() || number == 0.0 {
         0.0

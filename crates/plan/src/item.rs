@@ -14,10 +14,10 @@ pub enum ListKind {
 }
 
 impl ListKind {
-    /// All of them, in the order of `MAV_MISSION_TYPE`.
+    /// All kinds of lists, in the order of `MAV_MISSION_TYPE`.
     pub const ALL: [Self; 3] = [Self::Plan, Self::Fence, Self::Rally];
 
-    /// The list with this number in `MAV_MISSION_TYPE`.
+    /// The list with this number in `MAV_MISSION_TYPE`, if there is one.
     pub fn numbered(number: u8) -> Option<Self> {
         Self::ALL.get(usize::from(number)).copied()
     }
@@ -42,7 +42,8 @@ impl ListKind {
 pub struct Item {
     /// The number of a `MAV_CMD`, which may be missing from the dialect.
     pub command: u16,
-    /// The number of a `MAV_FRAME`. Its `_INT` variant has a different number, but the same reference.
+    /// The number of a `MAV_FRAME`. The `_INT` variant of a frame has a different number, but the
+    /// same reference.
     pub frame: u8,
     /// Whether the vehicle continues with the next item on its own.
     pub auto_continue: bool,

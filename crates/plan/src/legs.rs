@@ -38,7 +38,8 @@ pub struct LegStart {
 pub enum LegPace {
     /// A copter, with rates that most copters share.
     Copter(Pace),
-    /// Another vehicle, of which only the speed over ground is known, in m/s; `None` before it has been measured.
+    /// Another vehicle: only its speed over ground is known, in m/s; `None` before it has been
+    /// measured.
     Other(Option<f64>),
 }
 
@@ -61,7 +62,8 @@ impl LegPace {
         }
     }
 
-    /// The seconds lost by braking and gathering speed at the start of a leg in this direction, in degrees.
+    /// The seconds lost by braking and accelerating at the start of a leg in this direction, in
+    /// degrees.
     fn corner_s(self, motion: LegMotion, bearing_deg: f64) -> f64 {
         match (self, motion) {
             (Self::Other(_), _) | (Self::Copter(_), LegMotion::Unknown) => 0.0,
@@ -91,9 +93,9 @@ impl LegPace {
 }
 
 impl LegStart {
-    /// The duration of a straight leg to a place and a height, where the next leg then starts, in
-    /// seconds. The vehicle flies horizontally at the speed over ground, vertically no faster than
-    /// its climb and descent rates. `None` if its speed is unknown.
+    /// Moves the start along a straight leg to a place and a height; returns the duration of the
+    /// leg in seconds. The vehicle flies horizontally at the speed over ground, vertically no
+    /// faster than its climb and descent rates. `None` if its speed is unknown.
     pub fn fly(&mut self, place: LatLon, height_m: f64, pace: LegPace) -> Option<f64> {
         let across_m = self.place.distance_m(place);
         let steep_s = pace.rise_s(height_m - self.height_m);

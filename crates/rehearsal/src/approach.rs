@@ -8,13 +8,15 @@ pub const TOO_NEAR_M: f64 = 5.0;
 /// The vertical limit of a conflict, in metres.
 pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
 
-/// The distance at the start below which two vehicles have a smaller horizontal limit, as a factor on the usual limit.
+/// Two vehicles that start closer together than this multiple of the usual horizontal limit have a
+/// smaller limit.
 const NEIGHBOURS_FACTOR: f64 = 1.3;
 /// The horizontal limit of such neighbours, as a share of their distance at the start.
 const NEIGHBOURS_SHARE: f64 = 0.75;
 /// The smallest horizontal limit, in metres.
 const LEAST_LIMIT_M: f64 = 1.0;
-/// Over the ground, a vehicle is beside its start within this distance, in metres: there it climbs and lands.
+/// A vehicle counts as beside its start within this horizontal distance, in metres: there it climbs
+/// and lands.
 const BESIDE_START_M: f64 = 15.0;
 
 /// The closest approach of two vehicles, counted from 0: the moment at which the larger of the two distances, each
@@ -103,7 +105,8 @@ impl Separation {
         }
     }
 
-    /// The horizontal limit of the two vehicles at two points in metres north, east and up; in metres.
+    /// The horizontal limit of the two vehicles at two points, in metres; the points are in metres
+    /// north, east and up.
     pub fn limit_m(&self, points: [[f64; 3]; 2]) -> f64 {
         let starts = self
             .starts_m

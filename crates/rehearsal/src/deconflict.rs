@@ -15,8 +15,8 @@ use crate::{Conditions, Outcome, Participant, RehearsalError, rehearse};
 /// The step of the delays, and the maximum delay, in seconds.
 const DELAY_STEP_S: u32 = 1;
 const LONGEST_DELAY_S: u32 = 1800;
-/// The margins tried in the search, as multiples of the conflict limits: tracks have gaps between their points, and a
-/// vehicle that starts later meets other gusts.
+/// The margins tried in the search, as multiples of the conflict limits: tracks have gaps between
+/// their points, and a vehicle that starts later meets different gusts.
 const MARGINS: [f64; 3] = [1.4, 2.0, 3.0];
 /// The time from arming until a vehicle takes off without a wait, in seconds: a wait of that length changes nothing.
 const LIFTS_AFTER_ARMING_S: u32 = 2;
@@ -85,18 +85,19 @@ pub struct Proposal {
     pub remedies: Vec<Remedy>,
     /// The time that the changes cost, in seconds, summed over all vehicles.
     pub lost_s: f64,
-    /// All pairs stay apart even if one vehicle is this many seconds late: [`LATE_S`], or 0 if that cannot be
-    /// reached.
+    /// All pairs stay apart even if one vehicle is this many seconds late: [`LATE_S`], or 0 if that
+    /// margin cannot be achieved.
     pub late_s: u32,
     /// The rehearsal with the changes.
     pub outcome: Outcome,
 }
 
 /// Finds later starts, or layers `layer_m` apart, that leave no conflict even if a vehicle is
-/// [`LATE_S`] late, whichever loses less time; without that margin if it cannot be reached; `None`
-/// if there is always a conflict. Vehicles are placed one after the other, each as early or as low
-/// as those before it allow. The order is the one that loses the least time in total: for a few
-/// vehicles all orders are tried, for more only some. The participants' own delays are taken as 0.
+/// [`LATE_S`] late; of the two, the one that loses less time. If that margin cannot be achieved,
+/// the proposal has none; if there is always a conflict, returns `None`. Vehicles are placed one
+/// after the other, each as early or as low as those before it allow. The order is the one that
+/// loses the least time in total: for a few vehicles all orders are tried, for more only some. The
+/// participants' own delays are taken as 0.
 ///
 /// # Errors
 /// See [`RehearsalError`].
@@ -383,8 +384,8 @@ mod tests {
         }
     }
 
-    /// One vehicle stays at a place for a long time, and two pass it early: delaying the one costs
-    /// less than delaying both.
+    /// One vehicle stays at a place for a long time, and two pass it early: delaying the first
+    /// costs less than delaying both others.
     #[test]
     fn the_order_with_the_least_delay_is_found() {
         let long = [0.0; 30];

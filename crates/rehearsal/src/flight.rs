@@ -36,7 +36,7 @@ const TELEMETRY_EVERY_US: f32 = 250_000.0;
 enum Stage {
     /// On the ground; contains the number of attempts to start.
     Waiting(u32),
-    /// The motors are running; notes whether the vehicle has left the ground.
+    /// The motors are running; `lifted` is whether the vehicle has left the ground.
     Flying {
         lifted: bool,
     },
@@ -285,7 +285,8 @@ impl Flight {
         (is_under_way && truth.plan_complete).then_some(FlightEnding::InAir)
     }
 
-    /// Whether the vehicle stays on the ground at a return, with its motors on: its battery no longer lifts it.
+    /// Whether the vehicle stays on the ground at a return, with its motors on: its battery can no
+    /// longer lift it.
     fn cannot_return(&self, item: u16) -> bool {
         let returns = self.command_of(item) == Some(command::RETURN_TO_LAUNCH);
         returns && f64::from(self.grounded) * sample_s() >= STUCK_S

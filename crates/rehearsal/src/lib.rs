@@ -35,7 +35,7 @@ pub struct Participant {
     pub charge_percent: Option<f64>,
     /// Parameters of this vehicle alone; those that the simulator does not have are left out.
     pub parameters: Vec<(String, f32)>,
-    /// Whether a command has switched the fence on or off; `None` if `FENCE_ENABLE` decides. Only a
+    /// The fence as switched on or off by a command; `None` if `FENCE_ENABLE` decides. Only a
     /// command switches on the lower limit (`FENCE_ALT_MIN`).
     pub fence_switch: Option<bool>,
 }

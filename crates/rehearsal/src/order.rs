@@ -6,7 +6,8 @@ const ALL_ORDERS: usize = 5;
 const SWAP_ROUNDS: usize = 12;
 
 /// The best result of all orders of the vehicles: the one with the lowest cost. For more than
-/// [`ALL_ORDERS`] vehicles, neighbours are exchanged as long as that helps.
+/// [`ALL_ORDERS`] vehicles, neighbours are exchanged as long as that helps. `None` if no order has
+/// a result.
 pub(crate) fn best_order<R>(
     vehicles: usize,
     mut result: impl FnMut(&[usize]) -> Option<(u32, R)>,
@@ -45,7 +46,7 @@ pub(crate) fn best_order<R>(
     best
 }
 
-/// The next order in lexicographic order; false after the last.
+/// Changes an order to the next one in lexicographic order; returns false after the last.
 fn next_order(order: &mut [usize]) -> bool {
     let Some(pivot) = order.windows(2).rposition(|pair| pair[0] < pair[1]) else {
         return false;

@@ -167,7 +167,7 @@ fn airframe(participant: &Participant) -> Arc<Airframe> {
     own.unwrap_or_else(Airframe::shared_standard)
 }
 
-/// Sets the vehicle's own parameters, as far as the simulator has them.
+/// Sets those of the vehicle's own parameters that the simulator has.
 fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, world: &mut World) {
     for (name, value) in &participant.parameters {
         if world.find_parameter(vehicle, name).is_some() {

@@ -73,8 +73,8 @@ impl Airframe {
     /// value of the default quad. Also returns warnings about fields that no simulator reads.
     ///
     /// # Errors
-    /// A file that is not JSON, has a value of a wrong type, or is physically impossible, with its
-    /// line and column.
+    /// The file is not JSON, has a value of a wrong type, or is physically impossible; the error
+    /// contains the line and column.
     pub fn from_json(text: &str) -> Result<(Self, Vec<AirframeError>), AirframeError> {
         let (figures, warnings) = file::read(text)?;
         let airframe = Self {
@@ -216,8 +216,9 @@ impl Airframe {
         GRAVITY_M_S2 * conditions.air_density / self.reference_density * (out - inflow * inflow)
     }
 
-    /// The throttle, 0 to 1, at which the autopilot gets a thrust per mass. It compensates thin air fully, and a
-    /// sagging voltage by half (37 % at 12.0 V, 41 % at 11.0 V and 45 % at 10.24 V were measured).
+    /// The throttle, 0 to 1, at which the autopilot gets a thrust per mass. The autopilot
+    /// compensates thin air fully, and a sagging voltage by half (37 % at 12.0 V, 41 % at 11.0 V
+    /// and 45 % at 10.24 V were measured).
     pub(super) fn throttle_for(
         &self,
         thrust: f64,

@@ -116,7 +116,7 @@ impl Safety {
         now >= touched + DISARMED_AFTER_TOUCH
     }
 
-    /// Detects landings, and vehicles idling armed; returns whether to stop the motors.
+    /// Detects landings, and armed vehicles that idle; returns whether to stop the motors.
     pub(super) fn watch_ground(&mut self, inputs: &GroundInputs) -> bool {
         let now = inputs.now;
         if !self.armed {
@@ -143,7 +143,7 @@ impl Safety {
         !inputs.disarm_delay.is_zero() && now >= idle_since + inputs.disarm_delay
     }
 
-    /// Whether to report reasons not to arm now; `is_free` if there are none.
+    /// Whether to report the reasons not to arm now; `is_free` means that there are none.
     pub(super) fn tells_obstacles(&mut self, is_free: bool, now: Duration) -> bool {
         let could_arm = std::mem::replace(&mut self.may_arm, is_free);
         if could_arm && !is_free && self.reports_at > now + checks::REPORT_SOON {

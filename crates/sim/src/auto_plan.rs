@@ -59,9 +59,9 @@ enum PlanWait {
     Throttle(f64),
     /// A wait at the goal, with the time of arrival.
     Stay(Option<Duration>),
-    /// A circle that begins at its edge.
+    /// The flight to the edge of a circle, where the circle begins.
     Edge(Orbit),
-    /// A landing that begins above its place.
+    /// The flight to the place above which a landing begins.
     LandingPlace,
     /// A climb or descent at a place to a height (metres down from the start), with the distance that remained in the
     /// last step.
@@ -311,12 +311,12 @@ impl AutoPlan {
         worked
     }
 
-    /// Continues at the first item with a tag.
+    /// Continues at the first item with a tag; `false` if that is not possible.
     pub(super) fn jump_to_tag(&mut self, vehicle: &mut Vehicle, tag: u16) -> bool {
         sequence::tagged(&vehicle.plans.mission, tag).is_some_and(|at| self.set_item(vehicle, at))
     }
 
-    /// Pauses or resumes. Only a flight to a place can be interrupted.
+    /// Pauses or resumes. Only a flight to a place can be paused; otherwise returns `false`.
     pub(super) fn pause(&mut self, vehicle: &mut Vehicle, pause: bool) -> bool {
         let Task::Route(route) = &mut vehicle.flight.task else {
             return !pause;

@@ -106,8 +106,8 @@ impl Autopilot {
         self.reboot_at.get_or_insert(at);
     }
 
-    /// Performs a reboot that is due: as when SITL starts again, the vehicle is back at its start. Parameters, lists
-    /// and logs survive.
+    /// Performs a reboot that is due, and returns whether one was: as when SITL starts again, the
+    /// vehicle is back at its start. Parameters, lists and logs survive.
     pub(super) fn take_reboot(&mut self) -> bool {
         let is_due = self.reboot_at.is_some_and(|at| self.vehicle.uptime() >= at);
         if is_due {

@@ -75,7 +75,7 @@ pub(super) struct Body {
     pub(super) angle_rates_rad_s: (f64, f64),
     /// Whether a collision has broken the propellers; only a reboot repairs them.
     pub(super) wrecked: bool,
-    /// The rotation of a vehicle that is out of control.
+    /// The rotation of a vehicle that is out of control; `None` in normal flight.
     pub(super) upset: Option<Box<Upset>>,
 }
 
@@ -113,7 +113,7 @@ impl Body {
         self.angles_rad
     }
 
-    /// Advances by one step. Returns the speed of a touchdown, in m/s.
+    /// Advances by one step. Returns the speed of a touchdown in this step, if any, in m/s.
     pub(super) fn step(&mut self, demand: Demand, drive: &Drive<'_>) -> Option<f64> {
         if self.on_ground && demand == Demand::Off {
             self.rest();

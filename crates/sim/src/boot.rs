@@ -10,7 +10,8 @@ pub(super) const VERSION: &str = "ArduCopter V4.6.0-dev (fbb78585)";
 /// The hash of that commit in `AUTOPILOT_VERSION`.
 pub(super) const COMMIT: [u8; 8] = *b"fbb78585";
 
-/// One event, and whether it waits for a GPS position; times are in hundredths of a second.
+/// The time of an event in hundredths of a second, whether the event waits for a GPS position, and
+/// the event.
 type Entry = (u32, bool, BootEvent);
 
 /// An event during the boot.
@@ -147,7 +148,7 @@ impl Boot {
         self.is_before(at::INITIALISED)
     }
 
-    /// `fix_type` and satellites of a receiver that is still starting.
+    /// `fix_type` and satellites of a receiver that is still starting; `None` once it has a fix.
     pub(super) fn early_fix(&self) -> Option<(GpsFixType, u8)> {
         if self.is_before(at::GPS_SEEN) {
             Some((GpsFixType::GPS_FIX_TYPE_NO_GPS, 0))
@@ -239,7 +240,7 @@ impl Boot {
         self.reference_obstacle(mode)
     }
 
-    /// The missing condition among the mandatory checks.
+    /// The missing condition among the mandatory checks, if any.
     pub(super) fn reference_obstacle(&self, mode: &Mode) -> Option<&'static str> {
         if self.over {
             None

@@ -1,5 +1,5 @@
-//! The numbers of the `MAV_CMD`s that the vehicle supports, by name. They are sent as numbers,
-//! since any number may arrive.
+//! The numbers of the `MAV_CMD`s that the vehicle supports, by name. They are plain numbers, since
+//! any number may arrive.
 
 #![expect(
     deprecated,

@@ -29,7 +29,7 @@ const RADIUS_MAX_M: f64 = 5.0;
 const RESTITUTION: f64 = 0.3;
 /// A vehicle that descends on an obstacle below this speed lands on it undamaged.
 const LANDING_M_S: f64 = 1.0;
-/// The minimum vertical component of the surface normal for that.
+/// The minimum vertical component of the surface normal for such a landing.
 const LANDING_SLOPE: f64 = 0.7;
 
 /// A collision that caused damage.

@@ -21,7 +21,7 @@ const INTEGRAL_MAX_M_S2: f64 = 10.0;
 /// The increase of vertical acceleration for a speed beyond its limit, per share of the limit.
 const OVERSPEED_GAIN_Z: f64 = 2.0;
 
-/// The limit of a path's downward acceleration, whatever the limits.
+/// The maximum downward acceleration of a path, whatever its [`Limits`].
 const FALL_MAX_M_S2: f64 = 7.5;
 
 /// The limits of a path.
@@ -111,8 +111,8 @@ impl PositionControl {
         control
     }
 
-    /// Starts again from the body's current state, without a jolt in the lean: the integrator holds all of it, and the
-    /// path starts without acceleration (`init_xy_controller`).
+    /// Starts again from the body's current state, without a jolt in the lean: the integrator takes
+    /// over the whole lean, and the path starts without acceleration (`init_xy_controller`).
     pub(super) fn take_over(&mut self, body: &Body) {
         self.path_m = body.position_m;
         self.velocity_m_s = body.velocity_m_s;

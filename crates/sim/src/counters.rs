@@ -43,7 +43,7 @@ pub(super) struct CounterInputs<'a> {
 pub(super) struct CounterReport {
     /// New values of `STAT_FLTTIME` and `STAT_RUNTIME`.
     pub(super) times: Vec<(&'static str, f32)>,
-    /// A new value of `MOT_THST_HOVER`.
+    /// A new value of `MOT_THST_HOVER`, if it has changed enough to be reported.
     pub(super) hover: Option<f32>,
 }
 

@@ -77,7 +77,7 @@ impl CrashWatch {
         reactions
     }
 
-    /// Handles a touchdown at a speed.
+    /// Reports a touchdown at a speed in m/s; `None` if one was reported shortly before.
     pub(super) fn touch(&mut self, impact_m_s: f64) -> Option<Reaction> {
         if self.since_contact.is_some() {
             return None;

@@ -160,7 +160,7 @@ impl Estimator {
         self.ratios
     }
 
-    /// The GPS report, as the difference to the truth; `None` without a fault.
+    /// The GPS report, as the difference from the truth; `None` without a fault.
     pub(super) fn fix(&self) -> Option<Fix> {
         self.disturbed.then_some(self.receiver.fix)
     }

@@ -101,7 +101,7 @@ pub(super) struct RadioInputs {
     pub(super) fault: RadioFault,
     /// Whether a ground station overrides the receiver.
     pub(super) is_overridden: bool,
-    /// Whether it has been heard since boot.
+    /// Whether the remote control has been heard since boot.
     pub(super) was_heard: bool,
     pub(super) throttle_us: f64,
 }
@@ -124,7 +124,7 @@ impl FailsafeInputs<'_> {
 /// The state of the failsafes.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Failsafe {
-    /// The time of the ground station's last heartbeat.
+    /// The time of the ground station's last heartbeat; `None` before the first one.
     pub(super) heard: Option<Duration>,
     links: LinkWatch,
     ekf: EkfWatch,

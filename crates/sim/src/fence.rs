@@ -69,7 +69,8 @@ impl FenceRules {
     }
 }
 
-/// A numeric limit: how far the vehicle is beyond it, and where it is broken again.
+/// A numeric limit: how far the vehicle is beyond it, and the distance at which it counts as broken
+/// again.
 #[derive(Debug, Clone, PartialEq, Default)]
 struct Limit {
     beyond_m: f64,
@@ -87,7 +88,7 @@ pub(super) struct Geofence {
     ceiling: Limit,
     floor: Limit,
     circle: Limit,
-    /// Whether the floor is active, which it is after the first command that switches the fence on.
+    /// Whether the floor is active: only after a command has switched the fence on.
     has_floor: bool,
     recovering_until: Option<Duration>,
     told: Option<Duration>,

@@ -14,7 +14,8 @@ pub(super) use sample::{LogInputs, LogSample};
 pub(super) const EPOCH_US: u64 = 1_767_225_600_000_000;
 /// Steps from one sample to the next: two samples per second.
 pub(super) const EVERY_STEPS: u64 = 50;
-/// The maximum numbers of samples of a log (20 minutes), of its modes, events and texts each, and of logs.
+/// The maximum number of samples in a log (20 minutes); of modes, events and texts in a log, each;
+/// and of logs.
 const MOST_SAMPLES: usize = 2400;
 const MOST_NOTES: usize = 200;
 const MOST_LOGS: usize = 3;
@@ -154,7 +155,7 @@ impl FlightLog {
         self.opened().map_or(0, <[u8]>::len)
     }
 
-    /// The file that was last opened.
+    /// The file that was last opened, until it is closed.
     pub(super) fn opened(&self) -> Option<&[u8]> {
         self.open.as_ref().map(|(_, file)| file.as_slice())
     }

@@ -1,5 +1,5 @@
 //! The numbers of the `MAV_FRAME`s that the vehicle supports, by name, and the reference of their
-//! heights. They are sent as numbers, since any number may arrive.
+//! heights. They are plain numbers, since any number may arrive.
 
 #![expect(
     deprecated,

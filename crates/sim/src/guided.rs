@@ -29,8 +29,8 @@ const UNIT_WITHIN: f64 = 1e-3;
 const THRUST_AS_THRUST: i32 = 1 << 3;
 /// Velocities beyond this along any axis stop the vehicle, in m/s.
 const SANE_MAX: f64 = 1000.0;
-/// Positions, velocities and accelerations beyond this are mistakes; in metres, it is 2.5 times the circumference of
-/// the earth.
+/// Positions, velocities and accelerations beyond this are mistakes; in metres, the limit is 2.5
+/// times the circumference of the earth.
 const SENSIBLE_MAX: f64 = 1e8;
 
 /// The position of a setpoint, in one of two forms.
@@ -63,9 +63,9 @@ pub(super) struct AttitudeTarget {
     pub(super) mask: u8,
 }
 
-/// Carries out a setpoint. Outside GUIDED, disarmed or before a takeoff it is silently ignored, and so is a point
-/// outside the fence. An invalid setpoint (an unknown frame, no field in use, not a number) stops the vehicle where it
-/// is.
+/// Carries out a setpoint. Outside GUIDED, while disarmed and before a takeoff, a setpoint is
+/// silently ignored; so is a point outside the fence. An invalid setpoint (an unknown frame, no
+/// field in use, not a number) stops the vehicle where it is.
 pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
     let plan_is_guided = autopilot.auto_plan.is_guided();
     let vehicle = &mut autopilot.vehicle;

@@ -222,9 +222,10 @@ impl World {
         self.inputs.as_mut().map(std::mem::take).unwrap_or_default()
     }
 
-    /// Repeats an input that was recorded in another world. Worlds with the same configuration and the same inputs
-    /// after the same steps, whose outputs are taken after each step, fly identically. Returns `false` if the vehicle
-    /// does not exist, or if a new connection would get a different number here.
+    /// Repeats an input that was recorded in another world. Two worlds fly identically if they have
+    /// the same configuration, get the same inputs after the same steps, and their outputs are
+    /// taken after each step. Returns `false` if the vehicle does not exist, or if a new connection
+    /// would get a different number here.
     pub fn enter(&mut self, input: &Input) -> bool {
         let port = PortId {
             vehicle: input.vehicle,

@@ -24,8 +24,8 @@ pub(super) struct Mixer {
     pub(super) limited: Limited,
     /// Whether the thrust is boosted to make up for a lost motor.
     pub(super) boost: bool,
-    /// The motor with the greatest load, counted from 0: when it is far greater than that of the others, a motor has
-    /// failed.
+    /// The motor with the greatest load, counted from 0. If its load is far greater than the
+    /// others', it counts as failed.
     pub(super) lost: usize,
     boost_ratio: f64,
     unbalanced: bool,

@@ -148,7 +148,7 @@ pub(super) fn is_guided(number: u8) -> bool {
     matches!(number, GUIDED | GUIDED_NOGPS)
 }
 
-/// Whether a command changes the speed in the mode.
+/// Whether a speed command takes effect in the mode.
 pub(super) fn changes_speed(number: u8) -> bool {
     matches!(number, AUTO | GUIDED | RTL | GUIDED_NOGPS | SMART_RTL)
 }

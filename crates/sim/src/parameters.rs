@@ -69,7 +69,7 @@ pub(super) struct Parameters {
 }
 
 impl Parameters {
-    /// Everything at its default, with the vehicle's own system id.
+    /// All parameters at their defaults, with the vehicle's own system id.
     pub(super) fn new(system: u8) -> Self {
         let mut all = Self {
             changed: Vec::new(),
@@ -91,7 +91,7 @@ impl Parameters {
         TABLE.rows.len() as u16 - hidden
     }
 
-    /// The parameter at an index of the list.
+    /// The parameter at an index of the list; `None` beyond its end.
     pub(super) fn at(&self, index: u16) -> Option<Parameter> {
         let mut place = index;
         for tree in self.hidden() {
@@ -134,7 +134,7 @@ impl Parameters {
         changed.map_or_else(first, |(_, value)| *value)
     }
 
-    /// The index in the list of the parameter at a place of the table.
+    /// The list index of the parameter at a place of the table.
     fn index_of(&self, place: u16) -> u16 {
         let mut before = 0;
         for tree in self.hidden().take_while(|tree| tree.switch < place) {
@@ -146,7 +146,8 @@ impl Parameters {
         place - before
     }
 
-    /// The parameter with a name of either firmware; case does not matter.
+    /// The parameter with a name of either firmware; `None` for an unknown name. Case does not
+    /// matter.
     pub(super) fn named(&self, name: &str) -> Option<Parameter> {
         if let Some(index) = TABLE.place(name) {
             return self.in_place(index as u16);

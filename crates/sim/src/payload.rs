@@ -11,7 +11,7 @@ const LONGEST: usize = 255;
 pub(super) struct Payload([u8; LONGEST]);
 
 impl Payload {
-    /// The payload of a verified frame.
+    /// The payload of a frame; `None` if the frame is not verified.
     pub(super) fn of(content: &Content) -> Option<Self> {
         let mut bytes = [0; LONGEST];
         match content {

@@ -1,8 +1,9 @@
 //! A vehicle's serial ports, and the ground stations on them.
 //!
-//! A serial port has one [`Link`]: the rates requested on it stay after the requesting ground station has gone. A real
-//! one has room for one ground station; here any number can share it. Each of them gets the same streams and texts; an
-//! answer (and a parameter list) goes only to the requester.
+//! A serial port has one [`Link`]: the rates requested on it stay after the requesting ground
+//! station has gone. A real port has room for one ground station; here any number can share it.
+//! Each of them gets the same streams and texts; an answer (and a parameter list) goes only to the
+//! requester.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
@@ -82,8 +83,8 @@ impl Port {
         }
     }
 
-    /// Handles bytes and answers their requests. Broadcast messages are returned for the others; this ground station
-    /// gets them in order with its answers.
+    /// Handles bytes and answers their requests. Broadcast messages are returned for the other
+    /// ground stations; this one gets them in order with its answers.
     pub(super) fn receive(
         &mut self,
         autopilot: &mut Autopilot,
@@ -244,7 +245,7 @@ impl Port {
         }
     }
 
-    /// Drops a frame that exceeds the room; the gap in the sequence numbers then shows the loss.
+    /// Drops a frame that does not fit; the gap in the sequence numbers then shows the loss.
     fn keep_within(&mut self, room: usize, before: usize) {
         if self.pending.len() > room {
             self.pending.truncate(before);

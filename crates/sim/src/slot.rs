@@ -1,5 +1,5 @@
-//! One vehicle of the world, with its serial ports and the ground stations on them. The connections are kept here
-//! because a reboot replaces the [`Autopilot`], but not them.
+//! One vehicle of the world, with its serial ports and the ground stations on them. The connections
+//! are kept here because they outlive a reboot, which replaces the [`Autopilot`].
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 

@@ -108,7 +108,7 @@ pub(super) enum Task {
     Route(Box<Route>),
     /// Turns around a place of a mission.
     Orbit(Orbit),
-    /// A pilot's sticks set climb and movement; the autopilot holds the rest.
+    /// A pilot's sticks set climb and movement; the autopilot holds the height.
     Piloted,
     /// A pilot's throttle drives the motors directly.
     Manual,

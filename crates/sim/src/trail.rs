@@ -1,4 +1,4 @@
-//! The return path of `SMART_RTL`: breadcrumbs of the flight, simplified and freed of loops
+//! The return path of `SMART_RTL`: breadcrumbs of the flight, simplified and with its loops removed
 //! (`AP_SmartRTL`).
 
 use std::time::Duration;
@@ -112,7 +112,8 @@ impl Trail {
         self.points_m = points_m.into_iter().map(DVec3::as_vec3).collect();
     }
 
-    /// Removes and returns the last breadcrumb, and whether it is the first one of the flight.
+    /// Removes and returns the last breadcrumb, and whether it is the first one of the flight;
+    /// `None` if there are none left.
     pub(super) fn pop(&mut self) -> Option<(DVec3, bool)> {
         let point = self.points_m.pop()?;
         Some((point.as_dvec3(), self.points_m.is_empty()))

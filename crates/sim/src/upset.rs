@@ -82,7 +82,7 @@ pub(super) struct WantedTurn {
     pub(super) lift_m_s2: Option<f64>,
 }
 
-/// The drive of the motors.
+/// The airframe, the conditions and the faults that determine the motors' effect.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drive<'a> {
     pub(super) airframe: &'a Airframe,

@@ -149,7 +149,7 @@ impl Vehicle {
         self.safety.emergency_stop || self.interlock() == Some(false)
     }
 
-    /// The current sticks: centred unless moved lately.
+    /// The current sticks: centred unless moved recently.
     pub(super) fn sticks(&self) -> Sticks {
         self.radio.sticks(self.uptime())
     }

@@ -46,8 +46,9 @@ pub(super) struct MotorTest {
 }
 
 impl MotorTest {
-    /// A test as commanded: motor, kind of throttle (`MOTOR_TEST_THROTTLE_TYPE`) and number of
-    /// motors; the throttle in that kind; seconds.
+    /// A test as commanded. `kind` is the kind of throttle (`MOTOR_TEST_THROTTLE_TYPE`), `throttle`
+    /// the value of that kind; the test lasts `lasts_s` seconds for each of `motors` motors, from
+    /// `motor` on.
     pub(super) fn new(
         [motor, kind, motors]: [i32; 3],
         throttle: f32,
@@ -71,7 +72,7 @@ impl MotorTest {
         }
     }
 
-    /// The motor that turns now, counted from 1, with its pulse width.
+    /// The motor that turns now, if any, counted from 1, with its pulse width.
     pub(super) fn turning(&self, now: Duration) -> Option<(i32, u16)> {
         let pulse_us = self.pulse_us?;
         (now < self.since + self.lasts).then_some((self.motor, pulse_us))
@@ -88,7 +89,7 @@ impl MotorTest {
         if self.left <= 1 {
             return true;
         }
-        // Between two motors, all rest for half the time of one.
+        // Between two motors, all motors rest for half the duration of one test.
         if now >= self.since + self.lasts + self.lasts / 2 {
             self.motor += 1;
             self.left -= 1;

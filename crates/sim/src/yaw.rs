@@ -90,8 +90,8 @@ impl YawControl {
         };
     }
 
-    /// One step: the rate at which the nose turns now. `moving` is the path's horizontal velocity, `here` the
-    /// vehicle's place.
+    /// One step; returns the rate at which the nose turns now. `moving` is the path's horizontal
+    /// velocity, `here` the vehicle's place.
     pub(super) fn step(
         &mut self,
         yaw_deg: f64,
@@ -117,7 +117,8 @@ impl YawControl {
         self.rate_deg_s
     }
 
-    /// Turns at a rate that changes as fast as the acceleration lets it; at rest the heading is held again.
+    /// Turns at a rate that changes as fast as the acceleration allows; at rest the heading is held
+    /// again.
     fn by_stick(&mut self, rate_deg_s: f64, yaw_deg: f64, accel_deg_s2: f64) -> f64 {
         let most = accel_deg_s2 * STEP_S;
         self.stick_deg_s += (rate_deg_s - self.stick_deg_s).clamp(-most, most);

@@ -2,7 +2,7 @@
 
 use crc::{Algorithm, CRC_16_MCRF4XX, Crc, Digest, Table};
 
-/// With a table for sixteen bytes at a time, a frame is checked in a fifth of the time.
+/// The CRC of a frame. With a table for sixteen bytes at a time, a check takes a fifth of the time.
 const FRAME: Crc<u16, Table<16>> = Crc::<u16, Table<16>>::new(&CRC_16_MCRF4XX);
 
 /// CRC-32 as MAVLink FTP defines it: it starts at zero and has no inversions, unlike that of zip.

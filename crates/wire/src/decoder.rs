@@ -78,7 +78,7 @@ impl Decoder {
         Self::default()
     }
 
-    /// Takes in bytes as they arrived.
+    /// Appends bytes in the order in which they arrived.
     pub fn push(&mut self, bytes: &[u8]) {
         if self.position >= COMPACT_AT || self.position == self.buffer.len() {
             self.buffer.drain(..self.position);

@@ -107,16 +107,17 @@ pub struct Frame {
 pub enum Content {
     /// A message of the dialect.
     Message(MavMessage),
-    /// An id of the dialect whose payload holds an enum value that the dialect lacks (a vehicle type or a
-    /// command newer than this program). Its CRC was right; fields can be read by hand.
+    /// A message of the dialect whose payload holds an enum value that the dialect lacks (a vehicle
+    /// type or a command newer than this program). Its checksum was right, so single fields can be
+    /// read from the payload.
     Undecoded {
         /// The message id in the header.
         id: u32,
         /// The payload in wire order, padded with zeros to the maximum length.
         payload: Box<[u8; 255]>,
     },
-    /// An id that the dialect lacks, whose checksum therefore cannot be verified, or a message that cannot be parsed.
-    /// The content is not reliable; only the sequence number is used.
+    /// A message id that the dialect lacks, so the checksum cannot be verified, or a message that
+    /// cannot be parsed. The content is not reliable; only the sequence number is used.
     Unknown {
         /// The message id in the header.
         id: u32,

@@ -39,8 +39,8 @@ struct Numbering {
     missing: [bool; 256],
     /// The newest number behind the last one, if the last frame was late.
     behind: Option<u8>,
-    /// Of the late frames so far, if their numbers rise steadily: how many numbers were received before, and how many
-    /// had been missing.
+    /// How many late frames in a row had numbers that were received before, and how many had
+    /// missing ones, as long as their numbers rise steadily.
     repeated: u8,
     found: u8,
 }
@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(lost([250, 251, 3, 252, 4]), 6);
     }
 
-    /// Delays of up to 40 frames, as jitter of 400 ms gives them at 100 Hz.
+    /// Delays of up to 40 frames, as caused by a jitter of 400 ms at 100 Hz.
     fn shuffled(count: u32) -> Vec<u32> {
         let mut arrivals: Vec<(u32, u32)> = (0..count)
             .map(|number| (number + number.wrapping_mul(2_654_435_761) % 40, number))

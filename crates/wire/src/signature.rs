@@ -26,12 +26,12 @@ pub enum Seal {
     Unsigned,
     /// It was not signed with a key that the receiver has, or it has not been verified.
     Foreign,
-    /// It was signed with the right key, but its stamp is this many units of 10 microseconds behind that of an earlier
-    /// frame, or equal: it may have been replayed.
+    /// It was signed with the right key, but its stamp is this many units of 10 microseconds too
+    /// old to count as new: it may have been replayed.
     Old(u64),
     /// It was signed with the sender's key, at a new time.
     Right,
-    /// As [`Seal::Right`], with the key that is about to replace the sender's key.
+    /// Like [`Seal::Right`], but signed with the key that is about to replace the sender's key.
     RightWithNext,
 }
 
@@ -44,7 +44,7 @@ impl Seal {
         }
     }
 
-    /// Whether the frame is proved to come from a holder of the key, now.
+    /// Whether the signature proves that a holder of the key has sent the frame just now.
     pub fn is_right(self) -> bool {
         match self {
             Self::Right | Self::RightWithNext => true,
@@ -76,7 +76,7 @@ pub fn is_signed_with(key: &SigningKey, frame: &[u8]) -> bool {
     hash(key, frame).is_some_and(|hash| frame.ends_with(&hash))
 }
 
-/// The last 6 bytes of a signed frame; they need not be there yet.
+/// The signature of a frame, which is its last 6 bytes; they need not be there yet.
 pub(super) fn hash(key: &SigningKey, frame: &[u8]) -> Option<[u8; 6]> {
     let mut raw = MAVLinkV2MessageRaw::new();
     raw.as_mut_slice()

@@ -22,7 +22,7 @@ pub struct PlanView {
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct PlanItemView {
     pub number: usize,
-    /// The name of its `MAV_CMD`, or its number where the dialect has none.
+    /// The name of its `MAV_CMD`, or its number if the dialect has no name for it.
     pub command: String,
     /// The number of its `MAV_FRAME`.
     pub frame: u8,

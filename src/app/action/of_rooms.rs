@@ -94,7 +94,7 @@ pub enum PlansAction {
     SaveDraft,
     /// Write a line that uploads the draft.
     UploadDraft,
-    /// Write a line that divides the area drawn among vehicles.
+    /// Write a line that divides the drawn area among vehicles.
     SurveyDraft,
     /// Write a line that flies the drafts in simulation.
     TryDrafts,

@@ -14,7 +14,7 @@ pub enum ViewAction {
     /// Go to the next vehicle by number.
     NextVehicle,
     PreviousVehicle,
-    /// Show the next page where the screen is too small for all.
+    /// Show the next page, if the screen is too small for everything.
     NextPage,
     /// Show a longer time span.
     Window,
@@ -61,7 +61,7 @@ pub enum StartAction {
     Practise,
 }
 
-/// Controls the replay, in every room.
+/// Actions that control the replay, in every room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]
 pub enum ReplayAction {

@@ -1,4 +1,5 @@
-//! The keymap file: contexts with keys, each an action's name or a line of the command language.
+//! The keymap file: contexts with keys, each bound to an action's name or to a line of the command
+//! language.
 //!
 //! ```toml
 //! [anywhere]
@@ -208,7 +209,8 @@ impl KeymapReading<'_> {
     }
 }
 
-/// The meaning of a key's value in the file: an action or a line; `None` for `false`, which leaves the key without one.
+/// The meaning of a key's value in the file: an action or a line; `None` for `false` or an empty
+/// text, which leaves the key without one.
 fn meaning(value: &Spanned<DeValue<'_>>, themes: &[String]) -> Result<Option<Meaning>, Diagnostic> {
     let span = value.span();
     let line = match value.get_ref() {

@@ -46,7 +46,8 @@ impl Keymap {
     }
 }
 
-/// A meaning in the syntax of a keymap file; `None` for the keys of vehicle lists, which are a family.
+/// A meaning in the syntax of a keymap file; `None` for the typing of a vehicle list, which has a
+/// family of keys.
 fn written(meaning: &Meaning) -> Option<String> {
     match meaning {
         Meaning::Do(action) => Some(action.name().to_owned()),

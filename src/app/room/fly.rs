@@ -15,7 +15,7 @@ use crate::vehicle::{Severity, VehicleId};
 
 /// The minimum time between changes of the order, so that the eye can follow a row.
 const RESORT_EVERY: Duration = Duration::from_secs(1);
-/// The columns that the sort key cycles through where none are chosen.
+/// The columns that the sort key cycles through if none are chosen.
 const SORTS: &[Column] = &[
     Column::Id,
     Column::Alert,
@@ -232,7 +232,7 @@ pub fn filter(state: &mut State, text: &str) {
     }
 }
 
-/// Adds a row for a new vehicle; it is sorted in at the next update.
+/// Adds a row for a new vehicle that matches the filter; the row is sorted in at the next update.
 pub fn heard(state: &mut State, id: VehicleId) {
     let filter = VehicleFilter::new(&state.rooms.fly.filter);
     let fits = |state: &State| {

@@ -16,7 +16,7 @@ use crate::vehicle::{Severity, VehicleId};
 pub struct Hangar {
     /// The index of the process under the cursor.
     pub(in crate::app) cursor: usize,
-    /// Whether its output fills the screen.
+    /// Whether the output of that process fills the screen.
     pub(in crate::app) opened: bool,
     /// The number of newest lines scrolled out of view.
     pub(in crate::app) back: usize,
@@ -28,7 +28,7 @@ impl Hangar {
         self.cursor
     }
 
-    /// Whether its output fills the screen.
+    /// Whether the output of the process under the cursor fills the screen.
     pub fn is_opened(&self) -> bool {
         self.opened
     }
@@ -45,7 +45,8 @@ pub fn under_cursor(state: &State) -> Option<&Instance> {
     instances.get(state.rooms.hangar.cursor)
 }
 
-/// The vehicle whose process output is needed.
+/// The vehicle whose process output is needed: that of the process under the cursor while the room
+/// is shown.
 pub fn wanted(state: &State) -> Option<VehicleId> {
     let shown = under_cursor(state).filter(|_| state.room == Room::Hangar);
     shown.map(|instance| instance.vehicle)

@@ -70,7 +70,7 @@ fn of_drill<'a>(state: &'a State, drill: &Listing) -> Option<&'a Listing> {
         .find(|mission| mission.id == *of)
 }
 
-/// The drill for a mission, by the mission's id.
+/// The drill for a mission, by the mission's id; `None` if it has no drill.
 pub fn drill<'a>(state: &'a State, mission: &str) -> Option<&'a Listing> {
     let mut all = state.training.missions.iter();
     all.find(|listing| listing.drill_of.as_deref() == Some(mission))
@@ -134,7 +134,7 @@ impl RoomModel for Home {
     fn forget_session(&mut self) {}
 }
 
-/// The mission under the cursor.
+/// The mission under the cursor; `None` on any other entry.
 pub fn under_cursor(state: &State) -> Option<&Listing> {
     match items(state).get(state.rooms.home.cursor) {
         Some(HomeItem::Mission(at)) => state.training.missions.get(*at),

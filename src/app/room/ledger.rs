@@ -43,7 +43,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Its heading; `None` where all are shown.
+    /// Its heading; `None` if commands of all outcomes are shown.
     pub fn title(self) -> Option<Text> {
         match self {
             Self::Any => None,
@@ -224,7 +224,7 @@ pub fn filter(state: &mut State, text: &str) {
     find(state);
 }
 
-/// Updates the list if it is outdated; returns whether it was.
+/// Updates the list if it is outdated and on the screen; returns whether it was updated.
 pub fn tick(state: &mut State) -> bool {
     let is_due = state.rooms.ledger.stale && state.room == Room::Ledger;
     if is_due {
@@ -243,7 +243,7 @@ fn find(state: &mut State) {
     room.shown = fitting.map(|entry| entry.id).collect();
 }
 
-/// Closes what was opened last; then leaves the room.
+/// Closes the open rows; otherwise clears the filter; otherwise leaves the room.
 fn escape(state: &mut State) {
     state.hush();
     let room = &mut state.rooms.ledger;
@@ -261,7 +261,7 @@ fn escape(state: &mut State) {
 enum Term {
     /// The command addresses one of these vehicles.
     Vehicles(Vec<u16>),
-    /// Its line or its outcome contains this text.
+    /// The command's line or its outcome contains this text.
     Word(String),
 }
 

@@ -22,7 +22,8 @@ pub use watch::{began, heard, leg, measured, refit, tick};
 /// and in rows.
 const LEASH_COLUMNS: f64 = 12.0;
 const LEASH_ROWS: f64 = 4.0;
-/// How far ahead of the vehicle the map is then centred, as a fraction of the distance it moved.
+/// How far ahead of the vehicle the map is then centred, as a fraction of the distance that the
+/// vehicle has moved.
 const AHEAD: f64 = 0.7;
 
 /// The minimum screen size with room for the legend.
@@ -175,7 +176,8 @@ impl Map {
         }
     }
 
-    /// Zooms in or out; the position under the cursor stays in place on the screen.
+    /// Zooms in or out; a followed vehicle, or otherwise the position under the cursor, stays in
+    /// place on the screen.
     pub fn zoom(&mut self, size: GridSize, closer: bool) {
         let Some(view) = self.view(size) else {
             return;

@@ -93,7 +93,7 @@ pub enum Sort {
     Age,
 }
 
-/// The data that the room needs now; `None` for none.
+/// The data that the room needs now; `None` if it needs no data.
 pub fn traffic_request(state: &State) -> Option<TrafficRequest> {
     let room = &state.rooms.messages;
     let census = state.room == Room::Messages;
@@ -177,7 +177,7 @@ impl Messages {
         }
     }
 
-    /// The message under the cursor.
+    /// The message under the cursor; `None` on any other line.
     pub fn selected(&self) -> Option<Selected<'_>> {
         self.selected_in(&self.branches())
     }
@@ -196,7 +196,7 @@ impl Messages {
         })
     }
 
-    /// The fields of the last frame of the message under the cursor.
+    /// The fields of the last frame of the message under the cursor; `None` on any other line.
     pub fn reading(&self) -> Option<MessageReading> {
         let last = &self.selected()?.tally.last;
         Anatomy::of(last).map(|frame| read(&frame))

@@ -123,7 +123,8 @@ impl Parameters {
         self.lists.get(&vehicle)?.list.get(name)
     }
 
-    /// The newest command that set a parameter of a vehicle, and its value.
+    /// The newest command that set a parameter of a vehicle, and its value; `None` if there was
+    /// none.
     pub fn edit(&self, vehicle: VehicleId, name: &str) -> Option<Edit> {
         self.edits.get(&vehicle)?.get(name).copied()
     }
@@ -365,8 +366,8 @@ fn edit_under_cursor(state: &mut State) {
     state.prompt(Purpose::Parameter { name, vehicles }, value);
 }
 
-/// Stops setting values; if none are being set, removes the last filter or the comparison. Returns
-/// false if there is nothing to close.
+/// Stops setting values; otherwise removes the filter, the comparison or the limit to changed
+/// parameters, one at a time. Returns false if there is nothing to close.
 fn close(state: &mut State) -> bool {
     state.hush();
     let room = &mut state.rooms.parameters;

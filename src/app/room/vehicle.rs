@@ -14,7 +14,7 @@ use crate::app::state::Window;
 pub struct Vehicle {
     /// The time span of the curves.
     pub(in crate::app) window: Window,
-    /// The page shown where the screen is too small for everything, modulo the number of pages.
+    /// The page shown if the screen is too small for everything, modulo the number of pages.
     pub(in crate::app) page: usize,
 }
 
@@ -24,7 +24,7 @@ impl Vehicle {
         self.window
     }
 
-    /// The page shown where the screen is too small for everything, modulo the number of pages.
+    /// The page shown if the screen is too small for everything, modulo the number of pages.
     pub fn page(&self) -> usize {
         self.page
     }

@@ -37,9 +37,9 @@ pub struct Workshop {
     pub(in crate::app) pane: Pane,
     /// The view beside the lists.
     pub(in crate::app) view: View,
-    /// The line under the cursor of the list of designs.
+    /// The index of the line under the cursor in the list of designs.
     pub(in crate::app) shelf: usize,
-    /// The seat under the cursor.
+    /// The index of the seat under the cursor.
     pub(in crate::app) seat: usize,
     /// The first line of the comparison.
     pub(in crate::app) scroll: usize,
@@ -152,7 +152,8 @@ pub fn air() -> Air {
     Air::default()
 }
 
-/// The mission to build for: the one in flight, otherwise the one under the home screen's cursor.
+/// The mission to build for: the one in flight; after it, and without one, the mission under the
+/// home screen's cursor.
 pub fn mission(state: &State) -> Option<&Listing> {
     // After a finished flight, the bench is for the next one.
     let chosen = super::home::under_cursor(state).filter(|_| state.session.is_over());

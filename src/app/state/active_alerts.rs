@@ -131,7 +131,8 @@ impl ActiveAlerts {
         all.filter(|one| one.ended.is_none())
     }
 
-    /// The alert for a vehicle's row: unacknowledged before acknowledged, then the worst.
+    /// The alert for a vehicle's row, if it has any: unacknowledged before acknowledged, then the
+    /// worst.
     pub fn worst(&self, vehicle: VehicleId) -> Option<&Standing> {
         self.of(vehicle)
             .min_by_key(|one| (self.is_calm(one), one.alert.severity))
@@ -147,8 +148,8 @@ impl ActiveAlerts {
         self.muted.contains(&kind)
     }
 
-    /// The worst unacknowledged alert. A vehicle that is on the ground and not ready does not count
-    /// as urgent.
+    /// The worst unacknowledged alert, and the vehicles with the same kind; `None` without one.
+    /// Minor alerts and failed pre-arm checks do not count.
     pub fn pressing(&self) -> Option<Pressing<'_>> {
         let open = || self.open();
         let (_, first) = open().min_by_key(|(_, one)| (one.alert.severity, one.since))?;
@@ -176,7 +177,7 @@ impl ActiveAlerts {
         count
     }
 
-    /// The serious alerts that are not acknowledged.
+    /// The serious alerts that are neither acknowledged nor muted, except failed pre-arm checks.
     pub fn open(&self) -> impl Iterator<Item = (VehicleId, &Standing)> {
         let vehicles = self.standing.iter();
         let standing = vehicles.flat_map(|(&id, all)| all.iter().map(move |one| (id, one)));
@@ -231,7 +232,7 @@ fn renewed(old: Option<Standing>, alert: Alert, since: impl Fn(AlertKind) -> Dur
     }
 }
 
-/// An alert whose condition has ended, while it may still return.
+/// An ended alert, kept while its condition may still return; `None` after [`FLICKER`].
 fn fading(old: Standing, now: Duration) -> Option<Standing> {
     let ended = old.ended.unwrap_or(now);
     (now.saturating_sub(ended) < FLICKER).then_some(Standing {

@@ -63,7 +63,8 @@ impl Choice {
         groups.map(|(name, _)| name.as_str()).collect()
     }
 
-    /// Drops a vehicle; its cursor moves to the nearest remaining vehicle by number.
+    /// Drops a vehicle; if the cursor was on it, moves the cursor to the nearest remaining vehicle
+    /// by number.
     pub(super) fn forget(&mut self, vehicle: VehicleId, remaining: &Vehicles) {
         self.selection.remove(&vehicle);
         for members in self.groups.values_mut() {

@@ -26,7 +26,7 @@ use crate::vehicle::{USUAL_RESERVE_PERCENT, Vehicle, VehicleClass, VehicleId, Ve
 pub struct FlightView {
     /// The kind of session; `None` between sessions.
     pub(in crate::app) activity: Option<Activity>,
-    /// The room to show once its vehicles are there.
+    /// The room to show once the session's vehicles are there.
     pub(in crate::app) first_room: Room,
     /// The vehicles that belong to the session; if empty, every vehicle heard belongs to it.
     pub(in crate::app) expected: BTreeSet<VehicleId>,
@@ -118,7 +118,7 @@ impl FlightView {
     }
 
     /// Why an order needs a confirmation although its verb does not: the state of its vehicles, or
-    /// plans to be started that failed in a rehearsal or are identical.
+    /// plans to be started that failed in a rehearsal or are identical. `None` if it needs none.
     pub fn hazard(&self, order: &Order) -> Option<Text> {
         let of_vehicles = order.hazard(&self.vehicles);
         of_vehicles.or_else(|| match order.act {

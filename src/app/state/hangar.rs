@@ -69,7 +69,7 @@ impl Instance {
         }
     }
 
-    /// Whether the process has ended unrequested.
+    /// Whether the process has ended without a request.
     pub fn has_crashed(&self) -> bool {
         self.stage == SitlStage::Ended && self.fault.is_some()
     }

@@ -164,7 +164,7 @@ impl Confirm {
         self.answer.chars().count() == 1
     }
 
-    /// The text to type, with a label where it is not obvious.
+    /// The text to type, with a label if it is not obvious.
     pub fn wanted(&self) -> Text {
         match self.then {
             Consequence::Order(_) | Consequence::Uploads(_) => {

@@ -11,7 +11,7 @@ pub struct SessionPace {
 }
 
 impl SessionPace {
-    /// A pace whose current and usual speed-up are this one.
+    /// A pace whose current and usual speed-up have this value.
     pub fn new(usual: f64) -> Self {
         Self { usual, now: usual }
     }

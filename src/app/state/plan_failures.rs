@@ -57,7 +57,7 @@ impl PlanFailures {
         for PlanVerdict { plan, .. } in verdicts {
             self.trials.remove(plan);
         }
-        // Several vehicles may fly the same plan: it has failed if one of them has.
+        // Several vehicles may fly the same plan, which has failed if one of the flights has.
         let failed = verdicts.iter().filter_map(|it| {
             let reason = it.failure.clone()?;
             Some((it.plan, reason))
@@ -66,7 +66,7 @@ impl PlanFailures {
     }
 
     /// Why it is dangerous to start the plans of an order's targets: they failed in a rehearsal, or
-    /// are identical.
+    /// are identical. `None` if it is not dangerous.
     pub fn hazard(&self, order: &Order, vehicles: &Vehicles) -> Option<Text> {
         let failed = self.failed_plans(order, vehicles);
         failed.or_else(|| same_plan(order, vehicles))

@@ -135,7 +135,8 @@ impl ReplayView {
         (!self.moments.is_empty()).then(|| passed.saturating_sub(1))
     }
 
-    /// The moment at the current position, or the last one before.
+    /// The moment at the current position, or the last one before it; `None` before the first
+    /// moment.
     pub fn current(&self) -> Option<&Moment> {
         let shown = self.moments.get(self.current_index()?)?;
         (shown.at <= self.position.at).then_some(shown)

@@ -114,7 +114,8 @@ fn seen_from(flyer: &Flyer, other: &Flyer) -> CloseVehicle {
     }
 }
 
-/// A vehicle, if it is in the air at a known place; the first one's place is the origin.
+/// A vehicle, if it is in contact, and in the air at a known place; the first one's place is the
+/// origin.
 fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
     if vehicle.link.lost || !vehicle.airborne() {
         return None;

@@ -9,8 +9,8 @@ const MARK_EVERY: Duration = Duration::from_secs(1);
 /// slower, and unevenly if the vehicles' clocks determine it.
 #[derive(Debug, Clone, Default)]
 pub struct SessionTime {
-    /// Pairs of program time and session time, beginning with the last moment at zero; interpolated
-    /// linearly between pairs.
+    /// Pairs of program time and session time. The first is the last one with a session time of
+    /// zero; between two pairs, session time is interpolated linearly.
     marks: Vec<(Duration, Duration)>,
     /// The pace after the last mark, relative to the program's clock; zero if only marks advance session time.
     pace: f64,
@@ -37,7 +37,7 @@ impl SessionTime {
         self.pace = pace;
     }
 
-    /// Session time at the program time `then`: zero before the start, `None` where unknown.
+    /// Session time at the program time `then`: zero before the start, `None` if it is unknown.
     pub fn at(&self, then: Duration) -> Option<Duration> {
         let next = self.marks.partition_point(|(now, _)| *now < then);
         let before = next.checked_sub(1).and_then(|last| self.marks.get(last));

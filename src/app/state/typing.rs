@@ -55,7 +55,7 @@ impl Typing {
         !self.macro_lines.is_empty()
     }
 
-    /// The last line given on the command line.
+    /// The last line given on the command line, if there is one.
     pub fn last_line(&self) -> Option<&str> {
         self.history.back().map(String::as_str)
     }

@@ -23,7 +23,7 @@ use crate::vehicle_id::ranges;
 /// Carries out a command.
 ///
 /// # Errors
-/// One of its words names something unknown.
+/// The reason why the command is not possible, with the position of the faulty word.
 pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effects, Diagnostic> {
     let last_word = words(line).pop().map_or(0..0, |word| word.span);
     if let ConsoleLine::Macro(name) = &own {

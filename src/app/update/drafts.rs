@@ -17,7 +17,7 @@ use crate::vehicle::VehicleId;
 /// Carries out a line about drafts.
 ///
 /// # Errors
-/// The reason why it is not possible.
+/// The reason why the line cannot be carried out.
 pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal> {
     match line {
         DraftLine::Upload(vehicles) => {

@@ -13,8 +13,8 @@ use crate::vehicle_id::ranges;
 /// Forgets vehicles whose link is lost: the chosen ones, or all.
 ///
 /// # Errors
-/// One of them is still heard, none of them is known, no link is lost, or the session is not one
-/// with running vehicles: simulated ones would appear again.
+/// A chosen vehicle is still heard, none of them is known, no link is lost, or the session has no
+/// running vehicles: simulated vehicles would appear again.
 pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effects, Text> {
     if !matches!(state.session.activity, Some(Activity::Connected { .. })) {
         return Err(text!("forget-not-here"));

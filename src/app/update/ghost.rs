@@ -13,7 +13,8 @@ use crate::vehicle::Severity;
 /// Carries out a command about the other flight.
 ///
 /// # Errors
-/// There is no mission or no other flight, or a comparison is not allowed here.
+/// There is no mission, no other flight is shown, a comparison is not allowed now, or the aligning
+/// event is missing in one of the flights.
 pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
     match line {
         GhostLine::Show(source) => {

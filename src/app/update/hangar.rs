@@ -12,7 +12,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The maximum number of lines of output kept of the process on the screen.
+/// The maximum number of output lines kept for the process on the screen.
 const LINES_KEPT: usize = 500;
 
 /// Stores the state of the processes, and adds notices of important changes.

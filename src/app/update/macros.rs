@@ -36,10 +36,10 @@ impl MacroLine<'_> {
     }
 }
 
-/// Checks the lines of a macro before the first one is given, so that no fault appears after others
-/// have been sent. The effect of earlier lines is not known yet, so groups that they define count
-/// as all vehicles, and the selection is not checked. Nothing is checked after a line that starts
-/// another session.
+/// Checks the lines of a macro before the first one is given, so that no fault appears after other
+/// lines have been sent. The effect of earlier lines is not known yet, so groups that they define
+/// count as all vehicles, and the selection is not checked. Nothing is checked after a line that
+/// starts another session.
 ///
 /// # Errors
 /// The first fault, placed at `at`, the call of the macro.

@@ -21,8 +21,9 @@ const FREE_FLIGHT_MOST: f64 = 100.0;
 /// The factor per key press.
 const KEY_FACTOR: f64 = 2.0;
 
-/// Doubles the speed-up, up to the limit. In a mission, the key works only while a command is under
-/// way; otherwise an extra key press would use up the mission's time and the battery.
+/// Doubles the speed-up, up to the limit; in a replay, raises the rate. In a mission, the key works
+/// only while a command is under way; otherwise an extra key press would use up the mission's time
+/// and the battery.
 pub fn faster(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::change_rate(state, true);

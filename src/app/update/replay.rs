@@ -184,7 +184,8 @@ pub fn change_rate(state: &mut State, faster: bool) -> Effects {
     set_rate(state, next.unwrap_or(now))
 }
 
-/// Sets a bookmark at this moment. In a replay it is stored beside the record; an existing one gets the new text.
+/// Sets a bookmark at the current time. In a replay it is stored beside the record; an existing
+/// bookmark gets the new text.
 ///
 /// # Errors
 /// There is no flight or replay, or there are too many bookmarks.

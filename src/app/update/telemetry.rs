@@ -28,7 +28,7 @@ const SEPARATION_MS: u128 = 500;
 
 /// Advances wall time and, except in a replay, flight time.
 pub fn tick(state: &mut State, now: Duration, wall: Duration) {
-    // Messages live for whole seconds, and the debrief shows when it accepts keys.
+    // Messages are shown for whole seconds, and the debrief shows when it accepts keys.
     let before = (state.wall.as_secs(), state.is_deaf());
     (state.wall, state.clock) = (wall, now);
     if before != (wall.as_secs(), state.is_deaf()) {
@@ -199,8 +199,8 @@ fn note_height(session: &mut FlightView, elapsed: Duration) {
     session.task.heights.note(elapsed, highest_m);
 }
 
-/// Shows the debrief. An open command line stays on top; otherwise the rest of a line being typed would act on the
-/// debrief.
+/// Stores the debrief and, except in a replay, shows it. An open command line stays on top;
+/// otherwise the rest of a line being typed would act on the debrief.
 pub fn ended(state: &mut State, report: Box<Report>) {
     if !report.tries.is_empty() {
         let tries = report.tries.clone();

@@ -12,7 +12,8 @@ pub struct FlightClaim<'a> {
     pub mission: &'a Mission,
     pub stake: Stake,
     pub seed: u64,
-    /// How the mission compares with that of the course; old reports lack this, and count as they claim.
+    /// How the mission file compares with that of the course; old reports lack this, and count as
+    /// they claim.
     pub mission_file: Option<MissionFile>,
     /// The source of the commands; old records do not contain it, and count as they claim.
     pub flown_by: Option<FlownBy>,

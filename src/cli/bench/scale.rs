@@ -189,7 +189,8 @@ impl<'a> ScaleSeries<'a> {
         Ok(rows)
     }
 
-    /// Measures all repeats of one number of vehicles. Vehicles that do not start are a result, not an error.
+    /// Measures all repeats of one number of vehicles. If several vehicles do not start, that is a
+    /// result, not an error.
     fn count(&mut self, vehicles: u16) -> anyhow::Result<ScaleRow> {
         let repeats = usize::from(self.options.repeat.get());
         let mut samples = Vec::new();

@@ -1,4 +1,4 @@
-//! Finds the mission of a pilot's script; the check takes places and vehicles from it.
+//! Finds the mission of a pilot's script, from which the check takes places and vehicles.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ use crate::language::{Context, Script};
 use crate::mission::Mission;
 use crate::store;
 
-/// The faults of a script, given the other files.
+/// The faults of a script, given the other files; `None` if it has none.
 pub(super) fn faults(script: &Path, text: &str, named: &[PathBuf]) -> Option<Vec<Diagnostic>> {
     if let Some(mission) = mission_of(script, named) {
         return crate::exercise::read_script(text, &mission).err();

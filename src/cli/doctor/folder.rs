@@ -15,7 +15,7 @@ const LEAST_FREE_MIB: u64 = 512;
 /// The use of a folder, on which the advice depends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum FolderUse {
-    /// Profiles and records, which another user may only read.
+    /// Profiles and records, for which read access may be enough.
     Results,
     /// Files of this user alone.
     Files,
@@ -143,7 +143,8 @@ impl ClosedFolder<'_> {
     }
 }
 
-/// The name of a folder's owner, or the number if it has none, unless it is this user.
+/// The name of a folder's owner, or the user id if it has no name; `None` if this user owns the
+/// folder.
 fn other_owner(folder: &Path) -> Option<String> {
     let owner = Uid::from_raw(fs::metadata(folder).ok()?.uid());
     let named = || User::from_uid(owner).ok().flatten().map(|user| user.name);

@@ -23,7 +23,8 @@ const NETWORK: [&str; 17] = [
     "smb3",
 ];
 
-/// The network file system of a folder from `/proc/self/mountinfo`, if it is on one.
+/// The type of the network file system on which a folder is, from the text of
+/// `/proc/self/mountinfo`; `None` for any other file system.
 pub(super) fn network_file_system<'a>(mounts: &'a str, folder: &Path) -> Option<&'a str> {
     let mounted = mounts.lines().filter_map(mount);
     // Of two mounts at one place, the later one hides the earlier.

@@ -294,8 +294,8 @@ fn parameter_file(path: &Path) -> Result<Vec<(String, f64)>, Failure> {
         .collect())
 }
 
-/// A script for a POSIX shell. It runs in a subshell, so that the shell into which it is pasted does not change. The
-/// subshell stays the parent of the instances, because SITL ends with its parent.
+/// A script for a POSIX shell. It runs in a subshell, so pasting it does not change the user's
+/// shell. The subshell stays the parent of the instances, because SITL ends with its parent.
 fn script(options: &CommandArguments, orders: &[WrittenStart]) -> String {
     let mut text = String::from("(\npids=\n");
     for order in orders {

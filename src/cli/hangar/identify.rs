@@ -40,7 +40,8 @@ struct IdentifyAnswer {
     fault: Option<String>,
 }
 
-/// Asks the programs and prints their answers; exit code 1 if a program is not as expected, or none was found.
+/// Identifies the programs and prints the results; exit code 1 if a program is not as expected, or
+/// none was found.
 pub(super) fn identify(
     options: &IdentifyArguments,
     settings: &CliSettings,

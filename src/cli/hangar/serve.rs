@@ -242,7 +242,7 @@ fn end_by_signal(cancel: CancellationToken) -> io::Result<tokio::task::JoinHandl
     }))
 }
 
-/// Reports instances that start, are ready, and end, until the hangar is gone.
+/// Reports when instances start, become ready and end, until the hangar is gone.
 async fn report(mut seen: watch::Receiver<Instances>) {
     let mut before = Instances::default();
     loop {

@@ -36,7 +36,7 @@ struct StatusAnswer {
     fault: Option<String>,
 }
 
-/// Asks the services and prints their state; exit code 1 if one of them does not answer.
+/// Requests the state of the services and prints it; exit code 1 if one of them does not answer.
 pub(super) fn status(
     options: &StatusArguments,
     settings: &CliSettings,

@@ -1,4 +1,5 @@
-//! The bridge itself: messages of the client and of the console in, messages to both out.
+//! The bridge itself: takes messages from the client and the console, and returns the messages for
+//! both.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +12,7 @@ use crate::api::{LONGEST_LINE, Request};
 /// The versions of the protocol, oldest first. 2025-03-26 is left out: it requires batches.
 const VERSIONS: [&str; 3] = ["2024-11-05", "2025-06-18", NEWEST];
 const NEWEST: &str = "2025-11-25";
-/// The most calls that may be open at the same time.
+/// The maximum number of calls that may be open at the same time.
 pub const MOST_CALLS: usize = 64;
 /// Advice to the model on all tools.
 const INSTRUCTIONS: &str = "A ground-control console for drone swarms. Units are in the names of the fields, unknown \
@@ -154,7 +155,8 @@ impl Bridge {
         }
     }
 
-    /// Closes the call that a message of the console answers.
+    /// Closes the call that a message of the console answers, and returns it; `None` if the call is
+    /// unknown or was cancelled.
     fn answered(&mut self, content: &Value) -> Option<ToolCall> {
         self.unanswered.remove(&number(content, "id")?)?
     }

@@ -38,7 +38,7 @@ pub struct RpcRequest {
 /// Reads a line of JSON-RPC.
 ///
 /// # Errors
-/// The line is not a valid message; the error is its answer.
+/// The line is not a valid message; the error is the answer to send.
 pub fn read(line: &[u8]) -> Result<Incoming, Value> {
     let value: Value = serde_json::from_slice(line)
         .map_err(|fault| error(Value::Null, RpcCode::NotJson, &format!("not JSON: {fault}")))?;
@@ -76,7 +76,7 @@ pub fn read(line: &[u8]) -> Result<Incoming, Value> {
     })
 }
 
-/// Whether a value can name a request or its progress.
+/// Whether a value is valid as the id of a request or as a progress token.
 pub fn is_name(value: &Value) -> bool {
     value.is_string() || value.is_number()
 }
@@ -89,7 +89,8 @@ pub fn result(id: Value, content: Value) -> Value {
     answer
 }
 
-/// The answer to a request that cannot be carried out; its number is null if it could not be read.
+/// The answer to a request that cannot be carried out; `id` is null if the request's id could not
+/// be read.
 pub fn error(id: Value, code: RpcCode, message: &str) -> Value {
     let mut answer = json!({"jsonrpc": "2.0", "error": {"code": code as i32, "message": message}});
     answer["id"] = id;

@@ -101,7 +101,8 @@ pub(super) fn lost(reason: Unwritable) -> Text {
     }
 }
 
-/// The text of a document in the format of a file name, or as a `.plan` if that format can only be read.
+/// The file name and the text of a document in the name's format; if that format can only be read,
+/// those of a `.plan`.
 pub(super) fn written(name: &str, document: &Document) -> Result<(String, String), Unwritable> {
     let (stem, ending) = name.rsplit_once('.').unwrap_or((name, ""));
     match FileFormat::of_ending(ending) {

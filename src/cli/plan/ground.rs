@@ -44,8 +44,8 @@ impl Ground {
         check_terrain(document, &height, self.clearance_m)
     }
 
-    /// The minimum height of a plan above the ground, in metres, and the index of the item at the
-    /// end of that leg, from 0.
+    /// The minimum height of a plan above the ground, in metres, and the index, from 0, of the item
+    /// that ends the leg with this height; `None` if no leg has known ground.
     pub(super) fn lowest(&self, document: &Document) -> Option<(f64, usize)> {
         let height = |place| self.terrain.height_m(place);
         let legs = legs(document, &height).into_iter();

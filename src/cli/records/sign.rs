@@ -83,7 +83,7 @@ impl RecordsCommands<'_> {
     }
 }
 
-/// A signature's comment about a flight, besides the file's name.
+/// The description of a flight in a signature's comment, which also names the file.
 fn about(files: &RecordFiles) -> Result<String, Text> {
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
     let mut about = vec![format!("timestamp:{}", now.unwrap_or_default().as_secs())];

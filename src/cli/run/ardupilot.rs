@@ -140,7 +140,7 @@ struct SitlFleet {
 }
 
 impl SitlFleet {
-    /// Waits until all vehicles can be armed, and reports their progress.
+    /// Waits until all vehicles can be armed, and prints each change of their state.
     async fn get_ready(&mut self) -> anyhow::Result<()> {
         let mut told: Vec<Option<String>> = vec![None; self.places.len()];
         loop {
@@ -172,7 +172,7 @@ impl SitlFleet {
         }
     }
 
-    /// Carries bytes between the vehicles and the mission until it is over.
+    /// Carries bytes between the vehicles and the mission until the mission is over.
     async fn fly(
         &mut self,
         mut live: Exercise<LiveStreams>,
@@ -212,7 +212,7 @@ impl SitlFleet {
         report
     }
 
-    /// Marks vehicles as lost whose process has ended.
+    /// Marks the vehicles whose processes have ended as lost.
     fn note_losses(&mut self, live: &mut Exercise<LiveStreams>) {
         let all = self.seen.borrow_and_update().clone();
         for (index, place) in self.places.iter().enumerate() {

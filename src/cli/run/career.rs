@@ -189,8 +189,8 @@ impl<'a> RunTrainee<'a> {
         tries.map_err(|error| trainee::refused(&error, self.locale))
     }
 
-    /// Stores a finished flight and returns its reward. If it cannot be stored, it prints the reason; the next start
-    /// recovers the flight from a complete record.
+    /// Stores a finished flight and returns its reward. If the flight cannot be stored, prints the
+    /// reason; the next start recovers the flight from a complete record.
     pub fn store(
         &mut self,
         mission: &Mission,

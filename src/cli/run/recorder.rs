@@ -10,7 +10,8 @@ use crate::store::{Landing, RecordPiece, RecordWriter, Records, RunFile, Runs, S
 use crate::text;
 use crate::text::{Locale, Text};
 
-/// A record is written in pieces of this many bytes, so that a fast run does not write every line.
+/// The size, in bytes, of the pieces in which a record is written, so that a fast run does not
+/// write each line separately.
 const PIECE_LEN: usize = 64 * 1024;
 /// If the program is killed, it loses at most this much of the record.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
@@ -45,8 +46,8 @@ pub(super) struct RunRecorder<'a> {
 }
 
 impl<'a> RunRecorder<'a> {
-    /// Begins the record, if one is wanted. If the folder cannot be written, it prints a warning and the run is flown
-    /// without a record.
+    /// Begins the record, if one is wanted. If the folder cannot be written, prints a warning, and
+    /// the run is flown without a record.
     pub fn new(plan: RecordingPlan, mission: &str, locale: &'a Locale) -> Self {
         let when = &plan.occasion.when;
         let runs = plan.runs.as_ref();
@@ -112,7 +113,7 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Takes the inputs of the simulated vehicles, as long as they are recorded.
+    /// Takes the inputs of the simulated vehicles; keeps them if the run is recorded.
     pub fn take_inputs(&mut self, exercise: &mut Exercise) {
         let inputs = exercise.take_inputs();
         if self.record.is_some() {
@@ -120,7 +121,8 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// The end of the run, with the run's name.
+    /// The data about the end of the run: its name, whether it is recorded, the time, and its
+    /// purpose.
     pub fn landing(&self) -> Landing {
         Landing {
             id: self.id.clone(),
@@ -143,7 +145,8 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Writes recorded data of a flight once there is enough of it or it has waited long enough.
+    /// Writes the recorded data of a flight once `PIECE_LEN` bytes wait, or `WRITE_EVERY` has
+    /// passed since the last write.
     pub fn keep<L>(&mut self, exercise: &mut Exercise<L>) {
         self.piece.push_str(&exercise.flight_mut().take_record());
         let frames = exercise.log_mut().map_or(0, |log| log.waiting());
@@ -153,7 +156,7 @@ impl<'a> RunRecorder<'a> {
         }
     }
 
-    /// Writes the rest of a flight that has ended.
+    /// Writes the remaining data of a flight that has ended.
     pub fn finish<L>(&mut self, exercise: &mut Exercise<L>) {
         if let Some(log) = exercise.log_mut() {
             log.end();

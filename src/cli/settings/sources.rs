@@ -14,7 +14,7 @@ pub(in crate::cli) struct SettingSources {
     pub layers: Layers,
     /// The configuration file, which need not exist.
     pub file: Option<PathBuf>,
-    /// Whether the configuration file was named, so that its faults are faults of usage.
+    /// Whether the user named the configuration file, so its faults are usage errors.
     pub is_file_named: bool,
     /// The configuration files that could be read.
     read: Vec<Source>,
@@ -62,8 +62,8 @@ impl SettingSources {
         matches!(self.layers.origin(setting), Origin::File { .. })
     }
 
-    /// Whether a wrong value is a fault of usage: it was set by a flag, by the environment or by a file that was
-    /// named, and not by a file that is read by default.
+    /// Whether a wrong value is a usage error: it was set by a flag, by the environment or by a
+    /// file that was named, and not by a file that is read by default.
     pub fn has_to_be_right(&self, setting: &str) -> bool {
         match self.layers.origin(setting) {
             Origin::Flag(_) | Origin::Environment(_) => true,
@@ -75,7 +75,7 @@ impl SettingSources {
         }
     }
 
-    /// The folder of the configuration file with this setting.
+    /// The folder of the configuration file that sets this setting; `None` if no file does.
     pub fn folder_of(&self, setting: &str) -> Option<PathBuf> {
         match self.layers.origin(setting) {
             Origin::File { name, .. } => {

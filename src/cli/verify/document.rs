@@ -78,7 +78,7 @@ pub(super) struct VerifyDocument {
     pub(super) recorded_score: Option<u16>,
     /// The mission time up to which a record without an end was compared, in seconds.
     pub(super) to_s: Option<f64>,
-    /// The first difference between flight and record, in simulated seconds.
+    /// The time of the first difference between flight and record, in simulated seconds.
     pub(super) at_s: Option<f64>,
     pub(super) vehicle: Option<VehicleId>,
     /// The kind of difference, in English.
@@ -186,8 +186,9 @@ impl VerifyDocument {
         }
     }
 
-    /// Success only for a flight that matches its record, or whose telemetry gives the recorded score. A mission
-    /// without an end has a code of its own: removing a bad end must not give a success.
+    /// Success only for a flight that matches its record, or whose telemetry gives the recorded
+    /// score. A mission's record without an end has its own code, so that removing a bad end does
+    /// not give success.
     pub(super) fn exit_code(&self) -> ExitCode {
         ExitCode::from(match self.reliance {
             Reliance::Good => 0,
@@ -196,7 +197,7 @@ impl VerifyDocument {
         })
     }
 
-    /// Names the faults of the journal, which are not part of the comparison.
+    /// Adds the faults of the journal, which are not part of the comparison.
     pub(super) fn with_faults(mut self, faults: Vec<Text>) -> Self {
         self.faults = faults.iter().map(ToString::to_string).collect();
         let words = std::iter::once(std::mem::take(&mut self.words));
@@ -229,7 +230,8 @@ impl VerifyDocument {
         self
     }
 
-    /// Adds the result of the signatures. With a requested key, every file must be signed by it.
+    /// Adds the result of checking the signatures. If a key was requested, every file must be
+    /// signed with it.
     pub(super) fn add_signature(&mut self, found: RecordSignature, is_wanted: bool) {
         let (state, text) = match &found {
             RecordSignature::None if is_wanted => (SignatureState::None, text!("sign-none")),

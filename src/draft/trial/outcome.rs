@@ -14,7 +14,7 @@ const MOST_PAIRS: usize = 6;
 /// The outcome of flying some drafts together.
 #[derive(Debug)]
 pub(super) struct TrialOutcome<'a> {
-    /// In the order of the outcome's vehicles.
+    /// The drafts, in the order of the outcome's vehicles.
     pub drafts: &'a [TrialDraft],
     pub outcome: &'a Outcome,
 }
@@ -65,7 +65,7 @@ impl TrialOutcome<'_> {
         }
     }
 
-    /// The ending of each plan that fails apart from conflicts, with the reason.
+    /// The ending of each plan that fails for a reason other than a conflict, with that reason.
     fn failures(&self) -> impl Iterator<Item = (FlightEnding, Text)> {
         let vehicles = self.outcome.vehicles.iter().enumerate();
         vehicles.filter_map(|(at, flown)| Some((flown.ending, self.failure(at)?)))

@@ -11,7 +11,7 @@ use crate::text::{Text, figure};
 #[derive(Debug)]
 pub(super) struct TrialRemedies<'a> {
     pub drafts: &'a [TrialDraft],
-    /// In the order of the drafts.
+    /// The remedies, in the order of the drafts.
     pub remedies: &'a [Remedy],
 }
 

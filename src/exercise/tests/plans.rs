@@ -23,7 +23,7 @@ fn faulty(seed: u64) -> Vec<VehicleId> {
         .collect()
 }
 
-/// A flight after new plans for some of the vehicles.
+/// A flight with new plans for some of the vehicles.
 fn flown(seed: u64, replaced: &[VehicleId]) -> Report {
     let mission = mission();
     let areas = mission.named_areas();

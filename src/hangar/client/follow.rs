@@ -33,7 +33,7 @@ pub struct HangarView {
     pub lost: Option<Arc<ClientError>>,
 }
 
-/// Follows until cancelled or until the receiver is gone.
+/// Follows the events until cancelled or until the receiver is gone.
 pub(super) async fn run(
     remote: RemoteHangar,
     view: watch::Sender<HangarView>,

@@ -51,7 +51,8 @@ impl Record {
             && process::executable(pid).as_ref() == Some(&self.executable)
     }
 
-    /// Processes that it started and left behind: those in its session whose working folder is still its folder.
+    /// Processes that the recorded one started and left behind: those in its session whose working
+    /// folder is still its folder.
     fn orphans(self, folder: &Path) -> impl Iterator<Item = Self> {
         let folder = folder.canonicalize().ok();
         let is_here = move |pid: u32| {
@@ -74,7 +75,8 @@ impl Record {
             && pid > 1
             && self.is_running()
         {
-            // The signal goes to its whole group, if it leads one. An error means that it is gone.
+            // The signal goes to the process's whole group, if it leads one. An error means that
+            // the process is gone.
             let pid = Pid::from_raw(pid);
             if killpg(pid, signal).is_err() {
                 let _ = kill(pid, signal);
@@ -82,7 +84,7 @@ impl Record {
         }
     }
 
-    /// Waits until it is gone, up to the time limit; returns whether it is.
+    /// Waits until the process is gone, up to the time limit; returns whether it is.
     async fn is_gone(&self) -> bool {
         let begun = Instant::now();
         // A process that is ending no longer has a file, but is not gone yet.
@@ -104,7 +106,7 @@ pub struct Leftover {
     pub pid: u32,
     /// The folder in which the process ran.
     pub folder: String,
-    /// Whether it was ended.
+    /// Whether the process was ended.
     pub ended: bool,
     #[serde(skip)]
     #[schema(ignore)]
@@ -191,7 +193,7 @@ pub(in crate::hangar) async fn end(leftovers: &mut [Leftover]) {
     for signal in [Signal::SIGTERM, Signal::SIGKILL] {
         for leftover in leftovers.iter().filter(|leftover| !leftover.ended) {
             leftover.record.signal(signal);
-            // A stopped process receives it only after it is continued.
+            // A stopped process receives the signal only once it is continued.
             leftover.record.signal(Signal::SIGCONT);
         }
         for leftover in leftovers.iter_mut() {

@@ -21,7 +21,7 @@ impl Sleeper {
             .stdin(Stdio::null())
             .stdout(Stdio::null());
         let child = shell.spawn().expect("it starts");
-        // Until it becomes a shell, it is a copy of this program.
+        // Until the child becomes a shell, it is a copy of this program.
         while process::executable(child.id()) == process::executable(std::process::id()) {
             std::thread::yield_now();
         }

@@ -23,7 +23,7 @@ pub(in crate::hangar) struct RunningProcess {
 
 impl Drop for RunningProcess {
     fn drop(&mut self) {
-        // The process id belongs to it only until its exit status is fetched.
+        // The id belongs to the process only until its exit status is fetched.
         if self.child.id().is_some() {
             self.signal(Signal::SIGKILL);
         }
@@ -45,15 +45,16 @@ impl RunningProcess {
         self.pid.as_raw() as u32
     }
 
-    /// Takes its output pipes; possible only once.
+    /// Takes the process's output pipes; possible only once.
     pub fn take_output(&mut self) -> (Option<ChildStdout>, Option<ChildStderr>) {
         (self.child.stdout.take(), self.child.stderr.take())
     }
 
-    /// Waits until it has ended, and kills the rest of its group. Dropping the future loses nothing.
+    /// Waits until the process has ended, and kills the rest of its group. Dropping the future
+    /// loses nothing.
     ///
     /// # Errors
-    /// It cannot be waited for.
+    /// The process cannot be waited for.
     pub async fn wait(&mut self) -> io::Result<ExitStatus> {
         if self.child.id().is_some() {
             self.ended().await;
@@ -64,14 +65,15 @@ impl RunningProcess {
         self.child.wait().await
     }
 
-    /// Signals it and its group to end, kills them if they do not within two seconds, and waits until it is gone.
+    /// Signals the process and its group to end, kills them if they do not within two seconds, and
+    /// waits until the process is gone.
     ///
     /// # Errors
-    /// It cannot be waited for.
+    /// The process cannot be waited for.
     pub async fn end(&mut self) -> io::Result<ExitStatus> {
         if self.child.id().is_some() {
             self.signal(Signal::SIGTERM);
-            // A stopped process receives it only after it is continued.
+            // A stopped process receives the signal only once it is continued.
             self.signal(Signal::SIGCONT);
             if let Ok(status) = timeout(GRACE, self.wait()).await {
                 return status;
@@ -81,7 +83,7 @@ impl RunningProcess {
         self.wait().await
     }
 
-    /// Signals its group, or the process alone if it does not lead one yet.
+    /// Signals the process's group, or the process alone if it does not lead a group yet.
     fn signal(&self, signal: Signal) {
         // An error means that the process is gone.
         if killpg(self.pid, signal).is_err() {
@@ -89,7 +91,7 @@ impl RunningProcess {
         }
     }
 
-    /// Waits until it has ended, without fetching its status.
+    /// Waits until the process has ended, without fetching its status.
     #[cfg(target_os = "linux")]
     async fn ended(&mut self) {
         use nix::errno::Errno;

@@ -82,7 +82,8 @@ fn become_program(words: &[OsString]) -> (StubStep, Errno) {
     if let Err(fault) = prepared {
         return fault;
     }
-    // A terminal's Ctrl-C is for the owner. The start still works if it cannot have its own session.
+    // A terminal's Ctrl-C is meant for the owner. The start also works without a session of its
+    // own.
     let _ = setsid();
     let run = File::open("/dev/null")
         .map_err(|error| Errno::from_raw(error.raw_os_error().unwrap_or_default()))

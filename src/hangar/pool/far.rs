@@ -36,12 +36,12 @@ struct FarFleet {
 
 struct Ours {
     shown: Instance,
-    /// The run of the service that launched it.
+    /// The run of the service that launched the vehicle.
     remote: RemoteHangar,
     life: String,
-    /// Whether the service has listed it: before that, a missing one may still appear.
+    /// Whether the service has listed the vehicle: before that, a missing one may still appear.
     is_known: bool,
-    /// Whether it is gone, so that its number may be reused.
+    /// Whether the vehicle is gone, so that its number may be reused.
     is_gone: bool,
     tunnel: CancellationToken,
 }
@@ -221,8 +221,8 @@ impl Far {
 }
 
 impl Drop for Far {
-    /// Requests the services to end the launched vehicles, within [`STOP_WITHIN`]; the others end
-    /// on their own.
+    /// Requests that the services end the launched vehicles, within [`STOP_WITHIN`]; the other
+    /// vehicles end on their own.
     fn drop(&mut self) {
         self.cancel.cancel();
         let ours = std::mem::take(&mut *self.fleet.ours());

@@ -101,7 +101,7 @@ async fn a_connection_belongs_to_the_process_that_holds_it() {
     assert_eq!(connection.user(), Some(own_user()));
     assert_eq!(connection.is_of_process(std::process::id()), Belongs::Yes);
     let sleeper = Sleeper::start();
-    // Inherited files are closed when it becomes `sleep`.
+    // Inherited files are closed when the process becomes `sleep`.
     while executable(sleeper.0.id()) == executable(std::process::id()) {
         std::thread::yield_now();
     }

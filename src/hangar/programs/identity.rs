@@ -32,10 +32,10 @@ pub struct ProgramIdentity {
     pub kind: SitlKind,
     /// The version, such as `4.6.0-dev`.
     pub version: String,
-    /// The commit that it was built from, shortened.
+    /// The commit that the program was built from, shortened.
     pub hash: String,
-    /// The sockets that others could reach although it was started without any, if the host lists
-    /// them.
+    /// The sockets that others could reach although the program was started without any, if the
+    /// host lists them.
     pub sockets: Vec<ListeningSocket>,
 }
 
@@ -45,7 +45,7 @@ pub enum Unknown {
     /// The file is not a program.
     #[error("{}: {reason}", file.display())]
     NoProgram { file: PathBuf, reason: String },
-    /// The host has no scratch folder or port for it.
+    /// The host has no scratch folder or port for the program.
     #[error("cannot try {}: {error}", file.display())]
     Host { file: PathBuf, error: io::Error },
     /// The host cannot run the program.

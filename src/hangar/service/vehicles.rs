@@ -39,7 +39,7 @@ pub(super) struct ReadyWait {
 pub(super) struct Excerpt {
     /// The maximum number of lines: 100 by default.
     lines: Option<usize>,
-    /// Return only the lines after an earlier answer: its `next`.
+    /// Return only the lines after those of an earlier answer: the value of its `next`.
     since: Option<u64>,
 }
 

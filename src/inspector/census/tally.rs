@@ -80,7 +80,7 @@ impl MessageTally {
         slot.bytes = slot.bytes.saturating_add(frame.len() as u32);
     }
 
-    /// The rate over the last five whole seconds; over fewer while it is new.
+    /// The rate over the last five whole seconds; over fewer while the kind of message is new.
     pub fn rate(&self, now: Duration) -> Rate {
         let running = now.as_secs();
         let window = running.saturating_sub(WINDOW_S)..running;

@@ -88,7 +88,7 @@ fn a_value_that_the_dialect_cannot_hold_is_read_all_the_same() {
 
 #[test]
 fn a_message_of_another_dialect_is_read_if_its_checksum_says_that_the_layout_is_this_one() {
-    // GIMBAL_DEVICE_... of storm32: STORM32_GIMBAL_MANAGER_STATUS has id 60011 and is not in the dialect.
+    // `STORM32_GIMBAL_MANAGER_STATUS` (id 60011) is in the table, but not in the dialect.
     let message = Definitions::get().message(60_011).expect("in the table");
     assert_eq!(message.name, "STORM32_GIMBAL_MANAGER_STATUS");
     let mut bytes = vec![0xFD, 2, 0, 0, 0, 9, 1, 0x6B, 0xEA, 0, 7, 8];

@@ -65,7 +65,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Whether it is a choice short enough to be listed in a usage.
+    /// Whether the kind is a choice short enough to be listed in a usage.
     pub(in crate::language) fn fits_a_usage(self) -> bool {
         !matches!(self, Self::Choice(words) if words.len() > CHOICES_IN_USAGE)
     }

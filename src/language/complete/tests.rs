@@ -91,7 +91,7 @@ fn the_best_completion_comes_first() {
     assert_eq!(first_completion("all arm # ta"), None);
 }
 
-/// A list stands before the items, so after them only their parameters are possible.
+/// A list comes before the items, so after them only their parameters are possible.
 #[test]
 fn an_optional_word_is_not_offered_after_the_words_that_follow_it() {
     let offered = |line: &str| {

@@ -347,7 +347,8 @@ fn int(given: &Arguments) -> Built {
     }))
 }
 
-/// The key crosses the link in clear text, so each change needs a second key.
+/// The signing key crosses the link in clear text, so each change must be confirmed with a second
+/// key press.
 const SIGNING: VerbRow = VerbRow {
     verb: Verb {
         name: "signing",

@@ -14,7 +14,7 @@ use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[GOTO, ALTITUDE, SPEED, YAW, VELOCITY, ORBIT, ROI, HOME];
 
-/// Heights above home or the origin, above the ground.
+/// Heights above home or the origin; the minimum keeps vehicles off the ground.
 const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
 /// Distances in the local frame.
 const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);

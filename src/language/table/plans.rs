@@ -29,7 +29,7 @@ const fn list_verb(name: &'static str) -> Verb {
     }
 }
 
-/// The number of an item; 0 is home.
+/// The number of an item, from 1: 0 is home.
 const ITEM: Kind = Kind::Whole(Unit::None, 1.0, u16::MAX as f64);
 
 /// The mean wind of a rehearsal.

@@ -349,7 +349,8 @@ async fn two_consoles_that_forward_to_each_other_make_no_storm() {
         }
     }
     assert_eq!(seen, (0..=100).collect::<Vec<u16>>(), "each once");
-    // Console 1 hears its own vehicle come back, and the command that console 2 echoes, but passes neither on again.
+    // Console 1 receives its own vehicle's frames again, and the command that console 2 echoes, but
+    // passes neither on again.
     let arm = takeoff(1);
     assert!(two.links[0].send(To::Everyone, arm));
     one.vehicles[0].hear(255, 76).await;

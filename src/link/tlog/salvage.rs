@@ -17,7 +17,7 @@ pub enum TlogPiece {
     Record(TlogRecord),
     /// Bytes that belong to no record.
     Damage {
-        /// Where they start, in bytes from the start of the file.
+        /// Where the bytes start, in bytes from the start of the file.
         offset: u64,
         len: u64,
     },

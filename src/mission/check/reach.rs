@@ -1,4 +1,4 @@
-//! Whether the objectives can be met: with what the vehicles carry, and in the time allowed.
+//! Whether the objectives can be met: with the equipment of the vehicles, and in the time allowed.
 
 use std::ops::Range;
 use std::time::Duration;

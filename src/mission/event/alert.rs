@@ -20,9 +20,9 @@ pub(crate) struct Alerts {
 struct AlertQuestion {
     /// Its index among the facts.
     place: usize,
-    /// The condition that answers it.
+    /// The condition that answers the alert.
     ok: Expression,
-    /// The vehicle that it is about, if it is about one.
+    /// The vehicle that the alert is about, if any.
     vehicle: Option<VehicleId>,
 }
 

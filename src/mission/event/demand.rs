@@ -17,7 +17,7 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Demand {
     pub vehicle: VehicleId,
-    /// The change to it, its simulator or its link.
+    /// The change to the vehicle, its simulator or its link.
     pub want: Want,
 }
 

@@ -41,9 +41,9 @@ pub(crate) enum EngineNews {
     Alert {
         level: AlertLevel,
         text: Text,
-        /// The vehicle that it is about, if it is about one.
+        /// The vehicle that the alert is about, if any.
         vehicle: Option<VehicleId>,
-        /// Its index among the [facts](Engine::alert_facts) if it must be answered.
+        /// The alert's index among the [facts](Engine::alert_facts) if it must be answered.
         fact: Option<usize>,
     },
     /// The alert with this index among the facts was answered.

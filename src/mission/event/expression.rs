@@ -30,7 +30,7 @@ pub(in crate::mission) use field::field_names;
 pub(in crate::mission) use reader::ExpressionNames;
 pub(in crate::mission) use token::LONGEST;
 
-/// A condition: true or false at any moment.
+/// A condition: true or false at any time.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Expression(ExpressionNode);
 
@@ -62,7 +62,7 @@ enum ExpressionOperator {
     Over,
 }
 
-/// The value of a part at one moment.
+/// The value of a part at one time.
 #[derive(Debug, Clone, PartialEq)]
 enum PartValue {
     Number(f64),
@@ -118,7 +118,7 @@ impl ExpressionNode {
         }
     }
 
-    /// Its value as a number; the parser has checked that the part has one.
+    /// The part's value as a number; the parser has checked that it has one.
     fn number(&self, scope: &Scope<'_>) -> f64 {
         match self.value(scope) {
             PartValue::Number(number) => number,

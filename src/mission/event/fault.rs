@@ -34,7 +34,7 @@ pub(crate) enum FaultKind {
     Compass,
     /// The barometer drifts by this many metres per second.
     Barometer,
-    /// Hazard sensors keep the reading that they had when it began.
+    /// Hazard sensors keep the reading that they had when the fault began.
     SensorStuck,
     /// Hazard sensors drift upwards, by this much of their unit each second.
     SensorDrift,
@@ -75,7 +75,7 @@ pub(crate) struct Broken {
     pub to: f64,
     pub since: Duration,
     pub until: Option<Duration>,
-    /// The reading of each sensor when it began, and the voltage.
+    /// The reading of each sensor when the fault began, and the voltage.
     pub held: Vec<f64>,
 }
 

@@ -82,8 +82,8 @@ impl Mover {
         false
     }
 
-    /// Its distance from a place, in metres: horizontal for a person, in three dimensions for an aircraft or an
-    /// intruder.
+    /// The mover's distance from a place, in metres: horizontal for a person, in three dimensions
+    /// for an aircraft or an intruder.
     pub fn distance_m(&self, [east_m, north_m, up_m]: [f64; 3]) -> f64 {
         let flat = distance_m(self.at, [east_m, north_m]);
         match self.kind {

@@ -34,7 +34,7 @@ pub(crate) struct Sight<'a> {
     pub refused: u32,
 }
 
-/// A flight at one moment, with its threats.
+/// The state of a flight at one time, with its threats.
 #[derive(Debug, Clone)]
 pub(crate) struct Scope<'a> {
     pub sight: Sight<'a>,
@@ -173,7 +173,7 @@ impl<'a> Scope<'a> {
         self.margins_db.get(&id).copied().unwrap_or(f64::INFINITY)
     }
 
-    /// A random number from 0 to 1, the same for every call at this moment.
+    /// A random number from 0 to 1, the same for every call at this time.
     pub fn draw(&self) -> f64 {
         let (seed, stream) = self.chance;
         let mut random = ChaCha8Rng::seed_from_u64(seed ^ self.sight.now.as_millis() as u64);

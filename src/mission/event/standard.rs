@@ -57,7 +57,7 @@ impl Standard {
         Self::ALL.map(|(name, _)| name)
     }
 
-    /// Its name in files.
+    /// The inject's name in files.
     pub fn name(self) -> &'static str {
         let found = Self::ALL.iter().find(|(_, known)| *known == self);
         found.map_or("", |(name, _)| name)
@@ -69,7 +69,7 @@ impl Standard {
         found.map(|(_, standard)| *standard)
     }
 
-    /// Its title for people.
+    /// The inject's title, for display.
     pub fn title(self) -> Text {
         match self {
             Self::Gust => text!("threat-gust"),

@@ -80,7 +80,8 @@ impl Flight {
         self.pledge
     }
 
-    /// The prediction and the goal while they can still be changed, which is until a vehicle flies.
+    /// The prediction and the goal while they can still be changed; `None` once a vehicle has
+    /// flown.
     pub fn open_pledge(&self) -> Option<Pledge> {
         self.before_launch().is_ok().then_some(self.pledge)
     }

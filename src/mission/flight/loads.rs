@@ -58,7 +58,7 @@ impl CraftLoads {
         left.map(|left| *left -= 1).is_some()
     }
 
-    /// The kind of piece that it carries, even if none is left.
+    /// The kind of piece that the vehicle carries, even if none is left.
     fn piece(&self) -> Option<Load> {
         let mut pieces = self.full.keys().filter(|load| **load != Load::Spray);
         let with_some = pieces.clone().find(|load| self.left(**load) > 0);

@@ -63,7 +63,7 @@ impl OrderCount {
         self.log.entries(ledger)
     }
 
-    /// Mission time of the last command.
+    /// Mission time of the last command; `None` before the first.
     pub fn last_given(&self) -> Option<Duration> {
         self.log.last_given()
     }

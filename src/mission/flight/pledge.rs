@@ -16,7 +16,8 @@ impl Flight {
         })
     }
 
-    /// The result for the goal. A failed flight never reaches its goal: ending early does not count as fast or safe.
+    /// The result for the goal; `None` without a goal. A failed flight never reaches its goal:
+    /// ending early does not count as fast or safe.
     pub(super) fn goal_report(&self, facts: &Facts, score: &Score) -> Option<GoalReport> {
         let goal = self.pledge.goal?;
         let (kept, result) = self.goal_result(goal, facts, score);

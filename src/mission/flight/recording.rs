@@ -14,8 +14,8 @@ impl Flight {
         self.recorder = Some(Box::new(Recorder::new(&head)));
     }
 
-    /// Notes the number of simulator steps so far. If the simulator has its own clock, the record contains which of
-    /// the simulator's steps the mission saw at which of the mission's steps.
+    /// Notes the number of simulator steps so far. If the simulator has its own clock, the record
+    /// pairs the steps of the mission with the steps that the simulator had made by then.
     pub fn note_simulated(&mut self, steps: u64) {
         if let Some(recorder) = &mut self.recorder {
             recorder.note_simulated(steps);

@@ -180,7 +180,7 @@ fn broken_at_the_end(left_percent: u8, lands: bool) -> Vec<SafetyKind> {
         let battery = pilot.vehicle().battery();
         battery.and_then(|it| it.remaining_percent) > Some(left_percent)
     };
-    // Back and forth: it reports its battery while it flies.
+    // Back and forth: the vehicle reports its battery while it flies.
     while is_above(&mut pilot) && !pilot.flight.is_over() {
         pilot.goto(10.0, 0.0, 5.0);
         pilot.goto(0.0, 0.0, 5.0);
@@ -234,7 +234,7 @@ fn a_landed_vehicle_is_not_called_home() {
     let source = include_str!("../../../missions/03-plume-source.toml");
     let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 1);
     pilot.take_off(20.0);
-    // A report without a kind counts as one that the mission asks for.
+    // A report without a kind counts as one of the kind that the mission requires.
     let subject = Subject::Spot(Spot::Here);
     let deed = Deed::Mark {
         subject,

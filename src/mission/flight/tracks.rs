@@ -61,7 +61,7 @@ impl Tracks {
         &self.peaks
     }
 
-    /// The highest reading of all vehicles.
+    /// The highest reading of all vehicles; `None` before the first.
     pub fn highest(&self) -> Option<Peak> {
         let peaks = self.peaks.values();
         peaks.max_by(|a, b| a.shown.total_cmp(&b.shown)).copied()

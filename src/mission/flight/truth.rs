@@ -95,6 +95,7 @@ impl Flight {
     }
 
     /// The kind of report that the objectives require for a hazard; the least strict one counts.
+    /// `None` if they require none.
     fn sought(&self, hazard: usize) -> Option<Sought> {
         let sought = self
             .mission

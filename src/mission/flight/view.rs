@@ -100,7 +100,7 @@ impl Flight {
         self.crafts.iter().flat_map(of).collect()
     }
 
-    /// The lesson's current step.
+    /// The lesson's current step; `None` if there is none to show.
     fn lesson(&self) -> Option<LessonStep> {
         if self.grounding().is_some() {
             return None;

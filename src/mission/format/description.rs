@@ -11,7 +11,7 @@ pub(in crate::mission) struct FileTableDescription {
 }
 
 impl FileTableDescription {
-    /// Whether it contains every requested key, as a common key or as one of a kind.
+    /// Whether the table contains every requested key, as a common key or as a key of a kind.
     pub(super) fn has_all<'a>(&self, mut asked: impl Iterator<Item = &'a str>) -> bool {
         let of_kinds = self.kinds.iter().flat_map(|kind| &kind.own.keys);
         let known: Vec<&str> = self

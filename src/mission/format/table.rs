@@ -292,7 +292,7 @@ impl FileTable<'_> {
         (found?.read)(self)
     }
 
-    /// Adds the kinds to the description, if the table is being described.
+    /// Adds the kinds to the description if the table is being described; returns whether it is.
     fn describe_kinds<T>(&mut self, kinds: &'static [KindOf<T>], by_kind_key: bool) -> bool {
         let TableContent::Described(description) = &mut self.content else {
             return false;

@@ -21,7 +21,7 @@ pub(in crate::mission) trait FileValue {
     /// The Rust type of a value.
     type Out;
 
-    /// Its form in the description.
+    /// The form of the value in the description.
     fn shape(&self) -> FileShape;
 
     /// Reads a value of the key `name`; `None` if it is invalid, which is a fault.
@@ -37,7 +37,7 @@ pub(in crate::mission) trait FileValue {
         "none".to_owned()
     }
 
-    /// Whether it is a section of a file.
+    /// Whether the value is a section of a file.
     fn is_section(&self) -> bool {
         false
     }

@@ -23,7 +23,7 @@ pub(super) struct People {
     fates: Vec<Fate>,
     /// The places for nodes, and whether each has a node.
     nodes: Vec<(Point, bool)>,
-    /// The zone where they are known to be, if any.
+    /// The zone where the people are known to be, if any.
     pub zone: Option<Shape>,
     now: Duration,
 }

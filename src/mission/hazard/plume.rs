@@ -142,8 +142,8 @@ impl Field for PlumeField {
 }
 
 impl PlumeField {
-    /// The plume without gusts at the height of its source: 1 is the strongest, and it falls to 0 over [`DECADES`]
-    /// powers of ten.
+    /// The plume without gusts at the height of its source: the greatest strength is 1, and the
+    /// strength falls to 0 over [`DECADES`] powers of ten.
     fn shades(&self) -> Vec<TruthPiece> {
         let [east_m, north_m] = self.leak.source.source;
         let middle = |at: i32| f64::from(at) * SHADE_SIDE_M;

@@ -163,7 +163,7 @@ impl Leak {
         }
     }
 
-    /// Whether its substance is measured as this quantity.
+    /// Whether the leak's substance is measured as this quantity.
     pub fn is_measured_in(&self, quantity: Quantity) -> bool {
         self.substance.quantity() == quantity
     }
@@ -172,7 +172,7 @@ impl Leak {
         slice::from_ref(&self.object)
     }
 
-    /// Its position, for the map of the debrief.
+    /// The leak's position, for the map of the debrief.
     pub fn truth(&self) -> TruthPiece {
         TruthPiece {
             at: self.source.source,

@@ -34,7 +34,7 @@ fn the_starter_drone_fits_the_first_mission_in_every_line() {
         lines.iter().all(|line| line.met && !line.is_block),
         "{lines:#?}"
     );
-    // The farthest corner of the yard, from the pad.
+    // The distance from the pad to the farthest corner of the yard.
     assert!(
         (50.0..150.0).contains(&needs[0].far_m),
         "{}",

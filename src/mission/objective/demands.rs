@@ -84,7 +84,7 @@ impl Equipment {
         }
     }
 
-    /// Its name in the fault "no vehicle carries ..".
+    /// The equipment's name in the fault "no vehicle carries ..".
     pub fn words(self) -> String {
         match self {
             Self::AnyOf(loads) => {

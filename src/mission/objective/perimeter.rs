@@ -149,7 +149,7 @@ impl PerimeterTracker {
         }
     }
 
-    /// The time of the next comparison, as text.
+    /// The time left until the next comparison, as text; `None` after the last one.
     fn next(&self, now: Duration) -> Option<Text> {
         let next = self.plan.times.get(self.fits.len())?;
         let left = next.saturating_sub(now).as_secs();

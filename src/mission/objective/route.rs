@@ -42,8 +42,8 @@ impl GateRoute {
         &self.gates
     }
 
-    /// How much shorter the path to a gate may be than to its position in the file: gates have a radius, and the
-    /// seed moves them.
+    /// How much shorter the path to a gate may be than the path to its position in the file: gates
+    /// have a radius, and the seed moves them.
     pub fn slack_m(&self) -> f64 {
         self.radius_m + self.jitter_m
     }
@@ -53,7 +53,7 @@ impl GateRoute {
         format!("gate{}", index + 1)
     }
 
-    /// The names of its gates, and that of the next one.
+    /// The names of the route's gates, and that of the next one.
     pub fn names(&self) -> Vec<String> {
         let gates = (0..self.gates.len()).map(Self::name);
         gates.chain([super::NEXT_PLACE.to_owned()]).collect()

@@ -236,7 +236,7 @@ fn a_sound_plan_is_kept_and_a_faulty_one_is_mended() {
         [false, false, true],
         "nothing to keep"
     );
-    // Once it has flown with its fault, a new plan comes too late.
+    // Once the plan has been flown with its fault, a new one comes too late.
     pilot.command("1 plan upload a.plan", RowState::Done);
     pilot.wait(1.0);
     assert_eq!(fly_plan(&mut pilot), [false, false, true]);

@@ -57,7 +57,7 @@ pub(super) enum RecordLine {
 /// The vehicles' states that a line contains.
 pub(super) struct ShownVehicles<'a> {
     pub(super) mission: Duration,
-    /// The simulator's time, if it differs.
+    /// The simulator's time, if it is not the mission's.
     pub(super) simulated: Option<Duration>,
     pub(super) vehicles: &'a [ObservedVehicle],
 }
@@ -80,7 +80,7 @@ impl RecordLine {
         }
     }
 
-    /// Its mission time in ms, if it has one.
+    /// The line's mission time in ms, if it has one.
     pub(super) fn time(&self) -> Option<u64> {
         match self {
             Self::Tick { t, .. } | Self::End { t, .. } => Some(*t),

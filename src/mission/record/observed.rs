@@ -151,8 +151,9 @@ impl ObservedVehicle {
         &self.said
     }
 
-    /// The first value here that no state in `known` contains. A lost link is not compared, because the console decides
-    /// that on its own.
+    /// The first value of this state that no state in `known` contains, as text; `None` if each
+    /// value is in one of them. A lost link is not compared, because the console decides that on
+    /// its own.
     pub fn unseen<'a>(&self, known: &(impl Iterator<Item = &'a Self> + Clone)) -> Option<Text> {
         let lacks = |is_so: &dyn Fn(&Self) -> bool| !known.clone().any(is_so);
         let unheard = self.unheard.flatten();

@@ -215,7 +215,7 @@ impl Head {
             let built = Design::from_toml(design);
             fleet.push(built.map_err(|faults| unreadable(&faults, "design.toml", design))?);
         }
-        // The price limits may have changed since.
+        // The price limits may have changed since the flight.
         Ok(mission.flown_by(fleet).flown_for(self.stake))
     }
 }
@@ -331,8 +331,8 @@ impl Reenactment {
         }
     }
 
-    /// Passes the steps without a line before `until`, while the flight lasts: a damaged time may
-    /// be years ahead.
+    /// Runs the steps without a line before `until`, while the flight lasts: a damaged time may be
+    /// years ahead.
     fn pass(&mut self, until: Duration) {
         while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until)
             && !self.flight.is_over()

@@ -45,7 +45,7 @@ pub(crate) struct Camera {
     pub view_deg: [f64; 2],
     /// The width of its picture in pixels.
     pub pixels: f64,
-    /// Its detection of mines, if it can find them.
+    /// Its mine detection; `None` if it cannot find mines.
     pub mines: Option<MineSpec>,
     /// The greatest distance of an inspection; `None` for cameras that cannot look sideways.
     pub inspects_to_m: Option<f64>,
@@ -70,8 +70,8 @@ impl DetectorSpec {
         }
     }
 
-    /// Whether it works at a height and a speed: it still has half of its best probability, or finds half of all
-    /// people.
+    /// Whether it works at a height and a speed: a ground sensor keeps at least half of its best
+    /// probability, a camera finds at least half of all people in the open.
     pub fn works(&self, height_m: f64, speed_m_s: f64, light: Light) -> bool {
         match self {
             Self::Ground(ground) => ground.mines.left(height_m, speed_m_s) >= 0.5,

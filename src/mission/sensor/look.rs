@@ -95,8 +95,8 @@ impl DetectorSpec {
 }
 
 impl DetectorSpec {
-    /// A look at a false contact; `None` if the sensor cannot check it. The absence of a person is recognised as surely
-    /// as the presence of one.
+    /// A look at a false contact; `None` if the sensor cannot check it. The absence of a person is
+    /// recognised with the same probability as the presence of one.
     pub fn look_at_nothing(
         &self,
         taken_for: FindKind,

@@ -68,7 +68,8 @@ pub(crate) struct Probe {
 }
 
 impl Probe {
-    /// A sensor in clean air; its noise is drawn from `stream` of `seed`. `None` for one that does not measure.
+    /// A sensor in clean air; its noise is drawn from `stream` of `seed`. `None` if the sensor does
+    /// not measure a quantity.
     pub fn new(sensor: &'static Sensor, seed: u64, stream: u64) -> Option<Self> {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         random.set_stream(stream);

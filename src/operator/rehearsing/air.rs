@@ -8,7 +8,8 @@ use crate::vehicle::{Vehicle, VehicleId, Wind};
 /// The default of `SIM_WIND_DIR`.
 const USUAL_FROM_DEG: f32 = 180.0;
 
-/// The profile of the mean wind with height: with 0, it grows with the root of the height up to [`FULL_FROM`].
+/// The profile of the mean wind with height: with 0, it grows with the square root of the height up
+/// to [`FULL_FROM`].
 const PROFILE: &str = "SIM_WIND_T";
 const FULL_FROM: &str = "SIM_WIND_T_ALT";
 /// The values of [`PROFILE`] for a growing and for a constant wind.
@@ -46,7 +47,7 @@ impl WindProfile {
         full_from_m: USUAL_FULL_FROM_M,
     };
 
-    /// The part of the full wind at a height above home, from 0 to 1.
+    /// The share of the full wind at a height above home, from 0 to 1.
     fn share(self, height_m: f32) -> f32 {
         if (self.kind - GROWING).abs() < 0.5 {
             let share = height_m / self.full_from_m.max(1.0);
@@ -140,7 +141,7 @@ impl KnownAir {
         }
     }
 
-    /// The parameters of the profile, where those of the vehicles do not apply.
+    /// The parameters that set the profile; empty if those of the vehicles apply.
     pub(super) fn parameters(&self) -> Vec<(String, f32)> {
         let named = |values: &[(&str, f32)]| -> Vec<(String, f32)> {
             let values = values.iter();

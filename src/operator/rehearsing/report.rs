@@ -49,7 +49,7 @@ pub struct FailedRehearsal {
     pub vehicle: VehicleId,
     /// The plan that was flown.
     pub plan: ContentHash,
-    /// The fate of the vehicle, in words.
+    /// Why the plan failed, in words.
     pub reason: Text,
 }
 

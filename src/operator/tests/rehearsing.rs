@@ -1,4 +1,4 @@
-//! Rehearsals: their wind, their fence, and what they find.
+//! Rehearsals: their wind, their fence, and their findings.
 
 use super::*;
 use crate::parameters::{HeardParameter, ParameterList, ParameterType};
@@ -139,7 +139,7 @@ fn the_wind_is_that_of_the_best_source_and_named() {
     assert!(said.contains("8.0 m/s from 270° (given)"), "{said}");
 }
 
-/// The wind of a flight at 20 m depends on where the given speed is reached.
+/// The wind of a flight at 20 m depends on the height at which the given speed is reached.
 #[test]
 fn the_profile_of_the_wind_is_that_of_the_vehicle_and_of_the_estimate() {
     let used = |rehearsal: &PlanRehearsal| {
@@ -159,7 +159,7 @@ fn the_profile_of_the_wind_is_that_of_the_vehicle_and_of_the_estimate() {
     );
     let usual = prepared("1 plan rehearse wind 0 9", [carrying(1, 600.0)]);
     assert!((used(&usual) - blown(60.0)).abs() < 0.1);
-    // Estimated at 20 m, it is 9 m/s there; without a height, everywhere.
+    // Estimated at 20 m, the wind is 9 m/s there; without a height, it is 9 m/s everywhere.
     let estimated = |height_m| {
         let vehicle = Vehicle {
             wind: Some(Wind {
@@ -346,7 +346,8 @@ fn a_rehearsal_waits_for_the_end_of_an_upload() {
     assert_eq!(told(&at_once).1, 1);
 }
 
-/// Smaller work leaves the plans of earlier work on vehicles that have no part in it: the row and a notice say so.
+/// A task for fewer vehicles leaves earlier plans on the vehicles that have no part in it: the row
+/// and a notice say so.
 #[test]
 fn smaller_work_names_the_vehicles_that_keep_an_old_plan() {
     let vehicles: Vehicles = [1, 2, 3].map(|id| (id, carrying(id, 60.0).into())).into();

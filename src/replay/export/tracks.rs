@@ -114,7 +114,7 @@ fn kml_moment(xml: &mut Xml, moment: &Moment, at: TrackPoint) -> io::Result<()> 
     Ok(())
 }
 
-/// GPX 1.1: a way point per moment, a track per vehicle.
+/// GPX 1.1: a waypoint per moment, a track per vehicle.
 pub(super) fn gpx(film: &Film, tracks: &Tracks, moments: &[Moment]) -> io::Result<String> {
     document(|xml| {
         xml.create_element("gpx")

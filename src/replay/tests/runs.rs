@@ -5,7 +5,7 @@ use crate::mission::fake::Pilot;
 use crate::mission::record::Occasion;
 use crate::record::{Head, Subject};
 
-/// The run of a flight that was left in the air.
+/// A run that stops while the vehicle is in the air.
 fn run_left() -> String {
     let mut pilot = Pilot::new(7);
     pilot.flight.start_record(&Occasion::default());

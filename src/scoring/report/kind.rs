@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use crate::text;
 use crate::text::Text;
 
-/// The kind of a timeline's event.
+/// The kind of an event in the timeline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum EventKind {

@@ -58,7 +58,7 @@ impl FtpNak {
         }
     }
 
-    /// Whether the server has no such file, or no such request.
+    /// Whether the server has no such file, or does not support the request.
     pub(in crate::session) fn is_of_missing_file(self) -> bool {
         match self {
             Self::NotFound | Self::UnknownCommand | Self::Protected | Self::System(_) => true,

@@ -32,9 +32,9 @@ pub(super) enum FtpNews {
     Nothing,
     /// The task continues; the event reports its progress.
     Progress(FtpEvent),
-    /// The task is done or has failed; a session that it may have opened is left to close.
+    /// The task is done or has failed; a session that it may have opened still has to be closed.
     End(FtpEvent),
-    /// Nothing is left to close.
+    /// The task is over, and no session is left to close.
     Closed(Option<FtpEvent>),
 }
 

@@ -23,7 +23,7 @@ enum WritingStage {
     Opening(Exchange),
     /// Waits until this time for another session to end.
     Resting(Duration),
-    /// A packet of this many bytes.
+    /// Writes a packet of this many bytes.
     Writing(Exchange, usize),
     Closing(Exchange),
 }

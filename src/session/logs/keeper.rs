@@ -12,7 +12,7 @@ pub struct ListedLog {
     pub number: u16,
     /// The size in bytes; a log that is still being written grows.
     pub size: u32,
-    /// Seconds since 1970 (UTC); 0 if the vehicle does not know.
+    /// Seconds since 1970 (UTC); 0 if the vehicle has no time.
     pub time_utc_s: u32,
 }
 

@@ -92,7 +92,7 @@ impl Listing {
         Some(request.into())
     }
 
-    /// The numbers of all logs: `ArduPilot` counts from 1, PX4 from 0.
+    /// The numbers of all logs, once announced: `ArduPilot` counts from 1, PX4 from 0.
     fn numbers(&self) -> Option<RangeInclusive<u16>> {
         let (count, highest) = self.announced?;
         if count == 0 {

@@ -68,7 +68,7 @@ pub(super) enum Received {
 }
 
 impl Transfer {
-    /// Begins to read the missing bytes, and reads again those in `samples`, to compare.
+    /// Begins to read the missing bytes, and rereads those in `samples` for comparison.
     pub fn new(number: u16, mut gaps: GapMap, samples: Vec<FileBytes>, now: Duration) -> Self {
         for sample in &samples {
             gaps.open(sample.range());
@@ -178,7 +178,7 @@ impl Transfer {
         })
     }
 
-    /// The requests that are due; `round_trip` is the delay of the link there and back.
+    /// The requests that are due; `round_trip` is the round-trip time of the link.
     pub fn poll(
         &mut self,
         vehicle: MavAddress,

@@ -89,8 +89,8 @@ pub(super) fn mark(own: &[Item]) -> String {
     ContentHash::of(own).to_string()
 }
 
-/// Whether the vehicle already holds a list: within the tolerance of its storage, and with the same short name, so that
-/// the vehicles that carry a list are those that show its name.
+/// Whether the vehicle already holds a list: within the tolerance of its storage, and with the same
+/// short name, so that every vehicle that holds a list also shows its name.
 pub(super) fn is_identical(kind: ListKind, wanted: &[Item], held: &[Item]) -> bool {
     let name = |list| ContentHash::of(own(kind, list));
     is_held(kind, wanted, held) && name(wanted) == name(held)

@@ -15,7 +15,7 @@ const MOST_SHOWN: usize = 2;
 /// A document's list for a vehicle, with warnings, unless it has errors.
 ///
 /// # Errors
-/// The first error, and the number of others.
+/// The list is empty, or has errors: the first error, and the number of others.
 pub(super) fn checked(
     content: PlanOnFile,
     kind: ListKind,

@@ -21,8 +21,9 @@ const TRIES: u8 = 12;
 #[derive(Debug, Clone)]
 pub(super) struct Reading {
     kind: ListKind,
-    /// Whether it is read as a file. A file that was being written is closed before another one is opened; after an
-    /// upload by file, only this shows that nothing is left to take effect.
+    /// Whether it is read as a file. A file that was being written is closed before another one is
+    /// opened; after an upload by file, only such a reading shows that no write is still to take
+    /// effect.
     by_file: bool,
     way: Way,
     tries: u8,

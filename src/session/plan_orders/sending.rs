@@ -50,7 +50,7 @@ pub(super) enum Sent {
     Accepted,
     /// The vehicle has refused the list at the item with this number.
     Refused(MavMissionResult, usize),
-    /// The vehicle has fallen silent; what it holds is unknown.
+    /// The vehicle has fallen silent; the list that it holds is unknown.
     Silent,
 }
 

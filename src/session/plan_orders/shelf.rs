@@ -32,8 +32,9 @@ pub trait PlanShelf: Debug + Send + Sync {
     /// The file exists already or cannot be written.
     fn write(&self, file: &str, kind: ListKind, document: &Document) -> Result<String, Text>;
 
-    /// Keeps the list of a vehicle while another one is sent, so that it is not lost with this program. A list that is
-    /// kept already stays, because it is the complete one. Returns whether the list is kept now.
+    /// Keeps the list of a vehicle while another one is sent, so that it is not lost if this
+    /// program ends. A list that is already kept is not replaced, because it is the complete one.
+    /// Returns whether the list is kept now.
     fn keep(&self, vehicle: VehicleId, kind: ListKind, document: &Document) -> bool;
 
     /// Removes the kept list of a vehicle, if there is one.
@@ -74,7 +75,8 @@ impl<S: PlanShelf> PlanShelf for GuardedShelf<S> {
     }
 }
 
-/// The format of a file to write, by its name: `QGC WPL 110` with one list, unless the extension says otherwise.
+/// The format of a file to write, by its name: `QGC WPL 110` with one list, unless the extension
+/// names another format.
 pub(crate) fn format_of(file: &str, kind: ListKind) -> Option<FileFormat> {
     let name = file.rsplit(['/', '\\']).next().unwrap_or_default();
     let Some((_, ending)) = name.rsplit_once('.') else {

@@ -19,7 +19,8 @@ use crate::text;
 use crate::text::Text;
 use crate::wire::Frame;
 
-/// How many times the new list, and then the old one, is written on a link that is up.
+/// The maximum number of times that the new list, and then the old one, is written on a link that
+/// is up.
 const WRITES: u8 = 3;
 const RESTORES: u8 = 5;
 

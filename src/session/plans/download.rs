@@ -73,7 +73,7 @@ impl Download {
         }
     }
 
-    /// Sends and repeats requests. `round_trip` is the delay of the link.
+    /// Sends and repeats requests. `round_trip` is the round-trip time of the link.
     pub fn poll(&mut self, round_trip: Duration, now: Duration, out: &mut Vec<MavMessage>) -> Step {
         let wait = (ANSWER_WITHIN + 2 * round_trip).min(LONGEST_WAIT);
         if self.tries > 0 && now < self.asked_at + wait {
@@ -133,7 +133,7 @@ impl Download {
         self.go_on(now, out)
     }
 
-    /// Switches to floats for a vehicle that does not support integer items.
+    /// Handles a refusal; switches to floats for a vehicle that does not support integer items.
     fn refused(
         &mut self,
         result: MavMissionResult,

@@ -354,7 +354,7 @@ proptest! {
         let mut scene = Scene::new(Manner::Modern, count);
         scene.losses = losses;
         scene.pass(Duration::from_secs(900));
-        // It may just be read again, because its list has no id.
+        // The plan may already be under download again, because its list has no id.
         let is_done = |scene: &Scene| scene.vehicle.plans.plan.transfer == Transfer::Done;
         for _ in 0..60 {
             if !is_done(&scene) {

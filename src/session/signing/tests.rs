@@ -61,7 +61,7 @@ impl KeyDesk for Desk {
     }
 }
 
-/// The signing of vehicle 3, and what it sends.
+/// The signing of vehicle 3, and the output of the session.
 struct Scene {
     signing: VehicleSigning,
     desk: Arc<Desk>,

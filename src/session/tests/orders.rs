@@ -166,7 +166,7 @@ fn the_answer_to_a_replaced_command_is_not_taken_for_that_of_its_successor() {
     let mut scene = Scene::new();
     scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     scene.order(2, "kill", Command::Arming(ArmingCommand::Kill));
-    // Both have the same MAV_CMD; this is the arm's.
+    // Both commands have the same `MAV_CMD`; this acknowledges the arm.
     scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
     assert_eq!(scene.states(2), [RowState::Sent]);
     scene.heartbeat(STABILIZE, true);

@@ -19,7 +19,7 @@ const REASON_PATIENCE: Duration = Duration::from_millis(300);
 /// The maximum delay from the telemetry that shows a command's effect to the command's answer:
 /// vehicles may send both in any order.
 const ANSWER_FOLLOWS_WITHIN: Duration = Duration::from_millis(300);
-/// The time-out after "in progress" until the next sign.
+/// How long after an "in progress" answer the next answer may take.
 const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);
 /// The value in `COMMAND_ACK` for an unknown progress.
 const PROGRESS_UNKNOWN: u8 = 255;

@@ -23,7 +23,7 @@ impl Listener {
     /// Opens the socket.
     ///
     /// # Errors
-    /// The path is taken by another program or another file, or the socket cannot be made there.
+    /// The path is taken by another program or another file, or the socket cannot be created there.
     pub fn open(path: &Path, exchange: Exchange) -> anyhow::Result<Self> {
         clear(path)?;
         let listener = bind(path).map_err(|error| {

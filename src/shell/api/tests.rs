@@ -3,7 +3,7 @@ use tokio::io::{AsyncBufReadExt as _, AsyncWriteExt as _, BufReader, DuplexStrea
 use super::*;
 use crate::api::Ended;
 
-/// One end of a connection whose other end is served.
+/// A program's end of a connection that is served, and the arrivals from it.
 fn connected() -> (DuplexStream, mpsc::Receiver<Arrival>) {
     let (near, far) = duplex(1024);
     let (arrived, arrivals) = mpsc::channel(CALLS_KEPT);

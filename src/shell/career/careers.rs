@@ -19,7 +19,8 @@ pub(in crate::shell) struct Careers {
     profiles: Profiles,
     course: MissionCourse,
     current: Option<Profile>,
-    /// Flights not stored yet with their profiles, oldest first: the disk may be full for a while.
+    /// Flights that are not stored yet, each with its profile, oldest first: the disk may be full
+    /// for a while.
     waiting: VecDeque<(String, RunEntry)>,
     /// The change counter at the last check.
     seen: Option<i64>,
@@ -124,8 +125,8 @@ impl Careers {
         self.profiles.back_up().map(drop)
     }
 
-    /// Stores the waiting flights in their careers, and returns the rewards. Those that cannot be stored now keep
-    /// waiting.
+    /// Stores the waiting flights in their careers, and returns the rewards. Flights that cannot be
+    /// stored now keep waiting.
     pub fn enter(&mut self) -> (Vec<Reward>, Result<(), ProfileError>) {
         let mut rewards = Vec::new();
         while let Some((whose, run)) = self.waiting.front() {
@@ -166,7 +167,8 @@ impl Careers {
         Ok(Some(tries))
     }
 
-    /// Continues without a profile that was deleted elsewhere; returns a notice.
+    /// Continues without the current profile if it was deleted elsewhere; returns a notice in that
+    /// case.
     pub fn forget_deleted(&mut self) -> Option<Text> {
         let found = self.profiles.find(&self.current.as_ref()?.name);
         let Err(error @ ProfileError::Unknown { .. }) = found else {

@@ -11,7 +11,7 @@ use crate::ui::{Look, ascii};
 
 /// The maximum number of waiting lines; further ones are dropped and counted.
 const LINES_WAITING: usize = 2000;
-/// How long a program that was told to end waits for its reader.
+/// How long a program that a signal ends waits for its reader.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 
 pub struct PlainOutput {
@@ -94,7 +94,7 @@ impl PlainOutput {
         }
     }
 
-    /// Writes the remaining lines, with a short time limit if the program was told to end.
+    /// Writes the remaining lines, with a short time limit if a signal ends the program.
     ///
     /// # Errors
     /// The output is closed.

@@ -83,7 +83,7 @@ fn clock(session: &FlightView, at: Duration) -> String {
     format!("{:02}:{:02}", seconds / 60, seconds % 60)
 }
 
-/// The word before a serious text.
+/// The word before a serious text; `None` before other texts.
 fn severity_word(severity: Severity) -> Option<Text> {
     match severity {
         Severity::Emergency | Severity::Alert | Severity::Critical => Some(text!("plain-critical")),

@@ -66,7 +66,6 @@ async fn flying_in(data: &Path, has_rooms: bool) -> Console {
     console
 }
 
-/// Ends a mission before its end.
 async fn abandon(console: &mut Console) {
     say(console, "abandon").await;
     let confirmed = crate::shell::key(crossterm::event::KeyCode::Char('y'));

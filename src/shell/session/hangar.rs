@@ -254,14 +254,15 @@ impl Processes {
         Some((self.hangars.clone()?, *place))
     }
 
-    /// A handle with which to wait for the end of the processes, once this is dropped.
+    /// A handle with which to wait until the processes have ended, after `self` was dropped.
     pub fn ending(&self) -> SessionEnding {
         SessionEnding(self.seen.clone())
     }
 }
 
 impl RunningSession {
-    /// A handle with which to wait for the end of the session's processes, once this is dropped.
+    /// A handle with which to wait until the session's processes have ended, after `self` was
+    /// dropped.
     pub fn ending(&self) -> SessionEnding {
         let processes = self.processes.as_ref();
         processes.map_or_else(SessionEnding::default, Processes::ending)

@@ -17,7 +17,7 @@ use crate::wire::{ComponentId, SystemId};
 /// How long a link must stay up before it is reported as up again.
 const UP_HOLDS: Duration = Duration::from_secs(2);
 
-/// The status of a session's links, and what was last reported of each.
+/// The status of a session's links, and the state last reported of each.
 #[derive(Default)]
 pub(super) struct SessionLinks {
     all: Vec<watch::Receiver<LinkStatus>>,
@@ -123,7 +123,7 @@ pub(super) enum LinkNews {
     Up,
     /// The link does not carry data, for this reason.
     Down(Text),
-    /// Closed for good, such as a recording played to its end.
+    /// The link is closed for good, such as that of a recording played to its end.
     Ended,
 }
 

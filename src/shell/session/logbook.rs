@@ -25,7 +25,8 @@ pub(super) struct Logbook {
 }
 
 impl Logbook {
-    /// Starts the record of a flight and sets its attempt number; `earlier` are those before it.
+    /// Starts the record of a flight and sets its attempt number; `earlier` are the attempts before
+    /// it.
     pub fn begin(
         runs: &Runs,
         flight: &mut Flight,
@@ -55,7 +56,8 @@ impl Logbook {
         }
     }
 
-    /// Writes what is due, and everything once the flight is over; returns a notice, if any.
+    /// Writes the lines that are due, and all lines once the flight is over; returns a notice, if
+    /// any.
     pub fn keep(&mut self, flight: &mut Flight, now: Duration) -> Option<Text> {
         let file = match &mut self.file {
             Ok(file) => file,
@@ -73,7 +75,7 @@ impl Logbook {
         Some(unwritable(&fault))
     }
 
-    /// Writes the rest of a flight that is left early.
+    /// Writes the remaining part of the record of a flight that is left early.
     pub fn finish(self, flight: &mut Flight) {
         if let Ok(mut file) = self.file {
             // No console is left to show a fault.

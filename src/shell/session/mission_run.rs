@@ -90,7 +90,7 @@ impl MissionRun {
         }
     }
 
-    /// Starts its record, and sets its attempt number; `earlier` are those before it.
+    /// Starts its record, and sets its attempt number; `earlier` are the attempts before it.
     pub fn record(&mut self, runs: &Runs, occasion: Occasion, earlier: Vec<TryReport>) {
         let occasion = Occasion {
             backend: self.backend,
@@ -115,7 +115,8 @@ impl MissionRun {
         self.driver.flight().elapsed()
     }
 
-    /// Steps the mission up to now and returns the events. It does not start until its vehicles are there.
+    /// Steps the mission up to now and returns the events. The mission does not start until its
+    /// vehicles are there.
     pub fn fly(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         if self.ended {
             return Vec::new();
@@ -216,7 +217,8 @@ fn heard(said: Vec<Notice>, now: Duration) -> impl Iterator<Item = Event> {
         .map(move |notice| Event::Notice(Notice { at: now, ..notice }))
 }
 
-/// Sends demands to vehicles that are heard, oldest first, until one fails; that one and the rest stay queued.
+/// Sends demands to vehicles that are heard, oldest first, until one fails; that one and all later
+/// ones stay queued.
 fn tell_demands(
     wanted: &mut VecDeque<Demand>,
     is_heard: impl Fn(VehicleId) -> bool,
@@ -287,7 +289,8 @@ impl RunningSession {
         }
     }
 
-    /// Triggers an inject; `None` without a mission.
+    /// Triggers an inject; returns its title, or why it cannot be triggered. `None` without a
+    /// mission.
     pub fn inject(&mut self, name: &str) -> Option<Result<Text, Text>> {
         Some(self.mission_run.as_mut()?.driver.flight_mut().inject(name))
     }
@@ -299,7 +302,7 @@ impl RunningSession {
         self.processes.is_none() && mission.is_some_and(|it| vehicles >= it.mission().seats.count)
     }
 
-    /// Adds a pause of this length to the mission's record.
+    /// Adds a pause of this length to the mission's record; returns the notice about it, if any.
     pub fn note_pause(&mut self, lasted: Duration, now: Duration) -> Option<Notice> {
         let notice = self
             .mission_run
@@ -319,7 +322,7 @@ impl RunningSession {
         })
     }
 
-    /// Ends the record of a mission that is left early and does not count. If its clock has not
+    /// Ends the record of a mission that is left early but not abandoned. If its clock has not
     /// started, the record is removed.
     pub fn close_record(&mut self) {
         let Some(run) = &mut self.mission_run else {

@@ -104,8 +104,8 @@ impl FlightRecorder {
         }
     }
 
-    /// Ends the record of a mission that is over, after a moment: what follows is not part of the flight. The inputs of
-    /// the simulated vehicles are recorded to the end of the session.
+    /// Ends the record shortly after the end of its mission: later events are not part of the
+    /// flight. The inputs of the simulated vehicles are recorded to the end of the session.
     pub fn end_after_mission(&mut self, now: Duration) {
         let ends_at = *self.ends_at.get_or_insert(now + AFTER_MISSION);
         if now >= ends_at && !self.has_ended {
@@ -144,7 +144,7 @@ impl FlightRecorder {
         self.recording.as_ref().map(Recording::frames)
     }
 
-    /// Why recording has stopped; returned once.
+    /// A fault to report, once: why recording has stopped, or that frames were dropped.
     pub fn take_fault(&mut self) -> Option<Text> {
         if let Some(fault) = self.recording.as_ref().and_then(Recording::take_fault) {
             self.recording = None;
@@ -169,7 +169,8 @@ impl Drop for FlightRecorder {
     }
 }
 
-/// The journal entry for an event, if neither telemetry nor the mission repeats it.
+/// The journal entry for an event; `None` if a replay can derive the event from telemetry or the
+/// mission.
 pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
     match event {
         VehicleEvent::Row(row) => Some(Happening::Row(RowLine::of(row))),

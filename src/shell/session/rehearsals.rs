@@ -20,7 +20,7 @@ use crate::vehicle::VehicleId;
 pub(super) struct Rehearsals {
     sender: mpsc::UnboundedSender<Rehearsed>,
     results: mpsc::UnboundedReceiver<Rehearsed>,
-    /// Where the last one is recorded.
+    /// Where the last rehearsal is recorded; `None` if flights are not recorded.
     records: Option<Records>,
 }
 

@@ -48,7 +48,7 @@ const FREE_FLIGHT_START: Start = Start {
 /// The content of a session: a mission, free flight or running vehicles.
 #[derive(Debug, Clone)]
 pub(in crate::shell) enum SessionPlan {
-    /// A mission of the catalogue or of a file.
+    /// A mission from the catalogue or from a file.
     Mission(Arc<Mission>),
     /// Simulated vehicles without a task, in the given SITL if any.
     Free(Option<SitlSource>),
@@ -103,7 +103,8 @@ impl SessionPlan {
 }
 
 impl SessionPlan {
-    /// The files of plans for its vehicles; in a flight that counts, home and fence are part of the task.
+    /// The access to plan files for its vehicles. In a flight that counts, a plan must not move
+    /// home or switch the fence.
     fn shelf(&self, stake: Stake, data: Option<&Path>) -> Arc<dyn PlanShelf> {
         let files = PlanFiles::keeping_in(data);
         let counts = matches!(self, Self::Mission(_)) && stake != Stake::Practice;

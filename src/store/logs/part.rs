@@ -1,4 +1,4 @@
-//! A log that is not complete yet: its bytes so far, and the list of what is missing.
+//! A log that is not complete yet: its bytes so far, and the list of its missing ranges.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};

@@ -15,9 +15,9 @@ pub enum ProfileError {
     Unusable { path: PathBuf, error: io::Error },
     /// The folder or the file cannot be read.
     Unreadable { path: PathBuf, error: io::Error },
-    /// It can be read, but must not be written.
+    /// The file can be read, but must not be written.
     ReadOnly { path: PathBuf },
-    /// A newer version of the program wrote it.
+    /// A newer version of the program wrote the file.
     Newer {
         path: PathBuf,
         /// The version of its tables.
@@ -25,14 +25,14 @@ pub enum ProfileError {
         /// The newest version that this program supports.
         known: i32,
     },
-    /// An older version of the program wrote it, and it is read-only.
+    /// An older version of the program wrote the file, and the file is read-only.
     Older { path: PathBuf },
     /// The database reports an error.
     Database {
         path: PathBuf,
         error: rusqlite::Error,
     },
-    /// It contains data that this program did not write.
+    /// The file contains data that this program did not write.
     Damaged { path: PathBuf, fault: String },
     /// No profile has this name.
     Unknown { name: String, known: Vec<String> },

@@ -13,11 +13,13 @@ use super::{FILE, PATIENCE, ProfileError, Profiles, Rescue, rescue, schema};
 use crate::store::sharing;
 
 impl Profiles {
-    /// Opens the profiles of a data folder; creates folder and file if needed. A damaged file is set aside and
-    /// replaced by the last good copy, which the [`Rescue`] reports.
+    /// Opens the profiles of a data folder; creates folder and file if needed. Profiles that must
+    /// not be written are opened read-only. A damaged file is set aside and replaced by the last
+    /// good copy, which the [`Rescue`] reports.
     ///
     /// # Errors
-    /// The folder is not writable, or a newer version of the program wrote the file. Neither is changed then.
+    /// The folder or the file cannot be created, or a newer version of the program wrote the file.
+    /// Neither is changed then.
     pub fn open(data: &Path) -> Result<(Self, Option<Rescue>), ProfileError> {
         let path = data.join(FILE);
         let unusable = |error| ProfileError::Unusable {

@@ -123,7 +123,7 @@ pub(super) fn copies(path: &Path) -> [PathBuf; 2] {
     COPIES.map(|name| beside(path, name))
 }
 
-/// The newest intact copy.
+/// The newest intact copy, if any.
 fn good_copy(path: &Path) -> Option<PathBuf> {
     copies(path)
         .into_iter()

@@ -102,7 +102,7 @@ impl RecordFiles {
     /// The first line of its journal.
     ///
     /// # Errors
-    /// It has no journal, or that cannot be read.
+    /// The record has no journal, or the journal cannot be read.
     pub fn head(&self) -> io::Result<Head> {
         use std::io::{BufRead as _, BufReader, Read as _};
 
@@ -135,7 +135,8 @@ impl RecordFiles {
         self.journal.as_deref().is_some_and(is_written)
     }
 
-    /// The first line of the mission's run, and the last one if it is its end; `None` without a run.
+    /// The first line of the mission's run, and its last line if that ends the run; `None` without
+    /// a run.
     pub fn run_outline(&self) -> Option<(RunHead, Option<RunEnd>)> {
         runs::outline(self.run.as_deref()?).ok()
     }
@@ -150,7 +151,8 @@ impl RecordFiles {
         matches!(&last, Some(Ok(line)) if !is_end(line)) && !self.is_written()
     }
 
-    /// Removes frames and journal; the record of a mission's run stays, because careers count it.
+    /// Removes frames, journal and joined logs; the record of a mission's run and its inputs stay,
+    /// because careers count the run. Without a run, the inputs are removed too.
     ///
     /// # Errors
     /// One of them cannot be removed.

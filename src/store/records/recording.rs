@@ -132,7 +132,7 @@ impl Recording {
         &self.frames
     }
 
-    /// Adds a line to the journal; times must not go back.
+    /// Adds a line to the journal; a time earlier than that of the last line is raised to it.
     pub fn note(&self, line: JournalLine) {
         let mut state = self.shared.state();
         let line = line.not_before(state.last_at);

@@ -84,7 +84,7 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Plans anew for the remaining members; false if there is no safe path.
+    /// Plans the work anew for the remaining members; returns `false` if there is no safe path.
     fn rearrange(
         &mut self,
         leader: Option<VehicleId>,
@@ -150,7 +150,7 @@ impl ActiveManoeuvre {
     }
 }
 
-/// Why a vehicle no longer takes part.
+/// Why a vehicle no longer takes part; `None` if it still does.
 fn unfit(vehicle: Option<&Vehicle>, silent: Duration) -> Option<RowEnding> {
     let Some(vehicle) = vehicle.filter(|vehicle| !vehicle.link.lost) else {
         return (silent >= LOST_FOR)

@@ -110,7 +110,7 @@ impl Standing {
         is_due
     }
 
-    /// A row's new state, if it has one.
+    /// The row's new state, if it has changed.
     pub(super) fn news(&mut self, left_m: f64, is_done: bool) -> Option<RowState> {
         if self.is_done {
             return None;

@@ -28,8 +28,8 @@ pub(in crate::swarm) fn is_staggered(lanes: &[Lane], rules: Rules) -> bool {
     nearest < rules.clearance().aside_m
 }
 
-/// Assigns adjacent lanes to the members, from the side and the end with the shortest total path. Members without a
-/// lane leave. False if there is no safe path.
+/// Assigns adjacent lanes to the members, from the side and the end with the shortest total path.
+/// Members without a lane leave. Returns `false` if there is no safe path.
 pub(in crate::swarm) fn share_lanes(
     act: &mut ActiveManoeuvre,
     lanes: &[Lane],
@@ -70,7 +70,8 @@ pub(in crate::swarm) fn share_lanes(
     route(act, view)
 }
 
-/// Assigns places in the formation, the first one to the first member. False if there is no safe path.
+/// Assigns places in the formation, the first one to the first member. Returns `false` if there is
+/// no safe path.
 pub(in crate::swarm) fn take_places(act: &mut ActiveManoeuvre, view: &WorldView<'_>) -> bool {
     see(act, view);
     let Work::Formation(march) = &mut act.work else {
@@ -105,7 +106,8 @@ fn see(act: &mut ActiveManoeuvre, view: &WorldView<'_>) {
     }
 }
 
-/// Finds heights at which all members can fly to the start of their work. False if there are none.
+/// Finds heights at which all members can fly to the start of their work. Returns `false` if there
+/// are none.
 pub(in crate::swarm) fn route(act: &mut ActiveManoeuvre, view: &WorldView<'_>) -> bool {
     let leg = |member: &Member| Leg {
         from: member.from,

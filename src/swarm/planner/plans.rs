@@ -200,7 +200,7 @@ impl Planner<'_> {
                     .collect()
             }
         };
-        // A lower vehicle stays lower, so that no vehicle must pass another in height.
+        // A lower vehicle stays lower, so that no vehicle has to climb or descend past another.
         self.team
             .sort_by(|a, b| a.1.z.total_cmp(&b.1.z).then(a.0.cmp(&b.0)));
         let step_m = self.rules.clearance().above_m;

@@ -215,7 +215,7 @@ fn role(stage: SitlStage, has_crashed: bool) -> Role {
     }
 }
 
-/// The fault of a process, and the end of its output.
+/// Draws the fault of a process, and the end of its output.
 fn draw_detail(state: &State, instance: &Instance, panel: Panel<'_>, buffer: &mut Buffer) {
     let hangar = state.session().hangar();
     let output = hangar.map_or(&[][..], |hangar| hangar.output(instance));

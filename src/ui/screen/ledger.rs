@@ -244,7 +244,7 @@ fn lines(entry: &LedgerEntry, look: &Look, width: usize) -> Vec<Line<'static>> {
         .collect()
 }
 
-/// One vehicle: its state, its answer, its attempts, and the full reason.
+/// The lines about one vehicle: its state, its answer, its attempts, and the full reason.
 fn row_lines(
     entry: &LedgerEntry,
     row: &LedgerRow,

@@ -49,7 +49,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     draw_link(state, cursor, panel.at(rest), buffer);
 }
 
-/// The lines of all links.
+/// Draws the lines of all links.
 fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let links = state.session().links();
     let room = usize::from(panel.area.height.saturating_sub(2));

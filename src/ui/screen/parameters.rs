@@ -59,7 +59,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     detail::draw(row.name, &told, panel.at(below(rest, list_rows)), buffer);
 }
 
-/// Why the list is empty.
+/// Draws the reason why the list is empty.
 fn draw_nothing(state: &State, vehicle: VehicleId, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().parameters();
     let known = room.lists().get(&vehicle);

@@ -78,7 +78,7 @@ fn split_last(area: Rect) -> (Rect, Rect) {
     (upper(area, rest), row_of(area, rest))
 }
 
-/// A line between the list and the map.
+/// Draws a line between the list and the map.
 fn draw_border(panel: Panel<'_>, buffer: &mut Buffer) {
     for row in 0..panel.area.height {
         let line = Line::styled("│", panel.style(Role::Border));

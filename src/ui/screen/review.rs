@@ -45,7 +45,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     let shown = state.rooms().review().page();
     put(buffer, panel.area, 0, &pages(view, shown, panel));
-    // The time line takes the place of the keys on the last line.
+    // The timeline takes the place of the keys on the last line.
     let keys = panel.at(row_of(panel.area, 1));
     put(
         buffer,

@@ -172,7 +172,7 @@ fn draw_flight(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     curves::draw(subject, below(area, top.height), buffer);
 }
 
-/// Draws the second page: the quality of its sensors, its plan, its outputs.
+/// Draws the second page: the quality of the vehicle's sensors, its plan and its outputs.
 fn draw_condition(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let top = upper(area, area.height.saturating_sub(OUTPUTS_ROWS));
     let half = area.width / 2;
@@ -181,7 +181,7 @@ fn draw_condition(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer)
     outputs::draw(subject, below(area, top.height), buffer);
 }
 
-/// Draws the third page: its reports.
+/// Draws the third page: the vehicle's reports.
 fn draw_reports(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer) {
     sensors::draw(subject, upper(area, SENSORS_ROWS), buffer);
     texts::draw(subject, below(area, SENSORS_ROWS), buffer);

@@ -132,7 +132,7 @@ fn put_wrapped(texts: &[(String, Style)], area: Rect, buffer: &mut Buffer) -> Re
     below(area, row)
 }
 
-/// A change with a sign for better or worse, readable without colour.
+/// A change with a sign for better or worse, readable without colour; `None` if it rounds to zero.
 fn change(measure: Measure, before: f64, after: f64) -> Option<(String, Role)> {
     let difference = measure.difference(before, after)?;
     let (sign, role) = match measure.is_gain(before, after) {

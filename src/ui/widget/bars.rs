@@ -1,4 +1,4 @@
-//! A bar chart with horizontal lines: values compared with marks.
+//! A bar chart with named horizontal lines, to compare the values with.
 
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;

@@ -105,7 +105,8 @@ fn dropped(state: &State, short: bool) -> Option<Text> {
     })
 }
 
-/// The number of alerts that are not acknowledged; the flight screen has a line for the most urgent one.
+/// The number of unacknowledged alerts, if any; not on the flight screen, which has a line for the
+/// most urgent one.
 fn pressing_alert(state: &State) -> Option<Text> {
     let session = state.session();
     let is_shown = state.room() != Room::Fly && !session.is_over();

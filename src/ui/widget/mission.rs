@@ -78,7 +78,7 @@ fn draw_hint(lines: Vec<String>, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The advice, wrapped: the requested hint, until new automatic advice.
+/// The advice, wrapped: the requested hint, until there is new automatic advice.
 pub fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
     let asked_for = progress.clues.given.last();
     let given =

@@ -210,7 +210,7 @@ pub fn draw_line(
     (Position::new(x, text.y), scroll)
 }
 
-/// The line before the faulty word, the word, and the rest.
+/// The line before the faulty word, the word, and the text after it.
 fn parts<'a>(line: &'a str, fault: Option<&Diagnostic>) -> (&'a str, &'a str, &'a str) {
     let whole = (line, "", "");
     let Some(span) = fault.map(|fault| &fault.span) else {

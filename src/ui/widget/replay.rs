@@ -20,17 +20,17 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, clip, clock, width, wrap};
 use crate::vehicle_id::ranges;
 
-/// The minimum number of cells for the time line; with fewer, it is left out.
+/// The minimum number of cells for the timeline; with fewer, it is left out.
 const SHORTEST: usize = 10;
-/// The minimum number of cells for the time line beside keys or a message; with fewer, the keys are left out, and the
-/// message is above it.
+/// The minimum number of cells for the timeline beside keys or a message; with fewer, the keys are
+/// left out, and the message is above it.
 const SHORTEST_BESIDE: usize = 20;
-/// The keys beside the time line get one column in `WIDE_HINTS` on a screen of at least this width,
+/// The keys beside the timeline get one column in `WIDE_HINTS` on a screen of at least this width,
 /// and one in `NARROW_HINTS` on a narrower one.
 const WIDE_BAR: usize = 120;
 const WIDE_HINTS: usize = 2;
 const NARROW_HINTS: usize = 4;
-/// The sign of a gap in the recording on the time line.
+/// The sign of a gap in the recording on the timeline.
 const GAP: (&str, Role) = (" ", Role::Muted);
 /// The width of a moment's kind in the list, in columns.
 const KIND_WIDTH: usize = 10;
@@ -118,7 +118,7 @@ enum Remarks {
     None,
 }
 
-/// The time line of a replay, and the times at its ends.
+/// The timeline of a replay, and the times at its ends.
 struct TimeLine<'a> {
     view: &'a ReplayView,
     position: String,
@@ -138,7 +138,7 @@ impl<'a> TimeLine<'a> {
         }
     }
 
-    /// The number of cells for the time line beside these words; `None` if the words alone do not
+    /// The number of cells for the timeline beside these words; `None` if the words alone do not
     /// fit.
     fn room_beside(&self, says: &[Span<'_>], panel: Panel<'_>) -> Option<usize> {
         let words: usize = says.iter().map(Span::width).sum();
@@ -192,7 +192,8 @@ fn remarks(state: &State, view: &ReplayView, look: &Look) -> String {
     words
 }
 
-/// The kinds of moments at which the replay stops, by their signs on the time line.
+/// The kinds of moments at which the replay stops, by their signs on the timeline; `None` if it
+/// does not stop.
 fn stops(kinds: &[MomentKind]) -> Option<Text> {
     let signs: Vec<&str> = kinds.iter().map(|&kind| sign(kind).0).collect();
     (!signs.is_empty()).then(|| text!("replay-stops", signs = signs.join(" ")))
@@ -248,7 +249,8 @@ fn keys(state: &State) -> impl Iterator<Item = (Text, &'static str)> {
     })
 }
 
-/// The time line: the played part, the indexed part, the gaps (blank), the moments, and the repeated stretch.
+/// The timeline: the played part, the indexed part, the gaps (blank), the moments, and the repeated
+/// stretch.
 fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
     let cell = |at: Duration| {
         let share = at.as_secs_f64() / view.length.as_secs_f64().max(0.001);
@@ -267,7 +269,7 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
             *sign = GAP;
         }
     }
-    // In one cell, the most important moment is shown.
+    // Each cell shows only its most important moment.
     let mut moments: Vec<&Moment> = view.moments.iter().collect();
     moments.sort_by_key(|moment| moment.kind.weight());
     for moment in moments {
@@ -283,7 +285,7 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
         .collect()
 }
 
-/// The sign of a moment on the time line; the same as in the debrief, where that shows the event.
+/// The sign of a moment on the timeline; the same as in the debrief, where that shows the event.
 fn sign(kind: MomentKind) -> (&'static str, Role) {
     match kind {
         MomentKind::Bookmark => ("◆", Role::Selected),

@@ -1,4 +1,4 @@
-//! What the program prints, and where it cannot print.
+//! The program's output, and outputs that cannot be written.
 
 use std::fs;
 

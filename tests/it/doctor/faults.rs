@@ -196,7 +196,8 @@ async fn a_vehicle_that_has_answered_may_lose_some_answers() {
     }
 }
 
-/// At 30 % loss, half of the queries remain unanswered: a minute without an answer is no accident, half a minute may be.
+/// At 30 % loss, half of the queries remain unanswered: a minute without an answer is not chance,
+/// half a minute may be.
 #[tokio::test(start_paused = true)]
 async fn a_lossy_link_needs_more_evidence() {
     let (mut patient, remote) = Patient::listening().await;

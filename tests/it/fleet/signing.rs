@@ -23,7 +23,7 @@ use tokio_util::sync::CancellationToken;
 
 use super::{Console, serve, world};
 
-/// A time in 2026, and a day, in units of a time stamp.
+/// A time in 2026, and a day, in units of a timestamp.
 const NOW: u64 = 36_300_000_000_000;
 const DAY: u64 = 86_400 * 100_000;
 
@@ -193,7 +193,7 @@ async fn both_sides_restart_and_the_clock_is_set_back() {
     console.carry_out("guided", 1).await;
     drop(console);
     for ago in [DAY, 0, 400 * DAY] {
-        // With signing required, the vehicle is there only if its frames are right.
+        // With signing required, the vehicle appears only if its signatures are valid.
         let mut signed = start(folder.path(), true).await;
         signed.set_clock(ago);
         signed.console.connect(&address);
@@ -219,7 +219,7 @@ async fn a_console_that_is_killed_during_a_change_talks_to_the_vehicle_afterward
                 console.state(entry, 1).is_some()
             })
             .await;
-        // What is on the disk now is all that a killed console leaves.
+        // A killed console leaves no more than is on the disk now.
         let left = fs::read(&file).expect("written before it was sent");
         console.until_done(entry, 1).await;
         drop(console);

@@ -94,7 +94,7 @@ async fn one_that_reboots_by_mavlink_goes_through_its_stages_again() {
     assert_a_reboot_goes_through_the_stages(&Stand::of(Behaviour::Normal)).await;
 }
 
-/// A reboot by MAVLink goes through the stages again.
+/// Checks that a reboot by MAVLink goes through the stages again.
 pub(super) async fn assert_a_reboot_goes_through_the_stages(stand: &Stand) {
     let id = stand.launch().await;
     let mut attached = stand.attach(id).await;

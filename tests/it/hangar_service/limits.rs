@@ -11,7 +11,7 @@ use tokio::net::TcpSocket;
 use super::{Answer, Served};
 use sortie::hangar::service::ServiceSetup;
 
-/// A wait that is short, so that a test ends soon; nothing is expected to finish within it.
+/// A short wait, so that a test ends soon; nothing is expected to finish within it.
 const SOON: Duration = Duration::from_millis(300);
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

@@ -28,8 +28,8 @@ fn of_kind(kind: &str) -> Vec<String> {
     of_kind.map(|(_, body)| body).collect()
 }
 
-/// Adds a snippet to a mission: tables replace existing ones; arrays are appended, except entries whose id exists
-/// already.
+/// Adds a snippet to a mission: tables replace existing ones; entries of arrays are appended,
+/// unless their id exists already.
 fn add(mission: &mut Table, snippet: &str) {
     let snippet: Table = snippet.parse().expect("TOML");
     for (key, value) in snippet {

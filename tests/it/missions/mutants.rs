@@ -66,7 +66,7 @@ fn mutated(source: &str, random: &mut ChaCha8Rng) -> String {
     lines.join("\n")
 }
 
-/// An accepted mission can be listed, examined, and flown.
+/// Lists, examines and flies an accepted mission.
 fn fly_a_little(mission: Mission) {
     drop((mission.listing(), mission.places_to_name(), mission.check()));
     let nothing = Script::parse("", &Context::default()).expect("an empty script");

@@ -1,4 +1,4 @@
-//! The console during a replay: its time line, its keys, its answers, and how it ends.
+//! The console during a replay: its timeline, its keys, its answers, and how it ends.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -77,7 +77,7 @@ fn stopped_at(seconds: f64) -> ReplayPosition {
     }
 }
 
-/// The last line of the screen, which has the time line.
+/// The last line of the screen, which has the timeline.
 fn last_line(console: &Console) -> String {
     let screen = console.screen(80, 24);
     screen.lines().last().unwrap_or_default().to_owned()

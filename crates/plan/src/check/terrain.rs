@@ -24,7 +24,8 @@ pub struct Leg {
     pub item: usize,
     /// Its length over the ground, in metres.
     pub length_m: f64,
-    /// Whether its heights count from the ground at both ends, so the vehicle follows the ground.
+    /// Whether its heights are measured from the ground at both ends, so the vehicle follows the
+    /// ground.
     pub follows_ground: bool,
     /// The minimum height above the ground, in metres, and where it is, in metres from the start; `None` if a part of
     /// the leg is not covered.
@@ -45,8 +46,9 @@ struct Point {
     level: Level,
 }
 
-/// The legs of a plan from place to place, with their heights above the ground. Heights above home count from the
-/// ground at home if it is known, as the vehicle stands on it; otherwise from the height in the file.
+/// The legs of a plan from place to place, with their heights above the ground. Heights above home
+/// are measured from the ground at home if its height is known, because the vehicle stands on it;
+/// otherwise from the height in the file.
 pub fn legs(document: &Document, ground_m: &dyn Fn(LatLon) -> Option<f64>) -> Vec<Leg> {
     let home = document
         .home
@@ -98,7 +100,7 @@ fn next_point(item: &Item, here: Option<Point>, home: Option<(LatLon, f64)>) -> 
     let at = own.or(here.map(|here| here.at)).or(item.place())?;
     let lands = matches!(item.command, command::LAND | command::VTOL_LAND);
     let z = f64::from(item.z);
-    // A vehicle lands from the height that it has, and a height of 0 keeps it.
+    // A vehicle lands from its current height, and an item with a height of 0 keeps it.
     if lands || (z == 0.0 && !takes_off) || !z.is_finite() {
         let level = here?.level;
         return Some(Point { at, level });

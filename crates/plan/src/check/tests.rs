@@ -150,7 +150,7 @@ fn a_plan_that_repeats_its_items_for_ever_never_ends() {
     let unreached = 4..plan.plan.len();
     expected.extend(unreached.map(|index| (Some(index), FindingKind::Unreached)));
     assert_eq!(found_usual(&plan), expected);
-    // A jump that skips items without end, and one that is repeated twice, let the plan end.
+    // An endless jump that skips items, and a jump that is repeated twice, let the plan end.
     let mut ends = good();
     ends.plan.insert(1, jump(3.0, -1.0));
     ends.plan.insert(3, jump(1.0, 2.0));

@@ -51,7 +51,7 @@ proptest! {
         let mut found = aims(&changed);
         found.drain(at..at + 2);
         prop_assert_eq!(&found, &before);
-        // Undone.
+        // Deleting the inserted items restores the list.
         let back = delete(&changed, at..at + 2).expect("nothing jumps there");
         prop_assert_eq!(&back, &items);
 

@@ -4,7 +4,7 @@ use miniz_oxide::inflate::decompress_to_vec_with_limit;
 
 use crate::fault::{ArchiveFault, Fault, FaultKind};
 
-/// The maximum size of unpacked data: far more than any plan needs, and little memory.
+/// The maximum size of unpacked data: far more than any plan needs, yet little memory.
 const LARGEST: usize = 16 * 1024 * 1024;
 const END: [u8; 4] = *b"PK\x05\x06";
 const ENTRY: [u8; 4] = *b"PK\x01\x02";

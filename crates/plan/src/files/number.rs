@@ -92,7 +92,8 @@ pub(super) fn unfixed(value: i32, decimals: u32) -> String {
     format!("{sign}{whole}.{part:0width$}", width = decimals as usize)
 }
 
-/// The number of decimals of x and y: degrees, metres of a local frame, or plain parameters.
+/// The number of decimals of x and y, which are degrees, metres of a local frame or plain
+/// parameters.
 pub(super) fn decimals(command: u16, frame: u8) -> u32 {
     const MISSION: u8 = 2;
     if !command::has_place(command) {

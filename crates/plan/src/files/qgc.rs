@@ -1,7 +1,7 @@
 //! QGroundControl's `.plan`: file version 1, mission 2, fence 1 and 2, rally points 1 and 2.
 //!
-//! The format cannot hold the frame and height of fence items (they have no meaning), the order of
-//! areas of different kinds, or rally points that are not above home, which are refused.
+//! The format cannot hold the frame and height of fence items (they have no meaning) or the order
+//! of areas of different kinds. Rally points whose heights are not above home are refused.
 
 use std::collections::BTreeMap;
 

@@ -128,7 +128,7 @@ impl Line {
 /// Writes one list.
 ///
 /// # Errors
-/// The document has another list, which would be lost.
+/// The document has items in other lists, which would be lost.
 pub(super) fn write(document: &Document, kind: ListKind) -> Result<String, Unwritable> {
     if let Some(other) = document.kinds().find(|other| *other != kind) {
         return Err(Unwritable::List(other));

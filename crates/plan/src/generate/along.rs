@@ -11,8 +11,8 @@ const LONGEST_MITRE: f64 = 2.0;
 /// One lane for each vehicle, from the end that is closer to the vehicles.
 ///
 /// # Errors
-/// The line has no length, or the lanes would be so close together that vehicles that descend to theirs come too close
-/// to each other.
+/// The line has no length, or the lanes are so close that vehicles descending to their own lanes
+/// would come too close to each other.
 pub(super) fn lanes(
     scene: &Scene,
     manner: &Manner,

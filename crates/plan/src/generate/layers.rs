@@ -6,7 +6,8 @@ use super::compose::Trip;
 use super::{Scene, Work};
 use crate::pattern::distance_to_segment;
 
-/// Paths closer than this are flown at different heights, in metres: the distance of a conflict, and a margin.
+/// Paths closer than this are flown at different heights, in metres: the conflict limit plus a
+/// margin.
 pub(super) const ASIDE_M: f64 = 6.0;
 
 /// How much closer to a place than its vehicle's own climb or descent a path must come to count as

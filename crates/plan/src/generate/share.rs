@@ -23,7 +23,8 @@ pub(super) const WORTH: f64 = 1.1;
 const LEAST_SHARE: f64 = 0.25;
 /// The number of candidates from which the vehicle to leave out is chosen.
 const SPARES: usize = 3;
-/// The number of stretches of a way at whose ends the energy of a vehicle without a share is tried.
+/// The number of equal stretches into which a way is divided to find the least energy that a
+/// vehicle without a share would need: the energy is computed at the end of each.
 const STRETCHES: u32 = 8;
 
 /// The shares, and the vehicles without one.
@@ -54,7 +55,7 @@ pub(super) fn works(
     Ok(Shares { works, idle })
 }
 
-/// The vehicles whose work is little compared with their way there and back: those with the least work.
+/// The vehicles whose work is small compared with their transit: those with the least work.
 fn spares(scene: &Scene, works: &[Work]) -> Vec<usize> {
     if works.len() < 2 {
         return Vec::new();
@@ -140,7 +141,7 @@ impl Sharing<'_> {
         tried.swap_remove(place)
     }
 
-    /// Why a vehicle has no share, where no vehicle uses more energy than `most`.
+    /// Why a vehicle has no share, if no vehicle uses more energy than `most`.
     fn reason(&self, vehicle: usize, most: f64) -> Idle {
         let lowest_m = self.manner.height_m + self.manner.layer_m;
         let layers = vec![lowest_m; self.scene.homes.len()];

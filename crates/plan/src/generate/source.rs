@@ -41,7 +41,7 @@ pub fn keep_out(fence: &[Item]) -> Vec<Item> {
     fence.iter().filter(forbids).copied().collect()
 }
 
-/// A fence with the areas of `more` added that it does not have yet.
+/// A fence, extended by the areas of `more` that it lacks.
 #[must_use]
 pub fn with_areas(mut fence: Vec<Item>, more: &[Item]) -> Vec<Item> {
     let mut left = more;

@@ -111,7 +111,8 @@ fn samples() -> impl Strategy<Value = Vec<DVec2>> {
     proptest::collection::vec(point.prop_map(DVec2::from), 80)
 }
 
-/// The greatest distance of a point of an area from a leg at the height of the work.
+/// The greatest distance between a point of an area and the leg nearest to it, at the height of the
+/// work.
 fn worst_gap_m(generated: &Generated, rings: &[Vec<DVec2>], points: &[DVec2]) -> f64 {
     let legs: Vec<[DVec2; 2]> = generated
         .parts

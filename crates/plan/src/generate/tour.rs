@@ -5,7 +5,7 @@ use glam::DVec2;
 use super::field::Field;
 use crate::pattern::Lane;
 
-/// A cut closer than this to the end of a stroke is moved there.
+/// A cut closer than this to the end of a stroke is moved to that end, in metres.
 const SNAP_M: f64 = 2.0;
 
 /// Strokes, each a line that is worked along, in the order in which they are flown.
@@ -119,7 +119,7 @@ impl Begin {
         Self { last_row, far_end }
     }
 
-    /// The lines of a cell, flown to and fro.
+    /// The lines of a cell, flown back and forth.
     fn order(self, cell: &[Lane]) -> Vec<Vec<DVec2>> {
         let mut lanes = cell.to_vec();
         if self.last_row {
@@ -180,8 +180,8 @@ fn overlap(a: &Lane, b: &Lane, along: DVec2) -> bool {
     a_start < b_end && b_start < a_end
 }
 
-/// The strokes of all cells: the first cell as `begin` specifies, then each time the remaining cell
-/// with the nearest corner.
+/// The strokes of all cells: those of the first cell as `begin` specifies, then repeatedly those of
+/// the remaining cell with the nearest corner.
 pub(super) fn tour(cells: &[Vec<Lane>], begin: Begin) -> Vec<Vec<DVec2>> {
     let mut left: Vec<&Vec<Lane>> = cells.iter().collect();
     if left.is_empty() {

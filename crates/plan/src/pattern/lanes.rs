@@ -118,7 +118,7 @@ impl Strips {
         }
     }
 
-    /// The lines of each strip for as long as any part of the strip is in an area with holes; gaps up to
+    /// The lines of each strip, wherever any part of the strip is in an area with holes; gaps up to
     /// `shortest_gap_m` are flown over.
     pub fn lines(&self, rings: &[Vec<DVec2>], shortest_gap_m: f64) -> Vec<Vec<Lane>> {
         let of_strip = |index: usize| {
@@ -172,9 +172,10 @@ pub fn is_in_rings(point: DVec2, rings: &[Vec<DVec2>]) -> bool {
 
 /// Parallel lines over an area: every point of it is within half the spacing of one of them.
 ///
-/// The area is cut into strips of equal width, at most `spacing_m`, and each line runs along the middle of its strip
-/// for as long as any part of the strip is in the area. Where a concave area has a gap in a strip, the line goes on
-/// over the gap. Without a course the lines run along the edge that needs the fewest of them.
+/// The area is cut into strips of equal width, at most `spacing_m`. Each line runs along the middle
+/// of its strip, wherever any part of the strip is in the area. Where a concave area has a gap in a
+/// strip, the line continues over the gap. Without a course the lines run along the edge that needs
+/// the fewest of them.
 ///
 /// # Errors
 /// See [`Strips::over`].

@@ -1,4 +1,4 @@
-//! Fences that a flight leaves or keeps.
+//! Fences that a flight breaches or respects.
 
 use super::*;
 

@@ -22,7 +22,7 @@ pub(crate) struct Figures {
     pub(super) reference_altitude_m: f64,
     /// `refBatRes`: resistance of the battery, in ohms.
     pub(super) battery_resistance_ohm: f64,
-    /// `maxVoltage` of the full battery.
+    /// `maxVoltage`: the voltage of the full battery.
     pub(super) full_voltage_v: f64,
     /// `battCapacityAh`; zero for a battery that never runs down.
     pub(super) battery_capacity_ah: f64,
@@ -41,7 +41,7 @@ pub(crate) struct Figures {
     pub(super) disc_area_m2: f64,
     /// `mdrag_coef`: the drag of the air that the rotors take in.
     pub(super) momentum_drag: f64,
-    /// `moment_inertia`, kilogram square metres; zero: estimated.
+    /// `moment_inertia`, in kilogram square metres; zero if it is to be estimated.
     pub(super) inertia_kg_m2: DVec3,
     pub(super) motors: Vec<Motor>,
 }

@@ -202,7 +202,8 @@ impl ArmingChecks<'_> {
         self.radio_calibrates.then(|| "RC calibrating".into())
     }
 
-    /// The reason from the checks that are made only when all others pass and arming was requested.
+    /// The reason from the checks that are made only when all others pass and arming was requested;
+    /// `None` if they pass, too.
     pub(crate) fn last_obstacle(&self, method: ArmingMethod) -> Option<Reason> {
         let by_itself = method == ArmingMethod::Command
             && matches!(

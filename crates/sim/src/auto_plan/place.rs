@@ -43,7 +43,8 @@ impl AutoPlan {
 }
 
 impl AutoPlan {
-    /// The end of the nearest leg after a `DO_RETURN_PATH_START`: the item at which a return path is joined.
+    /// The end of the nearest leg after a `DO_RETURN_PATH_START`: the item at which a return path
+    /// is joined. `None` without a return path.
     pub(crate) fn return_path(&self, vehicle: &Vehicle) -> Option<u16> {
         let items = &vehicle.plans.mission;
         (FIRST..items.len() as u16)

@@ -25,7 +25,7 @@ pub(super) fn is_navigation(command: u16) -> bool {
 }
 
 /// The first item at or after `from` that is not a jump. Jumps on the way are counted, and reported
-/// in `texts`, except for the first time of an unlimited jump.
+/// in `texts`, except the first time that an unlimited jump is taken.
 pub(super) fn next_counting(
     items: &[Item],
     from: u16,
@@ -84,7 +84,7 @@ pub(super) fn next_ahead(items: &[Item], from: u16, jumps: &Jumps) -> Option<u16
     None
 }
 
-/// The next navigation command at or after `from`.
+/// The next navigation command at or after `from`, if there is one.
 pub(super) fn next_navigation(items: &[Item], from: u16, jumps: &Jumps) -> Option<u16> {
     (from..items.len() as u16)
         .map_while(|at| next_ahead(items, at, jumps))
@@ -95,7 +95,7 @@ pub(super) fn next_navigation(items: &[Item], from: u16, jumps: &Jumps) -> Optio
         })
 }
 
-/// The first item with a tag.
+/// The first item with a tag, if there is one.
 pub(super) fn tagged(items: &[Item], tag: u16) -> Option<u16> {
     items
         .iter()

@@ -289,7 +289,7 @@ fn announce_item(vehicle: &mut Vehicle, at: u16) -> Option<Item> {
     Some(item)
 }
 
-/// The types of speed of `DO_CHANGE_SPEED` that are not over ground.
+/// The speed types of `DO_CHANGE_SPEED` other than ground speed.
 const CLIMB: i32 = SpeedType::SPEED_TYPE_CLIMB_SPEED as i32;
 const DESCENT: i32 = SpeedType::SPEED_TYPE_DESCENT_SPEED as i32;
 

@@ -134,7 +134,8 @@ impl AutoPlan {
         left.abs() < HEIGHT_REACHED_M || passed
     }
 
-    /// Handles a landing: the vehicle disarms and the mission resets, unless a takeoff follows.
+    /// Handles a landing. Afterwards the vehicle disarms and the mission resets, unless a takeoff
+    /// follows and `MIS_OPTIONS` allows it; returns true in that case.
     fn has_landed(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         if self.wait == PlanWait::LandingPlace {
             if matches!(&vehicle.flight.task, Task::Route(route) if route.reached) {

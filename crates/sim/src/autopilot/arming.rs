@@ -8,7 +8,8 @@ use crate::mode;
 use crate::vehicle::Vehicle;
 
 impl Autopilot {
-    /// Arms, or reports why not. When forced, only the mandatory checks apply.
+    /// Arms, or reports why not; returns whether the vehicle is armed. When forced, only the
+    /// mandatory checks apply.
     pub(crate) fn arm(&mut self, method: ArmingMethod) -> bool {
         if self.vehicle.safety.armed {
             return true;
@@ -40,7 +41,7 @@ impl Autopilot {
         true
     }
 
-    /// The reasons from the last check, that of the positions of sticks and switches.
+    /// The reasons from the last check, which concerns the positions of sticks and switches.
     fn stick_obstacles(&self, method: ArmingMethod) -> Vec<Reason> {
         let vehicle = &self.vehicle;
         if !self.arming_checks().checks_sticks() {

@@ -14,7 +14,8 @@ use crate::vehicle::AskedSpeeds;
 use crate::yaw::YawDemand;
 
 impl Autopilot {
-    /// Enters a mode, or reports why not. Entering the current mode changes nothing.
+    /// Enters a mode, or reports why not; returns whether the vehicle is in the mode. Entering the
+    /// current mode changes nothing.
     pub(crate) fn set_mode(&mut self, number: u8) -> bool {
         let Some(mode) = Mode::numbered(number) else {
             self.vehicle.say(
@@ -107,8 +108,8 @@ impl Autopilot {
         self.vehicle.fence.mode_changed(self.vehicle.uptime());
     }
 
-    /// Enters the mode in which the vehicle begins: that of the mode switch, or that of `INITIAL_MODE` without a remote
-    /// control, or STABILIZE if that mode is always refused.
+    /// Enters the first mode: that of the mode switch or, without a remote control, that of
+    /// `INITIAL_MODE`; STABILIZE if that mode is always refused.
     pub(super) fn begin_first_mode(&mut self) {
         let vehicle = &mut self.vehicle;
         if vehicle.tuning.faults.radio != RadioFault::Silent {
@@ -172,7 +173,8 @@ impl Autopilot {
         }
     }
 
-    /// `MISSION_START`: enters AUTO and allows the takeoff. A vehicle without a mission lands.
+    /// `MISSION_START`: enters AUTO and allows the takeoff; `false` if AUTO is refused. A landed
+    /// vehicle without a mission enters LAND.
     pub(crate) fn start_mission(&mut self) -> bool {
         if !self.set_mode(mode::AUTO) {
             return false;

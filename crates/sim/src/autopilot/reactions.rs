@@ -40,7 +40,8 @@ impl Autopilot {
         }
     }
 
-    /// Checks the links, the estimate and the battery, in order; each sees the effects of the one before.
+    /// Checks the links, the estimate and the battery, in order; each check takes account of the
+    /// effects of the previous one.
     pub(super) fn watch_failsafes(&mut self) {
         const WATCHES: [Watch; 3] = [
             Failsafe::watch_station,

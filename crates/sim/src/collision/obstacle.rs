@@ -111,7 +111,8 @@ impl Obstacles {
         self.solids.is_empty()
     }
 
-    /// The obstacle that a sphere penetrates deepest, by its index in the configuration.
+    /// The obstacle that a sphere penetrates deepest, by its index in the configuration; `None` if
+    /// it touches none.
     pub(super) fn touched(&self, centre: DVec3, radius_m: f64) -> Option<(usize, Contact)> {
         let here = (cell(centre.x), cell(centre.y));
         let first = self.cells.partition_point(|(cell, _)| *cell < here);
@@ -155,7 +156,7 @@ impl Solid {
         if up_m > self.height_m + radius_m || up_m < -radius_m {
             return None;
         }
-        // In the solid's own frame: along, across and up from the middle of the foot.
+        // In the solid's own frame: along, across and up from the centre of its base.
         let along = match self.outline {
             ObstacleOutline::Box(_, along) => along,
             ObstacleOutline::Cylinder(_) => DVec2::X,

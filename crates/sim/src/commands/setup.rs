@@ -60,8 +60,8 @@ pub(super) fn estimator_source(_: &mut Autopilot, _: &mut Link, command: &Comman
     }
 }
 
-/// A position from outside, as `COMMAND_INT` only: in a global frame and without an altitude. A valid one fails,
-/// because the estimator has a position of its own.
+/// Handles a position from outside, which must come as a `COMMAND_INT` in a global frame and
+/// without an altitude. A valid one fails, because the estimator has a position of its own.
 pub(super) fn external_position(_: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     match command.frame {
         None => MavResult::MAV_RESULT_UNSUPPORTED,

@@ -6,7 +6,7 @@ use super::faults::Faults;
 
 /// A compass that fails or contradicts the estimate for this long is replaced by another one.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// The time after its last reading when a compass counts as unhealthy.
+/// The time after its last reading at which a compass counts as unhealthy.
 const UNHEALTHY_AFTER: Duration = Duration::from_millis(500);
 /// The greatest error that passes the innovation test, in milligauss: 195 gave a test ratio of 1.286.
 const GATE_MGAUSS: f64 = 151.6;
@@ -28,7 +28,7 @@ pub(super) struct Compass {
 }
 
 impl Compass {
-    /// Checks the compasses; returns the number of a newly chosen one.
+    /// Checks the compasses; returns the number of a newly chosen one, if any.
     pub(super) fn step(&mut self, now: Duration, faults: &Faults) -> Option<usize> {
         self.watch_health(now, faults);
         let failed = &faults.compasses_failed;

@@ -59,7 +59,7 @@ pub(crate) enum RadioFault {
     Fine,
     /// The receiver sends no pulses.
     Silent,
-    /// The receiver sends a throttle of 950 us, its sign of a lost transmitter.
+    /// The receiver sends a throttle of 950 µs, which indicates a lost transmitter.
     Low,
 }
 
@@ -118,7 +118,7 @@ impl Faults {
         faults
     }
 
-    /// Turns the GPS off if a switch of the remote control does (`off`).
+    /// Turns the GPS off if a switch of the remote control demands it (`off`).
     pub(crate) fn switch_gps(&mut self, off: bool) {
         if off && !self.gps.disabled {
             self.gps.unused = Some(GpsUnused::SwitchedOff);

@@ -19,7 +19,7 @@ const JAM_SPEED_M_S: f64 = 400.0;
 /// The initial silence of a jammed receiver, in seconds.
 const JAM_SILENCE_S: (f64, f64) = (1.0, 6.0);
 
-/// One report of the receiver, as the difference to the truth.
+/// One report of the receiver, as the difference from the truth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Fix {
     pub(crate) kind: GpsFixType,

@@ -9,7 +9,8 @@ use super::{Estimator, NEGLIGIBLE_M, Surroundings};
 use crate::kinematics::STEP_S;
 use crate::texts;
 
-/// The time to detect a stuck accelerometer, and its share in the velocity until then.
+/// The time to detect a stuck accelerometer, and the share of its error that enters the velocity
+/// until then.
 const LANE_PATIENCE: Duration = Duration::from_millis(300);
 const STUCK_SHARE: f64 = 0.5;
 /// The time constant with which the effect of a stuck accelerometer decays: the vehicle is

@@ -95,7 +95,7 @@ impl BatteryRules {
         }
     }
 
-    /// The reason why the battery forbids arming now.
+    /// The reason why the battery forbids arming now; `None` if it does not.
     pub(crate) fn obstacle(&self, voltage_v: f64, left_mah: f64) -> Option<&'static str> {
         let upside_down = |low: f64, critical: f64| critical > 0.0 && low > 0.0 && low <= critical;
         let obstacles = [

@@ -28,7 +28,7 @@ impl Fence {
     /// Builds a fence from an uploaded list.
     ///
     /// # Errors
-    /// The first invalid item, in the vehicle's order.
+    /// The fault of the first invalid item, in the vehicle's order.
     pub(crate) fn check(items: &[Item]) -> Result<Self, FenceError> {
         let checked = sortie_plan::Fence::check(items);
         checked.map(Self).map_err(|(_, error)| error)

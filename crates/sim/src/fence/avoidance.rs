@@ -72,12 +72,12 @@ pub(super) struct Limiter {
 }
 
 impl Limiter {
-    /// Whether a velocity has been changed lately.
+    /// Whether a velocity has been changed recently.
     pub(super) fn is_active(&self, now: Duration) -> bool {
         self.last.is_some_and(|(at, _)| now < at + ACTIVE)
     }
 
-    /// Reduces a wanted velocity to the one that is allowed.
+    /// Reduces a wanted velocity to the allowed one.
     pub(super) fn limit(&mut self, wanted_m_s: DVec3, edges: &Edges<'_>, now: Duration) -> DVec3 {
         if !edges.rules.at_fence {
             return wanted_m_s;

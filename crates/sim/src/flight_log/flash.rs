@@ -72,7 +72,7 @@ const WEEK_MS: u64 = 7 * 24 * 3600 * 1000;
 const GPS_EPOCH_MS: u64 = 315_964_800_000;
 const LEAP_MS: u64 = 18_000;
 
-/// Which groups of records a log has.
+/// The groups of records in a log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub(crate) struct Groups {
     pub(crate) attitude: bool,

@@ -48,7 +48,8 @@ pub(crate) fn older(name: &str) -> Option<(&'static str, &'static str, AliasSens
     all.find(|(newer, _, _)| newer.eq_ignore_ascii_case(name))
 }
 
-/// A parameter's name in the other firmware, and the conversion of values. Case does not matter.
+/// A parameter's name in the other firmware, and the conversion of values; `None` if both firmwares
+/// use the same name. Case does not matter.
 pub fn other_name(name: &str) -> Option<(&'static str, AliasSense)> {
     ALIASES.iter().find_map(|&(newer, older, sense)| {
         if newer.eq_ignore_ascii_case(name) {

@@ -58,7 +58,7 @@ impl ParameterTable {
         }
     }
 
-    /// The index of a parameter; case does not matter.
+    /// The index of a parameter; `None` for an unknown name. Case does not matter.
     pub(super) fn place(&self, name: &str) -> Option<usize> {
         let place = self.by_name.get(name).copied().or_else(|| {
             let is_upper = !name.bytes().any(|byte| byte.is_ascii_lowercase());

@@ -41,7 +41,7 @@ impl NeutralRules {
 }
 
 impl RadioRules {
-    /// The reasons not to arm now; arming by the yaw stick moves that stick.
+    /// The reasons not to arm now. For arming by the yaw stick, that stick need not be neutral.
     pub(crate) fn arming_obstacles(&self, sticks: &Sticks, by_yaw_stick: bool) -> Vec<String> {
         let mut reasons = Vec::new();
         if self.has_duplicate_switches() {

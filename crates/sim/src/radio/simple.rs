@@ -38,7 +38,8 @@ impl SimpleSticks {
         self.home_deg = nose_deg + 180.0;
     }
 
-    /// Sets the reference; returns a text if that changes it. Home lies in the direction `home_deg`.
+    /// Sets the reference; returns a text for the pilot if the reference has changed. Home lies in
+    /// the direction `home_deg`.
     pub(crate) fn set(&mut self, mode: SimpleMode, home_deg: f64) -> Option<&'static str> {
         if std::mem::replace(&mut self.mode, mode) == mode {
             return None;

@@ -24,8 +24,8 @@ impl Bucket {
     }
 }
 
-/// All buckets, and the one that is sent next: it is chosen when the one before has been sent, so a
-/// bucket that is filled later waits for it.
+/// All buckets, and the bucket that is sent next. It is chosen when the previous one has been sent,
+/// so a bucket that is filled later waits its turn.
 #[derive(Debug, Clone)]
 pub(super) struct Buckets {
     all: [Bucket; BUCKETS],

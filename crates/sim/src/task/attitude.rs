@@ -24,8 +24,8 @@ pub(crate) enum Lift {
 /// An attitude requested by a ground station.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Attitude {
-    /// Forward and right lean in radians; it changes with the rates of a setpoint that gives rates instead of an
-    /// attitude.
+    /// Forward and right lean in radians; a setpoint that gives rates instead of an attitude
+    /// changes it.
     pub(crate) lean_rad: DVec2,
     pub(crate) rates_rad_s: DVec2,
     pub(crate) lift: Lift,

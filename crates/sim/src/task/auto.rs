@@ -34,7 +34,7 @@ pub(crate) struct AutoRules {
     pub(crate) restarts: bool,
     /// `MIS_OPTIONS` bit 2: a takeoff may follow a landing.
     pub(crate) continues_after_landing: bool,
-    /// `AUTO_OPTIONS` bit 0: arming in AUTO.
+    /// `AUTO_OPTIONS` bit 0: the vehicle may be armed in AUTO.
     pub(crate) may_arm: bool,
     /// `AUTO_OPTIONS` bit 1: takeoffs do not need a raised throttle.
     pub(crate) lifts_unasked: bool,
@@ -151,7 +151,7 @@ pub(crate) struct Route {
     /// Whether the waypoint has been reached: a corner at its apex, any other within `WPNAV_RADIUS`.
     pub(crate) reached: bool,
     planned_for: Limits,
-    /// Slows the path down for a vehicle that cannot keep up.
+    /// The share of the speed that a vehicle that lags behind can keep up with.
     keeping_up: f64,
     /// The share of the speed that remains during a pause, and how fast it changes.
     pace: f64,

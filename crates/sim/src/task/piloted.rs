@@ -151,7 +151,7 @@ fn north_east(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
     DVec2::new(v.x * cos - v.y * sin, v.x * sin + v.y * cos)
 }
 
-/// Turns north and east to forward and right.
+/// A vector north and east, turned to forward and right.
 fn forward_right(cockpit: &Cockpit<'_>, v: DVec2) -> DVec2 {
     let (sin, cos) = maths::sin_cos(cockpit.body.yaw_deg.to_radians());
     DVec2::new(v.x * cos + v.y * sin, -v.x * sin + v.y * cos)
@@ -399,7 +399,8 @@ fn drift(cockpit: &mut Cockpit<'_>) -> DVec2 {
     DVec2::new(pitch, against(moving.y, DRIFT_BRAKE_RAD_S_M))
 }
 
-/// The thrust in DRIFT, in weights of the vehicle: with the stick near its middle, climbing and sinking are damped.
+/// The thrust in DRIFT, as a multiple of the vehicle's weight: with the stick near its middle,
+/// climbing and sinking are damped.
 fn drift_throttle(cockpit: &Cockpit<'_>, weights: f64) -> f64 {
     let hover = cockpit.tuning.pilot.hover;
     let off = (weights * hover - 0.5).abs() / 0.24;

@@ -1,4 +1,4 @@
-//! Answers and messages that unchanged clients compared with those of a real vehicle.
+//! Answers and messages, compared with those that the real vehicle sent to the same clients.
 
 use mavlink::dialects::ardupilotmega::{COMMAND_INT_DATA, MavCmd, MavFrame, MavMessage, MavResult};
 

@@ -4,8 +4,8 @@ use mavlink::dialects::ardupilotmega::{self, MavCmd, MavMessage, MavResult};
 
 use super::*;
 
-/// The results of `REQUEST_MESSAGE`: these messages are sent, others are accepted without being sent, and the rest
-/// fail. From a sweep of an `ArduCopter` 4.6 SITL.
+/// The results of `REQUEST_MESSAGE` in a sweep of an `ArduCopter` 4.6 SITL: these messages are
+/// sent, those in `SILENT` are accepted without being sent, and all others fail.
 const COMING: &[u32] = &[
     0, 1, 2, 24, 26, 27, 29, 30, 31, 32, 33, 36, 42, 46, 49, 62, 65, 74, 83, 108, 116, 125, 129,
     133, 137, 147, 148, 152, 163, 164, 165, 168, 178, 193, 235, 241, 242, 245, 286, 376, 11030,

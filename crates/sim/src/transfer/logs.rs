@@ -63,7 +63,7 @@ pub(super) fn entries(vehicle: &Vehicle) -> Vec<FolderEntry> {
     entries
 }
 
-/// A log file by its name.
+/// A log file by its name, if it exists.
 pub(super) fn file(vehicle: &Vehicle, name: &str) -> Option<Vec<u8>> {
     let kept = vehicle.log.kept();
     if name == LAST_LOG {
@@ -128,7 +128,7 @@ pub(super) fn step(talk: &mut Talk<'_>) {
             talk.continue_sending();
         }
     } else if now.saturating_sub(sending.begun_at) > Duration::from_secs(60) {
-        // Its link is gone.
+        // The link of the download is gone.
         talk.download().sending = None;
     }
 }

@@ -25,7 +25,7 @@ pub(super) struct PackRequest {
     with_defaults: bool,
 }
 
-/// Whether a name is that of the file, with or without a query.
+/// Whether this is the name of the file, with or without a query.
 pub(super) fn is_name(name: &str) -> bool {
     let rest = name.strip_prefix(FILE);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('?'))

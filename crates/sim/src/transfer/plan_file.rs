@@ -19,7 +19,7 @@ const KEEP_THE_REST: u16 = 1;
 /// The reported length of each file.
 pub(super) const ESTIMATED_LEN: usize = 1024 * 1024;
 
-/// The list of a file.
+/// The list of a file; `None` if no such file exists.
 pub(super) fn kind_of(name: &str) -> Option<ListKind> {
     match name {
         "mission.dat" => Some(ListKind::Plan),

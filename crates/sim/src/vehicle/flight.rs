@@ -85,9 +85,9 @@ impl FlightState {
         };
     }
 
-    /// Takes over parameters of speed that have changed in flight: cruise, climb, descent. Modes that fly along
-    /// waypoints obey at once, even after a command for another speed; the others keep the cruise speed that they were
-    /// entered with.
+    /// Takes over speed parameters that have changed in flight: cruise, climb, descent. Modes that
+    /// fly along waypoints use the new speeds at once, even after a command for another speed;
+    /// other modes keep the cruise speed with which they were entered.
     pub(super) fn speeds_changed(&mut self, before: [f64; 3], now: [f64; 3]) {
         let changed = |place: usize| before[place].to_bits() != now[place].to_bits();
         let asked = &mut self.speeds;
@@ -195,7 +195,8 @@ impl FlightState {
         };
     }
 
-    /// Follows an estimate of the position that has jumped.
+    /// Shifts the path, and the goal of a takeoff that is held, after the estimated position has
+    /// jumped.
     pub(super) fn follow_jump(&mut self, jump_m: DVec3) {
         self.control.path_m += jump_m;
         // The height of a takeoff is held at the vehicle's own position, even if its estimate jumps.

@@ -73,7 +73,7 @@ fn practice(reason: &PracticeReason) -> Vec<Fact> {
     vec![stage, pay]
 }
 
-/// The name of what a mission unlocks: a mission, a part or a threat.
+/// The name of a mission, part or threat that a mission unlocks.
 pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
     match unlock {
         Unlock::Mission(id) => {

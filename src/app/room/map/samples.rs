@@ -87,7 +87,7 @@ impl SampleField {
         self.origin = self.origin.moved(self.side_m / 4.0, self.side_m / 4.0);
     }
 
-    /// The sides of the squares in metres.
+    /// The side of a square, in metres.
     pub fn side_m(&self) -> f64 {
         self.side_m
     }

@@ -41,7 +41,7 @@ pub enum SketchKind {
     Jamming,
     /// An area with people below.
     People,
-    /// An area where radio is weak.
+    /// An area with weak radio reception.
     Radio,
     /// The wire of a power line, or one of its pylons.
     Wire,
@@ -101,8 +101,9 @@ impl Sketch {
     }
 }
 
-/// All outlines, the most important last: the mission's areas and power lines, then the plans, fences and rally points of the
-/// commanded vehicles. A fence shared by several is drawn once.
+/// All outlines, the most important last: the mission's areas and power lines, then the paths of a
+/// manoeuvre, then the plans, fences and rally points of the commanded vehicles. A fence shared by
+/// several is drawn once.
 pub fn sketches(state: &State) -> Vec<Sketch> {
     let known = state.session.task.areas.iter();
     let areas = known.map(|area| {
@@ -237,7 +238,7 @@ fn on_board(vehicle: &Vehicle) -> Vec<Sketch> {
     sketches
 }
 
-/// The path of a vehicle's plan; starts at home if the plan takes off in place.
+/// The path of a vehicle's plan; it starts at home if the plan takes off in place.
 fn way(vehicle: &Vehicle, plan: &Plan) -> Vec<LatLon> {
     let home = vehicle.home.filter(|_| plan.takes_off_in_place());
     let path = plan.path().map(|(_, place)| place);
@@ -247,7 +248,7 @@ fn way(vehicle: &Vehicle, plan: &Plan) -> Vec<LatLon> {
         .collect()
 }
 
-/// The leg that a vehicle is flying, and its end, labelled with the item's number and that of the
+/// The leg that a vehicle is flying, and its end, labelled with the numbers of the item and of the
 /// last item.
 fn flown(vehicle: &Vehicle) -> Option<[Sketch; 2]> {
     let leg = vehicle.plan_leg()?;

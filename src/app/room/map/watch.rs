@@ -38,7 +38,8 @@ pub fn heard(state: &mut State, id: VehicleId) {
     }
 }
 
-/// The start and the end of a vehicle's current leg.
+/// The start and the end of a vehicle's current leg; `None` if it is disarmed, or without a
+/// position or a target.
 pub fn leg(vehicle: &Vehicle) -> Option<(LatLon, LatLon)> {
     let here = vehicle.global?.at_point;
     let target = vehicle.target?.at_point?;

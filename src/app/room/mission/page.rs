@@ -31,7 +31,7 @@ const DETAIL: usize = 24;
 /// The number of columns for the points of an objective.
 const POINTS: usize = 7;
 
-/// The lines of one column, or of two where the screen is wide enough. Empty without a mission.
+/// The lines of one column, or of two if the screen is wide enough. Empty without a mission.
 pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>> {
     let Some(mission) = shown(state) else {
         return Vec::new();

@@ -21,7 +21,7 @@ pub struct Comparison {
     /// Names that were set: they stay in the list even without a difference.
     pub set: BTreeSet<String>,
     /// Whether parameters that only the vehicle has are also listed; compared with a short file,
-    /// that is nearly all of them.
+    /// these are nearly all parameters.
     pub lists_extra: bool,
 }
 
@@ -47,8 +47,9 @@ impl Comparison {
         }
     }
 
-    /// Whether a value would be set. By default, values that differ and are not specific to the vehicle are marked.
-    /// Parameters that the vehicle lacks are never marked by default.
+    /// Whether a value would be set. By default, values that differ and are not specific to the
+    /// vehicle are marked, but not parameters that the vehicle lacks. Parameters that only the
+    /// vehicle has cannot be marked.
     pub fn is_marked(&self, name: &str, finding: ParameterFinding) -> bool {
         let by_itself = match finding {
             ParameterFinding::Changed(..) => !is_the_vehicles_own(name),

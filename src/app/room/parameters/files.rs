@@ -12,7 +12,7 @@ use crate::vehicle::{Severity, VehicleId};
 /// Saves the list of the vehicle under the cursor.
 ///
 /// # Errors
-/// The name is empty, or there is nothing to save yet.
+/// The name is empty, or the list is unknown or incomplete.
 pub fn save(state: &State, path: &str) -> Result<Effects, Text> {
     let path = named(path)?;
     let vehicle = state.session.choice.cursor;
@@ -40,7 +40,7 @@ pub fn save(state: &State, path: &str) -> Result<Effects, Text> {
 /// Compares a file, or another vehicle by its number, with the vehicle under the cursor.
 ///
 /// # Errors
-/// The name is empty, or there is no such vehicle.
+/// The name is empty, or the vehicle is unknown or is the one under the cursor.
 pub fn load(state: &mut State, entered: &str) -> Result<Effects, Text> {
     let path = named(entered)?;
     let Ok(other) = path.parse::<VehicleId>() else {

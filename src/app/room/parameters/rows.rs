@@ -20,7 +20,8 @@ pub struct Row<'a> {
 }
 
 impl Row<'_> {
-    /// The value on the other side of a comparison.
+    /// The value on the other side of a comparison; `None` without a comparison, or if the other
+    /// side lacks it.
     pub fn other(&self) -> Option<f32> {
         match self.finding {
             Some(ParameterFinding::Changed(_, other) | ParameterFinding::Missing(other)) => {
@@ -123,7 +124,7 @@ fn difference<'a>(
     pairs.filter(|(_, finding)| is_sure(*finding)).collect()
 }
 
-/// The first vehicle of a comparison whose list is still being downloaded.
+/// The first vehicle of a comparison whose list is still being downloaded, if any.
 pub fn coming(state: &State, vehicle: VehicleId, with: &Other) -> Option<VehicleId> {
     let other = match with {
         Other::Vehicle(other) => Some(*other),

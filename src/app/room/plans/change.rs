@@ -14,7 +14,7 @@ use crate::vehicle::{Place, Severity};
 /// The name of a draft that begins with its first item.
 const FIRST_NAME: &str = "plan";
 
-/// The home of the vehicle under the cursor, otherwise of any.
+/// The home of the vehicle under the cursor, otherwise that of any vehicle.
 pub(super) fn home(state: &State) -> Option<Home> {
     let vehicle = state.session.under_cursor();
     let any = state.session.vehicles.values().find_map(|it| it.home);
@@ -27,7 +27,8 @@ pub(super) fn home(state: &State) -> Option<Home> {
     })
 }
 
-/// The place under the cursor of the map; `None` in the plain console, which shows no cursor.
+/// The place under the cursor of the map; `None` without a view, and in the plain console, which
+/// shows no cursor.
 pub(super) fn cursor(state: &State) -> Option<LatLon> {
     if !state.display.has_rooms {
         return None;
@@ -66,8 +67,8 @@ pub(super) fn look_at(state: &mut State, list: ListKind) {
     come_back(state);
 }
 
-/// Moves the map and its cursor to the current draft, or to the vehicles if it has no home, if the
-/// cursor was left far away at a draft shown earlier.
+/// If the cursor was left far away at a draft shown earlier, moves the map and its cursor to the
+/// current draft, or to the vehicles if that draft has no home.
 fn come_back(state: &mut State) {
     let draft = state.rooms.plans.drafts.current();
     let own = draft.and_then(|draft| draft.document().home);

@@ -44,7 +44,7 @@ impl Drawing {
 /// Makes a plan for each vehicle with a part of the work, and opens these plans as drafts.
 ///
 /// # Errors
-/// No area is drawn, a vehicle has no position, or the work has no plans.
+/// No area is drawn, a vehicle has no position, or no plans can be made for the work.
 pub(super) fn divide(
     state: &mut State,
     work: DraftWork,

@@ -41,12 +41,13 @@ impl FigureRow {
 }
 
 impl Drawing {
-    /// The flights of the last trial of the unchanged drafts.
+    /// The flights of the last trial of the unchanged drafts, if there are any.
     pub fn flight(&self) -> Option<&TrialFlight> {
         self.tried.as_ref()?.flight.as_ref()
     }
 
-    /// The flights to show in place of the items, and the first visible line of their figures.
+    /// The flights to show in place of the items, and the first visible line of their figures;
+    /// `None` while the items are shown.
     pub fn figures(&self) -> Option<(&TrialFlight, usize)> {
         Some((self.flight()?, self.figures_top?))
     }

@@ -53,6 +53,7 @@ pub(super) fn open(path: String) -> Effects {
 }
 
 /// Handles a file that has been read: it becomes the current draft, under the name of the file.
+/// Faults are shown.
 pub fn read(state: &mut State, path: &str, content: &str) {
     if content.trim().is_empty() {
         return state.say(Severity::Error, text!("refused-plan-blank", file = path));
@@ -107,11 +108,11 @@ pub(super) fn say_summary(state: &mut State) {
     }
 }
 
-/// Writes the current draft to a file; without a path, to the file that it was read from or last written to. That file
-/// is replaced without a question.
+/// Writes the current draft to a file; without a path, to the file that it was read from or last
+/// written to. That file is replaced without a question.
 ///
 /// # Errors
-/// There is no draft, or the format cannot hold it.
+/// There is no draft, the draft is empty, or the format is unknown or cannot hold the draft.
 pub(super) fn save(state: &mut State, path: Option<String>) -> Result<Effects, Text> {
     let draft = state.rooms.plans.drafts.current();
     let draft = draft.ok_or_else(|| text!("draft-none"))?;
@@ -219,8 +220,9 @@ pub(super) fn take_by_key(state: &mut State) {
     }
 }
 
-/// The lines that upload each list of a draft to vehicles, like those for a file of that name. If the draft has a plan,
-/// its fence and its rally points are left out where all the vehicles carry them already.
+/// The lines that upload each list of a draft to vehicles; the draft's name takes the place of a
+/// file name. If the draft has a plan, its fence and its rally points are left out if all the
+/// vehicles carry them already.
 ///
 /// # Errors
 /// The draft is empty.

@@ -14,7 +14,7 @@ use crate::vehicle::Severity;
 /// The known ground, and the folder it is read from.
 #[derive(Debug, Clone, Default)]
 pub(super) struct GroundFiles {
-    /// The folder of the files; `None` where the ground counts as level.
+    /// The folder of the files; `None` if the ground counts as level.
     folder: Option<String>,
     terrain: Terrain,
     /// The squares already requested.
@@ -43,7 +43,8 @@ pub(super) fn choose(state: &mut State, folder: Option<String>) {
     }
 }
 
-/// Requests the ground in the squares below the drafts, except those already requested.
+/// Requests the ground in the squares below the drafts, except those already requested; `None` if
+/// none are missing, or if the ground counts as level.
 pub fn wanted_ground(state: &mut State) -> Option<Effect> {
     let folder = state.rooms.plans.ground.folder.clone()?;
     let home = change::home(state).map(|home| Square::of(LatLon::from_e7(home.x, home.y)));

@@ -12,7 +12,7 @@ use crate::vehicle::VehicleId;
 /// Carries out a line about drafts, except uploads.
 ///
 /// # Errors
-/// The reason why it is not possible.
+/// The reason why the line cannot be carried out.
 pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal> {
     state.hush();
     match line {
@@ -69,7 +69,7 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal>
 /// The vehicles that a line names, otherwise the addressed ones.
 ///
 /// # Errors
-/// One of them is unknown.
+/// A vehicle or a group is unknown.
 pub fn meant(state: &State, vehicles: Option<VehicleChoice>) -> Result<Vec<VehicleId>, Refusal> {
     let Some(vehicles) = vehicles else {
         return Ok(state.addressed());

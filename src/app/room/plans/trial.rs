@@ -160,7 +160,8 @@ fn names<'a>(drafts: impl Iterator<Item = &'a Draft>) -> String {
     drafts.map(Draft::name).collect::<Vec<_>>().join(", ")
 }
 
-/// A draft flown once, from its own home; from the vehicle's if it has none.
+/// A draft flown once, from its own home; without one, from the home of the vehicle under the
+/// cursor or of any other.
 fn alone(state: &State, draft: &Draft) -> TrialDraft {
     let home = draft.document().home.or_else(|| change::home(state));
     TrialDraft {

@@ -19,8 +19,8 @@ const LOW: u16 = 5;
 const HIGH: u16 = 11;
 /// The minimum rows of a large screen.
 const TALL: u16 = 36;
-/// Pairs of the minimum columns of the screen and the columns of the list; `NARROW` applies to
-/// narrower screens.
+/// Pairs of a minimum screen width and the width of the list on such a screen, in columns; `NARROW`
+/// applies to narrower screens.
 const LISTS: &[(u16, u16)] = &[(150, 92), (110, 58)];
 const NARROW: u16 = 40;
 

@@ -1,5 +1,5 @@
-//! The bench: a design, its figures, and the effect of each part for a slot. Figures take a moment to compute, so they
-//! are cached until the design or the slot changes; drawing computes nothing.
+//! The bench: a design, its figures, and the effect of each part for a slot. Figures take time to
+//! compute, so they are cached until the design or the slot changes; drawing computes nothing.
 
 use crate::app::action::Step;
 use crate::text::Text;

@@ -39,14 +39,14 @@ pub(super) fn ask_rename(state: &mut State, design: Option<Design>) {
     state.prompt(Purpose::RenameDesign(name.clone()), name);
 }
 
-/// Asks for the name of a copy of the design under the cursor of the list.
+/// Asks for the name of a copy of the design under the list's cursor.
 pub(super) fn ask_copy_listed(state: &mut State) {
     if let Some(listed) = shelf::under_cursor(state) {
         ask_copy(state, Some(listed.design));
     }
 }
 
-/// Asks for another name of the design under the cursor of the list.
+/// Asks for another name for the design under the list's cursor.
 pub(super) fn ask_rename_listed(state: &mut State) {
     match shelf::under_cursor(state) {
         Some(ListedDesign {

@@ -1,4 +1,5 @@
-//! The seats of a mission's fleet. Either the mission lends drones for all of them, or each gets a built design.
+//! The seats of a mission's fleet. Either the mission lends drones for all of them, or the trainee
+//! chooses a design for each.
 
 use super::{lacking, mission};
 use crate::app::State;
@@ -15,7 +16,7 @@ use crate::workshop::{Design, FindingSeverity};
 pub struct Seat<'a> {
     /// Its number, from 1.
     pub number: usize,
-    /// The design chosen for it; `None` where the mission lends a drone.
+    /// The design chosen for it; `None` if the mission lends a drone.
     pub design: Option<&'a Design>,
 }
 

@@ -1,4 +1,4 @@
-//! The parts that a trainee may use, and buying more.
+//! The parts that a trainee may use, and the purchase of more parts.
 
 use super::part_under_cursor;
 use crate::app::State;
@@ -13,7 +13,7 @@ use crate::workshop::{Design, Part};
 /// Whether the trainee may use a part.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Licence {
-    /// The trainee may use it; without a career, every part.
+    /// The trainee may use the part; without a career, this is true of every part.
     Held,
     /// The trainee may use it after paying this many credits.
     ForSale(u32),

@@ -1,4 +1,4 @@
-//! The outlook: what to do next, what a mission would bring, and how much advice it gets.
+//! The outlook: what to do next, what a mission can still earn, and how much advice it gets.
 
 use super::Career;
 use crate::campaign::{
@@ -16,7 +16,8 @@ impl Career {
         Some(self.course.stage(offer, &self.standing, self.day))
     }
 
-    /// The skill to train next, and the mission or drill that trains it.
+    /// The skill to train next, and the mission or drill that trains it; `None` if nothing can be
+    /// recommended.
     pub fn next(&self) -> Option<(Skill, &Offer)> {
         self.course.next(&self.standing, self.day)
     }

@@ -7,7 +7,7 @@ use crate::language::{self, Channel, Context, LineNeeds, VerbRow, rows, words};
 /// The effect of a key in a replay.
 pub(super) enum ReplayUse {
     Same,
-    /// It controls the replay: the id of its description.
+    /// The key controls the replay; contains the id of its description.
     Control(&'static str),
     None,
 }

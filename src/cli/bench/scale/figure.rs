@@ -17,7 +17,8 @@ pub(super) struct Figure {
     pub title: &'static str,
     /// Measured points: the number of vehicles, and percent of a core.
     pub measured: Vec<(f64, f64)>,
-    /// The paper's minimum and maximum without vehicles, and at the highest number of vehicles.
+    /// The paper's minimum and maximum, each as two points: at 0 vehicles and at the highest number
+    /// of vehicles.
     pub paper: [[(f64, f64); 2]; 2],
     pub most_vehicles: f64,
     /// The end of the vertical axis, a number with few digits.

@@ -18,7 +18,7 @@ use crate::sitl::SitlKind;
 pub(super) struct SitlBench {
     hangars: Hangars,
     counted: Counted,
-    /// The program with its version.
+    /// The program's name and version.
     pub name: String,
 }
 
@@ -67,7 +67,7 @@ impl SitlBench {
         self.counted.spent()
     }
 
-    /// Starts a process for each place, and returns the bytes of their serial 0.
+    /// Starts a process for each place, and returns the byte streams of their serial 0.
     ///
     /// # Errors
     /// The reason why one of them cannot be started.

@@ -20,7 +20,7 @@ pub(super) struct ScaleMark {
     pub messages: u64,
     /// Messages missing in the models.
     pub missing: u64,
-    /// The part of these messages that was already lost on the links.
+    /// The part of [`Self::missing`] that was already lost on the links.
     pub missing_before: u64,
     /// Each vehicle's clock in milliseconds, and when it was read.
     pub clocks: Vec<Option<(u32, Duration)>>,
@@ -36,7 +36,7 @@ pub(super) struct ScaleSample {
     pub relay_ms: Option<f64>,
     /// The share of a core that the simulator's busiest thread or process used.
     pub sim_most_percent: f64,
-    /// The share of a core that the busiest model update used.
+    /// The share of a core that the busiest thread of the model update used.
     pub model_most_percent: f64,
     pub messages: u64,
     /// Messages that the console's queues dropped.

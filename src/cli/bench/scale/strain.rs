@@ -5,7 +5,7 @@ use super::sample::ScaleSample;
 
 /// Below this many simulated seconds per second, the simulation counts as behind real time.
 const HELD_FROM: f64 = 0.97;
-/// A greater share of lost messages is too much.
+/// The highest tolerable share of lost messages.
 const LOST_SHARE: f64 = 0.01;
 /// A thread that is busy for this share of the time is saturated.
 const SATURATED_PERCENT: f64 = 90.0;

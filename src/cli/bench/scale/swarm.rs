@@ -42,7 +42,7 @@ const fn stream(message: u32, rate_hz: f64) -> Stream {
     Stream { message, rate_hz }
 }
 
-/// A row of vehicles and the fleets that control them. Dropping it ends everything.
+/// A row of vehicles and the fleets that control them. Dropping it ends both.
 pub(super) struct ScaleSwarm<'a> {
     size: usize,
     parts: Vec<SwarmPart>,
@@ -165,7 +165,7 @@ impl<'a> ScaleSwarm<'a> {
         Ok((ready, self.size))
     }
 
-    /// Sends a command to each vehicle, which may differ by vehicle.
+    /// Sends each vehicle a command, which may depend on the vehicle.
     pub fn order(&mut self, command: impl Fn(&Vehicle) -> Command) {
         for (&(part, id), vehicle) in &self.vehicles {
             let command = command(&vehicle.borrow());

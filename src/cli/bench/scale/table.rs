@@ -94,7 +94,7 @@ fn model(row: &ScaleRow) -> String {
     )
 }
 
-/// The paper's figure, for the 1 to 32 drones that it measured.
+/// The paper's figure; `-` beyond the 1 to 32 drones that the paper measured.
 fn paper(row: &ScaleRow, figure: String) -> String {
     if (1..=32).contains(&row.vehicles) {
         figure

@@ -14,9 +14,9 @@ use crate::vehicle::Vehicle;
 
 /// The interval of reading the vehicles' messages.
 const LOOK_EVERY: Duration = Duration::from_millis(20);
-/// The height of the first command.
+/// The height of the takeoff command.
 const TAKEOFF_M: f64 = 10.0;
-/// The distance to the north of the second command's target.
+/// The distance from a vehicle to its target, which is due north.
 const TARGET_NORTH_M: f64 = 1000.0;
 /// The height of the second command's target.
 const TARGET_HEIGHT_M: f64 = 200.0;

@@ -99,7 +99,7 @@ pub(super) fn condition(
     Ok(part.node)
 }
 
-/// A fault if a part does not have the type.
+/// Checks that a part has the type.
 fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
     if part.is == wanted {
         return Ok(());

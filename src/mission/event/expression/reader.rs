@@ -95,7 +95,7 @@ impl<'a> Reader<'a> {
         last.map_or(0, |(_, span)| span.end)
     }
 
-    /// A fault if a token is left.
+    /// Checks that no token is left.
     pub fn finish(&self) -> Result<(), Diagnostic> {
         match self.tokens.get(self.at) {
             None => Ok(()),

@@ -71,7 +71,7 @@ impl Fuel {
         }
     }
 
-    /// Whether it can burn.
+    /// Whether the fuel can burn.
     pub fn burns(self) -> bool {
         self.burning().is_some()
     }
@@ -84,7 +84,7 @@ impl Fuel {
         })
     }
 
-    /// How long it burns after the front has passed, in seconds.
+    /// How long the fuel burns after the front has passed, in seconds.
     pub fn stays_s(self) -> f64 {
         self.burning().map_or(0.0, |burning| burning.stays_s)
     }
@@ -94,7 +94,7 @@ impl Fuel {
         self.burning().map_or(0.0, |burning| burning.smoke_g_s_m2)
     }
 
-    /// Whether it throws embers.
+    /// Whether the fuel throws embers.
     pub fn throws_embers(self) -> bool {
         matches!(self, Self::Shrub | Self::Timber)
     }

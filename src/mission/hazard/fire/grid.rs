@@ -71,7 +71,7 @@ pub(crate) struct FireGrid {
 }
 
 impl FireGrid {
-    /// The cell that a point lies in.
+    /// The index of the cell that a point lies in; `None` outside the grid.
     pub fn index(&self, at: Point) -> Option<usize> {
         let column = ((at[0] - self.corner[0]) / self.side_m).floor();
         let row = ((at[1] - self.corner[1]) / self.side_m).floor();

@@ -158,7 +158,8 @@ impl RecordCheck {
         self.clock.is_some_and(|clock| clock.is_paced)
     }
 
-    /// Passes the time up to a line, on the simulator's own clock: nothing new was shown in that time.
+    /// Lets the time up to a line pass, on the simulator's own clock: nothing new was shown in that
+    /// time.
     fn wait(&mut self, until: Duration, back: Duration, ahead: Duration) -> Result<(), Divergence> {
         if self.recorded.is_empty() {
             return Ok(());
@@ -172,8 +173,8 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Passes the steps without a line before a mission time: they contain nothing new. The simulator's time is the
-    /// mission's.
+    /// Runs the steps without a line before a mission time: they contain nothing new. The
+    /// simulator's time is the mission's.
     fn pass(&mut self, until: Duration) -> Result<(), Divergence> {
         while self.ticked + TICK < until {
             self.ticked += TICK;
@@ -213,7 +214,8 @@ impl RecordCheck {
                     self.wanted
                         .insert((vehicle, name), WantedParameter { value, at });
                 }
-                // The recorded frames put them on board; a different plan would lead to a different flight.
+                // The recorded frames put the lists on board; a different plan would lead to a
+                // different flight.
                 Want::Lists(_) => {}
             }
         }

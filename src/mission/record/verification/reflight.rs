@@ -261,19 +261,19 @@ impl Witness {
         }
     }
 
-    /// How many operator commands it had refused by a time.
+    /// How many operator commands the vehicle had refused by a time.
     pub(super) fn refusals(&self, until: Duration) -> u32 {
         let counted = self.refused.iter().filter(|at| **at <= until);
         u32::try_from(counted.count()).unwrap_or(u32::MAX)
     }
 
-    /// Whether it has sent a text since a time.
+    /// Whether the vehicle has sent a text since a time.
     pub(super) fn has_said(&self, text: &str, since: Duration) -> bool {
         let mut texts = self.texts.iter();
         texts.any(|(at, said)| *at >= since && said == text)
     }
 
-    /// Its states between two moments.
+    /// The vehicle's states between two times.
     pub(super) fn known(
         &self,
         from: Duration,

@@ -33,8 +33,8 @@ fn a_changed_list_that_was_read_in_the_background_is_replaced_only_by_a_second_o
     assert_eq!(rig.ended(s(30)), RowState::Done);
 }
 
-/// A console that has just begun has not read the list on board: it asks only if there is one to
-/// lose.
+/// A console that has just begun has not read the list on board: it requires a second order only if
+/// there is a list to lose.
 #[test]
 fn a_list_that_is_not_known_yet_is_replaced_only_by_a_second_order() {
     let mut rig = Rig::new(true);

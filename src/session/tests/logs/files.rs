@@ -114,7 +114,7 @@ fn files_that_are_not_those_of_the_list_are_left_alone() {
     let way = "by log messages, no checksum: no file of the listed size";
     assert_eq!(shelf.explanation(), format!("5.0 kB saved {way}: log2.bin"));
     assert!(shelf.kept(2) == log(5000, 2));
-    // A board stores them in another folder.
+    // A board stores the logs in another folder.
     let mut shelf = Shelf::with_files(vec![log(9000, 1)]);
     let file = shelf.server.files.pop_first().expect("a log");
     shelf

@@ -10,7 +10,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::vehicle_id::ranges;
 
-/// The standing alerts that are printed.
+/// The standing alerts that have been printed.
 #[derive(Debug, Default)]
 pub(super) struct PrintedAlerts(BTreeSet<PrintedAlert>);
 
@@ -23,7 +23,7 @@ struct PrintedAlert {
 }
 
 impl PrintedAlerts {
-    /// The alerts that were raised; vehicles with the same one are merged.
+    /// The alerts that were raised; vehicles with the same alert are merged.
     pub fn news(&mut self, state: &State) -> Vec<Text> {
         let session = state.session();
         let mut standing = BTreeSet::new();
@@ -35,7 +35,7 @@ impl PrintedAlerts {
                 severity: one.alert.severity,
             };
             standing.insert(printed);
-            // The notice of such an alert is printed already.
+            // The notice of such an alert has already been printed.
             if self.0.contains(&printed) || one.alert.kind.needs_notice() {
                 continue;
             }

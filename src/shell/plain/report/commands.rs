@@ -10,7 +10,7 @@ use crate::vehicle_id::ranges;
 /// The commands whose outcomes have been printed.
 #[derive(Debug, Default)]
 pub(super) struct PrintedCommands {
-    /// The first command that has not been looked at.
+    /// The first command that has not been checked.
     next: Option<EntryId>,
     /// Commands that had not ended at the last call.
     open: Vec<EntryId>,

@@ -15,7 +15,7 @@ const FOLD_TIME: Duration = Duration::from_secs(10);
 /// The notices that have been printed.
 #[derive(Debug, Default)]
 pub(super) struct PrintedNotices {
-    /// The newest one, and its count.
+    /// The newest notice, and how many times it has been repeated.
     newest: Option<(Notice, u32)>,
 }
 

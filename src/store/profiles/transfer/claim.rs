@@ -152,7 +152,8 @@ impl Claims<'_> {
     }
 }
 
-/// The mission with the trainee's own drones, if it was flown with any; `None` if they could not fly it.
+/// The mission with the trainee's own drones, if the run was flown with any; `None` if these drones
+/// could not fly the mission.
 fn with_airframes(mission: &Mission, run: &RunDocument) -> Option<Mission> {
     let designs = run.airframes.iter().map(|it| Design::from_toml(it).ok());
     let fleet: Vec<Design> = designs.collect::<Option<_>>()?;

@@ -1,5 +1,5 @@
 //! The result at a glance: outcome, medal and score; a bar for each component; and the events of
-//! the flight on a time line, on tall screens with the height.
+//! the flight on a timeline, on tall screens with the height.
 
 use std::time::Duration;
 
@@ -163,7 +163,7 @@ fn components(report: &Report, panel: Panel<'_>) -> Vec<Line<'static>> {
         .collect()
 }
 
-/// The height over time, and the events below it.
+/// Draws the height over time, and the events below it.
 fn draw_flight(debrief: &Debrief, panel: Panel<'_>, buffer: &mut Buffer) {
     let report = debrief.report();
     let rows = panel.area.height.saturating_sub(3);

@@ -123,7 +123,7 @@ impl Sign {
         }
     }
 
-    /// The sign as a word, for missions not flown yet.
+    /// The sign as a word, for locked and for recommended missions; `None` for others.
     fn word(self, look: &Look) -> Option<String> {
         let id = match self {
             Self::Locked => "home-locked",

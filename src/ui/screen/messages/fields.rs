@@ -209,7 +209,7 @@ fn words(value: &FieldReading, look: &Look) -> (String, Role) {
     (parts.join(" "), Role::Text)
 }
 
-/// A message that cannot be decoded: the reason, and its bytes.
+/// Draws a message that cannot be decoded: the reason, and its bytes.
 fn draw_undecoded(
     reading: &MessageReading,
     tally: &MessageTally,
@@ -234,7 +234,7 @@ fn draw_undecoded(
     draw_bytes(tally, panel.below(row), buffer);
 }
 
-/// The last frame byte by byte.
+/// Draws the last frame byte by byte.
 fn draw_bytes(tally: &MessageTally, panel: Panel<'_>, buffer: &mut Buffer) {
     let per_line = if panel.area.width >= 72 { 16 } else { 8 };
     for (row, bytes) in tally.last.chunks(per_line).enumerate() {

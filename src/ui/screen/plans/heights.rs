@@ -132,7 +132,7 @@ fn title(shown: &Shown<'_>, draft: &Draft, panel: Panel<'_>) -> String {
     fitting.unwrap_or_else(|| panel.text(&short))
 }
 
-/// The ground where it is known, otherwise the height of home.
+/// Draws the ground where it is known, otherwise the height of home.
 fn draw_ground(shown: &Shown<'_>, scale: &Scale, canvas: &mut Canvas) {
     let home = Stroke::sparse(Role::Muted);
     canvas.line(scale.dot(0.0, 0.0), scale.dot(scale.length_m, 0.0), home);

@@ -120,7 +120,7 @@ impl ReportRows {
             found: take(self.found.min(1)),
             tried: take(self.tried.min(1)),
             command: take(self.command.min(1)),
-            // After a command, what follows it matters more than further lines.
+            // After a command, the next step matters more than further lines.
             next: take(self.next.min(self.command).min(1)),
         };
         given.tried += take(self.tried - given.tried);

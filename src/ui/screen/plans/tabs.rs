@@ -1,4 +1,4 @@
-//! The drafts that are open with their signs, and the lists of the current one.
+//! The open drafts with their signs, and the lists of the current one.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};

@@ -142,7 +142,8 @@ fn draw_moves(subject: &StandingSubject<'_>, skill: Skill, area: Rect, buffer: &
     }
 }
 
-/// The requirements for mastery that a skill does not meet yet, as text.
+/// The requirements for mastery that a skill does not meet yet, as text; `None` unless it is still
+/// being learned.
 fn lacks(subject: &StandingSubject<'_>, skill: Skill) -> Option<Text> {
     let (known, day) = (subject.career.standing.skill(skill), subject.career.day);
     let lacks = known.lacks(day).into_iter().map(Lack::text).collect();

@@ -181,7 +181,8 @@ fn described(number: usize, item: &Item) -> String {
     format!("{number:>SEQ$} {} {height:>HEIGHT$}", filled(&name, NAME))
 }
 
-/// The distance in metres from the previous item, or for the current one from the vehicle.
+/// The distance to an item in metres: from the previous item, or from the vehicle to the current
+/// item. `None` if a place is missing.
 fn way_m(vehicle: &Vehicle, items: &[Item], at: usize, is_current: bool) -> Option<f64> {
     let to = items[at].place().filter(|_| items[at].is_waypoint())?;
     let from: LatLon = if is_current {

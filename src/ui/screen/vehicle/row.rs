@@ -17,7 +17,7 @@ pub const LABEL: usize = 12;
 /// The text for an unknown value.
 pub const UNKNOWN: &str = "-";
 
-/// Writes a label and a value into a row.
+/// A row with a label and a value.
 pub fn labelled(look: &Look, label: &str, value: Vec<Span<'static>>) -> Line<'static> {
     let label = filled(label, LABEL - 1);
     let mut line = Line::from(Span::styled(format!("{label} "), look.style(Role::Muted)));

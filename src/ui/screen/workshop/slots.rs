@@ -136,7 +136,7 @@ impl SlotLine<'_> {
         (words, Role::Text)
     }
 
-    /// The mass in grams and the price of all pieces.
+    /// The mass in grams and the price of all pieces; `None` for an empty slot.
     fn whole(&self, design: &Design) -> Option<(f64, u32)> {
         let part = self.there.part?;
         let pieces = self.pieces(design);

@@ -20,7 +20,7 @@ const BRAILLE: u32 = 0x2800;
 pub struct Canvas {
     columns: u16,
     rows: u16,
-    /// The length of the visible dots merged along a line.
+    /// The number of consecutive dots of a line that the symbols show as one.
     dots_seen: u32,
     symbols: Symbols,
     cells: Vec<(u8, Role)>,
@@ -135,7 +135,7 @@ impl Canvas {
         }
     }
 
-    /// The part of a line on the canvas (Liang-Barsky clipping).
+    /// The part of a line that is on the canvas, if any (Liang-Barsky clipping).
     fn clipped(&self, from: Dot, to: Dot) -> Option<[Dot; 2]> {
         let right = f64::from(self.columns * DOTS_ACROSS) - 0.01;
         let bottom = f64::from(self.rows * DOTS_DOWN) - 0.01;

@@ -89,7 +89,7 @@ impl Board<'_> {
     /// Draws areas, homes and the lists on board the vehicles, without numbers.
     fn ground(&mut self, state: &State) {
         for sketch in sketches(state) {
-            // What is on board must not look like a draft.
+            // The lists on board must not look like a draft.
             let stroke = match sketch.kind {
                 SketchKind::Plan | SketchKind::Leg => Stroke::sparse(Role::Muted),
                 kind => stroke(kind),
@@ -229,7 +229,7 @@ impl Board<'_> {
         for (number, here) in numbered.filter_map(|(number, item)| Some((number, place(item)?))) {
             let is_marked = marked.is_some_and(|it| (it.first..=it.last).contains(&number));
             let text = format!("{prefix}{number}");
-            // Labels that come later win where there is no room for all.
+            // Later labels take precedence where there is no room for all.
             if is_marked {
                 last.push((here, text));
             } else {

@@ -30,7 +30,7 @@ enum FireLevel {
     Burnt,
     /// One kind of sensor sees flames.
     Flames,
-    /// Two kinds of sensors see them, or they were reported.
+    /// Two kinds of sensors see flames, or the flames were reported.
     SureFlames,
 }
 

@@ -71,7 +71,8 @@ pub const fn sign(kind: SketchKind) -> &'static str {
     }
 }
 
-/// The kind of the label of an area, a line or a place: the `x` of areas without flights is a letter.
+/// The kind of the label of an area, a line or a place; the `x` of a no-fly area counts as a
+/// letter.
 pub const fn label_kind(kind: SketchKind) -> LabelKind {
     match kind {
         SketchKind::Jamming | SketchKind::People | SketchKind::Radio | SketchKind::Meeting => {
@@ -92,7 +93,7 @@ pub const fn label_kind(kind: SketchKind) -> LabelKind {
 /// The sign in the middle of an area to stay out of: without colours, its border looks like a trail.
 pub const KEEP_OUT: &str = "x";
 
-/// The sign of an area to stay out of, in the middle of its corners.
+/// The sign of an area to stay out of, in the middle of its corners, if that is in view.
 pub fn keep_out_sign(corners: &[LatLon], view: &Viewport) -> Option<Label> {
     let middle = Extent::around(corners.iter().copied())?.centre();
     Some(Label {
@@ -190,7 +191,8 @@ fn draw_cells(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut 
     }
 }
 
-/// Whether labels of plans need the signs of their vehicles, because colours do not tell the plans apart.
+/// Whether labels of plans need the signs of their vehicles, because the plans do not differ in
+/// colour.
 fn are_signed(sketches: &[Sketch], look: &Look) -> bool {
     let vehicles: BTreeSet<VehicleId> = sketches.iter().filter_map(|it| it.vehicle).collect();
     vehicles.len() > 1 && !ways::tells_by_colour(look)

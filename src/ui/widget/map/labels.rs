@@ -45,7 +45,7 @@ impl Label {
         self.text.width() as u16
     }
 
-    /// Leaves only its sign; false if it has none.
+    /// Shortens the label to its sign; returns `false` if it has none.
     fn shorten(&mut self) -> bool {
         let sign = match self.kind {
             LabelKind::Signed => self.text.chars().next(),
@@ -112,7 +112,7 @@ fn cells(label: &Label) -> impl Iterator<Item = MapCell> + use<> {
     (column..column + label.width()).map(move |column| (column, row))
 }
 
-/// The cells to both sides of a label.
+/// The cells on both sides of a label.
 fn beside(label: &Label) -> impl Iterator<Item = MapCell> + use<> {
     let (column, row) = label.cell;
     let columns = [column.checked_sub(1), Some(column + label.width())];
@@ -200,7 +200,7 @@ fn readable(labels: Vec<Label>, vehicles: &[MapCell]) -> Vec<Label> {
             let mut around = beside(&label);
             let is_misread = match label.kind {
                 LabelKind::Word => false,
-                // It would read as part of the word.
+                // A sign would read as part of the word.
                 LabelKind::Signed => around.any(|at| words.contains(&at)),
                 LabelKind::Number => around.any(|at| figures.contains(&at)),
             };

@@ -90,7 +90,7 @@ struct Chosen {
 }
 
 impl Chosen {
-    /// The vehicle of this marker; removes the vehicles that it hides from the others.
+    /// The vehicle of this marker; removes from `others` the vehicles that it hides.
     fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
         // At the left edge, the sign itself must keep its column.
         let bracket = if marker.column == 0 { "" } else { "[" };

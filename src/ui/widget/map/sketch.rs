@@ -26,7 +26,7 @@ struct SketchWord {
     role: Role,
 }
 
-/// Draws the sketch into the whole panel; false if there is nothing to draw.
+/// Draws the sketch into the whole panel; returns `false` if there is nothing to draw.
 pub fn draw(mission: &Listing, panel: Panel<'_>, buffer: &mut Buffer) -> bool {
     let area = panel.area;
     let Some(extent) = extent(mission).filter(|_| !area.is_empty()) else {

@@ -63,7 +63,7 @@ pub fn draw_trails(
             }));
         }
     }
-    // The first ones are dropped if there is no room for all.
+    // The first labels are dropped if there is no room for all.
     labels.splice(0..0, numbers);
 }
 

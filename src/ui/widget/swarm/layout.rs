@@ -144,7 +144,7 @@ fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>,
         .iter()
         .filter(is_offered)
         .map(|form| {
-            // While a plan is flown, its item says more than the state.
+            // While a plan is flown, its item is more informative than the state.
             let rank = match form.column {
                 Column::State if flies_plan => MORE_RANK,
                 _ => form.rank,

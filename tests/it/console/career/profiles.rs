@@ -1,4 +1,4 @@
-//! Profiles: chosen, made and left, and what belongs to their trainee.
+//! Profiles: choosing, creating and leaving them, and the data of their trainee.
 
 use super::*;
 

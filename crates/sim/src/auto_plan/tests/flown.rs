@@ -2,13 +2,13 @@
 
 use super::*;
 
-/// Flies and compares: the time of each message, and its text.
+/// Flies a mission and compares the time and the text of each message.
 fn follow(ground: &mut Ground, real: &[(f64, &[&str])], share: f64) {
     for (measured_s, words) in real {
         let mut said = Vec::new();
         let mut elapsed = 0.0;
         let mut first = None;
-        // Messages of one moment may arrive over a few steps.
+        // Messages sent at the same time may arrive over a few steps.
         while said.len() < words.len() {
             let (after_s, news) = ground.next_news(measured_s * 2.0 + 5.0);
             elapsed += after_s;

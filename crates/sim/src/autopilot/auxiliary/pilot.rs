@@ -17,7 +17,7 @@ use crate::radio::SimpleMode;
 use crate::radio::SwitchPosition::{self, High, Low, Middle};
 use crate::task::{LineEnd, Route, Task};
 
-/// The lowest takeoff that is saved.
+/// The minimum height of a saved takeoff, in metres.
 const TAKEOFF_MIN_M: f32 = 1.0;
 
 impl Autopilot {
@@ -62,8 +62,8 @@ impl Autopilot {
         self.mission_edited();
     }
 
-    /// Adds the place of the vehicle to the mission: a landing if the throttle is down. An empty mission begins with a
-    /// takeoff.
+    /// Adds the place of the vehicle to the mission, if it is armed and not in AUTO: a landing if
+    /// the throttle is down. An empty mission begins with a takeoff.
     fn save_waypoint(&mut self) {
         let vehicle = &mut self.vehicle;
         let low = vehicle.sticks().throttle_is_low();
@@ -77,7 +77,7 @@ impl Autopilot {
         let above_home_m = vehicle.datum.home_point().z - vehicle.believed().position_m.z;
         let height_m = (above_home_m * 100.0).round() as f32 * 0.01;
         if is_empty {
-            // Its height is stored without the reference.
+            // The height of the takeoff is stored without its reference.
             vehicle.plans.mission.push(Item {
                 command: cmd::NAV_TAKEOFF,
                 frame: frame::SEA_LEVEL,

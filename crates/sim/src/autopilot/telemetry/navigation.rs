@@ -14,7 +14,7 @@ use crate::task::Task;
 use sortie_geo::maths;
 use sortie_geo::{wrap_180, wrap_360};
 
-/// The vehicle also sets the unused bits.
+/// The unused bits of the type mask, which the vehicle also sets.
 const WITHOUT_MEANING: u16 = !PositionTargetTypemask::all().bits();
 
 pub(super) fn home_position(autopilot: &Autopilot) -> Option<MavMessage> {

@@ -158,7 +158,7 @@ pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// A copter without an airspeed sensor has no estimate of the wind.
+/// An empty message: a copter without an airspeed sensor has no estimate of the wind.
 pub(super) fn wind(autopilot: &Autopilot) -> Option<MavMessage> {
     autopilot
         .vehicle

@@ -71,7 +71,7 @@ fn a_climb_creeps_through_the_ceiling_and_brakes_there_as_the_real_one_did() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 24, ..ProptestConfig::default() })]
     #[test]
-    // At higher speeds, the real vehicle also breaches the edge.
+    // At higher speeds, the real vehicle also crosses the edge.
     fn whatever_velocities_are_asked_a_vehicle_stays_inside(
         asked in proptest::collection::vec((-2.5f32..2.5, -2.5f32..2.5, 1usize..8), 5..15),
         stops: bool,

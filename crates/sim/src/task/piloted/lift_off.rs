@@ -35,8 +35,9 @@ pub(super) struct LiftOff {
 }
 
 impl LiftOff {
-    /// Whether a vehicle on the ground lifts off now; its motors spool up first, but not before `from`. A stick held up
-    /// for `TRIGGERS` begins a takeoff, if there is a height for it, and may be let go.
+    /// Whether a vehicle on the ground lifts off now; its motors spool up first, but not before
+    /// `from`. A stick held up for `TRIGGERS` begins a takeoff, if a height is set for it, and may
+    /// then be released.
     pub(super) fn lifts(
         &mut self,
         climb_m_s: f64,
@@ -65,8 +66,8 @@ impl LiftOff {
         now >= *self.spooling_since.get_or_insert(now.max(from)) + MANUAL_SPOOL
     }
 
-    /// The climb rate of a takeoff under way, in m/s upwards; that of the stick once the takeoff is
-    /// over or the stick commands a descent.
+    /// The climb rate of a takeoff under way, in m/s upwards; the stick's climb rate once the
+    /// takeoff is over or the stick commands a descent.
     pub(super) fn climb(&mut self, asked_m_s: f64, here_m: f64, rules: &PilotRules) -> f64 {
         if self.ascent == Ascent::Spools {
             self.ascent = Ascent::ClimbsTo(here_m - rules.takeoff_m);

@@ -6,7 +6,7 @@ use crate::plan::ListKind;
 use crate::transfer::content::FileContent;
 use crate::transfer::tree::{self, Disk, NO_SPACE};
 
-/// The maximum number of bytes of a file of parameters or of a plan that is being written.
+/// The maximum size of a parameter file or plan file that is being written, in bytes.
 const MOST_WRITTEN: usize = 64 * 1024;
 
 /// A file that is being read or written.

@@ -33,7 +33,7 @@ pub(in crate::transfer) fn replace(
     true
 }
 
-/// Accepts a complete fence, or reports why it is refused.
+/// Accepts a complete fence, or reports why it is refused; returns whether it was accepted.
 pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item>) -> bool {
     if let Err(error) = Fence::check(&items) {
         autopilot.vehicle.say(severity(error), &error.to_string());

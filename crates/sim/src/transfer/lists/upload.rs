@@ -57,7 +57,7 @@ impl Upload {
         self.next
     }
 
-    /// The reason to refuse an item that is not the requested one.
+    /// The reason to refuse an item, if it is not the requested one.
     pub fn refusal(&self, seq: u16, from: Peer) -> Option<MavMissionResult> {
         if self.next != seq {
             Some(MAV_MISSION_INVALID_SEQUENCE)

@@ -8,7 +8,7 @@ use crate::text;
 use crate::text::Text;
 
 impl MissionPage<'_> {
-    /// Whether a mission has started and nothing has flown yet.
+    /// Whether a mission has started and no vehicle has flown yet.
     pub(super) fn awaits_launch(&self) -> bool {
         let session = &self.state.session;
         let flown = |progress: &crate::mission::Progress| progress.score_so_far.is_some();
