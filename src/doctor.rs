@@ -105,12 +105,12 @@ pub struct NumberedFrames {
 /// Frames of one sender, by their signatures.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct SealCounts {
-    /// Signed with the sender's key, with a new time stamp.
+    /// Signed with the sender's key, with a new timestamp.
     pub right: u64,
     pub unsigned: u64,
     /// Signed, but not with a key that the console has.
     pub foreign: u64,
-    /// Signed with the sender's key, but with an old time stamp.
+    /// Signed with the sender's key, but with an old timestamp.
     pub old: u64,
     /// How far the last of these was behind, in units of 10 microseconds.
     pub behind: u64,

@@ -41,7 +41,7 @@
 //! | | [`ledger`], [`notice`], [`alert`], [`moment`] | the outcome of each command; notices to people; the kinds of alerts; the moments of a flight |
 //! | | [`vehicle`] | the model of one vehicle, the grades of its readings (good, poor, bad), its fence and limits, and the battery needed to return home |
 //! | | [`doctor`] | the faults of a link (`sortie doctor`, about this machine, is in [`cli`]) |
-//! | | [`signing`] | the keys of MAVLink signing and the console's time stamps |
+//! | | [`signing`] | the keys of MAVLink signing and the console's timestamps |
 //! | | [`inspector`] | messages, counted and decoded field by field |
 //! | | [`parameters`] | parameter lists, files, differences, and which parameters belong to one vehicle and are not copied |
 //! | | [`workshop`] | parts, designs, and the performance of a design, such as endurance and radio range |

@@ -128,7 +128,7 @@ impl Default for LinkConfig {
 /// The speed at which a recording is played.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Playback {
-    /// By its time stamps, at this multiple of the recorded speed.
+    /// By its timestamps, at this multiple of the recorded speed.
     Speed(f64),
     /// As fast as its frames are accepted.
     AsFastAsPossible,

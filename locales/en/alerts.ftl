@@ -2,7 +2,7 @@
 
 alert-motors-stopped = MOTORS STOPPED in the air
 alert-crashed = CRASHED, disarmed
-alert-crashed-at = CRASHED { $speed } m/s
+alert-crashed-at = CRASHED at { $speed } m/s
 alert-link-lost = LINK LOST
 alert-process = SITL DOWN
 alert-failsafe = FAILSAFE active

@@ -3,7 +3,7 @@ mastery-unknown = not tried
 mastery-learning = learning
 mastery-mastered = mastered
 mastery-due = due for review
-lack-chance = { $percent } %
+lack-chance = probability { $percent } %
 lack-flights = { $count ->
     [one] another flight
    *[other] { $count } more flights
@@ -22,7 +22,7 @@ mission-state-open = open
 mission-state-passed = passed
 
 part-for-sale = { $part }: { $price } credits, `sortie profile buy { $id }`
-part-locked = { $part }: on sale after { $mission }
+part-locked = { $part }: on sale once "{ $mission }" is passed
 parts-missing = { $design } has parts that { $profile } does not own
 
 profile-created = profile { $name } created; fly with `--profile { $name }`
@@ -84,10 +84,10 @@ progress-score = score
 progress-passed = passed
 progress-stake = counts as
 progress-seed = seed
-progress-recording = recording
+progress-recording = record
 progress-is-imported = imported
 progress-imported = imported, not verified: { $count } of the flights
-aids-full = all
+aids-full = full
 aids-fading = fading
 aids-none = none
 stake-graded = graded

@@ -29,22 +29,28 @@ detect-advice-missed = missed: { $missed }, false reports: { $wrong }. Look agai
 detect-advice-wrong = false reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report.
 
 # Covering a zone.
-coverage-result = { $swept } % swept; a random search: { $random } %
-coverage-outlook = { $swept } % swept
-coverage-target = { $target } % swept
-coverage-advice = Fly lines no further apart than the width of the sensor's strip: { $left } % was not swept, although your path was long enough to cover the zone { $coverage } times.
+coverage-result = { $swept } % covered; a random search: { $random } %
+coverage-outlook = { $swept } % covered
+coverage-target = { $target } % covered
+coverage-advice = Fly lines no further apart than the width of the sensor's strip: { $left } % was not covered, although your path was long enough to cover the zone { $coverage } times.
 coverage-advice-lines = Fly lines over the whole zone, no further apart than the width of the sensor's strip.
 
 # Keeping a distance from a structure.
-standoff-result = right distance { $share } % of { $near } s, too close { $close } s
+standoff-result = right distance for { $share } % of { $near } s, too close for { $close } s
 standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
 standoff-advice = Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
 
 # Delivering loads.
 deliver-kits = { $done } helped, { $lost } too late
 deliver-nodes = { $done } placed
-deliver-kits-target = { $target } people
-deliver-nodes-target = { $target } nodes
+deliver-kits-target = { $target ->
+    [one] { $target } person
+   *[other] { $target } people
+}
+deliver-nodes-target = { $target ->
+    [one] { $target } node
+   *[other] { $target } nodes
+}
 deliver-kits-advice = { $lost ->
     [0] Drop a kit within 8 m of each person.
    *[other] Find people sooner and drop a kit within 8 m of each: help came too late for { $lost } of them.
@@ -53,7 +59,7 @@ deliver-nodes-advice = Drop the nodes within 6 m of their places.
 people-kit-reached = delivered to a person { $distance } m away
 people-kit-lost = no one within { $distance } m
 people-node-placed = the node is in its place
-people-node-lost = no place for a node within { $distance } m
+people-node-lost = no place marked for a node within { $distance } m
 
 # Plans on board and what is done with them before they are flown.
 plan-fault-of = { $vehicle }: { $fault }
@@ -61,7 +67,7 @@ plan-fault-sea-level = a height above sea level
 plan-fault-outside = a place outside the fence
 plan-fault-endless = a jump without end
 plan-fault-stay = a hold that drains the battery
-plan-fault-copied = the plan of another vehicle
+plan-fault-copied = the plan of another drone
 plan-fault-gap = two places left out
 plan-fault-no-return = no return
 plan-rehearsed-of = rehearsed before the flight: { $good }

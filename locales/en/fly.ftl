@@ -22,7 +22,7 @@ forget-none-lost = no vehicle has lost its link: nothing to forget
 forget-not-here = simulated vehicles cannot be forgotten; `forget` works with `connect` only
 fly-ungrouped = group @{ $name } removed
 fly-place = { $at } of { $count }
-fly-log-keys = { $scroll } scroll   { $key } closes
+fly-log-keys = { $scroll } scroll   { $key } close
 fly-nothing-yet = nothing yet
 
 fly-armed = ARMED
@@ -101,7 +101,7 @@ telemetry-ground = ground
 telemetry-plan = plan
 telemetry-rc = RC
 telemetry-servos = servos
-telemetry-load = load
+telemetry-load = CPU
 telemetry-firmware = firmware
 telemetry-no-heartbeat = no heartbeat yet
 telemetry-armed = ARMED
@@ -139,7 +139,10 @@ landed-landing = landing
 
 header-armed = { $vehicles }, { $armed } armed
 header-armed-short = { $armed }/{ $all } armed
-header-dropped = { $count } notices dropped
+header-dropped = { $count ->
+    [one] { $count } notice dropped
+   *[other] { $count } notices dropped
+}
 header-dropped-short = { $count } dropped
 header-no-link = no link
 header-link-up = link up
@@ -154,7 +157,7 @@ footer-paste-lines = nothing was pasted: the text has { $count } lines, and the 
 footer-paste-dropped = nothing was pasted: open the command line with { $key } first
 
 hint-move = move
-hint-take = take
+hint-take = choose
 hint-command = command
 hint-help = help
 hint-commands = commands

@@ -68,7 +68,7 @@ grammar-which-way = the direction is missing: write `n`, `e`, `d` or `up` and a 
 grammar-down-or-up = use `d` or `up`, not both
 grammar-small-circle = the radius must be at least 1 m
 grammar-four-parameters = four parameters are required
-grammar-unknown-word = unknown
+grammar-unknown-word = unknown word
 
 grammar-mode = mode
 mode-guided = follow the commands of ground stations

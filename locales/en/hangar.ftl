@@ -2,7 +2,7 @@
 
 hangar-unknown = no instance { $id }
 hangar-taken = instance { $id } is already running: stop it first, or choose another number
-hangar-full = { $limit } instances are running, which is the limit: stop some, or raise it
+hangar-full = { $limit } instances are running, which is the limit: stop some, or raise the limit
 hangar-no-program = no { $program } was found: name one with `--arducopter` or `SORTIE_ARDUCOPTER`, or put it on the PATH
 hangar-attached = another program is attached to instance { $id }: close that program, or choose another instance
 hangar-host = cannot start instance { $id }: { $what }: { $error }
@@ -65,6 +65,6 @@ hangar-here = here
 
 hangar-far = hangar { $hangar }: { $error }
 hangar-far-unreachable = { $address } cannot be reached ({ $error }): is `sortie hangar` running there? For a hangar on another host, forward its port: `ssh -L PORT:127.0.0.1:PORT HOST`
-hangar-far-late = { $address } has not answered within { $seconds } s: check that host and the network
+hangar-far-late = { $address } did not answer within { $seconds } s: check that host and the network
 hangar-far-other = { $address } answers, but it is not a sortie hangar ({ $error }): check the address
 hangar-far-token = { $address } requires a token ({ $error }): copy its token file to this machine and add `--hangar-token FILE`

@@ -64,8 +64,11 @@ foreign-mode = { $station } set vehicle { $vehicle } to { $mode }
 foreign-arm = { $station } armed vehicle { $vehicle }
 foreign-disarm = { $station } disarmed vehicle { $vehicle }
 foreign-command = { $station } sent { $command } to vehicle { $vehicle }
-foreign-parameter = { $station } set { $name } of vehicle { $vehicle } to { $value }
-foreign-plan = { $station } uploaded { $count } plan items to vehicle { $vehicle }
+foreign-parameter = { $station } set { $name } on vehicle { $vehicle } to { $value }
+foreign-plan = { $station } uploaded { $count ->
+    [one] { $count } plan item
+   *[other] { $count } plan items
+} to vehicle { $vehicle }
 foreign-no-plan = { $station } cleared the plan of vehicle { $vehicle }
 foreign-steering = { $station } steers vehicle { $vehicle }
 foreign-twin = another ground station uses the address of this console ({ $system }/{ $component }): vehicle { $vehicle } answers { $command }, which this console did not send; give that station another system id

@@ -50,7 +50,7 @@ action-ruler = measure from here, or stop measuring
 action-goto-here = write `goto` with the place under the cursor
 action-trails = show or hide the trails
 action-legend = show or hide the legend
-action-next-sensor = show samples of the next sensor
+action-next-sensor = show the samples from the next sensor
 # Meanings of the signs: at most 24 columns.
 map-legend-seen = contact, one sensor
 map-legend-confirmed = contact, two sensors

@@ -15,7 +15,10 @@ mission-sensor-particles = PM2.5
 
 # Cells of a survey.
 mission-cell-sampled = cell { $cell } sampled: { $count }/{ $all }
-mission-cells = { $count } cells
+mission-cells = { $count ->
+    [one] { $count } cell
+   *[other] { $count } cells
+}
 mission-cells-of = { $sampled }/{ $count } cells
 mission-cells-more = { $cells } and { $more } more
 mission-cells-advice = Also sample { $cells }: { $dwell } s each, at most { $speed } m/s, { $low } to { $high } m high.
@@ -25,20 +28,20 @@ mission-map-none = no map
 mission-map-error = error { $error }
 mission-map-quality = map error { $error }
 mission-map-slower = fly slower at { $height } m through the middle of each cell, and stay in it longer
-mission-map-blank = also sample { $cell }: a blank cell counts as clean air; { $how }
+mission-map-blank = also sample { $cell }, because a blank cell counts as clean air; { $how }
 mission-map-advice = Map every cell at { $height } m with settled readings: fly slower, and turn outside the area.
 
 # Coming home. Advice at the first place begins a sentence.
 mission-recover-target = { $radius } m, { $percent } %
 mission-recover-metres = { $distance } m
 mission-recover-home = { $home }/{ $count } home
-mission-recover-lost = vehicle lost
+mission-recover-lost = drone lost
 mission-recover-not-flown = not flown
 mission-recover-in-air = in the air
 mission-recover-away = { $distance } m from the pad
 mission-recover-charge = needs { $needed } %, has { $percent } %
 mission-recover-landing = not landed yet
-mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until the vehicle disarms: `rtl` lands there.
+mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until the drone disarms: `rtl` lands there.
 mission-recover-earlier = { $place ->
     [first] Come home before the battery is below { $least } %: you had { $percent } %
    *[later] come home before the battery is below { $least } %: you had { $percent } %
@@ -57,7 +60,7 @@ mission-checks-bypassed = arming checks bypassed
 mission-motors-stopped = motors stopped at { $height } m
 mission-hit-ground = hit the ground at { $speed } m/s
 mission-too-high = above { $height } m
-mission-outside-fence = outside geofence { $fence }
+mission-outside-fence = outside the fence "{ $fence }"
 mission-off-pad = landed { $distance } m off the pad
 mission-low-reserve = landed with { $percent } % battery: needs { $needed } %
 mission-not-landed = in the air when the mission ended
@@ -128,13 +131,13 @@ deed-no-load = no suitable load on board
 deed-exam-hint = exams give no hints
 deed-workload-in-exam = exams do not ask for your workload
 deed-no-hint = this mission has no further hint
-deed-no-mission = no mission is under way
+deed-no-mission = no mission is being flown
 
 mission-hint-given = { $percent ->
     [0] hint of level { $level } (free): { $hint }
    *[other] hint of level { $level } (-{ $percent } %): { $hint }
 }
-mission-goal-time = done within { $seconds } s
+mission-goal-time = finish within { $seconds } s
 mission-goal-time-result = { $seconds } s
 mission-goal-battery = land with { $percent } % battery
 mission-goal-battery-result = lowest charge { $percent } %
@@ -167,11 +170,11 @@ pause-refuses = the mission is paused
 pause-refuses-help = `continue` or { $key } resumes; then give the command
 speedup-is = { $rate }x speed-up until a command result, an alert or a mission message; { $key } ends it
 speedup-idle = { $rate }x: time passes faster, but no command is in progress; { $key } ends it
-speedup-usual = { $rate }x: usual speed
+speedup-usual = { $rate }x: time passes as usual
 speedup-back = back to real time: { $reason }
 speedup-back-to = back to { $rate }x: { $reason }
-speedup-done = { $verb } of vehicle { $vehicle } done
-speedup-row = { $verb } of vehicle { $vehicle }: { $state }
+speedup-done = { $verb } done, vehicle { $vehicle }
+speedup-row = { $verb } { $state }, vehicle { $vehicle }
 speedup-alert = alert { $alert }, vehicle { $vehicle }
 speedup-same = already { $rate }x
 speedup-nothing-to-wait-for = no command is in progress: give one first, or write `speedup 2`
@@ -185,8 +188,8 @@ speedup-too-much = too fast: at most { $most }x
 speedup-too-little = too slow: at least { $least }x
 
 # Before launch, in the room of the mission. Names at most 14 columns.
-mission-launch = before launch
-mission-pledge = stated before launch
+mission-launch = before takeoff
+mission-pledge = stated before takeoff
 mission-prediction = your score
 mission-prediction-none = { $key } predicts it, as in `predict 800`; the debrief compares both
 mission-prediction-is = { $points } predicted

@@ -64,7 +64,7 @@ plan-broken-off-empty = an upload of its { $verb ->
 } was interrupted; there was no list before: `{ $verb } clear` removes what is left
 
 # Expected effects, inserted into outcome-not-seen and similar messages.
-effect-nothing = any effect
+effect-nothing = an effect
 effect-armed = armed
 effect-disarmed = disarmed
 effect-mode = mode { $mode }
@@ -98,19 +98,34 @@ outcome-log-sum-grown = no checksum: the vehicle was still writing this log (it 
 outcome-log-sum-none = no checksum: { $reason }
 outcome-log-no-file = no file of the listed size
 outcome-logs-stopped = stopped; the part already read is kept; repeat the download to continue
-outcome-plan-written = { $count } items ({ $mark }), read back and compared
+outcome-plan-written = { $count ->
+    [one] { $count } item
+   *[other] { $count } items
+} ({ $mark }), read back and compared
 outcome-plan-warned = { $count ->
     [one] warning: { $warnings }
    *[other] warnings: { $warnings }
  }
 outcome-plan-warned-more = warnings: { $warnings }; { $more } more
-outcome-plan-same = { $count } items ({ $mark }) were already on board
-outcome-plan-read = { $count } items ({ $mark })
-outcome-plan-saved = { $count } items saved: { $file }
+outcome-plan-same = { $count ->
+    [one] { $count } item ({ $mark }) was
+   *[other] { $count } items ({ $mark }) were
+} already on board
+outcome-plan-read = { $count ->
+    [one] { $count } item
+   *[other] { $count } items
+} ({ $mark })
+outcome-plan-saved = { $count ->
+    [one] { $count } item
+   *[other] { $count } items
+} saved: { $file }
 outcome-plan-kept = { $reason }; the old list is still on board
 outcome-plan-restored = { $reason }; the old list was restored
 outcome-plan-unread = no answer from the vehicle; nothing was changed
-outcome-plan-neither = the vehicle now holds neither the new list nor the old one, but { $count } items ({ $mark }): upload the list again before you fly
+outcome-plan-neither = the vehicle now holds neither the new list nor the old one, but { $count ->
+    [one] { $count } item
+   *[other] { $count } items
+} ({ $mark }): upload the list again before you fly
 outcome-plan-unknown = the list on board is unknown: check it with `{ $list } show` before you fly
 plan-stage-lost = the link is lost: the transfer continues when it is back
 plan-stage-restoring = the old list is being restored
@@ -149,7 +164,7 @@ rehearse-parameters-unread = parameters of { $vehicles } not read, so the defaul
 rehearse-wind-given = wind { $speed } m/s from { $from }° (given)
 rehearse-wind-estimated = wind { $speed } m/s from { $from }° (estimated by { $vehicle })
 rehearse-wind-estimated-at = wind { $speed } m/s from { $from }° at { $height } m (estimated by { $vehicle })
-rehearse-wind-mission = wind { $speed } m/s from { $from }° (of the mission)
+rehearse-wind-mission = wind { $speed } m/s from { $from }° (set by the mission)
 rehearse-wind-simulator = wind { $speed } m/s from { $from }° (`SIM_WIND_SPD`)
 rehearse-wind-unknown = calm air (wind unknown); `plan rehearse wind 270 8` sets a wind
 rehearse-airframes-own = airframes of the session's drones

@@ -32,11 +32,17 @@ order-one-file-help = `{ "{" }id{ "}" }` in the name stands for the number of th
 refused-plan-item = item { $item }: { $reason }
 refused-plan-no-list = the vehicle has no such list
 refused-plan-faults = { $first }; { $more ->
-    [one] { $more } more error, which `sortie plan check` names
-   *[other] { $more } more errors, which `sortie plan check` lists
+    [one] { $more } more fault, which `sortie plan check` names
+   *[other] { $more } more faults, which `sortie plan check` lists
 }
-refused-plan-unfamiliar = this console had not read the list on board: { $count } items ({ $mark }); repeat the command to replace it
-refused-plan-changed = another program has changed it since this console first read or last wrote it: now { $count } items ({ $mark }); repeat the command to replace it
+refused-plan-unfamiliar = this console had not read the list on board: { $count ->
+    [one] { $count } item
+   *[other] { $count } items
+} ({ $mark }); repeat the command to replace it
+refused-plan-changed = another program has changed the list since this console first read or last wrote it: now { $count ->
+    [one] { $count } item
+   *[other] { $count } items
+} ({ $mark }); repeat the command to replace it
 refused-plan-none = no plan on board: use `plan upload` first
 refused-plan-item-none = no item { $item }: the last is { $last }
 refused-plan-unread = its plan has not been read: use `plan show` first

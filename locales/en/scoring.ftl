@@ -54,14 +54,14 @@ scoring-advice-commands = Avoid refused commands: read the reason before you rep
 scoring-advice-mandatory = Meet every mandatory objective, or the score is capped. Missed: { $objectives }.
 scoring-advice-geofence = Stay inside the fence: check the numbers of a `goto` against the map before you send it.
 scoring-advice-height = Stay below the height limit; the brief states it.
-scoring-advice-crash = Bring the vehicle down with `rtl` or `land` and wait until it disarms.
+scoring-advice-crash = Bring the drone down with `rtl` or `land` and wait until it disarms.
 scoring-advice-motors = Never stop motors in the air: use `rtl` or `land` to end a flight.
 scoring-advice-force = Arm without force: wait until the arming checks pass.
 scoring-advice-reserve = Return earlier: land above the battery reserve.
 scoring-advice-land = Land every drone before the mission ends.
 scoring-advice-pad = Land on the pad: `rtl` flies there automatically.
 scoring-advice-battery = Return before the battery failsafe takes over.
-scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.
+scoring-advice-failsafe = Watch the drone's alerts: a failsafe took over.
 
 # Attention.
 scoring-alerts-answered = { $count ->
@@ -75,7 +75,7 @@ scoring-advice-alerts = Answer alerts in time: hold first, then read. "{ $alert 
 
 # Utilisation.
 scoring-none-flown = no drone was flown
-scoring-never-flown = never flown: drone { $vehicles }
+scoring-never-flown = drones never flown: { $vehicles }
 scoring-idle = drone { $vehicle } idle in the air for { $time }
 scoring-never-idle = none of the { $count } drones was idle
 scoring-advice-unused = Also fly drone { $vehicle }: give it a part of the task.
@@ -89,7 +89,7 @@ scoring-advice-hints = { $count ->
 }
 
 # Rules of the air.
-scoring-advice-no-fly = Plan around no-fly zones. If one appears around a drone, stop first, then leave it by the shortest way.
-scoring-advice-separation = Keep vehicles apart: give each its own height or its own area before they cross.
+scoring-advice-no-fly = Plan around no-fly zones. If one appears around a drone, stop first, then leave the zone by the shortest way.
+scoring-advice-separation = Keep drones apart: give each its own height or its own area before they cross.
 scoring-advice-aircraft = Keep clear of aircraft: descend or land at once, and wait until they have passed.
 scoring-advice-people = Stop when people come near, and fly high over those who stay.

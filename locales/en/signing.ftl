@@ -9,7 +9,7 @@ signing-file-fault = fault in line { $line }
 signing-no-folder = signing keys need a data folder: set HOME, or name one with `--data`
 signing-no-random = the system provides no random numbers for a key: { $error }
 
-refused-signing-here = keys are for vehicles on sockets and serial ports, not for the embedded simulator and recordings
+refused-signing-here = keys are for vehicles on sockets and serial ports, not for the embedded simulator or recordings
 refused-signing-armed = it is armed: keys change only on the ground, disarmed
 refused-signing-busy = another change of its key is under way
 refused-signing-foreign = it signs with a key that sortie does not have: copy its key into `signing.toml`, or run `signing setup` over USB

@@ -4,7 +4,7 @@ room-standing = standing
 action-standing = show your progress: skills, scores, credits
 action-daily = fly the mission with the seed of the day
 action-exam = fly the mission's exam
-action-practise = fly the mission for practice, with a seed
+action-practise = fly the mission for practice, with a seed of your choice
 action-profiles = choose a profile
 action-aids = change how much advice you get
 keys-list = lists to choose from
@@ -88,7 +88,7 @@ profiles-nameless = type a name
 prompt-profile = your name
 prompt-profile-advice = your flights, credits and designs are stored on this machine only
 prompt-seed = seed for practice
-prompt-seed-advice = a number; the same seed gives the same flight. For the seed from `--seed` (default 1), just press { $submit }. Practice earns nothing
+prompt-seed-advice = a number; the same seed gives the same layout. For the seed from `--seed` (default 1), just press { $submit }. Practice earns nothing
 
 # Own progress.
 standing-no-profile = Guests have no progress. Press { $key } to choose or create a profile; then this room shows skills, scores, credits and experience over time.

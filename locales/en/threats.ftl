@@ -1,7 +1,7 @@
 # Threats: rules of the air, alerts, injects.
 
-threat-collision = hit vehicle { $other }
-threat-separation = { $distance } m from vehicle { $other }
+threat-collision = hit drone { $other }
+threat-separation = { $distance } m from drone { $other }
 threat-no-fly = inside the no-fly zone { $zone }
 threat-people = below { $height } m over people in { $zone }
 threat-injury = hit a person
@@ -11,7 +11,7 @@ threat-bubble = { $distance } m from an aircraft
 threat-intruder-hit = hit an unknown drone
 threat-intruder-near = { $distance } m from an unknown drone
 threat-answered = answered after { $seconds } s: { $alert }
-threat-not-allowed = `{ $name }` may not be injected in this mission
+threat-not-allowed = `{ $name }` cannot be injected in this mission
 
 threat-gust = strong gusts
 threat-wind-shift = the wind shifts
@@ -28,4 +28,4 @@ link-target = { $margin } dB for { $percent } %
 link-kept = linked for { $percent } % of { $seconds } s
 link-none = no time in the area
 link-more = { $seconds } s more
-link-advice = Place a relay above the ridge, in sight of both the ground station and the vehicle, before the vehicle flies behind the ridge.
+link-advice = Place a relay above the ridge, in sight of both the ground station and the drone, before the drone flies behind the ridge.

@@ -43,17 +43,24 @@ standoff-advice = Летіть уздовж споруди на відстані
 # Доставлення.
 deliver-kits = вчасно: { $done }, запізно: { $lost }
 deliver-nodes = установлено: { $done }
-deliver-kits-target = допомогти людям: { $target }
-deliver-nodes-target = установити вузлів: { $target }
+deliver-kits-target = { $target ->
+    [one] допомогти { $target } людині
+   *[other] допомогти { $target } людям
+}
+deliver-nodes-target = { $target ->
+    [one] установити { $target } вузол
+    [few] установити { $target } вузли
+   *[many] установити { $target } вузлів
+}
 deliver-kits-advice = { $lost ->
     [0] Скиньте набір не далі як за 8 m від кожної людини.
-   *[other] Знаходьте людей швидше й скидайте набір не далі як за 8 m від них; не дочекалися допомоги: { $lost }.
+   *[other] Знаходьте людей швидше й скидайте набір кожній людині, не далі як за 8 m від неї; не дочекалися допомоги: { $lost }.
 }
 deliver-nodes-advice = Скидайте вузли не далі як за 6 m від їхніх місць.
 people-kit-reached = доставлено людині на відстані { $distance } m
 people-kit-lost = у межах { $distance } m нікого немає
 people-node-placed = вузол на своєму місці
-people-node-lost = у межах { $distance } m місця для вузла немає
+people-node-lost = у межах { $distance } m немає позначеного місця для вузла
 
 # Плани на борту та дії з ними до польоту.
 plan-fault-of = { $vehicle }: { $fault }
@@ -61,7 +68,7 @@ plan-fault-sea-level = висота над рівнем моря
 plan-fault-outside = точка поза геозоною
 plan-fault-endless = нескінченний перехід
 plan-fault-stay = зупинка, на яку не стане заряду
-plan-fault-copied = план іншого апарата
+plan-fault-copied = план іншого дрона
 plan-fault-gap = бракує двох точок
 plan-fault-no-return = немає повернення
 plan-rehearsed-of = випробувано до польоту: { $good }

@@ -155,7 +155,7 @@ footer-paste-lines = нічого не вставлено: у тексті ря�
 footer-paste-dropped = нічого не вставлено: спершу відкрийте командний рядок клавішею { $key }
 
 hint-move = рух
-hint-take = взяти
+hint-take = вибрати
 hint-command = команда
 hint-help = довідка
 hint-commands = команди
@@ -180,7 +180,7 @@ hint-home = початок
 commands-pane = команди
 commands-none = ще немає команд: { $key } відкриває командний рядок
 commands-none-replayed = команд ще не було
-commands-none-fit = жодна команда не відповідає: { $key } показує всі
+commands-none-fit = жодна команда не відповідає фільтру: { $key } показує всі
 commands-follows = стежить за найновішою
 commands-only-vehicles = { $count ->
     [1] лише апарат { $vehicles }: { $shown } з { $all }
@@ -203,7 +203,7 @@ commands-sent-times = { $count ->
    *[many] { $count } спроб
 }
 hint-vehicle = апарат
-hint-window = відрізок
+hint-window = проміжок
 hint-page = сторінка
 hint-cursor = курсор
 hint-zoom = масштаб

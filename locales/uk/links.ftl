@@ -65,7 +65,11 @@ foreign-arm = { $station }: активовано двигуни апарата {
 foreign-disarm = { $station }: деактивовано двигуни апарата { $vehicle }
 foreign-command = { $station }: команда { $command } для апарата { $vehicle }
 foreign-parameter = { $station }: параметр { $name } апарата { $vehicle } тепер { $value }
-foreign-plan = { $station }: план завантажено на борт апарата { $vehicle }, пунктів { $count }
+foreign-plan = { $station }: план завантажено на борт апарата { $vehicle }, { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+}
 foreign-no-plan = { $station }: план апарата { $vehicle } видалено
 foreign-steering = { $station } керує апаратом { $vehicle }
 foreign-twin = інша наземна станція має ту саму адресу, що й консоль ({ $system }/{ $component }): апарат { $vehicle } відповів на { $command }, якої звідси не надсилали; задайте тій станції інший номер системи

@@ -104,29 +104,49 @@ outcome-log-sum-grown = без контрольної суми: апарат щ�
 outcome-log-sum-none = без контрольної суми: { $reason }
 outcome-log-no-file = немає файлу вказаного розміру
 outcome-logs-stopped = зупинено; прочитане збережено; повторіть завантаження, щоб продовжити
-outcome-plan-written = пунктів { $count } ({ $mark }): зчитано назад і порівняно
+outcome-plan-written = { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+} ({ $mark }): зчитано назад і порівняно
 outcome-plan-warned = { $count ->
     [one] попередження: { $warnings }
    *[other] попередження: { $warnings }
  }
 outcome-plan-warned-more = попередження: { $warnings }; ще { $more }
-outcome-plan-same = ці пункти ({ $count }, { $mark }) вже на борту
-outcome-plan-read = пунктів { $count } ({ $mark })
-outcome-plan-saved = збережено пунктів: { $count }, файл { $file }
+outcome-plan-same = { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+} ({ $mark }) уже на борту
+outcome-plan-read = { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+} ({ $mark })
+outcome-plan-saved = збережено { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+}: { $file }
 outcome-plan-kept = { $reason }; на борту й далі старий список
 outcome-plan-restored = { $reason }; старий список повернуто
 outcome-plan-unread = апарат не відповідав; нічого не змінено
-outcome-plan-neither = на борту тепер немає ні нового списку, ні старого; пунктів на борту { $count } ({ $mark }): завантажте список на борт ще раз, перш ніж летіти
+outcome-plan-neither = на борту тепер немає ні нового списку, ні старого, а є { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+} ({ $mark }): завантажте список на борт ще раз, перш ніж летіти
 outcome-plan-unknown = невідомо, який список на борту: перевірте його через `{ $list } show`, перш ніж летіти
-plan-stage-lost = зв'язок утрачено: передавання продовжиться, коли він відновиться
+plan-stage-lost = зв'язок втрачено: передавання продовжиться, коли він відновиться
 plan-stage-restoring = повертається старий список
 outcome-logs-silent = апарат не відповідає на запит переліку журналів
 outcome-log-stalled = апарат більше не надсилає журнал { $number }: збережено { $percent } %; повторіть завантаження, щоб продовжити
 outcome-logs-armed = з активними двигунами апарат не надсилає журналів: журнал { $number } збережено на { $percent } %; деактивуйте двигуни й повторіть завантаження, щоб продовжити
 outcome-log-length = розмір { $file } — { $bytes } B, а в переліку апарата — { $expected } B: повторіть завантаження
 
-outcome-plan-left = { $vehicles }: тепер без частини, але на борту ще попередній план: його прибере `{ $vehicles } plan clear`
-outcome-plan-idle = для цього апарата немає частини: { $reason }; його план на борту стирається
+outcome-plan-left = { $vehicles }: тепер без частини роботи, але на борту ще попередній план: його прибере `{ $vehicles } plan clear`
+outcome-plan-idle = для цього апарата немає частини роботи: { $reason }; його план на борту стирається
 rehearse-in-air = у повітрі: випробування починається на землі
 rehearse-waits = { $vehicles }: плани ще передаються або зчитуються; випробування чекає
 rehearse-unread = план на борту ще не зчитано: його читає `plan show`
@@ -152,7 +172,7 @@ rehearse-more = випробування: ще { $count ->
    *[other] { $count } пар надто зближуються або зблизяться
 }, якщо один із апаратів запізниться
 rehearse-conditions = випробування: { $conditions }
-rehearse-parameters-unread = для { $vehicles } параметрів не зчитано, діють типові
+rehearse-parameters-unread = параметри не зчитано ({ $vehicles }), діють типові
 rehearse-wind-given = вітер { $speed } m/s з напрямку { $from }° (заданий)
 rehearse-wind-estimated = вітер { $speed } m/s з напрямку { $from }° (за оцінкою апарата { $vehicle })
 rehearse-wind-estimated-at = вітер { $speed } m/s з напрямку { $from }° на висоті { $height } m (за оцінкою апарата { $vehicle })

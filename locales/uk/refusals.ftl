@@ -36,8 +36,16 @@ refused-plan-faults = { $first }; { $more ->
     [few] ще { $more } помилки
    *[many] ще { $more } помилок
 } покаже `sortie plan check`
-refused-plan-unfamiliar = ця консоль ще не читала списку на борту: пунктів { $count } ({ $mark }); щоб замінити його, повторіть команду
-refused-plan-changed = інша програма змінила список, відколи ця консоль його вперше прочитала чи востаннє записала: тепер пунктів { $count } ({ $mark }); щоб замінити його, повторіть команду
+refused-plan-unfamiliar = ця консоль ще не читала списку на борту: { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+} ({ $mark }); щоб замінити його, повторіть команду
+refused-plan-changed = інша програма змінила список, відколи ця консоль його вперше прочитала чи востаннє записала: тепер { $count ->
+    [one] { $count } пункт
+    [few] { $count } пункти
+   *[many] { $count } пунктів
+} ({ $mark }); щоб замінити його, повторіть команду
 refused-plan-none = на борту немає плану: спершу дайте `plan upload`
 refused-plan-item-none = пункту { $item } немає: останній — { $last }
 refused-plan-unread = план апарата не прочитано: спершу дайте `plan show`

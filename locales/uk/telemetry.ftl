@@ -25,7 +25,7 @@ carried-none = { $vehicles } — нічого
 carried-unread = ще не прочитано: { $vehicles }
 carried-unsupported = такого списку немає: { $vehicles }
 
-heard-plan-complete = план пройдено до кінця
+heard-plan-complete = план виконано до кінця
 heard-plan-back = політ за планом повернувся з пункту { $before } до { $item }
 heard-plan-skipped = політ за планом перейшов із пункту { $before } до { $item }; про виконання не повідомлено: { $items }
 heard-plan-unknown = пункт { $item } пропущено: апарат не знає команди { $command } у плані

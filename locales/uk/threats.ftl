@@ -1,7 +1,7 @@
 # Загрози: правила польотів, тривоги, введені події.
 
-threat-collision = зіткнення з апаратом { $other }
-threat-separation = { $distance } m до апарата { $other }
+threat-collision = зіткнення з дроном { $other }
+threat-separation = { $distance } m до дрона { $other }
 threat-no-fly = у забороненій зоні { $zone }
 threat-people = нижче ніж { $height } m над людьми в { $zone }
 threat-injury = зіткнення з людиною
@@ -16,7 +16,7 @@ threat-not-allowed = `{ $name }` не можна ввести в цьому за
 threat-gust = сильні пориви вітру
 threat-wind-shift = вітер змінює напрямок
 threat-gnss-jam = супутникова навігація відмовила
-threat-link-loss = зв'язок утрачено
+threat-link-loss = зв'язок втрачено
 threat-motor-fail = двигун відмовляє
 threat-battery-cold = холодний акумулятор
 threat-battery-cell = відмовив елемент акумулятора
@@ -24,8 +24,8 @@ threat-person = на ділянку заходить людина
 threat-aircraft = ділянку перетинає літак
 
 # Ціль: утримати зв'язок.
-link-target = { $margin } dB протягом { $percent } %
+link-target = { $margin } dB протягом { $percent } % часу
 link-kept = зв'язок протягом { $percent } % із { $seconds } s
 link-none = на ділянці: 0 s
 link-more = ще { $seconds } s
-link-advice = Поставте ретранслятор над хребтом, у полі зору наземної станції й апарата, перш ніж апарат залетить за хребет.
+link-advice = Поставте ретранслятор над хребтом, у полі зору наземної станції й дрона, перш ніж дрон залетить за хребет.

@@ -6,7 +6,7 @@ transport-waiting = не працює, наступна спроба через 
 transport-ended = завершено
 transport-is-up = канал { $link } працює
 transport-is-down = канал { $link }: { $reason }
-transport-has-ended = { $link } завершено
+transport-has-ended = канал { $link } завершив роботу
 
 transport-refused = у з'єднанні відмовлено: жодна програма не слухає порт { $port } вузла { $host }
 transport-unreachable = не вдається з'єднатися з портом { $port } вузла { $host }: { $error }

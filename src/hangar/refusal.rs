@@ -17,7 +17,7 @@ pub enum HangarRefusal {
     #[error("instance {0} exists already: stop it first, or choose another number")]
     Taken(InstanceId),
     /// The hangar is full.
-    #[error("{0} instances are running, which is the limit: stop some, or raise it")]
+    #[error("{0} instances are running, which is the limit: stop some, or raise the limit")]
     Full(u16),
     /// No program for this kind of vehicle is known.
     #[error(

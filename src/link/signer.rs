@@ -1,4 +1,4 @@
-//! The keyring in use: shared by all links, and written to its file ahead of the time stamps.
+//! The keyring in use: shared by all links, and written to its file ahead of the timestamps.
 
 use std::fmt;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -37,7 +37,7 @@ impl fmt::Debug for Signer {
     }
 }
 
-/// The time of this machine in units of a time stamp.
+/// The time of this machine in units of a timestamp.
 pub fn signing_clock() -> u64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     let micros = since.map_or(0, |since| since.as_micros());
@@ -70,7 +70,7 @@ impl Signer {
         SignedLink {
             signer: self.clone(),
             address: address.into(),
-            // Time stamps are unique in this program, so two links may share a number.
+            // Timestamps are unique in this program, so two links may share a number.
             id: id.0 as u8,
         }
     }
@@ -220,7 +220,7 @@ impl KeyDesk for SignedLink {
             .signer
             .ring()
             .message(&self.address, vehicle, which, now);
-        // The message's time stamp must be within the range stored in the file.
+        // The message's timestamp must be within the range stored in the file.
         drop(self.signer.save(Keyring::is_spent));
         message
     }

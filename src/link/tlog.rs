@@ -35,7 +35,7 @@ pub enum TlogError {
         /// Where the incomplete record starts, in bytes from the start of the file.
         offset: u64,
     },
-    /// No frame follows a time stamp.
+    /// No frame follows a timestamp.
     Damaged {
         /// Where the bad record starts, in bytes from the start of the file.
         offset: u64,

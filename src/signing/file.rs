@@ -13,7 +13,7 @@ use crate::wire::SystemId;
 /// The head of the file.
 const HEAD: &str = "\
 # Keys of MAVLink signing, written by sortie. Anyone with these keys can command the vehicles: keep the file to yourself.
-# `key` is the key of a vehicle, `next` one that it may have received. The time stamps of sortie continue from `stamp`.
+# `key` is the key of a vehicle, `next` one that it may have received. The timestamps of sortie continue from `stamp`.
 ";
 /// The length of a key in the file: two hexadecimal digits for each byte.
 const DIGITS: usize = 64;

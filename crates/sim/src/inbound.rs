@@ -207,7 +207,7 @@ fn set_current(autopilot: &mut Autopilot, link: &mut Link, seq: u16) {
     }
 }
 
-/// The answer to `TIMESYNC`: the vehicle's clock, and the time stamp of the request.
+/// The answer to `TIMESYNC`: the vehicle's clock, and the timestamp of the request.
 fn time(autopilot: &Autopilot, frame: &Frame, ts1: i64) -> MavMessage {
     MavMessage::TIMESYNC(TIMESYNC_DATA {
         tc1: autopilot.vehicle.uptime().as_nanos() as i64,

@@ -363,7 +363,7 @@ fn the_time_line_is_long_enough_on_a_small_screen() {
     let cells = last
         .split_once("00:00.0 ")
         .and_then(|(_, rest)| rest.split_once(" 05:12"));
-    let (cells, keys) = cells.expect("a time line");
+    let (cells, keys) = cells.expect("a timeline");
     assert!(cells.chars().count() >= 30, "{last}");
     assert!(keys.contains("Space play"), "{last}");
 }
