@@ -21,9 +21,12 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The least length of a path across a place, as a multiple of the radius: it misses the place by at most two thirds of
-/// the radius.
-const ACROSS: f64 = 1.5;
+/// The least length of a straight path across a place, as a multiple of the radius: such a path misses the place by at
+/// most four fifths of the radius.
+const ACROSS: f64 = 1.25;
+/// How much longer than a straight line a straight path may be, as a share and in metres.
+const BEND: f64 = 0.15;
+const BEND_M: f64 = 0.5;
 /// The sine of the least angle between two crossings, 60 degrees.
 const APART: f64 = 0.866;
 
@@ -133,8 +136,9 @@ impl Checked {
     /// Whether these looks show a place: uninterrupted paths within the radius of it, one position a step.
     fn is_shown_by(&self, looks: &[Vec<Point>]) -> bool {
         let steps: usize = looks.iter().map(Vec::len).sum();
-        let ways = looks.iter().filter_map(|look| self.across(look));
-        let ways: Vec<Point> = ways.collect();
+        let ways = looks.iter().flat_map(|look| straight_ways(look));
+        let across_m = ACROSS * self.radius_m;
+        let ways: Vec<Point> = ways.filter(|way| length_m(*way) >= across_m).collect();
         let has_crossed = match self.crossings {
             0 => true,
             1 => !ways.is_empty(),
@@ -143,13 +147,6 @@ impl Checked {
                 .any(|one| ways.iter().any(|other| are_apart(*one, *other))),
         };
         steps > 0 && steps as f64 * TICK.as_secs_f64() >= self.dwell_s - 1e-9 && has_crossed
-    }
-
-    /// The way of a look from its beginning to its end, if it leads across the place.
-    fn across(&self, look: &[Point]) -> Option<Point> {
-        let (from, to) = (look.first()?, look.last()?);
-        let is_across = distance_m(*from, *to) >= ACROSS * self.radius_m;
-        is_across.then(|| [to[0] - from[0], to[1] - from[1]])
     }
 
     fn advice(&self) -> Text {
@@ -175,10 +172,33 @@ impl Checked {
     }
 }
 
+/// The straight parts of a path, each as the way from its beginning to its end.
+fn straight_ways(path: &[Point]) -> Vec<Point> {
+    let mut ways = Vec::new();
+    let (mut from, mut flown_m) = (0, 0.0);
+    for (at, pair) in path.windows(2).enumerate() {
+        flown_m += distance_m(pair[0], pair[1]);
+        if flown_m > (1.0 + BEND) * distance_m(path[from], pair[1]) + BEND_M {
+            ways.push(way(path[from], pair[0]));
+            (from, flown_m) = (at, distance_m(pair[0], pair[1]));
+        }
+    }
+    ways.extend(path.last().map(|&last| way(path[from], last)));
+    ways
+}
+
+fn way(from: Point, to: Point) -> Point {
+    [to[0] - from[0], to[1] - from[1]]
+}
+
+fn length_m([east_m, north_m]: Point) -> f64 {
+    maths::hypot(east_m, north_m)
+}
+
 /// Whether two ways differ enough in direction; there and back are the same.
 fn are_apart(one: Point, other: Point) -> bool {
-    let lengths = maths::hypot(one[0], one[1]) * maths::hypot(other[0], other[1]);
-    (one[0] * other[1] - one[1] * other[0]).abs() >= APART * lengths
+    let aside_m2 = (one[0] * other[1] - one[1] * other[0]).abs();
+    aside_m2 >= APART * length_m(one) * length_m(other)
 }
 
 impl CheckedTracker {
@@ -280,5 +300,23 @@ mod tests {
         assert!(!plan(0.0, 2).is_shown_by(&[north.clone(), edge]));
         assert!(plan(0.0, 2).is_shown_by(&[south, north, east.clone()]));
         assert!(plan(0.0, 1).is_shown_by(&[east]));
+    }
+
+    #[test]
+    fn a_look_that_turns_on_the_way_crosses_by_its_straight_parts() {
+        let legs = [
+            look([0.0, 0.0], [0.0, 5.0]),
+            look([0.0, 5.0], [0.0, -5.0]),
+            look([0.0, -5.0], [0.0, 0.0]),
+            look([0.0, 0.0], [5.5, 0.0]),
+            look([5.5, 0.0], [-5.5, 0.0]),
+        ];
+        assert!(plan(0.0, 2).is_shown_by(&[legs.concat()]));
+        assert!(!plan(0.0, 2).is_shown_by(&[legs[..4].concat()]));
+        let ring = |step: u32| {
+            let angle = f64::from(step) / 30.0;
+            [5.0 * maths::sin(angle), 5.0 * maths::cos(angle)]
+        };
+        assert!(!plan(0.0, 1).is_shown_by(&[(0..190).map(ring).collect()]));
     }
 }
