@@ -277,7 +277,9 @@ mod tests {
         let objective = EvidenceBasis::Objective(report.objectives[0].id.clone());
         assert!(evidence.iter().all(is_low), "{evidence:?}");
         assert!(
-            evidence.iter().any(|it| it.basis.as_ref() == Some(&objective)),
+            evidence
+                .iter()
+                .any(|it| it.basis.as_ref() == Some(&objective)),
             "{evidence:?}"
         );
     }

@@ -5,9 +5,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
-use super::{
-    ALL_POINTS, Facts, ScoreRules, attention, rounded_below, safety_value, utilisation,
-};
+use super::{ALL_POINTS, Facts, ScoreRules, attention, rounded_below, safety_value, utilisation};
 use crate::text;
 use crate::text::Text;
 

@@ -275,9 +275,7 @@ mod tests {
     /// A straight look of 6 s from one point to another.
     fn look(from: Point, to: Point) -> Vec<Point> {
         let part = |step: u32| f64::from(step) / 59.0;
-        let at = |step| {
-            [0, 1].map(|axis: usize| from[axis] + (to[axis] - from[axis]) * part(step))
-        };
+        let at = |step| [0, 1].map(|axis: usize| from[axis] + (to[axis] - from[axis]) * part(step));
         (0..60).map(at).collect()
     }
 
