@@ -25,7 +25,7 @@ use crate::vehicle::VehicleId;
 /// most four fifths of the radius.
 const ACROSS: f64 = 1.25;
 /// How much longer than a straight line a straight path may be, as a share and in metres.
-const BEND: f64 = 0.15;
+const BEND: f64 = 0.05;
 const BEND_M: f64 = 0.5;
 /// The sine of the least angle between two crossings, 60 degrees.
 const APART: f64 = 0.866;
