@@ -279,7 +279,10 @@ impl DebriefPage<'_> {
             (_, Some(what)) => text!("debrief-next-again", what = what),
             // A flight that never took off has no improvements.
             (_, None) if !report.passed => text!("debrief-next-same"),
-            (_, None) => text!("debrief-next-on"),
+            (_, None) => match points::gold_missing(report) {
+                Some(gates) => text!("debrief-next-gold", gates = gates),
+                None => text!("debrief-next-on"),
+            },
         };
         self.wrapped("  ", &text);
     }

@@ -179,7 +179,7 @@ pub struct Score {
     pub points: u16,
     /// The medal, if any.
     pub medal: Option<Medal>,
-    /// Conditions that prevented gold despite the points, as text.
+    /// The conditions of gold that are not met, as text; empty for a flight that earns gold if it ends normally.
     pub gold_missing: Vec<Text>,
 }
 
@@ -191,6 +191,8 @@ impl Score {
     }
 }
 
+/// The points of a flight in which nothing is left to gain.
+pub const ALL_POINTS: u16 = 1000;
 /// The maximum number of points of a flight that harmed people.
 pub const HARM_POINTS: u16 = 300;
 
@@ -199,16 +201,14 @@ pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     let components = component::all(rules, facts);
     let tenths: u32 = components.iter().map(|c| c.points_tenths).sum();
     let hint_factor = facts.hints.factor();
-    let earned = (f64::from(tenths) * hint_factor / 10.0).round();
+    let earned = rounded_below(f64::from(tenths) * hint_factor / 10.0, ALL_POINTS.into());
     let points = (earned as u16).min(most_points(facts));
     let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
-    let missing = rules.gold_requires.iter();
-    let missing = missing.filter(|gate| !gate.holds(facts, &components));
-    let mut gold_missing: Vec<Text> = missing.map(Gate::text).collect();
-    // Copied commands show no skill.
-    let is_copied = facts.hints.gave_commands();
-    gold_missing.extend(is_copied.then(|| text!("gold-without-commands")));
+    let mut gold_missing = gates_missing(rules, facts, &components);
     let medal = rules.medals.won(points, gold_missing.is_empty());
+    let gold = rules.medals.gold;
+    gold_missing.extend((points < gold).then(|| text!("gold-points", points = gold)));
+    gold_missing.extend((!mandatory_met).then(|| text!("gold-mandatory")));
     Score {
         components,
         subtotal_tenths: tenths,
@@ -219,6 +219,25 @@ pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     }
 }
 
+/// The conditions of gold, besides points and mandatory objectives, that a flight does not meet.
+fn gates_missing(rules: &ScoreRules, facts: &Facts, components: &[ComponentScore]) -> Vec<Text> {
+    let gates = rules.gold_requires.iter();
+    let missing = gates.filter(|gate| !gate.holds(facts, components));
+    // Copied commands show no skill.
+    let is_copied = facts.hints.gave_commands();
+    let copied = is_copied.then(|| text!("gold-without-commands"));
+    missing.map(Gate::text).chain(copied).collect()
+}
+
+/// Rounds an amount that may not look complete before it is: it reaches `all` only without a loss.
+fn rounded_below(amount: f64, all: f64) -> f64 {
+    if amount < all - 1e-6 {
+        amount.round().min(all - 1.0)
+    } else {
+        all
+    }
+}
+
 /// The cap on a flight's points: giving up earns none.
 fn most_points(facts: &Facts) -> u16 {
     if facts.given_up {
@@ -226,7 +245,7 @@ fn most_points(facts: &Facts) -> u16 {
     } else if facts.safety.iter().any(|event| event.kind.is_harm()) {
         HARM_POINTS
     } else {
-        1000
+        ALL_POINTS
     }
 }
 

@@ -34,6 +34,7 @@ reward-unpaid-wear = no credits: { $why }; -{ $wear } for wear on your drones, {
 reward-practice = practice earns none
 reward-not-passed = the mission was not passed
 reward-not-better = only a score above { $best } earns more
+reward-all-points = your best score is { $best }, the highest possible
 reward-daily-again = the seed of the day counts once a day
 reward-no-pay = this flight earns none
 reward-experience = experience +{ $gained }, level { $level }, { $left } to the next

@@ -23,6 +23,8 @@ debrief-moved = why
 # At most 8 columns.
 debrief-sum = score
 gold-without-commands = no hint that gives the commands
+gold-points = { $points } points
+gold-mandatory = all mandatory objectives
 debrief-gold-needs = gold needs { $gates }
 
 debrief-timeline = TIMELINE   (> command  o objective  ! alert  x rule broken  r refused)
@@ -33,6 +35,7 @@ debrief-vehicle = vehicle { $vehicle }: { $what }
 
 debrief-improve = WHAT TO IMPROVE   (biggest gain first)
 debrief-nothing = Nothing left to gain.
+debrief-only-gold = No more points to gain; gold needs { $gates }.
 # At most 5 columns.
 debrief-good = good
 
@@ -88,6 +91,7 @@ debrief-next = NEXT
 debrief-next-drill = Fly the drill { $drill }, then this mission again: { $what }
 debrief-next-again = Next try: { $what }
 debrief-next-on = Go on to the next mission.
+debrief-next-gold = Next try: gold needs { $gates }.
 debrief-last-mission = this was the last mission
 
 # The map of the debrief.

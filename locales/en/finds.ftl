@@ -28,6 +28,15 @@ detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false repor
 detect-advice-missed = missed: { $missed }, false reports: { $wrong }. Look again, lower and slower, and confirm before you report.
 detect-advice-wrong = false reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report.
 
+# Looking at a place closely before it is reported.
+checked-result = looked at closely: { $count }/{ $all } reports
+checked-target = all reports
+checked-advice = Before you report a place, stay within { $radius } m of it for { $dwell } s, at { $speed } m/s at most.
+checked-advice-cross = { $count ->
+    [1] Before you report a place, fly across it at { $speed } m/s at most.
+   *[other] Before you report a place, fly across it from { $count } sides, at { $speed } m/s at most.
+}
+
 # Covering a zone.
 coverage-result = { $swept } % covered; a random search: { $random } %
 coverage-outlook = { $swept } % covered

@@ -17,6 +17,7 @@ swarm-not-there = the position of vehicle { $vehicle } is not known yet
 swarm-its-own-goal = it cannot follow itself
 swarm-no-formation = not in a formation
 swarm-goes-along = moves with the formation of { $leader }
+swarm-leads = leads the formation
 swarm-falls-out = leaves { $verb }: { $reason }
 swarm-waits = pauses its { $verb } until { $other } has cleared the way
 swarm-lost = link lost

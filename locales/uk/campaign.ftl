@@ -38,6 +38,7 @@ reward-unpaid-wear = без кредитів: { $why }; -{ $wear } за знос
 reward-practice = за тренування їх не дають
 reward-not-passed = завдання не пройдено
 reward-not-better = більше дає лише результат, вищий за { $best }
+reward-all-points = ваш найкращий результат, { $best }, — найвищий можливий
 reward-daily-again = варіант дня зараховується раз на день
 reward-no-pay = за цей політ їх не дають
 reward-experience = досвід +{ $gained }, рівень { $level }, до наступного { $left }

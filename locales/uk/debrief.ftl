@@ -23,6 +23,8 @@ debrief-moved = що вплинуло
 # Щонайбільше 8 колонок.
 debrief-sum = разом
 gold-without-commands = без підказки з готовими командами
+gold-points = балів від { $points }
+gold-mandatory = усі обов'язкові цілі
 debrief-gold-needs = для золота треба: { $gates }
 
 debrief-timeline = ПЕРЕБІГ   (> команда  o ціль  ! тривога  x порушення  r відмова)
@@ -33,6 +35,7 @@ debrief-vehicle = апарат { $vehicle }: { $what }
 
 debrief-improve = ЩО ПОЛІПШИТИ   (спершу те, що дає найбільше)
 debrief-nothing = Більше балів здобути не можна.
+debrief-only-gold = Більше балів здобути не можна; для золота треба: { $gates }.
 # Щонайбільше 5 колонок.
 debrief-good = добре
 
@@ -88,6 +91,7 @@ debrief-next = ДАЛІ
 debrief-next-drill = Виконайте вправу { $drill }, тоді це завдання ще раз: { $what }
 debrief-next-again = Наступна спроба: { $what }
 debrief-next-on = Переходьте до наступного завдання.
+debrief-next-gold = Наступна спроба: для золота треба: { $gates }.
 debrief-last-mission = це було останнє завдання
 
 # Карта розбору.

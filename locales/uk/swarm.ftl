@@ -14,6 +14,7 @@ swarm-not-there = позиція апарата { $vehicle } ще невідом
 swarm-its-own-goal = апарат не може летіти сам за собою
 swarm-no-formation = апарат не в строю
 swarm-goes-along = рухається в строю апарата { $leader }
+swarm-leads = веде стрій
 swarm-falls-out = виходить із { $verb }: { $reason }
 swarm-waits = чекає ({ $verb }), доки { $other } звільнить шлях
 swarm-lost = зв'язок втрачено

@@ -5,6 +5,7 @@ use serde::Serialize;
 use super::{
     CareerFlight, CareerStanding, Evidence, MissionCourse, MissionStage, PartState, Skill, Stake,
 };
+use crate::scoring::ALL_POINTS;
 use crate::text;
 use crate::text::Text;
 use crate::workshop::parts;
@@ -186,6 +187,7 @@ fn unpaid(before: &CareerStanding, flight: &CareerFlight) -> Text {
         _ if flight.stake == Stake::Practice => text!("reward-practice"),
         _ if !flight.passed => text!("reward-not-passed"),
         _ if !before.counts(flight) => text!("reward-daily-again"),
+        Some(best) if best >= ALL_POINTS => text!("reward-all-points", best = best),
         Some(best) if flight.score <= best => text!("reward-not-better", best = best),
         _ => text!("reward-no-pay"),
     }

@@ -50,7 +50,7 @@ pub struct Evidence {
 const BLIND_POINTS: f64 = 250.0;
 /// Outcomes are rounded to thousandths, so that a career is unchanged by storage.
 const STEPS: f64 = 1000.0;
-/// An outcome below this counts against a skill in any flight.
+/// An outcome below this counts against a skill in any flight, as `docs/career.md` says.
 const FAULT: f64 = 0.1;
 
 /// A flight's evidence on one skill. It counts once: showing a skill three times in one flight is not stronger
@@ -253,5 +253,35 @@ mod tests {
         assert!(!well(&shown(&report, mission)));
         report.passed = true;
         assert!(well(&shown(&report, mission)));
+    }
+
+    /// A mission with many objectives reached can still fail; that changes nothing.
+    #[test]
+    fn the_career_guide_names_the_outcomes_that_count_in_a_failed_flight() {
+        let guide = include_str!("../../docs/career.md");
+        let rule = format!(
+            "If the mission is not passed, only outcomes below {:.0} % count.",
+            FAULT * 100.0
+        );
+        assert!(guide.contains(&rule), "{rule}");
+        let mut pilot = Pilot::new(1);
+        pilot.take_off(20.0);
+        pilot.land();
+        pilot.flight.abandon();
+        let mut report = pilot.report();
+        for (index, objective) in report.objectives.iter_mut().enumerate() {
+            let share = if index == 0 { 0.5 * FAULT } else { 0.9 };
+            objective.points = objective.points_max * share;
+        }
+        let evidence = Evidence::of(&report, pilot.flight.mission());
+        let is_low = |it: &Evidence| it.outcome < FAULT;
+        let objective = EvidenceBasis::Objective(report.objectives[0].id.clone());
+        assert!(evidence.iter().all(is_low), "{evidence:?}");
+        assert!(
+            evidence
+                .iter()
+                .any(|it| it.basis.as_ref() == Some(&objective)),
+            "{evidence:?}"
+        );
     }
 }

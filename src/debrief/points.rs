@@ -95,13 +95,7 @@ impl DebriefPage<'_> {
     pub(super) fn improvements(&mut self, report: &Report) {
         self.heading("debrief-improve");
         if report.improvements.is_empty() {
-            let id = if report.passed {
-                "debrief-nothing"
-            } else {
-                "debrief-not-flown"
-            };
-            let nothing = format!("  {}", self.locale.say(id));
-            self.line(&nothing);
+            self.wrapped("  ", &no_improvement(report));
         }
         for improvement in &report.improvements {
             let gain = format!("+{}", improvement.points);
@@ -138,9 +132,22 @@ fn beside_sum(report: &Report) -> Text {
         let factor = format!("{:.2}", report.hint_factor);
         remarks.push(text!("debrief-times-hints", factor = factor));
     }
-    if !report.gold_missing.is_empty() {
-        let gates = Text::joined(", ", report.gold_missing.clone());
-        remarks.push(text!("debrief-gold-needs", gates = gates));
-    }
+    let gates = gold_missing(report);
+    remarks.extend(gates.map(|gates| text!("debrief-gold-needs", gates = gates)));
     Text::joined("; ", remarks)
+}
+
+/// The text in place of improvements.
+fn no_improvement(report: &Report) -> Text {
+    match gold_missing(report) {
+        _ if !report.passed => text!("debrief-not-flown"),
+        Some(gates) => text!("debrief-only-gold", gates = gates),
+        None => text!("debrief-nothing"),
+    }
+}
+
+/// The conditions of gold that the flight does not meet, if any.
+pub(super) fn gold_missing(report: &Report) -> Option<Text> {
+    let missing = &report.gold_missing;
+    (!missing.is_empty()).then(|| Text::joined(", ", missing.clone()))
 }

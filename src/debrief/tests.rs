@@ -2,7 +2,7 @@ use super::layout::right;
 use super::*;
 use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, do_nothing, fly_the_cells};
-use crate::scoring::{FlightOutcome, TruthReport};
+use crate::scoring::{FlightOutcome, Medal, TruthReport};
 use crate::text::Language;
 use crate::text::said::without_words;
 
@@ -134,6 +134,26 @@ fn improvements_stand_by_their_gain() {
         report
             .improvements
             .is_sorted_by(|a, b| a.points >= b.points)
+    );
+}
+
+#[test]
+fn without_gold_the_page_says_what_gold_needs_though_no_points_are_left() {
+    let mut report = fly_the_cells(1).report();
+    report.improvements.clear();
+    report.passed = true;
+    let shown = |report: &Report| text(report, &Locale::default());
+    report.medal = Some(Medal::Gold);
+    report.gold_missing.clear();
+    assert!(shown(&report).contains("Nothing left to gain."));
+    report.medal = Some(Medal::Silver);
+    report.gold_missing = vec!["close >= 2".into()];
+    let page = shown(&report);
+    assert!(!page.contains("Nothing left to gain."), "{page}");
+    assert!(
+        page.contains("No more points to gain; gold needs close >= 2.")
+            && page.contains("Next try: gold needs close >= 2."),
+        "{page}"
     );
 }
 

@@ -20,6 +20,7 @@ pub(crate) use demands::{DemandedEquipment, DemandedPlaces, DemandedTime, Demand
 pub(crate) use route::GateRoute;
 
 mod arm_time;
+mod checked;
 mod coverage;
 mod deliver;
 mod demands;
@@ -259,6 +260,7 @@ pub(super) static KINDS: &[KindOf<Box<dyn ObjectiveKind>>] = &[
     coverage::KIND,
     deliver::KIND,
     detect::KIND,
+    checked::KIND,
     standoff::KIND,
     arm_time::KIND,
     hover::KIND,

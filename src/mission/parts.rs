@@ -102,3 +102,11 @@ pub struct MissionSeats {
     /// The drones that were built for it, in the order of the pads; empty if the mission's own drones fly.
     pub(crate) designs: Vec<Design>,
 }
+
+impl MissionSeats {
+    /// Whether the vehicles carry two kinds of detectors, so that one can confirm the finds of the other.
+    pub(crate) fn can_confirm(&self) -> bool {
+        let sensors = self.sensors.iter();
+        sensors.filter(|sensor| sensor.detector().is_some()).count() > 1
+    }
+}

@@ -47,6 +47,8 @@ pub struct Progress {
     pub swarm: SwarmFigures,
     /// Places known so far, for the grammar: contacts (`c1`) and `peak`.
     pub places: BTreeMap<String, LatLon>,
+    /// Whether the fleet carries two kinds of detectors, so that one can confirm the finds of the other.
+    pub can_confirm: bool,
     /// The contacts of the detectors so far, by number.
     pub contacts: Vec<ShownContact>,
     /// The trainee's reports so far.

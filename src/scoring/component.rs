@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
-use super::{Facts, ScoreRules, attention, safety_value, utilisation};
+use super::{ALL_POINTS, Facts, ScoreRules, attention, rounded_below, safety_value, utilisation};
 use crate::text;
 use crate::text::Text;
 
@@ -179,7 +179,8 @@ fn share_points(components: &mut [ComponentScore]) {
         component.points_tenths = exact(component).floor() as u32;
     }
     let given: u32 = components.iter().map(|c| c.points_tenths).sum();
-    let left = (sum.round() as u32).saturating_sub(given);
+    let rounded = rounded_below(sum, 10.0 * f64::from(ALL_POINTS));
+    let left = (rounded as u32).saturating_sub(given);
     let mut order: Vec<usize> = (0..components.len()).collect();
     let remainder = |index: &usize| exact(&components[*index]).fract();
     order.sort_by(|a, b| remainder(b).total_cmp(&remainder(a)));

@@ -94,6 +94,49 @@ fn a_perfect_flight_gets_everything() {
 }
 
 #[test]
+fn a_score_of_1000_means_that_nothing_was_lost() {
+    for quality in [0.9999, 0.998, 0.9962] {
+        let facts = Facts {
+            objectives: vec![with_map(quality, objective(1.0, true))],
+            ..perfect()
+        };
+        let score = score(&rules(), &facts);
+        assert_eq!(score.points, 999, "{quality}");
+        assert!(score.subtotal_tenths < 10_000, "{quality}");
+    }
+}
+
+#[test]
+fn a_flight_without_gold_says_what_gold_needs() {
+    let needs = |facts: &Facts| {
+        let score = score(&rules(), facts);
+        let missing: Vec<String> = score.gold_missing.iter().map(ToString::to_string).collect();
+        (score.medal, missing)
+    };
+    assert_eq!(needs(&perfect()), (Some(Medal::Gold), Vec::new()));
+    let slow = Facts {
+        elapsed: Duration::from_secs(480),
+        energy_wh: Some(40.0),
+        objectives: vec![with_map(0.8, objective(1.0, true))],
+        ..perfect()
+    };
+    assert_eq!(
+        needs(&slow),
+        (Some(Medal::Silver), vec!["850 points".to_owned()])
+    );
+    let missed = Facts {
+        objectives: vec![with_map(1.0, objective(0.9, true)), objective(1.0, false)],
+        ..perfect()
+    };
+    let (medal, missing) = needs(&missed);
+    assert_eq!(medal, None);
+    assert!(
+        missing.contains(&"all mandatory objectives".to_owned()),
+        "{missing:?}"
+    );
+}
+
+#[test]
 fn a_missed_mandatory_objective_says_that_it_caps_the_others() {
     let facts = |optional| Facts {
         objectives: vec![

@@ -261,15 +261,19 @@ impl ActiveManoeuvre {
         let who: Vec<VehicleId> = targets.filter(|id| self.has(*id)).collect();
         let by = text!("outcome-superseded", by = ordered.verb.name);
         self.end_move(RowState::Superseded, Some(&by), now, rows);
-        let remark = text!("swarm-goes-along", leader = leader);
         for &vehicle in &who {
+            let remark = if vehicle == leader {
+                text!("swarm-leads")
+            } else {
+                text!("swarm-goes-along", leader = leader)
+            };
             rows.push(RowUpdate {
                 entry: ordered.entry,
                 vehicle,
                 state: RowState::InProgress(0),
                 tries: 1,
                 at: now,
-                explanation: Some(remark.clone()),
+                explanation: Some(remark),
             });
         }
         self.moving = Some(Move {

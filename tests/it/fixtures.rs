@@ -199,6 +199,7 @@ pub fn progress() -> Progress {
         swarm: SwarmFigures::default(),
         findings: Findings::default(),
         places: std::collections::BTreeMap::new(),
+        can_confirm: true,
         contacts: Vec::new(),
         injects: Vec::new(),
         marks: Vec::new(),

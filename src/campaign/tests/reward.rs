@@ -39,6 +39,15 @@ fn a_reward_tells_what_a_flight_changed_and_why() {
         unpaid(again),
         "no credits: only a score above 900 earns more; 1233 now"
     );
+    let mut best = history.clone();
+    best.push(CareerEntry::Flight(flight(&course, "two", 1000, 1)));
+    let whole = reward(&best, flight(&course, "two", 1000, 1)).lines();
+    assert!(
+        whole[0]
+            .to_string()
+            .contains("your best score is 1000, the highest possible"),
+        "{whole:?}"
+    );
     let failed = flight(&course, "three", 300, 1);
     assert_eq!(
         unpaid(failed),

@@ -61,6 +61,62 @@ fn a_return_of_the_formation_at_one_height_earns_less_than_gold() {
     let reference = include_str!("../../../missions/pilots/02-formation.pilot");
     let reference = flown(mission, reference);
     assert_eq!(reference.medal, Some(Medal::Gold), "{}", reference.score);
+    // The pads lie one behind the other, so the ways of a column cross as well.
+    let column = flown(
+        mission,
+        &there_and_back(25, &lines.replace("wedge", "column")),
+    );
+    assert!(is_met(&column, "form"), "{:?}", column.objectives);
+    assert!(column.medal < Some(Medal::Gold), "{}", column.score);
+}
+
+/// A slow pass shows the defects; gold requires a stop at each find.
+#[test]
+fn a_pass_along_the_line_without_a_stop_earns_less_than_gold() {
+    let mission = include_str!("../../../missions/04-line-inspection.toml");
+    let pass = "all goto n 32 e -95 up 18\nwait all arrived timeout 60s\nall speed 1.5\n\
+                all goto n 32 e 95 up 18\nwait all arrived timeout 200s\n\
+                all mark contacts as defect\nall speed 8\n";
+    let plain = flown(mission, &there_and_back(18, pass));
+    assert!(is_met(&plain, "find"), "{:?}", plain.objectives);
+    assert!(!is_met(&plain, "checked"), "{:?}", plain.objectives);
+    assert_eq!(plain.medal, Some(Medal::Silver), "{}", plain.score);
+    let reference = include_str!("../../../missions/pilots/04-line-inspection.pilot");
+    let reference = flown(mission, reference);
+    assert_eq!(reference.medal, Some(Medal::Gold), "{}", reference.score);
+}
+
+/// People found and reported earn silver; gold requires kits as well, and a near look before each report.
+#[test]
+fn a_night_search_without_kits_or_without_near_looks_earns_less_than_gold() {
+    let mission = include_str!("../../../missions/05-night-search.toml");
+    let search = "all survey n 30 e -120 to n 190 e 120 up 30\nwait all arrived timeout 400s\nall speed 10\n";
+    let round = |finds: [&str; 3], up_m: u32, then: &str| {
+        let ways = (1..).zip(finds);
+        let ways = ways.map(|(drone, find)| format!("{drone} goto {find} up {up_m}\n"));
+        let ways = ways.collect::<String>();
+        format!("{ways}wait all arrived timeout 60s\nwait 4s\n{then}")
+    };
+    let rounds = |up_m, then| {
+        let all = [["c1", "c2", "c3"], ["c4", "c5", "c6"], ["c7", "c8", "c9"]];
+        all.map(|finds| round(finds, up_m, then)).concat()
+    };
+    let report = "all mark contacts as person\n";
+    for (looks, missed) in [
+        (rounds(12, ""), "kits"),
+        (rounds(30, "all drop\n"), "checked"),
+    ] {
+        let plain = flown(
+            mission,
+            &there_and_back(30, &format!("{search}{looks}{report}")),
+        );
+        assert!(is_met(&plain, "find"), "{:?}", plain.objectives);
+        assert!(!is_met(&plain, missed), "{:?}", plain.objectives);
+        assert_eq!(plain.medal, Some(Medal::Silver), "{}", plain.score);
+    }
+    let reference = include_str!("../../../missions/pilots/05-night-search.pilot");
+    let reference = flown(mission, reference);
+    assert_eq!(reference.medal, Some(Medal::Gold), "{}", reference.score);
 }
 
 /// The lines of a survey find the vent roughly; gold requires slow crossings close to it.
@@ -87,6 +143,15 @@ fn a_survey_for_the_sources_earns_less_than_gold() {
     let plain = flown(mission, &there_and_back(15, survey));
     assert!(is_met(&plain, "sources"), "{:?}", plain.objectives);
     assert_eq!(plain.medal, Some(Medal::Silver), "{}", plain.score);
+    // A second, lower survey is precise enough, but its lanes cross the place from one side only.
+    let closer = "1 survey west up 15 spacing 20\n2 survey east up 15 spacing 20\nwait all arrived timeout 400s\n\
+                  1 goto peak1 up 12\n2 goto peak2 up 12\nwait all arrived timeout 60s\nall speed 3\n\
+                  1 survey around peak1 radius 10 spacing 4 up 12\n\
+                  2 survey around peak2 radius 10 spacing 4 up 12\nwait all arrived timeout 300s\n\
+                  1 mark peak1 as source\n2 mark peak2 as source\nall speed 10\n";
+    let twice = flown(mission, &there_and_back(15, closer));
+    assert!(is_met(&twice, "close"), "{:?}", twice.objectives);
+    assert_eq!(twice.medal, Some(Medal::Silver), "{}", twice.score);
     let reference = include_str!("../../../missions/pilots/10-radiation-source.pilot");
     let reference = flown(mission, reference);
     assert_eq!(reference.medal, Some(Medal::Gold), "{}", reference.score);

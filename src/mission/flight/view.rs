@@ -57,6 +57,7 @@ impl Flight {
             answered_question: self.swarm.answered_question(),
             swarm: self.swarm.figures(&self.crafts, self.elapsed),
             places: self.places(),
+            can_confirm: self.mission.seats.can_confirm(),
             contacts: self.search.shown_contacts(&self.mission.site.origin),
             injects: self.injects(),
             marks: self.search.shown_marks(&self.mission.site.origin),

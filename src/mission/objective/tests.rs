@@ -129,6 +129,41 @@ fn a_flight_ends_when_the_last_report_is_20_s_old_right_or_wrong() {
     assert_eq!((ends_after(0.0), ends_after(40.0)), (20, 20));
 }
 
+/// Only looks before a report count, and whether the report is right plays no role.
+#[test]
+fn a_place_is_checked_by_a_stop_there_before_the_report() {
+    let objective = "[[objectives]]\nid = \"checked\"\ntitle = \"checked\"\nkind = \"checked\"\n\
+                     radius = 8\nmax_speed = 1\nheights = [10, 20]\ndwell = 4\nvalue = 1\n[scoring]";
+    let file = RADIATION.replacen("[scoring]", objective, 1);
+    let shown = |pilot: &mut Pilot| {
+        pilot.wait(0.5);
+        let objectives = pilot.flight.progress().objectives;
+        let found = objectives.iter().find(|it| it.title == "checked");
+        found.expect("it is there").detail.to_string()
+    };
+    let mut pilot = Pilot::flying(mission(&file), 2);
+    pilot.take_off(15.0);
+    pilot.goto(40.0, 0.0, 8.0);
+    mark_as(&mut pilot, [0.0, 40.0], FindKind::Source);
+    assert_eq!(shown(&mut pilot), "looked at closely: 0/1 reports");
+    pilot.wait(5.0);
+    assert_eq!(
+        shown(&mut pilot),
+        "looked at closely: 0/1 reports",
+        "too late"
+    );
+    mark_as(&mut pilot, [5.0, 42.0], FindKind::Source);
+    assert_eq!(shown(&mut pilot), "looked at closely: 1/2 reports");
+    pilot.goto(80.0, 0.0, 8.0);
+    pilot.goto(40.0, 0.0, 8.0);
+    mark_as(&mut pilot, [0.0, 60.0], FindKind::Source);
+    assert_eq!(
+        shown(&mut pilot),
+        "looked at closely: 1/3 reports",
+        "too fast"
+    );
+}
+
 /// The first comparison of the map is after 100 s.
 #[test]
 fn a_map_of_a_fire_is_as_good_as_what_was_seen_of_it_and_how_lately() {

@@ -48,6 +48,9 @@ fn a_wedge_keeps_its_shape_while_its_leader_goes_somewhere() {
     );
     stage.run(3.0);
     stage.say("1 goto n 150 e 0 up 30");
+    stage.run(0.5);
+    let leads = stage.rows("goto").into_iter().map(|(_, _, why)| why);
+    assert_eq!(leads.collect::<Vec<_>>(), ["leads the formation"]);
     let mut worst: f64 = 0.0;
     let arrived = stage.watch(120.0, |stage| {
         for (a, b) in [(1, 2), (1, 3), (1, 4), (1, 5)] {

@@ -117,12 +117,17 @@ fn counts(progress: &Progress) -> Vec<Text> {
         contacts.filter(|contact| contact.trust == trust).count()
     };
     let contacts = (!progress.contacts.is_empty()).then(|| {
-        text!(
-            "mission-contacts-count",
-            count = progress.contacts.len(),
-            confirmed = trusted(Trust::Confirmed),
-            reported = trusted(Trust::Reported)
-        )
+        let (count, reported) = (progress.contacts.len(), trusted(Trust::Reported));
+        if progress.can_confirm {
+            text!(
+                "mission-contacts-confirmed",
+                count = count,
+                confirmed = trusted(Trust::Confirmed),
+                reported = reported
+            )
+        } else {
+            text!("mission-contacts-count", count = count, reported = reported)
+        }
     });
     let marks = (!progress.marks.is_empty())
         .then(|| text!("mission-marks-count", count = progress.marks.len()));

@@ -123,6 +123,29 @@ fn alerts_loads_contacts_and_hints_are_in_the_flight_screen() {
     }
 }
 
+/// One kind of detector confirms nothing.
+#[test]
+fn confirmed_contacts_are_counted_only_where_a_second_kind_of_detector_can_confirm() {
+    let shown = |can_confirm| {
+        let mut console = crowded();
+        let progress = Progress {
+            can_confirm,
+            ..progress()
+        };
+        console.hear(SessionEvent::Mission(Box::new(progress)));
+        let size = (80, 24);
+        let text = drawn(
+            &resized(console, size),
+            Symbols::Braille,
+            Language::English,
+            size,
+        );
+        [text.contains("confirmed 1"), text.contains("contacts 3")]
+    };
+    assert_eq!(shown(true), [true, true]);
+    assert_eq!(shown(false), [false, true]);
+}
+
 #[test]
 fn what_cannot_wait_is_told_in_every_room_and_in_ukrainian() {
     let mut console = resized(crowded(), (80, 24));
