@@ -126,6 +126,7 @@ outcome-logs-armed = з активними двигунами апарат не 
 outcome-log-length = розмір { $file } — { $bytes } B, а в переліку апарата — { $expected } B: повторіть завантаження
 
 outcome-plan-left = { $vehicles }: тепер без частини, але на борту ще попередній план: його прибере `{ $vehicles } plan clear`
+outcome-plan-share = частини мають { $count } з { $all }: { $why }
 outcome-plan-idle = для цього апарата немає частини: { $reason }; його план на борту стирається
 rehearse-in-air = у повітрі: випробування починається на землі
 rehearse-waits = { $vehicles }: плани ще передаються або зчитуються; випробування чекає

@@ -116,11 +116,12 @@ impl FlightView {
         self.rehearsed.note(findings, &self.vehicles);
     }
 
-    /// Why an order needs a confirmation although its verb does not: by the state of its vehicles, or because the plans
-    /// that it starts have failed in a rehearsal or are the same.
+    /// Why an order needs a confirmation although its verb does not: by the state of its vehicles, because it leads out of
+    /// the mission's fence, or because the plans that it starts have failed in a rehearsal or are the same.
     pub fn hazard(&self, order: &Order) -> Option<Text> {
         let of_vehicles = order.hazard(&self.vehicles);
-        of_vehicles.or_else(|| match order.act {
+        let of_place = || self.fence_hazard(order);
+        of_vehicles.or_else(of_place).or_else(|| match order.act {
             Act::Command(Command::PlanFlight(PlanFlight::Start)) => {
                 self.rehearsed.hazard(order, &self.vehicles)
             }

@@ -1,5 +1,6 @@
 //! Plans for several vehicles.
 
+use crate::vehicle::{GlobalPosition, Vehicle};
 use super::*;
 use crate::commands::{Ground, PlanTask};
 use crate::plan::command;
