@@ -27,7 +27,7 @@ pub struct Training {
     /// The drones chosen for missions, by the mission's id: one for all seats or one per seat; empty for the mission's
     /// own.
     pub(in crate::app) fleets: BTreeMap<String, Vec<Design>>,
-    /// The designs that come with the program.
+    /// The designs that all users share: those of the program and of the administrator.
     pub(in crate::app) stock: Vec<Design>,
 }
 

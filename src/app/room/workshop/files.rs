@@ -194,7 +194,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
     }
 }
 
-/// The design with a name: one of the trainee's own before a built-in one.
+/// The design with a name: one of the trainee's own before a shared one.
 fn named<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
     let mut all = shelf::stored(state).into_iter();
     all.find(|it| it.design.name == name).map(|it| it.design)
