@@ -236,8 +236,10 @@ fn the_example_of_a_design_is_valid_and_its_table_complete() {
         panic!("one example, not {}", fences.len());
     };
     let design = Design::from_toml(&example.text).expect("no faults");
-    assert_eq!(design.to_toml(), example.text, "every slot, in order");
-    let (_, table) = text.text.split_once("| key | value | meaning |\n| --- | --- | --- |\n").expect("the table");
+    let written = design.to_toml();
+    assert_eq!(written.trim_end(), example.text.trim_end());
+    let head = "| key | value | meaning |\n| --- | --- | --- |\n";
+    let (_, table) = text.text.split_once(head).expect("the table");
     let rows = table.lines().take_while(|line| line.starts_with('|'));
     let keys: Vec<&str> = rows.filter_map(|row| row.split('`').nth(1)).collect();
     let slots = PartSlot::ALL.map(PartSlot::key);
