@@ -119,9 +119,8 @@ pub fn drill_of(mission: &str) -> Option<String> {
 /// # Errors
 /// No such script exists, or its file cannot be read.
 pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
-    at_path("file-pilot", path_or_name).unwrap_or_else(|| {
-        PILOT_FILES.named(path_or_name, &PILOT_FILES.merged(PILOTS))
-    })
+    at_path("file-pilot", path_or_name)
+        .unwrap_or_else(|| PILOT_FILES.named(path_or_name, &PILOT_FILES.merged(PILOTS)))
 }
 
 /// A design by path or by name.
@@ -325,8 +324,8 @@ impl FolderFiles {
             .collect();
         if let Some(folders) = Folders::find() {
             let layers = folders.layers();
-            let found = layers
-                .flat_map(|layer| files(&layer.join(self.folder), self.kind, self.ending));
+            let found =
+                layers.flat_map(|layer| files(&layer.join(self.folder), self.kind, self.ending));
             all.extend(found.map(|source| (source.stem().to_owned(), source)));
         }
         all.into_values().collect()

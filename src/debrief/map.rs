@@ -197,10 +197,7 @@ impl TextMap {
             .max(1.0);
         for step in 0..=steps as usize {
             let share = step as f64 / steps;
-            self.put(
-                [from[0] + east_m * share, from[1] + north_m * share],
-                sign,
-            );
+            self.put([from[0] + east_m * share, from[1] + north_m * share], sign);
         }
     }
 

@@ -370,7 +370,10 @@ fn a_mission_that_ends_with_the_landing_has_its_verdict_although_the_input_has_e
     let lines = "all guided\nall arm\nall takeoff 5\nwait all arrived timeout 20s\nall land\n\
                  wait all disarmed timeout 60s\n";
     let (said, code) = plain(&["fly", file, "--plain", "--speedup", "20"], lines);
-    assert!(said.contains("objective missed") && said.contains("PASSED"), "{said}");
+    assert!(
+        said.contains("objective missed") && said.contains("PASSED"),
+        "{said}"
+    );
     assert_eq!(code, Some(0), "{said}");
 }
 

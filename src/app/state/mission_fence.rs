@@ -95,8 +95,14 @@ mod tests {
             ("1 goto by n 110 e 0", true),
             ("1 goto 50.4505 30.5205", false),
             ("1 goto 50.46 30.52", true),
-            ("1 plan search square around 50.4501 30.5201 radius 40", false),
-            ("1 plan search square around 50.4501 30.5201 radius 400", true),
+            (
+                "1 plan search square around 50.4501 30.5201 radius 40",
+                false,
+            ),
+            (
+                "1 plan search square around 50.4501 30.5201 radius 400",
+                true,
+            ),
             ("1 plan orbit 50.46 30.52 radius 20", true),
             ("1 plan survey around 50.46 30.53 radius 50", true),
             ("1 land", false),

@@ -96,14 +96,19 @@ fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
     Some(match sharing_fault(data, readers)? {
         SharingFault::NotShared => HostFinding::fault(
             "profiles",
-            format!("results.readers is \"group\", but the group cannot read {name}: its setgid bit is missing"),
+            format!(
+                "results.readers is \"group\", but the group cannot read {name}: its setgid bit is missing"
+            ),
             format!("as root: chmod g+rxs {name}"),
         ),
         SharingFault::OtherGroup(count) => {
-            let group = fs::metadata(data).map_or_else(|_| "GROUP".to_owned(), |it| group_name(it.gid()));
+            let group =
+                fs::metadata(data).map_or_else(|_| "GROUP".to_owned(), |it| group_name(it.gid()));
             HostFinding::fault(
                 "profiles",
-                format!("{count} of the files and folders in {name} do not belong to its group, {group}, which cannot read them"),
+                format!(
+                    "{count} of the files and folders in {name} do not belong to its group, {group}, which cannot read them"
+                ),
                 format!("as root: chgrp -R {group} {name}"),
             )
         }

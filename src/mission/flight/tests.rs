@@ -262,7 +262,10 @@ fn vehicles_that_return_are_not_told_to_go_on() {
         pilot.set_mode(mode);
         pilot.wait(1.0);
         let returning = hint(&pilot).expect("a hint");
-        assert!(returning.contains("objectives are still open"), "{returning}");
+        assert!(
+            returning.contains("objectives are still open"),
+            "{returning}"
+        );
     }
     pilot.set_mode("GUIDED");
     pilot.wait(1.0);

@@ -54,7 +54,12 @@ fn draw_nothing(panel: Panel<'_>, buffer: &mut Buffer) {
     let place = below(panel.area, 1);
     let lines = wrap(&panel.say("debrief-none"), panel.width());
     for (row, line) in (0..).zip(lines) {
-        put(buffer, place, row, &Line::styled(line, panel.style(Role::Muted)));
+        put(
+            buffer,
+            place,
+            row,
+            &Line::styled(line, panel.style(Role::Muted)),
+        );
     }
 }
 

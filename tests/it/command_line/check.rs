@@ -138,14 +138,23 @@ fn a_folder_is_checked_with_all_that_lies_below_it() {
 #[test]
 fn a_faulty_design_has_faults_of_a_design_and_an_unknown_file_says_so() {
     let folder = folder_with(&[
-        ("lab.toml", "schema = 1\nname = \"Lab\"\n[parts]\nframe = \"x\"\n"),
+        (
+            "lab.toml",
+            "schema = 1\nname = \"Lab\"\n[parts]\nframe = \"x\"\n",
+        ),
         ("odd.toml", "id = \"lab\"\ntitle = \"Lab\"\n[parts]\n"),
     ]);
     let checked = sortie(&["check", folder.path().to_str().expect("plain")]);
     let found = text(&checked.stdout);
     assert_eq!(checked.status.code(), Some(1), "{found}");
-    assert!(found.contains("lab.toml:3:2: unknown field `parts`"), "{found}");
-    assert!(found.contains("odd.toml:1:1: unknown kind of file"), "{found}");
+    assert!(
+        found.contains("lab.toml:3:2: unknown field `parts`"),
+        "{found}"
+    );
+    assert!(
+        found.contains("odd.toml:1:1: unknown kind of file"),
+        "{found}"
+    );
     assert!(!found.contains("objectives` is missing"), "{found}");
 }
 
@@ -163,7 +172,10 @@ fn the_second_mission_with_an_id_is_a_fault_and_a_replacement_is_none() {
     let faults: Vec<&str> = found.lines().filter(|it| it.contains("already")).collect();
     assert_eq!(faults.len(), 1, "{found}");
     assert!(faults[0].contains("copy.toml:3:6: the mission "), "{found}");
-    assert!(faults[0].contains("a/01-air-sample.toml has the id"), "{found}");
+    assert!(
+        faults[0].contains("a/01-air-sample.toml has the id"),
+        "{found}"
+    );
 }
 
 #[test]
@@ -177,9 +189,15 @@ fn a_mission_that_cannot_be_read_is_named_with_the_reason() {
         text(&output.stderr)
     };
     let gone = run("53");
-    assert!(gone.contains("53-gone.toml is a link to /nowhere/53.toml, which"), "{gone}");
+    assert!(
+        gone.contains("53-gone.toml is a link to /nowhere/53.toml, which"),
+        "{gone}"
+    );
     let odd = run("54");
-    assert!(odd.contains("54-odd.toml") && !odd.contains("no mission"), "{odd}");
+    assert!(
+        odd.contains("54-odd.toml") && !odd.contains("no mission"),
+        "{odd}"
+    );
     let path = missions.join("53-gone.toml");
     let checked = sortie(&["check", path.to_str().expect("plain")]);
     let said = text(&checked.stderr);
