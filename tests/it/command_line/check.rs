@@ -106,6 +106,16 @@ fn files_are_checked_in_the_language_of_the_user() {
 }
 
 #[test]
+fn faults_of_missions_are_in_the_language_of_the_user() {
+    let checked = sortie(&["check", "tests/data/bad_missions", "--lang", "uk"]);
+    let found = text(&checked.stdout);
+    assert!(found.contains("bad-id.toml:2:6: id завдання"), "{found}");
+    for english in [" must ", "unknown ", "missing ", "more than"] {
+        assert!(!found.contains(english), "{english}: {found}");
+    }
+}
+
+#[test]
 fn a_folder_does_not_hide_the_mission_of_the_same_name() {
     let folder = folder_with(&[("01/notes.txt", "mine")]);
     let output = sortie_in(folder.path(), &["run", "01", "--pilot", "nobody"]);
