@@ -29,7 +29,7 @@ fault-from-below = `partial_from` має бути меншим за `target`
 fault-from-above = `partial_from` має бути більшим за `target`: що менше, то краще
 fault-vehicle-number = `vehicle` — число від 1 до { $last }
 fault-within-ok = `within` потребує `ok`: умови, яка відповідає на тривогу
-fault-victim = `{ $name }` — число від 1 до { $last }, "all" або "random"
+fault-victim = `{ $name }` — число від 1 до { $last }, `"all"` або `"random"`
 fault-condition-long = умова має щонайбільше { $most } символів
 fault-place-taken = `pad`, `pad1`, `c1`, `fire1`, `gate1`, `peak`, `peak1` і `next` — назви власних місць польоту
 fault-place-cell = `{ $name }` — клітинка з `{ $survey }`
@@ -57,7 +57,7 @@ fault-zone-shape = зона має або `polygon`, або `center` і `radius`
 fault-zone-floor = `floor` має бути нижче за `ceiling`
 fault-own-drill = завдання не може бути вправою до самого себе
 fault-mission-id = id завдання — від 1 до 40 малих латинських літер, цифр і `-`
-fault-schema = ця програма читає лише schema { $known }
+fault-schema = ця програма читає лише `schema = { $known }`
 fault-no-mission = це не файл завдання
 fault-place-id = id місця починається з літери: від 2 до 32 латинських літер, цифр, `-` і `_`
 fault-design-id = id проєкту — від 1 до 40 малих латинських літер, цифр, `-` і `_`
