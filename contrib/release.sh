@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Builds the Linux archive of a release: the static program, completions, manual pages, documents and licences.
+# Builds the Linux archive of a release: the static program, completions, manual pages, documents, the files that they
+# name (missions, designs, examples for the API), and licences.
 #
 #   contrib/release.sh [TARGET] [FOLDER]
 #
@@ -34,6 +35,7 @@ cp "$program" README.md CHANGELOG.md LICENSE "$stage/"
 cp docs/*.md "$stage/docs/"
 cp docs/images/*.svg "$stage/docs/images/"
 cp contrib/sortie-hangar.service "$stage/systemd/"
+git archive HEAD missions designs examples/api | tar --extract --directory "$stage"
 for shell in bash zsh fish elvish powershell; do
     "$program" completions "$shell" >"$stage/completions/sortie.$shell"
 done

@@ -32,12 +32,7 @@ use layout::{clock, pieces};
 pub const WIDTH: usize = 80;
 /// The debrief of a report, in a language.
 pub fn text(report: &Report, locale: &Locale) -> String {
-    text_with(report, &[], locale)
-}
-
-/// The debrief, with the reward for a career (if any) before the explanation of the score.
-pub fn text_with(report: &Report, career: &[Text], locale: &Locale) -> String {
-    let page = lines_with(report, career, locale).into_iter();
+    let page = lines_with(report, &DebriefCareer::default(), locale).into_iter();
     let lines: Vec<String> = page.map(|line| line.text).collect();
     lines.join("\n") + "\n"
 }
@@ -52,12 +47,21 @@ pub fn explanation(report: &Report, locale: &Locale, width: usize) -> Vec<Debrie
     page.finished()
 }
 
+/// A career's part of the page.
+#[derive(Debug, Clone, Default)]
+pub struct DebriefCareer {
+    /// The changes by the flight, most important first; shown before the explanation of the score.
+    pub changes: Vec<Text>,
+    /// What to fly once nothing is left to improve; `None` without a career.
+    pub next: Option<Text>,
+}
+
 /// The page line by line, for screens that show the tone of each line.
-pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<DebriefLine> {
+pub fn lines_with(report: &Report, career: &DebriefCareer, locale: &Locale) -> Vec<DebriefLine> {
     let mut page = DebriefPage::new(locale);
     page.head(report);
     page.objectives(report);
-    page.career(career);
+    page.career(&career.changes);
     page.components(report);
     page.timeline(report);
     page.improvements(report);
@@ -65,7 +69,7 @@ pub fn lines_with(report: &Report, career: &[Text], locale: &Locale) -> Vec<Debr
     page.workload(report);
     page.map(&report.truth);
     page.tries(report);
-    page.next(report);
+    page.next(report, career.next.as_ref());
     page.finished()
 }
 
@@ -267,7 +271,7 @@ impl DebriefPage<'_> {
     }
 
     /// Writes the most important thing to do next.
-    fn next(&mut self, report: &Report) {
+    fn next(&mut self, report: &Report, in_career: Option<&Text>) {
         self.heading("debrief-next");
         let improvement = report.improvements.first().map(|first| &first.text);
         // After gold, no improvement is left in this mission.
@@ -281,7 +285,9 @@ impl DebriefPage<'_> {
             (_, None) if !report.passed => text!("debrief-next-same"),
             (_, None) => match points::gold_missing(report) {
                 Some(gates) => text!("debrief-next-gold", gates = gates),
-                None => text!("debrief-next-on"),
+                None => in_career
+                    .cloned()
+                    .unwrap_or_else(|| text!("debrief-next-on")),
             },
         };
         self.wrapped("  ", &text);

@@ -61,7 +61,7 @@ impl Diagnostic {
 
     /// A fault reported by the TOML reader.
     pub fn from_toml(error: &toml::de::Error) -> Self {
-        Self::new(error.span().unwrap_or(0..0), error.message())
+        Self::new(error.span().unwrap_or(0..0), toml_words(error.message()))
     }
 
     /// Line and column in `source`, both counted from 1; columns are characters.
@@ -123,6 +123,39 @@ impl Diagnostic {
         };
         renderer.render(&report)
     }
+}
+
+/// A message of the TOML reader as a text of this program. Those about the syntax are English in every language.
+pub fn toml_words(message: &str) -> Text {
+    let named = |before: &str| message.strip_prefix(before)?.split_once('`');
+    if let Some((name, rest)) = named("unknown field `") {
+        let known = listed(rest);
+        return if known.is_empty() {
+            text!("fault-key-none", name = name)
+        } else {
+            text!("fault-key-unexpected", name = name, known = known)
+        };
+    }
+    if let Some((name, rest)) = named("unknown variant `") {
+        return text!("fault-value-unknown", name = name, known = listed(rest));
+    }
+    if let Some((name, _)) = named("missing field `") {
+        return text!("fault-key-missing", name = name);
+    }
+    let types = message.strip_prefix("invalid type: ");
+    if let Some((found, wanted)) = types.and_then(|it| it.rsplit_once(", expected ")) {
+        return text!("fault-type", found = found, wanted = wanted);
+    }
+    match message {
+        "duplicate key" => text!("fault-key-twice"),
+        words => text!("fault-syntax", words = words),
+    }
+}
+
+/// The names in backticks, separated by commas.
+fn listed(text: &str) -> String {
+    let names: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
+    names.join(", ")
 }
 
 /// The maximum number of faults listed per file.
@@ -210,6 +243,33 @@ fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn messages_of_the_toml_reader_are_texts() {
+        for (message, words) in [
+            (
+                "unknown field `blink`, expected one of `fg`, `bg`, `bold`",
+                "unknown field `blink`; known: fg, bg, bold",
+            ),
+            (
+                "unknown field `x`, there are no fields",
+                "unknown field `x`: no fields are allowed here",
+            ),
+            (
+                "unknown variant `up`, expected `on` or `off`",
+                "unknown value `up`; known: on, off",
+            ),
+            ("missing field `brief`", "missing field `brief`"),
+            (
+                "invalid type: string \"8, expected 9\", expected a number",
+                "invalid type: string \"8, expected 9\", expected a number",
+            ),
+            ("duplicate key", "duplicate key"),
+            ("extra `=`, expected nothing", "extra `=`, expected nothing"),
+        ] {
+            assert_eq!(toml_words(message).to_string(), words);
+        }
+    }
 
     #[test]
     fn places_are_counted_in_characters_from_one() {

@@ -197,6 +197,7 @@ impl Operator {
             Ok(plans) => plans,
             Err(reason) => return refused(entry, order, &reason, scene.now),
         };
+        let share = plans.share_words();
         let idle = plans.idle;
         let uploads = plans.plans.into_iter().map(|(vehicle, document)| {
             let source = PlanSource::document(Arc::new(document));
@@ -210,8 +211,9 @@ impl Operator {
         }
         let left = self.divided.divide(&order.targets);
         let left = left_over(&carrying(&left, scene.vehicles));
-        if let Some((text, first)) = left.as_ref().zip(commands.values_mut().next()) {
-            remark(first, text);
+        let remarks: Vec<Text> = share.into_iter().chain(left.clone()).collect();
+        if let Some(first) = commands.values_mut().next().filter(|_| !remarks.is_empty()) {
+            remark(first, &Text::joined("; ", remarks));
         }
         let mut work = Vec::new();
         for &vehicle in &order.targets {

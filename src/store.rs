@@ -57,7 +57,7 @@ pub use records::{
 };
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use settlement::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
-pub use sharing::share_with_group;
+pub use sharing::{SharingFault, share_with_group, sharing_fault};
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, read_bytes, read_found, read_start};
 pub use terrain::add_square;
@@ -88,7 +88,7 @@ pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
         };
         match all.iter().find(has_id) {
             Some(source) => Ok(source.clone()),
-            None => named("file-mission", path_or_name, &all),
+            None => MISSION_FILES.named(path_or_name, &all),
         }
     })?;
     Mission::parse(&source.text).map_err(|faults| StoreError::Faulty {
@@ -120,10 +120,8 @@ pub fn drill_of(mission: &str) -> Option<String> {
 /// # Errors
 /// No such script exists, or its file cannot be read.
 pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
-    at_path("file-pilot", path_or_name).unwrap_or_else(|| {
-        let all = merged("file-pilot", PILOTS, "missions/pilots", "pilot");
-        named("file-pilot", path_or_name, &all)
-    })
+    at_path("file-pilot", path_or_name)
+        .unwrap_or_else(|| PILOT_FILES.named(path_or_name, &PILOT_FILES.merged(PILOTS)))
 }
 
 /// A design by path or by name.
@@ -132,7 +130,7 @@ pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
 /// No such design exists, or its file cannot be read or has faults.
 pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
     let source = at_path("file-design", path_or_name)
-        .unwrap_or_else(|| named("file-design", path_or_name, &designs()))?;
+        .unwrap_or_else(|| DESIGN_FILES.named(path_or_name, &designs()))?;
     Design::from_toml(&source.text).map_err(|faults| StoreError::Faulty {
         file: source,
         faults,
@@ -141,20 +139,17 @@ pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
 
 /// All designs by name: the embedded ones, with those of the folders added or replacing them.
 pub fn designs() -> Vec<Source> {
-    merged("file-design", DESIGNS, "designs", "toml")
+    DESIGN_FILES.merged(DESIGNS)
 }
 
 /// All missions by name: the embedded ones, with those of the folders added or replacing them.
 pub fn missions() -> Vec<Source> {
-    merged("file-mission", MISSIONS, MISSION_FOLDER, "toml")
+    MISSION_FILES.merged(MISSIONS)
 }
 
 /// The errors of the unreadable mission files in the folders.
 pub fn unreadable_missions() -> Vec<StoreError> {
-    let folders = Folders::find();
-    let layers = folders.iter().flat_map(Folders::layers);
-    let all = layers.flat_map(|layer| found(&layer.join(MISSION_FOLDER), "file-mission", "toml"));
-    all.filter_map(Result::err).collect()
+    MISSION_FILES.unreadable()
 }
 
 /// The missions of the course, by name: the embedded ones, and those that the administrator's
@@ -235,7 +230,7 @@ pub fn course() -> MissionCourse {
 
 /// The themes in the administrator's and the user's folders.
 pub fn themes() -> Vec<Source> {
-    merged("file-theme", &[], folders::THEMES, "toml")
+    THEME_FILES.merged(&[])
 }
 
 /// The files with that ending in a folder, by name; those that cannot be read are left out and
@@ -284,39 +279,86 @@ pub fn paths_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     paths
 }
 
-/// The file at that path, if there is one. A folder does not count, since it may have the name of a mission.
+/// The file at that path, if there is one. A folder does not count, since it may have the name of a mission; a link
+/// whose file is missing counts.
 fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>> {
     let path = Path::new(path);
-    (path.exists() && !path.is_dir()).then(|| read(path, kind))
+    let is_there = path.exists() || path.is_symlink();
+    (is_there && !path.is_dir()).then(|| read(path, kind))
 }
 
-/// All files of a kind by name: the user's own files replace the administrator's, which replace the embedded ones.
-fn merged(kind: &'static str, known: &[(&str, &str)], folder: &str, ending: &str) -> Vec<Source> {
-    let mut all: BTreeMap<String, Source> = known
-        .iter()
-        .map(|&(name, text)| (name.to_owned(), embedded(name, ending, text)))
-        .collect();
-    if let Some(folders) = Folders::find() {
-        let found = folders
-            .layers()
-            .flat_map(|layer| files(&layer.join(folder), kind, ending));
-        all.extend(found.map(|source| (source.stem().to_owned(), source)));
+/// Files of a kind in the folders of the user and of the administrator.
+struct FolderFiles {
+    /// The id of the message that names the kind.
+    kind: &'static str,
+    folder: &'static str,
+    ending: &'static str,
+}
+
+const MISSION_FILES: FolderFiles = FolderFiles {
+    kind: "file-mission",
+    folder: MISSION_FOLDER,
+    ending: "toml",
+};
+const PILOT_FILES: FolderFiles = FolderFiles {
+    kind: "file-pilot",
+    folder: "missions/pilots",
+    ending: "pilot",
+};
+const DESIGN_FILES: FolderFiles = FolderFiles {
+    kind: "file-design",
+    folder: "designs",
+    ending: "toml",
+};
+
+const THEME_FILES: FolderFiles = FolderFiles {
+    kind: "file-theme",
+    folder: folders::THEMES,
+    ending: "toml",
+};
+
+impl FolderFiles {
+    /// All files by name: the user's own files replace the administrator's, which replace the embedded ones.
+    fn merged(&self, known: &[(&str, &str)]) -> Vec<Source> {
+        let mut all: BTreeMap<String, Source> = known
+            .iter()
+            .map(|&(name, text)| (name.to_owned(), embedded(name, self.ending, text)))
+            .collect();
+        if let Some(folders) = Folders::find() {
+            let layers = folders.layers();
+            let found =
+                layers.flat_map(|layer| files(&layer.join(self.folder), self.kind, self.ending));
+            all.extend(found.map(|source| (source.stem().to_owned(), source)));
+        }
+        all.into_values().collect()
     }
-    all.into_values().collect()
-}
 
-/// The file with a name, a number, or a unique prefix.
-fn named(kind: &'static str, name: &str, all: &[Source]) -> Result<Source, StoreError> {
-    let names: Vec<&str> = all.iter().map(Source::stem).collect();
-    let found = names
-        .iter()
-        .position(|known| Some(*known) == mission_meant(name, &names));
-    let unknown = || StoreError::Unknown {
-        kind,
-        name: name.to_owned(),
-        known: names.join(", "),
-    };
-    found.map(|at| all[at].clone()).ok_or_else(unknown)
+    /// Why files in the folders cannot be read.
+    fn unreadable(&self) -> Vec<StoreError> {
+        let folders = Folders::find();
+        let layers = folders.iter().flat_map(Folders::layers);
+        let all = layers.flat_map(|layer| found(&layer.join(self.folder), self.kind, self.ending));
+        all.filter_map(Result::err).collect()
+    }
+
+    /// The file with a name, a number, or a unique prefix.
+    fn named(&self, name: &str, all: &[Source]) -> Result<Source, StoreError> {
+        let names: Vec<&str> = all.iter().map(Source::stem).collect();
+        let meant = mission_meant(name, &names);
+        if let Some(source) = all.iter().find(|it| Some(it.stem()) == meant) {
+            return Ok(source.clone());
+        }
+        let unreadable = self.unreadable();
+        let stems: Vec<&str> = unreadable.iter().filter_map(StoreError::stem).collect();
+        let meant = mission_meant(name, &stems).map(str::to_owned);
+        let mut errors = unreadable.into_iter();
+        let unread = errors.find(|it| meant.is_some() && it.stem() == meant.as_deref());
+        Err(unread.unwrap_or_else(|| StoreError::Unknown {
+            kind: self.kind,
+            name: name.to_owned(),
+            known: names.join(", "),
+        }))
+    }
 }
 
 fn embedded(name: &str, ending: &str, text: &str) -> Source {

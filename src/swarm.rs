@@ -16,7 +16,7 @@
 
 use std::time::Duration;
 
-use crate::commands::{Act, Command, Destination, FlightCommand, Manoeuvre, MotionCommand, Order};
+use crate::commands::{Act, Command, FlightCommand, Manoeuvre, MotionCommand, Order};
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
@@ -25,11 +25,12 @@ use crate::rehearsal::TOO_NEAR_M;
 use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{GlobalPosition, Vehicle, VehicleId, Vehicles};
+use crate::vehicle::{Severity, VehicleId, Vehicles};
 use crate::verb::Verb;
 
 mod act;
 mod divided;
+mod gathering;
 mod geometry;
 mod guard;
 mod lanes;
@@ -45,7 +46,7 @@ mod transit;
 use act::{ActiveManoeuvre, WorldView};
 pub use divided::{DividedWork, carrying};
 use planner::Planner;
-pub use tasks::base;
+pub use tasks::{base, outermost_places};
 
 /// The minimum line spacing that a sensor sets, in metres; a narrower strip is ignored.
 const LEAST_SPACING_M: f64 = 0.3;
@@ -231,6 +232,9 @@ impl Conductor {
                 left.retain(|id| !claimed.contains(id));
             }
             self.release(&left, &ordered.verb.name.into(), vehicles, now);
+            let meeting = gathering::meeting(ordered.command, &left, vehicles, self.rules);
+            let notice = meeting.map(|text| Notice::general(now, Severity::Warning, text));
+            self.waiting.notices.extend(notice);
         }
         Assignment {
             alone: left,
@@ -340,7 +344,8 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
             altitude_m: Some(*altitude_m),
         }),
         Command::Motion(MotionCommand::Goto { destination, .. }) => {
-            destined(*destination, leader, here)
+            let (place, altitude_m) = destination.of(leader)?;
+            Some(FormationGoal { place, altitude_m })
         }
         Command::Motion(
             MotionCommand::Speed { .. }
@@ -361,42 +366,4 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
         | Command::Signing(_)
         | Command::Raw(_) => None,
     }
-}
-
-/// A formation's destination, from that of its leader; `None` if the leader's position is unknown.
-fn destined(
-    destination: Destination,
-    leader: &Vehicle,
-    here: GlobalPosition,
-) -> Option<FormationGoal> {
-    let goal = match destination {
-        Destination::Global {
-            at_point,
-            altitude_m,
-        } => FormationGoal {
-            place: at_point,
-            altitude_m,
-        },
-        Destination::Local {
-            north_m,
-            east_m,
-            up_m,
-        } => {
-            let [north, east, down] = leader.local?.ned_m.map(f64::from);
-            FormationGoal {
-                place: here.at_point.moved(north_m - north, east_m - east),
-                // Heights count from the origin here, and home may lie higher.
-                altitude_m: up_m.map(|up_m| here.altitude_m + up_m + down),
-            }
-        }
-        Destination::Offset {
-            north_m,
-            east_m,
-            up_m,
-        } => FormationGoal {
-            place: here.at_point.moved(north_m, east_m),
-            altitude_m: Some(here.altitude_m + up_m),
-        },
-    };
-    Some(goal)
 }

@@ -4,7 +4,7 @@ config-unknown = unknown setting `{ $name }`
 config-wrong = `{ $name }` must be { $expected }
 config-wrong-word = `{ $name }` must be { $expected }, not `{ $word }`
 config-section = `{ $name }` is a section: write `[{ $name }]` on a line of its own and its settings below
-config-log-level = unknown log levels: { $error }
+config-log-level = unknown log levels: `{ $written }`; the levels are error, warn, info, debug and trace, also for one module: `warn,sortie::link=debug`
 config-expected-word = one of { $choices }
 config-expected-text = text in quotes
 config-expected-number = a whole number from { $least } to { $most }

@@ -71,6 +71,7 @@ debrief-sign = { $sign } { $meaning }
 debrief-sign-gap = not covered
 debrief-sign-track = flown
 debrief-sign-pad = pad
+debrief-sign-wire = power line
 debrief-sign-decoy = harmless
 debrief-sign-there = present, not an objective
 debrief-sign-false = false report
@@ -92,6 +93,8 @@ debrief-next-drill = Fly the drill { $drill }, then this mission again: { $what 
 debrief-next-again = Next try: { $what }
 debrief-next-on = Go on to the next mission.
 debrief-next-gold = Next try: gold needs { $gates }.
+debrief-next-mission = Go on with "{ $mission }".
+debrief-next-count = Fly this mission for credits: practice opens no other.
 debrief-last-mission = this was the last mission
 
 # The map of the debrief.
@@ -104,7 +107,7 @@ truth-unasked = present, not an objective
 truth-decoy = harmless
 truth-false = false report
 truth-strength = % of the strongest
-truth-gate = gate
+truth-gate = gates
 truth-gaps = not covered
 debrief-not-flown = Nothing counts before the first takeoff.
 debrief-next-same = Fly this mission again.

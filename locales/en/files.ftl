@@ -12,6 +12,7 @@ file-missing-folder = { $path }: no folder { $folder }
 file-missing-folder-near = { $path }: no folder { $folder }; did you mean `{ $name }`?
 file-is-folder = { $path } is a folder, not a file
 file-no-data = no data folder { $path }: check the path, or create a profile or fly first
+file-dangling = { $path } is a link to { $target }, which does not exist
 file-forbidden = no permission to read { $path }
 file-unwritable = cannot write { $path }: { $error }
 file-exists = { $path } already exists: choose another path
@@ -55,6 +56,10 @@ record-frames-dropped = the disk is too slow for this flight: frames are missing
 
 # `sortie check`
 check-good = { $file }: good
+check-kind = unknown kind of file: neither a mission nor a design, a theme, a keymap or a configuration
+check-kind-help = a mission has sections such as `objectives`, a design `name` and `frame`, a theme `roles`, a keymap rooms such as `fly`, a configuration settings such as `lang`
+check-same-id = the mission { $file } has the id `{ $id }` already
+check-same-id-help = give it an id of its own: of several missions with one id, only the first is found
 check-note = { $line } (a note, not a fault)
 
 # `sortie verify`

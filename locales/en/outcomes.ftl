@@ -135,6 +135,7 @@ outcome-logs-armed = the vehicle sends no logs while armed: { $percent } % of lo
 outcome-log-length = { $file } has { $bytes } bytes, but the vehicle lists { $expected }: repeat the download
 
 outcome-plan-left = no part for { $vehicles } now, but an earlier plan is still on board: `{ $vehicles } plan clear` removes it
+outcome-plan-share = parts for { $count } of { $all }: { $why }
 outcome-plan-idle = no part for this vehicle: { $reason }; its plan on board is cleared
 rehearse-in-air = in the air: a rehearsal begins on the ground
 rehearse-waits = waiting for the plans of { $vehicles }, which are being sent or read

@@ -67,6 +67,7 @@ hazard-plan-met = too close: { $pairs }
 hazard-plan-rehearse-these = to rehearse only these plans: `{ $targets } plan rehearse`
 hazard-plan-same = { $first } and { $second } carry the same plan: flown together, they would meet
 hazard-plan-armed = a vehicle is armed
+hazard-outside-fence = leads out of the mission's fence ({ $fence }), which breaks a rule
 hazard-fence-off = a vehicle is armed: without the fence, it can fly out of its area
 refused-logs-here = logs cannot be read this way: use `logs list` or `logs download`
 refused-logs-none-read = no list or download of logs is under way

@@ -4,7 +4,7 @@ config-unknown = невідоме налаштування `{ $name }`
 config-wrong = значенням `{ $name }` має бути { $expected }
 config-wrong-word = значенням `{ $name }` має бути { $expected }, а не `{ $word }`
 config-section = `{ $name }` — це розділ: напишіть `[{ $name }]` окремим рядком, а його налаштування нижче
-config-log-level = невідомі рівні журналу: { $error }
+config-log-level = невідомі рівні журналу: `{ $written }`; рівні — `error`, `warn`, `info`, `debug` і `trace`, також для одного модуля: `warn,sortie::link=debug`
 config-expected-word = одне зі слів: { $choices }
 config-expected-text = текст у лапках
 config-expected-number = ціле число від { $least } до { $most }

@@ -71,6 +71,7 @@ debrief-sign = { $sign } { $meaning }
 debrief-sign-gap = не обстежено
 debrief-sign-track = шлях
 debrief-sign-pad = майданчик
+debrief-sign-wire = дріт ЛЕП
 debrief-sign-decoy = безпечне
 debrief-sign-there = було, але поза завданням
 debrief-sign-false = хибне повідомлення
@@ -92,6 +93,8 @@ debrief-next-drill = Виконайте вправу { $drill }, тоді це �
 debrief-next-again = Наступна спроба: { $what }
 debrief-next-on = Переходьте до наступного завдання.
 debrief-next-gold = Наступна спроба: для золота треба: { $gates }.
+debrief-next-mission = Далі — «{ $mission }».
+debrief-next-count = Виконайте це завдання на кредити: тренування інших не відкриває.
 debrief-last-mission = це було останнє завдання
 
 # Карта розбору.

@@ -13,6 +13,7 @@ file-missing-folder = { $path }: немає теки { $folder }
 file-missing-folder-near = { $path }: немає теки { $folder }; може, `{ $name }`?
 file-is-folder = { $path } — тека, а не файл
 file-no-data = теки даних { $path } немає: перевірте шлях або спершу створіть профіль чи політайте
+file-dangling = { $path } — посилання на { $target }, якого немає
 file-forbidden = немає дозволу читати { $path }
 file-unwritable = не вдається записати { $path }: { $error }
 file-exists = { $path } вже є: виберіть інший шлях
@@ -58,6 +59,10 @@ record-frames-dropped = диск заповільний для цього пол
 
 # `sortie check`
 check-good = { $file }: помилок немає
+check-kind = невідомий вид файлу: це не завдання, не проєкт, не тема, не розкладка клавіш і не конфігурація
+check-kind-help = завдання має розділи, як-от `objectives`, проєкт — `name` і `frame`, тема — `roles`, розкладка — екрани, як-от `fly`, конфігурація — налаштування, як-от `lang`
+check-same-id = id `{ $id }` уже має завдання { $file }
+check-same-id-help = дайте йому власний id: з кількох завдань з одним id знаходиться лише перше
 check-note = { $line } (примітка, не помилка)
 
 # `sortie verify`

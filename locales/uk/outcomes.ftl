@@ -147,6 +147,7 @@ outcome-log-length = розмір { $file } — { $bytes } B, а в перелі
 
 outcome-plan-left = { $vehicles }: тепер без частини роботи, але на борту ще попередній план: його прибере `{ $vehicles } plan clear`
 outcome-plan-idle = для цього апарата немає частини роботи: { $reason }; його план на борту стирається
+outcome-plan-share = частини мають { $count } з { $all }: { $why }
 rehearse-in-air = у повітрі: випробування починається на землі
 rehearse-waits = { $vehicles }: плани ще передаються або зчитуються; випробування чекає
 rehearse-unread = план на борту ще не зчитано: його читає `plan show`

@@ -70,6 +70,7 @@ hazard-plan-met = надто близько: { $pairs }
 hazard-plan-rehearse-these = `{ $targets } plan rehearse` випробує лише ці плани
 hazard-plan-same = { $first } і { $second } мають той самий план: у спільному польоті вони зіткнуться
 hazard-plan-armed = двигуни апарата активні
+hazard-outside-fence = веде за межі геозони завдання ({ $fence }), а це порушує правило
 hazard-fence-off = двигуни апарата активні: без геозони він може вилетіти за межі ділянки
 refused-logs-here = так журнали прочитати не можна: скористайтеся `logs list` або `logs download`
 refused-logs-none-read = зараз не триває ні читання переліку журналів, ні завантаження журналів

@@ -28,6 +28,7 @@ mod heights;
 mod help;
 mod history;
 mod links;
+mod mission_fence;
 mod names;
 mod notices;
 mod overlay;

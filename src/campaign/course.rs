@@ -183,6 +183,13 @@ impl MissionCourse {
         }
     }
 
+    /// Whether a mission may be flown; a drill that was passed also needs its mission open.
+    fn is_open(&self, offer: &Offer, standing: &CareerStanding, day: i64) -> bool {
+        let mission = offer.drill_of.as_deref().and_then(|of| self.offer(of));
+        let mut both = std::iter::once(offer).chain(mission);
+        both.all(|it| !matches!(self.stage(it, standing, day), MissionStage::Locked(_)))
+    }
+
     fn reasons(&self, offer: &Offer, standing: &CareerStanding, day: i64) -> Vec<LockReason> {
         let title = |id: &String| {
             let known = self.offer(id).map(|offer| offer.title.clone());
@@ -227,7 +234,7 @@ impl MissionCourse {
         let open: Vec<&Offer> = self
             .offers
             .iter()
-            .filter(|offer| !matches!(self.stage(offer, standing, day), MissionStage::Locked(_)))
+            .filter(|offer| self.is_open(offer, standing, day))
             .filter(|offer| is_advisable(offer, standing))
             .collect();
         let is_known = |offer: &Offer| standing.has_passed(&offer.id);

@@ -41,6 +41,9 @@ pub struct Reward {
     pub skills: Vec<SkillChange>,
     /// Why no credits were paid; `None` if any were.
     pub unpaid: Option<Text>,
+    /// What to fly next, by the standing after the flight.
+    #[serde(skip)]
+    pub next: Option<Text>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -95,6 +98,7 @@ impl Reward {
             parts: opened_parts(before, after, course),
             skills: skill_changes(before, after, flight),
             unpaid: (pay_credits == 0).then(|| unpaid(before, flight)),
+            next: next_step(after, course, flight),
         }
     }
 
@@ -178,6 +182,21 @@ impl SkillChange {
             why = why
         )
     }
+}
+
+/// What to fly next. Practice opens no mission, so that it may be the same one.
+fn next_step(
+    after: &CareerStanding,
+    course: &MissionCourse,
+    flight: &CareerFlight,
+) -> Option<Text> {
+    let (_, offer) = course.next(after, flight.day)?;
+    let is_same = offer.id == flight.mission;
+    Some(if is_same && flight.stake == Stake::Practice {
+        text!("debrief-next-count")
+    } else {
+        text!("debrief-next-mission", mission = offer.title.clone())
+    })
 }
 
 /// Why no credits were paid.

@@ -1,6 +1,6 @@
 //! `sortie check`: faults in files, as `FILE:LINE:COLUMN`.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -58,16 +58,18 @@ enum FileKind {
     Script,
 }
 
-/// Keys that every mission file has.
+/// Keys that every mission file has; the last ones are sections that no other kind of file has.
 const MISSION_KEYS: &[&str] = &[
     "schema",
     "id",
     "title",
     "brief",
+    "sim",
     "fleet",
     "objectives",
     "scoring",
 ];
+const MISSION_SECTIONS: &[&str] = &["sim", "fleet", "objectives", "scoring"];
 
 /// Prints the faults of each file, or the results of flown missions; exit code 1 if there is any fault.
 pub(super) fn check(
@@ -87,6 +89,7 @@ pub(super) fn check(
     }
     let files = &unfolded(&options.files);
     let known = known_missions(files);
+    let ids = first_with_ids(files);
     let locale = Locale::new(settings.language());
     let mut faulty = false;
     // A wrong file name is a usage error, so no file is checked before all names are understood.
@@ -98,6 +101,7 @@ pub(super) fn check(
         }
         let others = OtherFiles {
             missions: &known,
+            ids: &ids,
             named: &options.files,
         };
         faulty |= report(path, &others, &locale)?;
@@ -166,6 +170,32 @@ fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
         .collect()
 }
 
+/// The first of these files with each mission's id.
+fn first_with_ids(files: &[PathBuf]) -> BTreeMap<String, PathBuf> {
+    let mut first = BTreeMap::new();
+    for path in files {
+        let source = store::read_found(path, "file-mission").ok();
+        if let Some(id) = source.and_then(|source| Mission::id_of(&source.text)) {
+            first.entry(id).or_insert_with(|| path.clone());
+        }
+    }
+    first
+}
+
+/// The fault of a mission whose id another file has already. A file of the same name replaces the other one.
+fn same_id(path: &Path, source: &Source, others: &OtherFiles<'_>) -> Option<Diagnostic> {
+    let id = Mission::id_of(&source.text)?;
+    let first = others.ids.get(&id)?;
+    if first.file_name() == path.file_name() {
+        return None;
+    }
+    let (table, _) = DeTable::parse_recoverable(&source.text);
+    let span = table.get_ref().get("id")?.span();
+    let first = first.display().to_string();
+    let fault = Diagnostic::new(span, text!("check-same-id", id = id, file = first));
+    Some(fault.with_help(text!("check-same-id-help")))
+}
+
 fn has_known_ending(path: &Path) -> Result<(), Failure> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("toml" | "pilot") => Ok(()),
@@ -178,10 +208,10 @@ fn has_known_ending(path: &Path) -> Result<(), Failure> {
 }
 
 /// The kind of a file. A TOML file is of the kind to which most of its first-level keys belong; if
-/// the keys do not decide, its name and its folder do; otherwise it is a mission.
-fn kind(path: &Path, text: &str) -> FileKind {
+/// the keys do not decide, its name and its folder do. `None` if nothing shows its kind.
+fn kind(path: &Path, text: &str) -> Option<FileKind> {
     if path.extension().is_some_and(|ending| ending == "pilot") {
-        return FileKind::Script;
+        return Some(FileKind::Script);
     }
     // The keys of a faulty file still show its kind.
     let (table, _) = DeTable::parse_recoverable(text);
@@ -197,44 +227,60 @@ fn kind(path: &Path, text: &str) -> FileKind {
         .collect();
     let contexts: Vec<&str> = Place::all().map(Place::name).collect();
     let slots = PartSlot::ALL.map(PartSlot::key);
+    let design: Vec<&str> = ["schema", "name"].into_iter().chain(slots).collect();
     let kinds: [(FileKind, &str, &[&str]); 5] = [
         (FileKind::Mission, "missions", MISSION_KEYS),
-        (FileKind::Design, "designs", &slots),
+        (FileKind::Design, "designs", &design),
         (FileKind::Theme, "themes", &["inherits", "roles"]),
         (FileKind::Keymap, "keymap", &contexts),
         (FileKind::Configuration, "config", &settings),
     ];
     let likeness = |&(_, place, known): &(FileKind, &str, &[&str])| {
-        // A misspelt key still counts, with half the weight.
-        let weight = |key: &&str| match nearest(key, known.iter().copied()) {
-            Some(name) if name == *key => 2,
-            Some(_) => 1,
-            None => 0,
-        };
-        let count: usize = keys.iter().map(weight).sum();
         let is_folder = folder.is_some_and(|folder| folder == place);
         let hint = is_folder || path.file_stem().is_some_and(|stem| stem == place);
-        (count, hint)
+        (matches(&keys, known), hint)
     };
-    let best = kinds.iter().rev().max_by_key(|kind| likeness(kind));
-    best.map_or(FileKind::Mission, |&(kind, ..)| kind)
+    let best = kinds.iter().rev().max_by_key(|kind| likeness(kind))?;
+    let is_shown = match (best.0, likeness(best)) {
+        (_, (0, false)) => false,
+        // Other files have ids and titles, too.
+        (FileKind::Mission, (_, false)) => matches(&keys, MISSION_SECTIONS) > 0,
+        _ => true,
+    };
+    is_shown.then_some(best.0)
+}
+
+/// The number of keys that are among the known ones. A misspelt key counts, with half the weight.
+fn matches(keys: &[&str], known: &[&str]) -> usize {
+    let weight = |key: &&str| match nearest(key, known.iter().copied()) {
+        Some(name) if name == *key => 2,
+        Some(_) => 1,
+        None => 0,
+    };
+    keys.iter().map(weight).sum()
 }
 
 /// The other files that a file may refer to.
 struct OtherFiles<'a> {
     missions: &'a BTreeSet<String>,
+    /// The first of the checked files with each mission's id.
+    ids: &'a BTreeMap<String, PathBuf>,
     /// All files that the command line names.
     named: &'a [PathBuf],
 }
 
 /// The faults of a file, and remarks that are not faults.
 fn examined(
-    kind: FileKind,
+    kind: Option<FileKind>,
     path: &Path,
     source: &Source,
     others: &OtherFiles<'_>,
 ) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
     let text = &source.text;
+    let Some(kind) = kind else {
+        let fault = Diagnostic::new(0..0, text!("check-kind"));
+        return (vec![fault.with_help(text!("check-kind-help"))], Vec::new());
+    };
     let faults = match kind {
         FileKind::Theme => {
             let mut themes = settings::themes();
@@ -257,6 +303,7 @@ fn examined(
             Ok(mission) => {
                 let mut faults = mission.check();
                 faults.extend(mission.unknown_missions(others.missions));
+                faults.extend(same_id(path, source, others));
                 faults.sort_by_key(|fault| fault.span.start);
                 return (faults, mission.file.untranslated);
             }

@@ -41,7 +41,7 @@ use recorder::{RecordingPlan, RunRecorder};
     sortie run my.toml --pilot my.pilot --json --no-timing\n  \
     sortie run 01 --pilot my.pilot --seed 3 --speedup 10\n  \
     sortie run 01 --pilot 01-air-sample --design starter\n  \
-    sortie run 01 --pilot 01-air-sample --profile anna\n  \
+    sortie run 00 --pilot 00-first-flight --profile anna\n  \
     sortie run 01 --pilot 01-air-sample --backend ardupilot")]
 #[expect(
     clippy::struct_excessive_bools,

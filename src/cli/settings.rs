@@ -253,8 +253,9 @@ impl CliSettings {
     }
 
     fn check_log(&mut self) -> Result<(), Failure> {
-        if let Err(error) = EnvFilter::try_new(&self.config.log.level) {
-            let text = text!("config-log-level", error = error.to_string());
+        let written = &self.config.log.level;
+        if EnvFilter::try_new(written).is_err() {
+            let text = text!("config-log-level", written = written);
             return Err(Failure::Invalid(format!("sortie: {text}")));
         }
         // A log that a file enables for every session belongs in the state folder, not in the current folder.
@@ -405,7 +406,7 @@ fn check(setting: &str, word: &str, themes: &[String]) -> Result<(), Diagnostic>
         }
         "log.level" => match EnvFilter::try_new(word) {
             Ok(_) => Ok(()),
-            Err(error) => fault(text!("config-log-level", error = error.to_string())),
+            Err(_) => fault(text!("config-log-level", written = word)),
         },
         _ => Ok(()),
     }

@@ -85,6 +85,7 @@ pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
         | ProfileError::ReadOnly { .. }
         | ProfileError::Newer { .. }
         | ProfileError::Older { .. }
+        | ProfileError::LogAlone { .. }
         | ProfileError::Database { .. }
         | ProfileError::Damaged { .. }
         | ProfileError::Refused(_) => Failure::Failed(anyhow::anyhow!(words)),

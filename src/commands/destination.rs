@@ -1,6 +1,7 @@
 //! The destination of a `goto`, and the heading on the way.
 
 use crate::geo::LatLon;
+use crate::vehicle::Vehicle;
 
 /// The destination of a `goto`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,6 +27,40 @@ pub enum Destination {
         east_m: f64,
         up_m: f64,
     },
+}
+
+impl Destination {
+    /// The place to which it leads a vehicle, and the height above home in metres unless the vehicle keeps its own; `None`
+    /// if the vehicle's position is unknown.
+    pub fn of(self, vehicle: &Vehicle) -> Option<(LatLon, Option<f64>)> {
+        let here = vehicle.global?;
+        Some(match self {
+            Self::Global {
+                at_point,
+                altitude_m,
+            } => (at_point, altitude_m),
+            Self::Local {
+                north_m,
+                east_m,
+                up_m,
+            } => {
+                let [north, east, down] = vehicle.local?.ned_m.map(f64::from);
+                (
+                    here.at_point.moved(north_m - north, east_m - east),
+                    // Heights count from the origin here, and home may lie higher.
+                    up_m.map(|up_m| here.altitude_m + up_m + down),
+                )
+            }
+            Self::Offset {
+                north_m,
+                east_m,
+                up_m,
+            } => (
+                here.at_point.moved(north_m, east_m),
+                Some(here.altitude_m + up_m),
+            ),
+        })
+    }
 }
 
 /// The vehicle's heading during a `goto`.

@@ -15,8 +15,9 @@ const FAINT: f64 = 0.03;
 const NAMED: usize = 6;
 
 /// The meaning of the signs, by the id of the text; a later sign is drawn over an earlier one.
-const SIGNS: [(char, &str); 9] = [
+const SIGNS: [(char, &str); 10] = [
     ('?', "debrief-sign-gap"),
+    ('=', "debrief-sign-wire"),
     ('~', "debrief-sign-track"),
     ('P', "debrief-sign-pad"),
     ('d', "debrief-sign-decoy"),
@@ -110,7 +111,8 @@ impl TextMap {
             .tracks
             .iter()
             .flat_map(|track| track.points.iter().copied());
-        let pads = truth.pads.iter().copied();
+        let wires = truth.wires.iter().flatten().copied();
+        let pads = truth.pads.iter().copied().chain(wires);
         let all = squares.chain(objects).chain(marks).chain(tracks);
         let bounds = all
             .chain(pads)
@@ -137,6 +139,9 @@ impl TextMap {
         self.shade(truth);
         for gap in &truth.gaps {
             self.fill(gap, '?');
+        }
+        for pair in truth.wires.iter().flat_map(|pylons| pylons.windows(2)) {
+            self.line([pair[0], pair[1]], '=');
         }
         for at in truth.tracks.iter().flat_map(|track| &track.points) {
             self.put(*at, '~');
@@ -182,6 +187,18 @@ impl TextMap {
             let east = west + (column as f64 + 0.5) / across as f64 * square.side_m;
             let south = north - (row as f64 + 0.5) / down as f64 * square.side_m;
             self.put([east, south], sign);
+        }
+    }
+
+    /// Puts a sign into every column or row between two places.
+    fn line(&mut self, [from, to]: [[f64; 2]; 2], sign: char) {
+        let (east_m, north_m) = (to[0] - from[0], to[1] - from[1]);
+        let steps = (east_m.abs().max(north_m.abs()) / self.scale_m)
+            .ceil()
+            .max(1.0);
+        for step in 0..=steps as usize {
+            let share = step as f64 / steps;
+            self.put([from[0] + east_m * share, from[1] + north_m * share], sign);
         }
     }
 
@@ -295,6 +312,21 @@ mod tests {
             let shown_m = (last - first) as f64 * canvas.scale_m;
             assert!((shown_m - apart_m).abs() <= canvas.scale_m, "{shown_m}");
         }
+    }
+
+    #[test]
+    fn a_power_line_is_drawn_from_pylon_to_pylon() {
+        let truth = TruthReport {
+            pads: vec![[0.0, 0.0]],
+            wires: vec![vec![[-30.0, 40.0], [0.0, 40.0], [30.0, 40.0]]],
+            ..TruthReport::default()
+        };
+        let mut canvas = TextMap::around(&truth).expect("there is something");
+        canvas.draw(&truth);
+        let row: String = canvas.rows[0].iter().collect();
+        assert!(row.chars().all(|sign| sign == '='), "{row}");
+        let legend = Locale::new(Language::English).text(&canvas.legend());
+        assert!(legend.contains("= power line"), "{legend}");
     }
 
     #[test]

@@ -243,7 +243,7 @@ fn the_structure_of_a_debrief_does_not_depend_on_the_words() {
 fn every_line_says_what_it_tells_in_any_language() {
     for language in Language::ALL {
         let report = bad_flight();
-        let lines = lines_with(&report, &[], &Locale::new(language));
+        let lines = lines_with(&report, &DebriefCareer::default(), &Locale::new(language));
         let tone = |wanted| lines.iter().filter(move |line| line.tone == wanted).count();
         assert!(lines[..4].iter().all(|line| line.tone == DebriefTone::Head));
         // Every line that begins with capitals is a section title, and no other line has that tone.

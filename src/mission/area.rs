@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 
 use super::Mission;
 use super::zone::{Shape, Zone, ZoneKind};
-use crate::geo::{LatLon, Outline};
+use crate::geo::{LatLon, Outline, maths};
+use crate::plan::is_inside;
 
 /// An area of a mission, with its meaning.
 #[derive(Debug, Clone, PartialEq)]
@@ -14,6 +15,26 @@ pub struct Area {
     /// Its meaning for vehicles inside.
     pub kind: AreaKind,
     pub outline: Outline,
+}
+
+impl Area {
+    /// Whether a place lies inside.
+    pub fn contains(&self, place: LatLon) -> bool {
+        let metres = |corner: LatLon| {
+            let (north_m, east_m) = place.offset_to(corner);
+            [north_m, east_m]
+        };
+        match &self.outline {
+            Outline::Polygon(corners) => {
+                let corners: Vec<[f64; 2]> = corners.iter().map(|it| metres(*it)).collect();
+                is_inside([0.0, 0.0], &corners)
+            }
+            Outline::Circle { centre, radius_m } => {
+                let [north_m, east_m] = metres(*centre);
+                maths::hypot(north_m, east_m) <= *radius_m
+            }
+        }
+    }
 }
 
 /// The meaning of an area.

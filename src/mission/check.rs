@@ -9,6 +9,7 @@ use super::Mission;
 use super::format::WrittenValue;
 use super::objective::{Demands, Objective};
 use crate::diagnostic::Diagnostic;
+use crate::text::Text;
 
 mod board;
 mod budget;
@@ -57,8 +58,8 @@ impl Mission {
 }
 
 impl<'m> Examined<'m> {
-    fn add(&mut self, place: Range<usize>, message: impl Into<String>) {
-        self.found.push(Diagnostic::new(place, message.into()));
+    fn add(&mut self, place: Range<usize>, message: impl Into<Text>) {
+        self.found.push(Diagnostic::new(place, message));
     }
 
     /// A section of the file that is a table.

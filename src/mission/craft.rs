@@ -11,7 +11,7 @@ use crate::geo::maths;
 use crate::scoring::SafetyKind;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{GlobalPosition, Vehicle, VehicleId};
+use crate::vehicle::{GlobalPosition, Mode, Vehicle, VehicleId};
 
 /// Motors that stop above this height let a vehicle fall.
 const FALL_FROM_M: f64 = 2.0;
@@ -45,6 +45,8 @@ pub(crate) struct Craft {
     pub airborne: bool,
     /// Whether its mode is the one that flies plans.
     pub in_auto: bool,
+    /// Whether it returns or lands on its own, by its mode.
+    pub comes_down: bool,
     /// Whether it has been in the air during this mission.
     pub flown: bool,
     /// Whether it has crashed, or its simulator's process has ended.
@@ -86,6 +88,7 @@ impl Craft {
             armed: false,
             airborne: false,
             in_auto: false,
+            comes_down: false,
             flown: false,
             lost: false,
             heard: false,
@@ -194,6 +197,7 @@ impl Craft {
         self.armed = vehicle.armed();
         self.airborne = vehicle.airborne();
         self.in_auto = vehicle.flies_plan();
+        self.comes_down = vehicle.mode().is_some_and(Mode::comes_down);
         self.flown |= self.airborne && self.armed;
         self.speed_m_s = vehicle.ground_speed_m_s().map_or(0.0, f64::from);
         let sound =

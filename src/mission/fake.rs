@@ -111,6 +111,12 @@ impl Pilot {
             .armed = armed;
     }
 
+    pub fn set_mode(&mut self, name: &str) {
+        let vehicle = self.vehicle();
+        let heartbeat = vehicle.heartbeat.as_mut().expect("there from the start");
+        heartbeat.mode = VehicleClass::Copter.mode(name).expect("a mode");
+    }
+
     pub fn command(&mut self, line: &str, state: RowState) {
         let entry = self.ledger.open(self.now, given(line), &[1]);
         self.ledger.apply(&RowUpdate {

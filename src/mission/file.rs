@@ -16,6 +16,7 @@ use super::{
 };
 use crate::diagnostic::Diagnostic;
 use crate::scoring::ScoreRules;
+use crate::text;
 
 mod action;
 mod advice;
@@ -61,7 +62,7 @@ pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
             },
             ..mission
         }),
-        _ if faults.is_empty() => Err(vec![Diagnostic::new(0..0, "not a mission file")]),
+        _ if faults.is_empty() => Err(vec![Diagnostic::new(0..0, text!("fault-no-mission"))]),
         _ => Err(faults.sorted()),
     }
 }

@@ -38,6 +38,8 @@ pub struct Progress {
     pub feedback: Option<Text>,
     /// Hints that the trainee can ask for.
     pub clues: ClueProgress,
+    /// Whether the flight ends without any further command: all vehicles are down, and nothing is left to do.
+    pub ends_itself: bool,
     /// Whether the trainee can still set a prediction and a goal.
     pub can_pledge: bool,
     /// The newest question about the workload that was answered, counted as by

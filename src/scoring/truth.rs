@@ -23,6 +23,9 @@ pub struct TruthReport {
     /// The gates, at the positions drawn from the seed; empty in records of earlier versions.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub gates: Vec<Place>,
+    /// The pylons of each power line, in order; empty in records of earlier versions.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub wires: Vec<Vec<Place>>,
     /// The tracks of the vehicles.
     pub tracks: Vec<TrackReport>,
 }

@@ -38,8 +38,9 @@ use wait::PlainWait;
 
 /// The time between news, so that reports of several vehicles are merged into one line.
 const NEWS_EVERY: Duration = Duration::from_millis(500);
-/// How long the console waits after the end of the input for a mission to end on its own.
-const LANDING_PATIENCE: Duration = Duration::from_secs(10);
+/// How long the console waits after the end of the input for a mission that ends on its own: longer than reports need to
+/// become final.
+const LANDING_PATIENCE: Duration = Duration::from_secs(60);
 
 /// The line with which a script answers a question with no.
 const NO: &str = "no";
@@ -117,7 +118,7 @@ struct Plain {
     said_at: Duration,
     /// The time limit for vehicles that do not start.
     start: Patience,
-    /// The time limit for a mission that is about to pass.
+    /// The time limit for a mission that is about to end.
     landing: Patience,
     /// Whether the vehicles did not start, or a line from a pipe failed.
     failed: bool,
@@ -176,7 +177,7 @@ impl Plain {
             self.give_up();
         }
         let ends = self.ended && self.is_idle();
-        let lands = end::is_as_good_as_passed(self.console.app.state());
+        let lands = end::ends_itself(self.console.app.state());
         if ends && (!lands || self.landing.is_over(true, now)) {
             self.abandon().await;
         }

@@ -49,6 +49,10 @@ pub fn unread(path: &Path, error: &io::Error) -> Text {
 
 fn missing(path: &Path) -> Text {
     let shown = path.display().to_string();
+    if let Ok(target) = fs::read_link(path) {
+        let target = target.display().to_string();
+        return text!("file-dangling", path = shown, target = target);
+    }
     let folder = path.parent().unwrap_or(path);
     if !folder.as_os_str().is_empty() && !folder.is_dir() {
         let absent = first_missing(folder);

@@ -5,10 +5,13 @@
 
 use std::fs::{self, DirBuilder, File, OpenOptions, Permissions};
 use std::io;
-use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _, PermissionsExt as _};
+use std::os::unix::fs::{
+    DirBuilderExt as _, MetadataExt as _, OpenOptionsExt as _, PermissionsExt as _,
+};
 use std::path::Path;
 
 use super::links;
+use crate::config::Readers;
 
 /// The file with the signing keys, which is never shared.
 pub(super) const KEY_FILE: &str = "signing.toml";
@@ -34,6 +37,50 @@ pub fn share_with_group(data: &Path) -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+/// A difference between the readers that are set and those that a data folder has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SharingFault {
+    /// The group may read, but the folder lacks the mode for it. The kernel drops a set-group-ID bit silently if the
+    /// folder's owner is not in its group.
+    NotShared,
+    /// The group may read, but so many files and folders belong to another group.
+    OtherGroup(usize),
+    /// Only the owner may read, but the group still can.
+    StillShared,
+}
+
+/// Compares the readers that are set with the modes of an existing data folder; `None` if they agree.
+pub fn sharing_fault(data: &Path, readers: Readers) -> Option<SharingFault> {
+    let facts = fs::metadata(data).ok()?;
+    let mode = facts.permissions().mode();
+    match readers {
+        Readers::Group if !is_shared(data) => Some(SharingFault::NotShared),
+        Readers::Group => match count_below(data, &|it| it.gid() != facts.gid()) {
+            0 => None,
+            count => Some(SharingFault::OtherGroup(count)),
+        },
+        Readers::Owner => {
+            let is_readable = |it: &fs::Metadata| it.permissions().mode() & SHARED_FILE != 0;
+            let is_open = mode & 0o010 != 0;
+            let is_read = is_shared(data) || (is_open && count_below(data, &is_readable) > 0);
+            is_read.then_some(SharingFault::StillShared)
+        }
+    }
+}
+
+/// The number of files and folders below a folder with a property; links are not followed.
+fn count_below(folder: &Path, is_so: &dyn Fn(&fs::Metadata) -> bool) -> usize {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let count = |entry: fs::DirEntry| match entry.metadata() {
+        Ok(facts) if facts.is_dir() => {
+            usize::from(is_so(&facts)) + count_below(&entry.path(), is_so)
+        }
+        Ok(facts) if facts.is_file() => usize::from(is_so(&facts)),
+        Ok(_) | Err(_) => 0,
+    };
+    entries.map(count).sum()
 }
 
 /// Creates a folder, and those above it, for its owner alone.
@@ -97,6 +144,28 @@ mod tests {
     fn made(path: &Path) {
         let mut options = OpenOptions::new();
         open(options.create(true).append(true), path).expect("made");
+    }
+
+    #[test]
+    fn modes_that_differ_from_the_readers_set_are_found() {
+        let home = tempfile::tempdir().expect("a folder");
+        let data = home.path().join("data");
+        let fault = |readers| sharing_fault(&data, readers);
+        assert_eq!(fault(Readers::Group), None, "it does not exist yet");
+        private_folder(&data).expect("made");
+        made(&data.join("early"));
+        assert_eq!(fault(Readers::Owner), None);
+        assert_eq!(fault(Readers::Group), Some(SharingFault::NotShared));
+        share_with_group(&data).expect("ours");
+        assert_eq!(fault(Readers::Group), None);
+        assert_eq!(fault(Readers::Owner), Some(SharingFault::StillShared));
+        let closed = |bits| fs::set_permissions(&data, Permissions::from_mode(bits)).expect("ours");
+        // The folder hides files whose modes are still open.
+        closed(0o700);
+        assert_eq!(fault(Readers::Owner), None);
+        closed(0o750);
+        assert_eq!(fault(Readers::Owner), Some(SharingFault::StillShared));
+        assert_eq!(count_below(&data, &|_| true), 1);
     }
 
     #[test]

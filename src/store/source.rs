@@ -61,6 +61,21 @@ pub enum StoreError {
     },
 }
 
+impl StoreError {
+    /// The name, without folder and ending, of a file that exists and cannot be read.
+    pub(super) fn stem(&self) -> Option<&str> {
+        match self {
+            Self::Unreadable { path, .. } | Self::TooLarge { path, .. } => {
+                path.file_stem().and_then(OsStr::to_str)
+            }
+            Self::Unwritable { .. }
+            | Self::Exists { .. }
+            | Self::Unknown { .. }
+            | Self::Faulty { .. } => None,
+        }
+    }
+}
+
 impl From<&StoreError> for Text {
     fn from(error: &StoreError) -> Self {
         let shown = |path: &Path| path.display().to_string();

@@ -70,10 +70,10 @@ fn a_name_goes_before_a_number() {
     };
     let all = [source("01-b-c"), source("01-b"), source("02")];
     for (asked, found) in [("01-b", "01-b"), ("01", "01-b-c"), ("02", "02")] {
-        let source = named("file-mission", asked, &all).expect("it is there");
+        let source = MISSION_FILES.named(asked, &all).expect("it is there");
         assert_eq!(source.stem(), found, "{asked}");
     }
-    assert!(named("file-mission", "0", &all).is_err());
+    assert!(MISSION_FILES.named("0", &all).is_err());
 }
 
 #[test]

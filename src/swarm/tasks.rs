@@ -72,6 +72,19 @@ pub struct DividedPlans {
 }
 
 impl DividedPlans {
+    /// The number of vehicles with a part, and why the others have none; `None` if all have one.
+    pub fn share_words(&self) -> Option<Text> {
+        let (count, idle) = (self.plans.len(), self.idle.len());
+        (idle > 0).then(|| {
+            text!(
+                "outcome-plan-share",
+                count = count,
+                all = count + idle,
+                why = Text::joined("; ", self.idle_words())
+            )
+        })
+    }
+
     /// The vehicles without a part, and why they have none; empty if all have one.
     pub fn idle_words(&self) -> Vec<Text> {
         let of = |why: Idle| {
@@ -223,6 +236,30 @@ fn search(pattern: Pattern, datum: LatLon, radius_m: Option<f64>, spacing_m: f64
             datum,
             radius_m: radius_m.unwrap_or(USUAL_SECTOR_M),
         },
+    }
+}
+
+/// The outermost places of a task; empty if the positions of its vehicles are unknown.
+pub fn outermost_places(
+    task: &PlanTask,
+    targets: &[VehicleId],
+    vehicles: &Vehicles,
+) -> Vec<LatLon> {
+    let team = TaskTeam::new(Rules::default(), targets, vehicles);
+    let Ok((task, _)) = team.and_then(|team| team.task(task)) else {
+        return Vec::new();
+    };
+    let around = |centre, radius_m| Outline::Circle { centre, radius_m }.corners();
+    match task {
+        Task::Survey { rings, .. } => rings.into_iter().next().unwrap_or_default(),
+        Task::Square {
+            datum, radius_m, ..
+        }
+        | Task::Sector { datum, radius_m } => around(datum, radius_m),
+        Task::Line { points, .. } => points,
+        Task::Orbit {
+            centre, radius_m, ..
+        } => around(centre, radius_m),
     }
 }
 

@@ -26,6 +26,7 @@ catalogue! {
     "debrief",
     "doctor",
     "drafts",
+    "faults",
     "fleet",
     "fly",
     "ftp",

@@ -13,6 +13,7 @@ use sortie::cli::CliArguments;
 use sortie::config::SETTINGS;
 use sortie::language;
 use sortie::text::Locale;
+use sortie::workshop::{Design, PartSlot};
 
 mod markdown;
 
@@ -224,6 +225,26 @@ fn examples_of_the_configuration_are_valid() {
     let output = check.output().expect("it runs");
     let said = String::from_utf8_lossy(&output.stdout);
     assert!(output.status.success(), "{said}");
+}
+
+/// The example of a design is read, and the table below it has a row for each of its keys.
+#[test]
+fn the_example_of_a_design_is_valid_and_its_table_complete() {
+    let text = document("docs/workshop.md");
+    let fences = text.fences("toml");
+    let [example] = &fences[..] else {
+        panic!("one example, not {}", fences.len());
+    };
+    let design = Design::from_toml(&example.text).expect("no faults");
+    let written = design.to_toml();
+    assert_eq!(written.trim_end(), example.text.trim_end());
+    let head = "| key | value | meaning |\n| --- | --- | --- |\n";
+    let (_, table) = text.text.split_once(head).expect("the table");
+    let rows = table.lines().take_while(|line| line.starts_with('|'));
+    let keys: Vec<&str> = rows.filter_map(|row| row.split('`').nth(1)).collect();
+    let slots = PartSlot::ALL.map(PartSlot::key);
+    let expected: Vec<&str> = ["schema", "name"].into_iter().chain(slots).collect();
+    assert_eq!(keys, expected);
 }
 
 #[test]

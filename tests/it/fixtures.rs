@@ -194,6 +194,7 @@ pub fn progress() -> Progress {
             next: None,
             factor: 1.0,
         },
+        ends_itself: false,
         can_pledge: false,
         answered_question: None,
         swarm: SwarmFigures::default(),

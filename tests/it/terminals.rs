@@ -358,6 +358,27 @@ fn a_mission_whose_input_ends_early_has_its_debrief_and_is_not_passed() {
 }
 
 #[test]
+fn a_mission_that_ends_with_the_landing_has_its_verdict_although_the_input_has_ended() {
+    let basics = include_str!("../data/basics_mission.toml");
+    let (armed, rest) = basics.split_once("id = \"hover\"").expect("it is there");
+    let (others, landed) = rest.split_once("id = \"landed\"").expect("it is there");
+    let others = others.replace("mandatory = true\n", "");
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("landing.toml");
+    let source = format!("{armed}id = \"hover\"{others}id = \"landed\"{landed}");
+    std::fs::write(&file, source).expect("room");
+    let file = file.to_str().expect("a plain path");
+    let lines = "all guided\nall arm\nall takeoff 5\nwait all arrived timeout 20s\nall land\n\
+                 wait all disarmed timeout 60s\n";
+    let (said, code) = plain(&["fly", file, "--plain", "--speedup", "20"], lines);
+    assert!(
+        said.contains("objective missed") && said.contains("PASSED"),
+        "{said}"
+    );
+    assert_eq!(code, Some(0), "{said}");
+}
+
+#[test]
 fn a_wait_in_a_pipe_takes_flight_time() {
     // By the wall clock, 30 s would be five minutes of the mission, which would then be over.
     let lines = "wait 30s\nall guided\nall arm\n";

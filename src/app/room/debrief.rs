@@ -11,7 +11,7 @@ use crate::app::room::home::fly_drill;
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::{Career, Heights};
 use crate::campaign::Reward;
-use crate::debrief::{self, DebriefLine, DebriefTone};
+use crate::debrief::{self, DebriefCareer, DebriefLine, DebriefTone};
 use crate::mission::Listing;
 use crate::notice::sanitised;
 use crate::scoring::{Report, TruthReport};
@@ -94,8 +94,12 @@ impl Debrief {
 
     /// The lines of the result and of the rewards, in a language.
     pub fn lines(&self, reward: Option<&Reward>, locale: &Locale) -> Vec<DebriefLine> {
-        let reward = reward.map_or_else(Vec::new, Reward::lines);
-        let lines = debrief::lines_with(&self.report, &reward, locale).into_iter();
+        let career = reward.map(|reward| DebriefCareer {
+            changes: reward.lines(),
+            next: reward.next.clone(),
+        });
+        let career = career.unwrap_or_default();
+        let lines = debrief::lines_with(&self.report, &career, locale).into_iter();
         lines
             .map(|line| DebriefLine {
                 text: sanitised(&line.text),

@@ -117,11 +117,13 @@ impl FlightView {
         self.rehearsed.note(findings, &self.vehicles);
     }
 
-    /// Why an order needs a confirmation although its verb does not: the state of its vehicles, or
-    /// plans to be started that failed in a rehearsal or are identical. `None` if it needs none.
+    /// Why an order needs a confirmation although its verb does not: the state of its vehicles, a
+    /// place outside the mission's fence, or plans to be started that failed in a rehearsal or are
+    /// identical. `None` if it needs none.
     pub fn hazard(&self, order: &Order) -> Option<Text> {
         let of_vehicles = order.hazard(&self.vehicles);
-        of_vehicles.or_else(|| match order.act {
+        let of_place = || self.fence_hazard(order);
+        of_vehicles.or_else(of_place).or_else(|| match order.act {
             Act::Command(Command::PlanFlight(PlanFlight::Start)) => {
                 self.rehearsed.hazard(order, &self.vehicles)
             }

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::Duration;
 
+use super::FlightView;
 use crate::alert::AlertKind;
 use crate::notice::{Notice, NoticeSource};
 use crate::text;
@@ -31,6 +32,8 @@ pub struct NoticeLine {
     pub vehicles: BTreeSet<VehicleId>,
     /// The time of the last notice on the line.
     last: Duration,
+    /// The session time of the first notice, once the session is over.
+    kept_time: Option<Duration>,
     content: LineContent,
 }
 
@@ -50,6 +53,12 @@ impl NoticeLine {
             LineContent::Notice => self.notice.source == NoticeSource::Vehicle,
             LineContent::UnlistedTexts => true,
         }
+    }
+
+    /// The session time of the first notice; of one from an earlier session, by the clock of that session.
+    pub fn time(&self, session: &FlightView) -> Duration {
+        self.kept_time
+            .unwrap_or_else(|| session.time(self.notice.at))
     }
 
     fn count(&mut self, notice: &Notice) {
@@ -102,6 +111,13 @@ impl NoticeLog {
         })
     }
 
+    /// Keeps the times of all lines by the clock of a session that ends.
+    pub(in crate::app) fn keep_times(&mut self, session: &FlightView) {
+        for line in &mut self.lines {
+            line.kept_time = Some(line.time(session));
+        }
+    }
+
     /// The number of lines listed so far, including those dropped since.
     pub fn listed(&self) -> u64 {
         self.total
@@ -120,6 +136,7 @@ impl NoticeLog {
             count: 1,
             vehicles: notice.vehicle.into_iter().collect(),
             last: notice.at,
+            kept_time: None,
             notice,
             content,
         });

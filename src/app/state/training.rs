@@ -27,7 +27,7 @@ pub struct Training {
     /// The designs chosen for missions, by mission id: one for all seats or one per seat; empty if
     /// the mission lends its drones.
     pub(in crate::app) fleets: BTreeMap<String, Vec<Design>>,
-    /// The designs that come with the program.
+    /// The designs that all users share: those of the program and of the administrator.
     pub(in crate::app) stock: Vec<Design>,
 }
 

@@ -4,7 +4,7 @@ use super::{batch, order};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::room::{Room, plans, workshop};
-use crate::app::state::{Consequence, FlightView};
+use crate::app::state::Consequence;
 use crate::text;
 use crate::vehicle::Severity;
 
@@ -58,7 +58,8 @@ fn announce(state: &mut State, effect: &SessionEffect) {
 
 /// Drops the session and shows the home screen. The debrief stays until another session starts.
 pub fn go_home(state: &mut State) {
-    state.session = FlightView::default();
+    let session = std::mem::take(&mut state.session);
+    state.notices.keep_times(&session);
     state.leave_replay();
     state.ghost = None;
     let debrief = state.rooms.debrief.take();

@@ -69,3 +69,20 @@ fn a_drill_is_advised_once_its_mission_was_tried_and_easy_missions_come_first() 
     };
     assert_eq!(next(&[CareerEntry::Flight(failed)]), "drill");
 }
+
+#[test]
+fn the_drill_of_a_mission_that_is_locked_again_is_not_advised() {
+    let course = MissionCourse::new([
+        offer("one", 1, &["never"], &[]),
+        Offer {
+            drill_of: Some("one".to_owned()),
+            ..offer("drill", 1, &[], &[])
+        },
+    ]);
+    let tries = ["one", "drill"].map(|id| CareerFlight {
+        passed: id == "drill",
+        ..flight(&course, id, 600, 1)
+    });
+    let standing = standing(&tries.map(CareerEntry::Flight));
+    assert_eq!(course.next(&standing, 1), None);
+}

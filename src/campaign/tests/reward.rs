@@ -32,6 +32,9 @@ fn a_reward_tells_what_a_flight_changed_and_why() {
         "{lines:?}"
     );
 
+    let next = second.next.as_ref().map(ToString::to_string);
+    assert_eq!(next.as_deref(), Some("Go on with \"three\"."));
+
     history.push(CareerEntry::Flight(flown));
     let unpaid = |flown| reward(&history, flown).lines()[0].to_string();
     let again = flight(&course, "two", 850, 1);
@@ -57,6 +60,11 @@ fn a_reward_tells_what_a_flight_changed_and_why() {
         stake: Stake::Practice,
         ..flight(&course, "three", 900, 1)
     };
+    let next = reward(&history, practice.clone()).next;
+    assert_eq!(
+        next.map(|it| it.to_string()).as_deref(),
+        Some("Fly this mission for credits: practice opens no other.")
+    );
     assert_eq!(
         unpaid(practice),
         "no credits: practice earns none; 1233 now"

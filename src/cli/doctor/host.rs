@@ -5,12 +5,14 @@ use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _};
 use std::path::{Path, PathBuf};
 
 use nix::sys::resource::{Resource, getrlimit};
+use nix::unistd::{Gid, Group};
 
 use super::super::settings::CliSettings;
 use super::HostFinding;
 use super::folder::{FolderUse, folder};
 use super::mount::network_file_system;
-use crate::store::{KeyFile, KeyFileFault};
+use crate::config::Readers;
+use crate::store::{KeyFile, KeyFileFault, SharingFault, sharing_fault};
 use crate::text::Text;
 
 /// The processor use of one idle or flying `ArduCopter` 4.6, in percent of a core, measured with up
@@ -59,7 +61,9 @@ pub(super) fn database(settings: &CliSettings) -> Vec<HostFinding> {
         let real = nearest.and_then(|folder| folder.canonicalize().ok());
         let there = real.unwrap_or_else(|| data.to_owned());
         let far = on_network(&mounts, data, &there);
-        far.into_iter().chain(open_to_others(data))
+        let readers = settings.config.results.readers;
+        let findings = far.into_iter().chain(open_to_others(data));
+        findings.chain(shared_otherwise(data, readers))
     })
     .collect()
 }
@@ -85,6 +89,42 @@ fn open_to_others(data: &Path) -> Option<HostFinding> {
             format!("chmod go-w {name}"),
         )
     })
+}
+
+/// A finding if the group's permissions differ from the setting `results.readers`.
+fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
+    let name = data.display();
+    Some(match sharing_fault(data, readers)? {
+        SharingFault::NotShared => HostFinding::fault(
+            "profiles",
+            format!(
+                "results.readers is \"group\", but the group cannot read {name}: its setgid bit is missing"
+            ),
+            format!("as root: chmod g+rxs {name}"),
+        ),
+        SharingFault::OtherGroup(count) => {
+            let group =
+                fs::metadata(data).map_or_else(|_| "GROUP".to_owned(), |it| group_name(it.gid()));
+            HostFinding::fault(
+                "profiles",
+                format!(
+                    "{count} of the files and folders in {name} do not belong to its group, {group}, which cannot read them"
+                ),
+                format!("as root: chgrp -R {group} {name}"),
+            )
+        }
+        SharingFault::StillShared => HostFinding::note(
+            "profiles",
+            format!("results.readers is \"owner\", but the group can still read {name}"),
+            format!("chmod -R g-rwxs {name}"),
+        ),
+    })
+}
+
+/// The name of a group, or its number if it has none.
+fn group_name(id: u32) -> String {
+    let known = Group::from_gid(Gid::from_raw(id)).ok().flatten();
+    known.map_or_else(|| id.to_string(), |group| group.name)
 }
 
 /// Processors, memory and limits, and the number of instances that fit.
@@ -232,5 +272,17 @@ mod tests {
         fs::set_permissions(data.path(), open).expect("ours");
         let found = open_to_others(data.path()).expect("noticed");
         assert_eq!(found.verdict, CheckResult::Fault);
+    }
+
+    #[test]
+    fn a_folder_that_is_shared_otherwise_than_set_is_noticed_with_the_command() {
+        let data = tempfile::tempdir().expect("a temporary folder");
+        let name = data.path().display();
+        let found = shared_otherwise(data.path(), Readers::Group).expect("noticed");
+        assert_eq!(found.mend, Some(format!("as root: chmod g+rxs {name}")));
+        crate::store::share_with_group(data.path()).expect("ours");
+        assert_eq!(shared_otherwise(data.path(), Readers::Group), None);
+        let found = shared_otherwise(data.path(), Readers::Owner).expect("noticed");
+        assert_eq!(found.mend, Some(format!("chmod -R g-rwxs {name}")));
     }
 }

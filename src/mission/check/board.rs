@@ -1,6 +1,7 @@
 //! Whether the plans on board, without their faults, stay inside the fences.
 
 use super::Examined;
+use crate::text;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
@@ -10,13 +11,13 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     };
     for (route, written) in mission.board.routes.iter().zip(section.items_of("plans")) {
         if route.up_m > ceiling_m {
-            let fault = format!("this plan is above the limit of {ceiling_m} m");
+            let fault = text!("check-plan-high", height = ceiling_m.to_string());
             examined.add(written.span_of("up"), fault);
         }
         for (index, &at) in route.points.iter().enumerate() {
             let fence = mission.fences().find(|fence| !fence.shape.contains(at));
             if let Some(fence) = fence {
-                let fault = format!("this place lies beyond the fence `{}`", fence.id);
+                let fault = text!("check-place-fence", fence = &fence.id);
                 examined.add(written.span_of_item("places", index), fault);
             }
         }

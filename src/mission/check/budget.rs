@@ -3,6 +3,7 @@
 use super::Examined;
 use crate::mission::fit::Fit;
 use crate::mission::needs;
+use crate::text;
 use crate::workshop::{self, Design, Part, PartSlot};
 
 /// Reports a budget below the cheapest fleet that carries what the file lists. Lent vehicles may cost more.
@@ -26,9 +27,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         .saturating_sub(mission.seats.outlay.loaners.len());
     let least: u32 = prices.iter().take(bought).sum();
     if budget < least {
-        let fault = format!(
-            "`budget` is too small: the cheapest fleet with these sensors and loads costs {least} credits"
-        );
+        let fault = text!("check-budget", least = least);
         examined.add(written.span.clone(), fault);
     }
 }

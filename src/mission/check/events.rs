@@ -2,6 +2,7 @@
 
 use super::Examined;
 use crate::mission::event::{Action, Event, Trigger};
+use crate::text;
 
 /// Reports events that wait for one another in a circle, so that none can occur.
 pub(super) fn check(examined: &mut Examined<'_>) {
@@ -19,11 +20,8 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         let name = |index: &usize| events.get(*index).map(|event| format!("`{}`", event.id));
         let names: Vec<String> = circle.iter().filter_map(name).collect();
         let fault = match names.as_slice() {
-            [alone] => format!("{alone} waits for itself and never happens"),
-            all => format!(
-                "these events wait for one another and never happen: {}",
-                all.join(" after ")
-            ),
+            [alone] => text!("check-event-itself", event = alone),
+            all => text!("check-events-circle", events = all.join(" after ")),
         };
         examined.add(place, fault);
     }

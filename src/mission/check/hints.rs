@@ -2,6 +2,7 @@
 
 use super::Examined;
 use crate::language::verbs;
+use crate::text;
 use crate::vehicle_id::parse_ranges;
 
 /// Reports hints of the first level that contain a whole command.
@@ -13,7 +14,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         if clue.level == 1
             && let Some(line) = command_line(&clue.text.to_string())
         {
-            let fault = format!("a hint of level 1 is a question: `{line}` belongs in level 3");
+            let fault = text!("check-hint-question", line = line);
             examined.add(written.span_of("text"), fault);
         }
     }

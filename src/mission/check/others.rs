@@ -8,6 +8,7 @@ use toml::de::DeTable;
 use crate::diagnostic::Diagnostic;
 use crate::mission::format::WrittenValue;
 use crate::mission::{Mission, Unlock};
+use crate::text;
 
 /// A mission that a file names, with the position of the name.
 struct NamedMission<'m> {
@@ -30,7 +31,8 @@ impl Mission {
         let named = self.named_missions().into_iter();
         let unknown = named.filter(|named| !known.contains(named.id));
         let fault = |named: NamedMission<'_>| {
-            let fault = Diagnostic::new(named.written, format!("unknown mission `{}`", named.id));
+            let fault =
+                Diagnostic::new(named.written, text!("check-mission-unknown", id = named.id));
             fault.with_nearest(named.id, known.iter().map(String::as_str))
         };
         unknown.map(fault).collect()

@@ -8,6 +8,7 @@ use crate::mission::event::Trigger;
 use crate::mission::objective::GateRoute;
 use crate::mission::report::distance_m;
 use crate::mission::{Mission, Point};
+use crate::text;
 
 /// The greatest speed assumed between two places.
 const SPEED_M_S: f64 = 10.0;
@@ -21,10 +22,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     let events = examined.mission.events.iter();
     for (event, written) in events.zip(examined.tables("events")) {
         if matches!(event.trigger, Trigger::At(at) if at >= limit) {
-            examined.add(
-                written.span_of("at"),
-                "the mission is over before this happens",
-            );
+            examined.add(written.span_of("at"), text!("check-event-late"));
         }
     }
 }
@@ -37,7 +35,7 @@ fn equipment(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     if !demanded.equipment.is_carried(&examined.mission.seats.fits) {
         let place = objective.written.span_of(demanded.key);
         let missing = demanded.equipment.words();
-        examined.add(place, format!("no vehicle carries {missing}"));
+        examined.add(place, text!("check-not-carried", missing = missing));
     }
 }
 
@@ -48,16 +46,18 @@ fn time(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     for demanded in &objective.demands.times {
         if demanded.time >= limit {
             let place = objective.written.span_of(demanded.key);
-            examined.add(place, format!("the mission lasts only {limit_s} s"));
+            examined.add(place, text!("check-too-long", limit = limit_s));
         }
     }
     let Some(least) = LeastTime::of(examined.mission, objective) else {
         return;
     };
     if least.time >= limit {
-        let fault = format!(
-            "at {SPEED_M_S} m/s in straight lines this takes {} s, but the mission lasts {limit_s} s",
-            least.time.as_secs(),
+        let fault = text!(
+            "check-too-far",
+            speed = SPEED_M_S.to_string(),
+            needed = least.time.as_secs(),
+            limit = limit_s
         );
         examined.add(least.place, fault);
     }

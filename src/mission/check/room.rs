@@ -8,6 +8,8 @@ use crate::mission::Point;
 use crate::mission::objective::GateRoute;
 use crate::mission::report::distance_m;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
+use crate::text;
+use crate::text::Text;
 
 /// The tolerance by which points on the edge of a fence count as inside.
 const EDGE_M: f64 = 0.01;
@@ -34,15 +36,20 @@ fn pads(examined: &mut Examined<'_>) {
         let place = written.span.clone();
         if let Some(what) = obstacle(examined, at, 0.0) {
             let number = index + 1;
-            examined.add(place.clone(), format!("pad {number} lies {what}"));
+            examined.add(
+                place.clone(),
+                text!("check-pad-lies", number = number, obstacle = what),
+            );
         }
         let before = mission.seats.pads.iter().take(index);
         let near = before.map(|&other| distance_m(at, other));
         let near_m = near.fold(f64::INFINITY, f64::min);
         if near_m < mission.min_separation_m() {
             let apart_m = mission.min_separation_m();
-            let fault = format!(
-                "this pad is {near_m:.1} m from another one; vehicles must keep {apart_m} m apart"
+            let fault = text!(
+                "check-pads-near",
+                near = format!("{near_m:.1}"),
+                apart = apart_m.to_string()
             );
             examined.add(place, fault);
         }
@@ -56,10 +63,7 @@ fn zone(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let outer = corners(&zone.shape);
     let left = |fence: &&Zone| outer.iter().any(|&at| is_beyond(fence, at));
     if let Some(fence) = fences(examined).into_iter().find(left) {
-        let fault = format!(
-            "the zone `{}` reaches beyond the fence `{}`",
-            zone.id, fence.id
-        );
+        let fault = text!("check-zone-fence", zone = &zone.id, fence = &fence.id);
         examined.add(objective.written.span_of("zone"), fault);
     }
 }
@@ -68,7 +72,7 @@ fn places(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let places = objective.demands.places.as_ref();
     for place in places.map_or(&[][..], |places| places.all) {
         if let Some(what) = obstacle(examined, place.at, 0.0) {
-            let fault = format!("the place `{}` lies {what}", place.name);
+            let fault = text!("check-place-lies", name = &place.name, obstacle = what);
             examined.add(place.written.clone(), fault);
         }
     }
@@ -78,7 +82,7 @@ fn heights(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let ceiling_m = examined.ceiling_m();
     let heights_m = objective.demands.heights_m;
     if heights_m.is_some_and(|[low_m, _]| low_m >= ceiling_m) {
-        let fault = format!("all these heights lie above the highest allowed, {ceiling_m} m");
+        let fault = text!("check-heights", height = ceiling_m.to_string());
         examined.add(objective.written.span_of("heights"), fault);
     }
 }
@@ -91,18 +95,18 @@ fn gates(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     for (index, &[east_m, north_m, up_m]) in gates.iter().enumerate() {
         let place = objective.written.span_of_item("gates", index);
         if up_m > ceiling_m {
-            let fault = format!("this gate lies above the highest height allowed, {ceiling_m} m");
+            let fault = text!("check-gate-high", height = ceiling_m.to_string());
             examined.add(place, fault);
         } else if let Some(what) = obstacle(examined, [east_m, north_m], up_m) {
-            examined.add(place, format!("this gate lies {what}"));
+            examined.add(place, text!("check-gate-lies", obstacle = what));
         }
     }
 }
 
 /// Why flying at a point is forbidden, if it is.
-fn obstacle(examined: &Examined<'_>, at: Point, up_m: f64) -> Option<String> {
+fn obstacle(examined: &Examined<'_>, at: Point, up_m: f64) -> Option<Text> {
     if let Some(fence) = fences(examined).into_iter().find(|it| is_beyond(it, at)) {
-        return Some(format!("beyond the fence `{}`", fence.id));
+        return Some(text!("check-beyond", fence = &fence.id));
     }
     let mut zones = examined
         .mission
@@ -111,7 +115,7 @@ fn obstacle(examined: &Examined<'_>, at: Point, up_m: f64) -> Option<String> {
         .iter()
         .filter(|zone| zone.active);
     let forbidden = zones.find(|zone| zone.kind.forbids_all(up_m, up_m) && zone.shape.contains(at));
-    forbidden.map(|zone| format!("in the zone `{}`, where flying is forbidden", zone.id))
+    forbidden.map(|zone| text!("check-no-flights", zone = &zone.id))
 }
 
 fn fences<'m>(examined: &Examined<'m>) -> Vec<&'m Zone> {

@@ -3,6 +3,7 @@
 use super::Examined;
 use crate::mission::event::Action;
 use crate::scoring::Component;
+use crate::text;
 
 pub(super) fn check(examined: &mut Examined<'_>) {
     let Some(scoring) = examined.section("scoring") else {
@@ -12,7 +13,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     let gates = mission.scoring.gold_requires.iter();
     for (gate, written) in gates.zip(scoring.items_of("gold_requires")) {
         if !gate.can_hold() {
-            examined.add(written.span.clone(), "no flight can reach this");
+            examined.add(written.span.clone(), text!("check-gate-unreachable"));
         }
     }
     let weight = scoring.get("weights").and_then(|it| it.get("attention"));
@@ -21,9 +22,6 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     let asks = |action: &Action| matches!(action, Action::Alert { ok: Some(_), .. });
     let can_be_asked = !mission.may_inject.is_empty() || actions.any(asks);
     if let Some(written) = weight.filter(|_| weighs && !can_be_asked) {
-        examined.add(
-            written.span.clone(),
-            "no alert of this mission has an `ok` that answers it",
-        );
+        examined.add(written.span.clone(), text!("check-no-alert"));
     }
 }

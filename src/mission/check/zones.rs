@@ -5,6 +5,7 @@ use crate::mission::Point;
 use crate::mission::event::Action;
 use crate::mission::format::WrittenValue;
 use crate::mission::zone::{Shape, Zone, ZoneKind};
+use crate::text;
 
 /// The number of test points along each side of a zone's bounding rectangle.
 const POINTS_OF_A_SIDE: u32 = 60;
@@ -26,8 +27,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
             | ZoneKind::People { .. } => None,
         };
         if let Some(kind) = jams.filter(|_| mission.site.radio.is_none()) {
-            let fault =
-                format!("a `{kind}` needs the section `radio`: without it nothing is jammed");
+            let fault = text!("check-jams-nothing", kind = kind);
             examined.add(written.span_of("kind"), fault);
         }
     }
@@ -45,12 +45,11 @@ fn shape(examined: &mut Examined<'_>, zone: &Zone, written: &WrittenValue) {
         return;
     };
     let place = written.span_of("polygon");
-    let side = |from: usize| format!("{} and {}", from + 1, (from + 1) % corners.len() + 1);
-    let fault = format!(
-        "the polygon crosses itself: its side between corners {} and that between corners {}",
-        side(first),
-        side(second)
-    );
+    let side = |from: usize| {
+        let (from, to) = (from + 1, (from + 1) % corners.len() + 1);
+        text!("check-corners", from = from, to = to)
+    };
+    let fault = text!("check-crossed", first = side(first), second = side(second));
     examined.add(place, fault);
 }
 
@@ -98,10 +97,10 @@ fn forbidden(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     let closed: Vec<&Zone> = all.filter(closes).map(|(_, zone)| zone).collect();
     if share_within(&zone.shape, &closed) > MOST_FORBIDDEN {
         let names = closed.iter().map(|zone| format!("`{}`", zone.id));
-        let fault = format!(
-            "flying is forbidden over more than nine tenths of the zone `{}`: {}",
-            zone.id,
-            names.collect::<Vec<_>>().join(", ")
+        let fault = text!(
+            "check-forbidden",
+            zone = &zone.id,
+            zones = names.collect::<Vec<_>>().join(", ")
         );
         examined.add(objective.written.span_of("zone"), fault);
     }

@@ -15,6 +15,7 @@ use crate::mission::format::{
     text, time, whole, word,
 };
 use crate::scoring::AlertLevel;
+use crate::text;
 
 /// All actions by the key that identifies them.
 const ACTIONS: &[KindOf<Action>] = &[
@@ -96,11 +97,10 @@ fn alert(table: &mut FileTable<'_>) -> Option<Action> {
     );
     let pads = table.draft().pads.len();
     if about.is_some_and(|number| number as usize > pads) {
-        table.fault_of("vehicle", format!("`vehicle` is a number from 1 to {pads}"));
+        table.fault_of("vehicle", text!("fault-vehicle-number", last = pads));
     }
     if within.is_some() && !table.is_written("ok") {
-        let message = "`within` needs an `ok`: the condition that answers the alert";
-        table.fault_of("within", message);
+        table.fault_of("within", text!("fault-within-ok"));
     }
     let level = level?;
     Some(Action::Alert {
@@ -127,7 +127,13 @@ fn set(table: &mut FileTable<'_>) -> Option<Action> {
         let (low, high) = (range.start(), range.end());
         table.fault_of(
             "to",
-            format!("`to` must lie between {low} and {high}, not {to}"),
+            text!(
+                "fault-between-not",
+                name = "to",
+                low = low.to_string(),
+                high = high.to_string(),
+                found = to.to_string()
+            ),
         );
     }
     Some(Action::Weather(Change {
@@ -224,7 +230,13 @@ fn fault(table: &mut FileTable<'_>) -> Option<Action> {
         let (low, high) = (range.start(), range.end());
         table.fault_of(
             "to",
-            format!("`to` must lie between {low} and {high}, not {to}"),
+            text!(
+                "fault-between-not",
+                name = "to",
+                low = low.to_string(),
+                high = high.to_string(),
+                found = to.to_string()
+            ),
         );
     }
     Some(Action::Fault(Fault {
@@ -259,7 +271,7 @@ impl FileValue for VictimValue {
             _ => None,
         };
         if victim.is_none() {
-            let message = format!("`{name}` is a number from 1 to {last}, \"all\" or \"random\"");
+            let message = text!("fault-victim", name = name, last = last);
             draft.faults.add(place, message);
         }
         victim

@@ -3,6 +3,7 @@
 use super::condition::condition;
 use crate::mission::format::{FileTable, text, whole, word};
 use crate::mission::{Clue, Hint, MissionAdvice, NEXT_CELL, Phase};
+use crate::text;
 use crate::text::Text;
 
 /// One piece of advice of either kind.
@@ -55,17 +56,13 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
     let Some(level) = level else {
         // Automatic advice needs a phase.
         let Some(phase) = phase else {
-            let fault = "a hint needs a `phase` in which it is shown, or a `level`";
-            table.fault_of("text", fault);
+            table.fault_of("text", text!("fault-hint-phase"));
             return None;
         };
         return Some(OneAdvice::Shown(Hint { phase, until, text }));
     };
     if until.is_some() {
-        table.fault_of(
-            "until",
-            "a hint with a `level` has no `until`: use `objective` instead",
-        );
+        table.fault_of("until", text!("fault-hint-until"));
     }
     if let Some(id) = &objective {
         table.draft().check_declared("objective", id);
@@ -92,11 +89,11 @@ fn hint_text(table: &mut FileTable<'_>) -> Option<Text> {
         let text = written.get_ref();
         let rest = text.replace(NEXT_CELL, "");
         if rest.contains(['{', '}']) {
-            let message = format!("unknown placeholder: a hint has only `{NEXT_CELL}`");
+            let message = text!("fault-hint-placeholder", known = NEXT_CELL);
             table.draft().faults.add(written.span(), message);
         }
         if rest.len() < text.len() && no_cells {
-            let message = format!("`{NEXT_CELL}` needs an objective of kind `sample_cells`");
+            let message = text!("fault-hint-cells", known = NEXT_CELL);
             table.draft().faults.add(written.span(), message);
         }
     }

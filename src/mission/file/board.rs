@@ -4,6 +4,7 @@ use crate::mission::board::{BoardSetup, PlanFault, Route};
 use crate::mission::format::{
     FileTable, flag, list, named, number, point, table as table_of, whole,
 };
+use crate::text;
 
 /// The number of places of a plan: with fewer, a fault could not be in the middle.
 const PLACES: std::ops::RangeInclusive<usize> = 4..=200;
@@ -61,17 +62,19 @@ pub(super) fn board(table: &mut FileTable<'_>) -> Option<BoardSetup> {
 fn check(table: &mut FileTable<'_>, setup: &BoardSetup) {
     let pads = table.draft().pads.len();
     if !setup.routes.is_empty() && setup.routes.len() != pads {
-        let fault = format!(
-            "`plans` has {} entries for {pads} pads: write one for each",
-            setup.routes.len()
+        let fault = text!(
+            "fault-each-pad",
+            name = "plans",
+            count = setup.routes.len(),
+            pads = pads
         );
         table.fault_of("plans", fault);
     }
     if setup.faulty > setup.faults.len().min(setup.routes.len()) {
-        table.fault_of("faulty", "more faulty plans than `plans` or `faults`");
+        table.fault_of("faulty", text!("fault-faulty-plans"));
     }
     if setup.faults.contains(&PlanFault::Copied) && setup.routes.len() == 1 {
-        table.fault_of("faults", "`copied` needs two vehicles");
+        table.fault_of("faults", text!("fault-copied"));
     }
 }
 

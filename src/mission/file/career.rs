@@ -8,6 +8,7 @@ use crate::mission::event::standard::Standard;
 use crate::mission::format::{FileTable, TextValue, list, map, number, text, text_by, whole, word};
 use crate::mission::skill::Skill;
 use crate::scoring::Medal;
+use crate::text;
 use crate::workshop;
 
 /// The maximum number of missions of one list, and the maximum number of unlocks.
@@ -41,7 +42,7 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     let (missions, medals) = (missions.unwrap_or_default(), medals.unwrap_or_default());
     let skills = skills.unwrap_or_default();
     if missions.len() + medals.len() > MOST_NAMES {
-        table.fault(format!("`requires` names at most {MOST_NAMES} missions"));
+        table.fault(text!("fault-requires-most", most = MOST_NAMES));
     }
     for (name, _) in &medals {
         mission(table, name.get_ref(), name);
@@ -137,11 +138,7 @@ fn unlocked(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Unlo
 
 /// The id of a design or of a part.
 pub(super) const fn design_id() -> TextValue {
-    text_by(
-        "id of a design",
-        is_part,
-        "a design's id is 1 to 40 lower-case letters, digits, `-` and `_`",
-    )
+    text_by("id of a design", is_part, "fault-design-id")
 }
 
 fn is_part(id: &str) -> bool {

@@ -5,6 +5,7 @@ use toml::de::DeValue;
 
 use crate::mission::event::expression::{Expression, ExpressionNames, LONGEST};
 use crate::mission::format::{Draft, FileShape, FileValue};
+use crate::text;
 
 /// A condition over the names known so far.
 pub(super) fn condition() -> ConditionValue {
@@ -30,7 +31,7 @@ impl FileValue for ConditionValue {
         let place = written.span();
         let source: String = draft.faults.read(written)?;
         if source.len() > LONGEST {
-            let fault = format!("a condition has at most {LONGEST} characters");
+            let fault = text!("fault-condition-long", most = LONGEST);
             draft.faults.add(place, fault);
             return None;
         }

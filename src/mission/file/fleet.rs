@@ -11,6 +11,7 @@ use crate::mission::format::{
 use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
 use crate::mission::{Outlay, Point};
+use crate::text;
 
 /// The maximum number of vehicles, more than a console can fly.
 const MOST_VEHICLES: u32 = 250;
@@ -78,19 +79,17 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
     let outlay = outlay(table, pads.as_ref().map(Vec::len));
     let (vehicles, pads) = (vehicles?, pads?);
     if pads.len() != vehicles as usize {
-        let fault = format!(
-            "{vehicles} vehicles need {vehicles} pads, not {}",
-            pads.len()
-        );
+        let fault = text!("fault-pads", vehicles = vehicles, found = pads.len());
         table.fault_of("pads", fault);
     }
     if let Some(own) = &own
         && own.len() != pads.len()
     {
-        let fault = format!(
-            "`vehicles` has {} entries for {} pads: write one for each",
-            own.len(),
-            pads.len()
+        let fault = text!(
+            "fault-each-pad",
+            name = "vehicles",
+            count = own.len(),
+            pads = pads.len()
         );
         table.fault_of("vehicles", fault);
     }
@@ -123,7 +122,7 @@ fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
         )
         .unwrap_or_default();
     if pads.is_some_and(|pads| loaners.len() > pads) {
-        table.fault_of("loaner", "`loaner` lends at most one design for each pad");
+        table.fault_of("loaner", text!("fault-loaners"));
     }
     Outlay {
         budget,

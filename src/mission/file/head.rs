@@ -5,6 +5,7 @@ use toml::de::DeValue;
 
 use crate::mission::MissionSummary;
 use crate::mission::format::{Draft, FileShape, FileTable, FileValue, list, text_by, whole};
+use crate::text;
 use crate::text::Text;
 
 /// The only version of the format.
@@ -58,7 +59,7 @@ impl FileHead {
             "id of the mission that this drill prepares for",
         );
         if drill_of.is_some() && drill_of == id {
-            table.fault_of("drill_of", "a mission cannot be its own drill");
+            table.fault_of("drill_of", text!("fault-own-drill"));
         }
         schema?;
         // At most 255, so it fits.
@@ -82,15 +83,15 @@ impl FileHead {
 fn title(table: &mut FileTable<'_>) -> Option<Text> {
     const FORM: &str = "1 to 60 characters";
     let fits = |title: &str| !title.is_empty() && is_short(title);
-    let english_form = text_by(FORM, fits, "`title` must have 1 to 60 characters");
+    let english_form = text_by(FORM, fits, "fault-title");
     let english = table.need("title", english_form, "title shown to trainees");
-    let ukrainian_form = text_by(FORM, fits, "`title_uk` must have 1 to 60 characters");
+    let ukrainian_form = text_by(FORM, fits, "fault-title-uk");
     let ukrainian = table.may("title_uk", ukrainian_form, "the same in Ukrainian");
     let faults = &mut table.draft().faults;
     Some(faults.translated(english?, ukrainian, "title_uk"))
 }
 
-const TOO_LONG: &str = "a name may have up to 60 characters";
+const TOO_LONG: &str = "fault-name-long";
 
 fn is_short(name: &str) -> bool {
     name.chars().count() <= 60
@@ -101,7 +102,7 @@ pub(super) const fn mission_id() -> crate::mission::format::TextValue {
     text_by(
         "1 to 40 lower-case letters, digits and `-`",
         is_mission_id,
-        "a mission's id is 1 to 40 lower-case letters, digits and `-`",
+        "fault-mission-id",
     )
 }
 
@@ -125,7 +126,7 @@ impl FileValue for SchemaVersion {
         let place = written.span();
         let version: u32 = draft.faults.read(written)?;
         if version != SCHEMA {
-            let fault = format!("this program reads schema {SCHEMA} only");
+            let fault = text!("fault-schema", known = SCHEMA);
             draft.faults.add(place, fault);
         }
         Some(())

@@ -3,6 +3,7 @@
 use super::condition::condition;
 use crate::mission::format::{FileTable, text};
 use crate::mission::{LessonStep, STEP_KEY};
+use crate::text;
 
 pub(super) fn step(table: &mut FileTable<'_>) -> Option<LessonStep> {
     let when = table.may(
@@ -24,16 +25,16 @@ pub(super) fn step(table: &mut FileTable<'_>) -> Option<LessonStep> {
     let key_form = text("an action of the keymap such as `map`, or a verb such as `takeoff`");
     let key = table.may("key", key_form, "action or verb whose key replaces `{key}`");
     if !table.is_written("when") && !table.is_written("until") {
-        table.fault("a step without `when` and `until` would be shown forever");
+        table.fault(text!("fault-step-forever"));
     }
     for written in english.iter().chain(&ukrainian) {
         let rest = written.get_ref().replace(STEP_KEY, "");
         let is_used = rest.len() < written.get_ref().len();
         if rest.contains(['{', '}']) {
-            let message = format!("unknown placeholder: a step has only `{STEP_KEY}`");
+            let message = text!("fault-step-placeholder", known = STEP_KEY);
             table.draft().faults.add(written.span(), message);
         } else if is_used != key.is_some() {
-            let message = format!("`{STEP_KEY}` and `key` go together");
+            let message = text!("fault-step-key", key = STEP_KEY);
             table.draft().faults.add(written.span(), message);
         }
     }

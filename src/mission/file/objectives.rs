@@ -2,6 +2,7 @@
 
 use crate::mission::format::{FileTable, flag, number};
 use crate::mission::objective::{self, Objective};
+use crate::text;
 
 pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
     let id = table.need_id("objectives");
@@ -18,10 +19,7 @@ pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
     table.draft().surveys.extend(kind.survey().cloned());
     for name in kind.place_names() {
         if table.draft().drawn.contains(&name) {
-            let fault = format!(
-                "an earlier objective has gates already (place `{name}`): only one objective may have gates"
-            );
-            table.fault_of("id", fault);
+            table.fault_of("id", text!("fault-gates-twice", name = name));
             break;
         }
     }
@@ -40,9 +38,6 @@ pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
 pub(super) fn check(file: &mut FileTable<'_>, objectives: Option<&[Objective]>) {
     let none_mandatory = |all: &[Objective]| all.iter().all(|objective| !objective.mandatory);
     if objectives.is_some_and(none_mandatory) && file.draft().faults.is_empty() {
-        file.fault_of(
-            "objectives",
-            "at least one objective must be `mandatory`, or the mission can never be passed",
-        );
+        file.fault_of("objectives", text!("fault-none-mandatory"));
     }
 }

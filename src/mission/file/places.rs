@@ -4,12 +4,13 @@ use crate::commands::CONTACT_STEMS;
 use crate::mission::format::{Draft, FileTable, NamedPlace, point, text_by};
 use crate::mission::objective::NEXT_PLACE;
 use crate::mission::pad;
+use crate::text;
 
 pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
     let id_form = text_by(
         "2 to 32 letters, digits, `-` and `_`, beginning with a letter",
         is_name,
-        "a place's id begins with a letter: 2 to 32 letters, digits, `-` and `_`",
+        "fault-place-id",
     );
     let id = table.need(
         "id",
@@ -19,8 +20,7 @@ pub(super) fn place(table: &mut FileTable<'_>) -> Option<NamedPlace> {
     let at = table.need("at", point(), "position");
     let id = id?;
     if is_taken(id.get_ref()) {
-        let fault = "`pad`, `pad1`, `c1`, `fire1`, `gate1`, `peak`, `peak1` and `next` are names of the flight's own places";
-        table.fault_of("id", fault);
+        table.fault_of("id", text!("fault-place-taken"));
     }
     table.draft().add_id("places", &id);
     Some(NamedPlace {
@@ -36,7 +36,7 @@ pub(super) fn check_no_cells(draft: &mut Draft) {
         let is_cell = |name: &str| survey.cells.iter().any(|cell| cell.name == name);
         for place in draft.places.iter().filter(|place| is_cell(&place.name)) {
             let (name, survey) = (&place.name, &survey.id);
-            let fault = format!("`{name}` is a cell of `{survey}`");
+            let fault = text!("fault-place-cell", name = name, survey = survey);
             draft.faults.add(place.written.clone(), fault);
         }
     }

@@ -9,6 +9,7 @@ use crate::mission::format::{
     FileTable, LONGEST_S, list, number, seconds, table as table_of, text, whole,
 };
 use crate::scoring::{Component, Gate, Medals, ScoreRules, Weights};
+use crate::text;
 
 const USUAL_MEDALS: Medals = Medals {
     gold: 850,
@@ -82,7 +83,7 @@ fn par(table: &mut FileTable<'_>) -> Option<Par> {
     let energy_wh = table.need("energy_wh", energy, "par energy of all vehicles");
     let limit = table.draft().time_limit;
     if time.zip(limit).is_some_and(|(time, limit)| time >= limit) {
-        table.fault_of("time", "the par time must be shorter than `time_limit`");
+        table.fault_of("time", text!("fault-par-time"));
     }
     Some(Par {
         time: time?,
@@ -103,7 +104,7 @@ fn gate(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Gate> {
         .objective()
         .filter(|id| !objectives.iter().any(|it| it == id))
     {
-        let message = format!("unknown name `{id}` in a gate");
+        let message = text!("fault-gate-name", name = id);
         let mut names: Vec<&str> = Gate::names().collect();
         names.extend(objectives.iter().map(String::as_str));
         let fault = Diagnostic::new(written.span(), message).with_nearest(id, names);
@@ -144,7 +145,7 @@ fn weights(table: &mut FileTable<'_>) -> Option<Weights> {
         Component::ALL.map(|component| table.or(component.name(), weight, 0.0, about(component)));
     let sum: f64 = weights.iter().sum();
     if (sum - 1.0).abs() > 1e-6 && !table.has_wrong() {
-        table.fault(format!("the weights must sum to 1, not {sum:.3}"));
+        table.fault(text!("fault-weights", sum = format!("{sum:.3}")));
     }
     Some(Weights(weights))
 }
@@ -162,7 +163,7 @@ fn medals(table: &mut FileTable<'_>) -> Option<Medals> {
         bronze: bronze?,
     };
     if !(medals.bronze < medals.silver && medals.silver < medals.gold) {
-        table.fault("medals must rise from bronze to gold, up to 1000");
+        table.fault(text!("fault-medals"));
     }
     Some(medals)
 }

@@ -2,6 +2,7 @@
 
 use crate::mission::format::{FileTable, KindOf, POINT_RANGE, flag, list, number, point};
 use crate::mission::zone::{Shadow, Shape, Zone, ZoneKind};
+use crate::text;
 
 /// The ceiling of zones that do not set one.
 const HIGHEST_M: f64 = 10_000.0;
@@ -24,8 +25,7 @@ pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
     );
     let (_, kind) = table.need_kind("zone", ZONE_KINDS)?;
     if jitter_m.is_some() && is_fixed(kind) {
-        let message = "objectives and rules depend on this zone: the seed cannot move it";
-        table.fault_of("jitter", message);
+        table.fault_of("jitter", text!("fault-zone-fixed"));
     }
     id?;
     Some(Zone {
@@ -58,7 +58,7 @@ fn shape(table: &mut FileTable<'_>) -> Option<Shape> {
     );
     let is_circle = table.is_written("center") || table.is_written("radius");
     if is_circle == table.is_written("polygon") {
-        table.fault("a zone has either `polygon`, or `center` and `radius`");
+        table.fault(text!("fault-zone-shape"));
         return None;
     }
     match (corners, center, radius_m) {
@@ -68,7 +68,7 @@ fn shape(table: &mut FileTable<'_>) -> Option<Shape> {
             let keys = ["center", "radius"].into_iter().filter(|_| is_circle);
             for key in keys {
                 if !table.is_written(key) {
-                    table.fault(format!("missing field `{key}`"));
+                    table.fault(text!("fault-key-missing", name = key));
                 }
             }
             None
@@ -136,7 +136,7 @@ fn no_fly(table: &mut FileTable<'_>) -> Option<ZoneKind> {
         "flying above this height is allowed",
     );
     if floor_m >= ceiling_m {
-        table.fault("the `floor` must lie below the `ceiling`");
+        table.fault(text!("fault-zone-floor"));
     }
     Some(ZoneKind::NoFly { floor_m, ceiling_m })
 }

@@ -251,3 +251,50 @@ fn a_landed_vehicle_is_not_called_home() {
     let down = hint(&pilot).expect("a hint");
     assert!(down.starts_with("Landed."), "{down}");
 }
+
+#[test]
+fn vehicles_that_return_are_not_told_to_go_on() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    let hint = |pilot: &Pilot| pilot.flight.progress().hint.map(|it| it.to_string());
+    let on_task = hint(&pilot).expect("a hint");
+    for mode in ["RTL", "LAND"] {
+        pilot.set_mode(mode);
+        pilot.wait(1.0);
+        let returning = hint(&pilot).expect("a hint");
+        assert!(
+            returning.contains("objectives are still open"),
+            "{returning}"
+        );
+    }
+    pilot.set_mode("GUIDED");
+    pilot.wait(1.0);
+    assert_eq!(hint(&pilot).expect("a hint"), on_task);
+}
+
+#[test]
+fn a_flight_ends_itself_once_all_are_down_and_only_time_is_missing() {
+    let source = include_str!("../../../missions/03-plume-source.toml");
+    for is_reported in [true, false] {
+        let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 1);
+        pilot.take_off(20.0);
+        if is_reported {
+            let subject = Subject::Spot(Spot::Here);
+            let deed = Deed::Mark {
+                subject,
+                kind: None,
+            };
+            drop(pilot.flight.act(EntryId(0), &deed, &[1]));
+        }
+        pilot.wait(1.0);
+        assert!(!pilot.flight.progress().ends_itself, "it flies");
+        pilot.set_landed(LandedState::OnGround);
+        pilot.set_armed(false);
+        pilot.wait(1.0);
+        assert_eq!(pilot.flight.progress().ends_itself, is_reported);
+        assert!(!pilot.flight.is_over());
+        pilot.wait(30.0);
+        assert_eq!(pilot.flight.is_over(), is_reported);
+        assert!(!is_reported || !pilot.flight.progress().ends_itself);
+    }
+}

@@ -27,6 +27,7 @@ impl Flight {
                 .collect(),
             fences: self.fences(),
             gates: self.gates(),
+            wires: self.wires(),
             ..TruthReport::default()
         };
         let mut found = vec![false; self.search.marks().len()];
@@ -82,6 +83,15 @@ impl Flight {
         let places = self.goals.trackers().flat_map(Tracker::places);
         let gates = places.filter(|(name, _)| name != NEXT_PLACE);
         gates.map(|(_, at)| tenths(at)).collect()
+    }
+
+    fn wires(&self) -> Vec<Vec<Point>> {
+        let hazards = self.mission.site.hazards.iter();
+        let lines = hazards.map(|hazard| hazard.pylons());
+        let wires = lines.filter(|pylons| !pylons.is_empty());
+        wires
+            .map(|pylons| pylons.iter().copied().map(tenths).collect())
+            .collect()
     }
 
     fn track_reports(&self) -> Vec<TrackReport> {

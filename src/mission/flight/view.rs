@@ -53,6 +53,7 @@ impl Flight {
             feedback: self.journal.feedback().cloned(),
             clues: self.clue_progress(),
             pledge: self.pledge,
+            ends_itself: !self.is_over() && self.ends_itself(&standings),
             can_pledge: self.before_launch().is_ok(),
             answered_question: self.swarm.answered_question(),
             swarm: self.swarm.figures(&self.crafts, self.elapsed),
@@ -124,6 +125,12 @@ impl Flight {
         if phase == Phase::Done && self.is_down_again() && !self.is_over() {
             return Some(text!("mission-landed"));
         }
+        if self.all_come_down() && !self.is_over() {
+            return Some(match phase {
+                Phase::Done => text!("mission-returning"),
+                Phase::Ground | Phase::Armed | Phase::Air => text!("mission-returning-early"),
+            });
+        }
         let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();
         let mut hints = self.mission.advice.hints.iter().enumerate();
         let (_, found) = hints.find(|(at, hint)| hint.phase == phase && !is_reached(*at))?;
@@ -131,9 +138,16 @@ impl Flight {
     }
 
     /// Whether a vehicle has flown and none is still in the air.
-    fn is_down_again(&self) -> bool {
+    pub(super) fn is_down_again(&self) -> bool {
         let is_down = |craft: &Craft| craft.lost || craft.is_down();
         self.crafts.iter().any(|craft| craft.flown) && self.crafts.iter().all(is_down)
+    }
+
+    /// Whether vehicles are in the air, and all of them return or land on their own.
+    fn all_come_down(&self) -> bool {
+        let is_flying = |craft: &&Craft| craft.airborne && !craft.lost;
+        let mut flying = self.crafts.iter().filter(is_flying).peekable();
+        flying.peek().is_some() && flying.all(|craft| craft.comes_down)
     }
 
     /// The failsafe that ended the last flight, once no vehicle is in the air or about to take off.

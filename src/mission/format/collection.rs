@@ -1,5 +1,6 @@
 //! Composite values: lists, maps, tables with a reader of their own, and sections of such tables.
 
+use crate::text;
 use std::borrow::Cow;
 
 use toml::Spanned;
@@ -37,15 +38,15 @@ impl<V: FileValue> FileValue for ListValue<V> {
     ) -> Option<Vec<V::Out>> {
         let place = written.span();
         let DeValue::Array(items) = written.into_inner() else {
-            draft.faults.add(place, format!("`{name}` must be a list"));
+            draft.faults.add(place, text!("fault-list", name = name));
             return None;
         };
         if !(self.least..=self.most).contains(&items.len()) {
             let (least, most) = (self.least, self.most);
             let fault = match least {
-                0 => format!("`{name}` has at most {most} entries"),
-                _ if most == usize::MAX => format!("`{name}` must have at least one entry"),
-                _ => format!("`{name}` must have {least} to {most} entries"),
+                0 => text!("fault-list-most", name = name, most = most),
+                _ if most == usize::MAX => text!("fault-list-one", name = name),
+                _ => text!("fault-list-count", name = name, least = least, most = most),
             };
             draft.faults.add(place, fault);
             return None;
@@ -82,7 +83,7 @@ impl<V: FileValue> FileValue for MapValue<V> {
     ) -> Option<Self::Out> {
         let place = written.span();
         let DeValue::Table(values) = written.into_inner() else {
-            draft.faults.add(place, format!("`{name}` must be a table"));
+            draft.faults.add(place, text!("fault-table", name = name));
             return None;
         };
         let read = |(key, value): (Spanned<Cow<'_, str>>, Spanned<DeValue<'_>>)| {
@@ -140,13 +141,13 @@ impl<T> FileValue for TablesValue<T> {
     fn read(&self, name: &str, written: Spanned<DeValue<'_>>, draft: &mut Draft) -> Option<Vec<T>> {
         let place = written.span();
         let DeValue::Array(items) = written.into_inner() else {
-            let fault = format!("an array of tables is needed here, as in [[{name}]]");
+            let fault = text!("fault-tables", name = name);
             draft.faults.add(place, fault);
             return None;
         };
         if let Some(beyond) = items.get(self.most) {
             let (most, count) = (self.most, items.len());
-            let fault = format!("too many: a mission has at most {most} of these, not {count}");
+            let fault = text!("fault-too-many", most = most, count = count);
             draft.faults.add(beyond.span(), fault);
         }
         let items = items.into_iter().take(self.most);

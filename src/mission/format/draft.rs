@@ -13,6 +13,7 @@ use crate::mission::pad::pad_name;
 use crate::mission::sensor::Sensor;
 use crate::mission::survey::SurveyPlan;
 use crate::mission::zone::{Zone, ZoneKind};
+use crate::text;
 
 /// The results of earlier sections, for the sections that refer to them.
 #[derive(Debug, Default)]
@@ -68,7 +69,7 @@ impl Draft {
     pub fn add_id(&mut self, section: &'static str, id: &Spanned<String>) {
         let seen = self.ids.entry(section).or_default();
         if seen.contains(id.get_ref()) {
-            let fault = format!("the id `{}` is used twice", id.get_ref());
+            let fault = text!("fault-id-twice", id = id.get_ref());
             self.faults.add(id.span(), fault);
         }
         seen.push(id.get_ref().clone());

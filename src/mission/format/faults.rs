@@ -6,7 +6,7 @@ use serde::Deserialize;
 use toml::Spanned;
 use toml::de::{DeValue, ValueDeserializer};
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, toml_words};
 use crate::text;
 use crate::text::{Language, Text};
 
@@ -64,7 +64,7 @@ impl FileFaults {
             known.join(", ")
         };
         let name = written.get_ref();
-        let message = format!("unknown {what} `{name}`; known: {list}");
+        let message = text!("fault-name-unknown", what = what, name = name, known = list);
         let fault = Diagnostic::new(written.span(), message);
         self.push(fault.with_nearest(name, known.iter().copied()));
     }
@@ -76,7 +76,7 @@ impl FileFaults {
             Ok(value) => Some(value),
             Err(error) => {
                 let place = error.span().unwrap_or(place);
-                self.add(place, in_plain_words(error.message()));
+                self.add(place, toml_words(&in_plain_words(error.message())));
                 None
             }
         }
@@ -91,7 +91,7 @@ impl FileFaults {
     ) -> Text {
         for text in std::iter::once(&english).chain(&ukrainian) {
             if text.get_ref().len() > LONGEST_TEXT {
-                let fault = format!("a text has at most {LONGEST_TEXT} bytes");
+                let fault = text!("fault-text-long", most = LONGEST_TEXT);
                 self.add(text.span(), fault);
             }
         }

@@ -7,6 +7,7 @@ use super::table::FileTable;
 use super::value;
 use crate::mission::sensor::Sensor;
 use crate::mission::zone::Zone;
+use crate::text;
 
 /// Whether the larger or the smaller of two values is better.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -84,11 +85,11 @@ impl FileTable<'_> {
         let (is_worse, message) = match better {
             BetterMeasure::Higher => (
                 target.partial_from < target.met_at,
-                "`partial_from` must be below `target`",
+                text!("fault-from-below"),
             ),
             BetterMeasure::Lower => (
                 target.partial_from > target.met_at,
-                "`partial_from` must be above `target`: less is better here",
+                text!("fault-from-above"),
             ),
         };
         if !is_worse {
@@ -105,7 +106,7 @@ impl FileTable<'_> {
         let partial_from = self.or("partial_from", from, 0, "result at which points begin");
         let met_at = needed?;
         if met_at <= partial_from {
-            self.fault_of("target", "`target` must be above `partial_from`");
+            self.fault_of("target", text!("fault-target-from"));
         }
         Some(CountTarget {
             met_at: met_at as usize,

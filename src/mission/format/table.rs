@@ -9,6 +9,7 @@ use super::description::{FileKey, FileTableDescription, KindDescription, Presenc
 use super::draft::Draft;
 use super::value::{self, FileValue};
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::text;
 use crate::text::Text;
 
 /// Reads one table, or describes it. It must request all of its keys before it fails because of a missing one.
@@ -72,7 +73,7 @@ impl FileTable<'_> {
     ) -> Option<T> {
         let place = written.span();
         let DeValue::Table(values) = written.into_inner() else {
-            draft.faults.add(place, "a table is needed here");
+            draft.faults.add(place, text!("fault-table-needed"));
             return None;
         };
         FileTable::read_as(reader, Spanned::new(place, values), false, draft)
@@ -218,9 +219,9 @@ impl FileTable<'_> {
         });
         if read.is_none() && presence == Presence::Needed {
             let fault = if value.is_section() && self.is_root {
-                Diagnostic::new(0..0, format!("the section `{name}` is missing"))
+                Diagnostic::new(0..0, text!("fault-section-missing", name = name))
             } else {
-                Diagnostic::new(self.place.clone(), format!("missing field `{name}`"))
+                Diagnostic::new(self.place.clone(), text!("fault-key-missing", name = name))
             };
             self.missing.push((name.to_owned(), fault));
         }
@@ -285,7 +286,7 @@ impl FileTable<'_> {
         let found = kinds.iter().find(|kind| self.is_written(kind.name));
         if found.is_none() {
             let known: Vec<&str> = kinds.iter().map(|kind| kind.name).collect();
-            let fault = format!("{what} needs one of {}", known.join(", "));
+            let fault = text!("fault-one-of", what = what, known = known.join(", "));
             self.fault(fault);
             self.abandon();
         }
@@ -355,10 +356,13 @@ impl FileTable<'_> {
         let mut misspelt = Vec::new();
         for (key, _) in left {
             let name = key.get_ref().as_ref();
-            let message = if self.is_root {
-                format!("unknown key `{name}`")
-            } else {
-                format!("unknown field `{name}`, {}", value::expected(&known))
+            let message = match known.as_slice() {
+                _ if self.is_root => text!("fault-key-unknown", name = name),
+                [] => text!("fault-key-none", name = name),
+                known => {
+                    let known = known.join(", ");
+                    text!("fault-key-unexpected", name = name, known = known)
+                }
             };
             misspelt.extend(nearest(name, known.iter().copied()).map(str::to_owned));
             let fault = Diagnostic::new(key.span(), message);

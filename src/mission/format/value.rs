@@ -42,13 +42,3 @@ pub(in crate::mission) trait FileValue {
         false
     }
 }
-
-/// The valid names, listed for a fault.
-pub(super) fn expected(names: &[&str]) -> String {
-    match names {
-        [] => "no fields are allowed here".to_owned(),
-        [one] => format!("expected `{one}`"),
-        [one, other] => format!("expected `{one}` or `{other}`"),
-        _ => format!("expected one of `{}`", names.join("`, `")),
-    }
-}

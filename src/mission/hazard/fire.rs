@@ -172,9 +172,7 @@ fn ground(
 ) -> Option<FireGrid> {
     let (columns, rows) = ((east - west) / side_m, (north - south) / side_m);
     if columns < 1.0 || rows < 1.0 || columns * rows > MOST_CELLS {
-        let message = format!(
-            "`area` is [west, south, east, north], at least one cell and at most {MOST_CELLS}"
-        );
+        let message = text!("fault-fire-area", most = MOST_CELLS.to_string());
         table.fault_of("area", message);
         return None;
     }

@@ -16,6 +16,7 @@ use crate::mission::format::{
 };
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
+use crate::text;
 
 const MOST_HOUSES: u32 = 500;
 
@@ -73,13 +74,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let nodes = table.may("nodes", nodes_form, "places for gauges");
     let (houses, people, roofs_m, level_m) = (houses?, people?, roofs_m?, level_m?);
     if level_m >= roofs_m[0] {
-        let fault = "`roofs` must be [low, high], above `level` and up to 100 m";
-        table.fault_of("roofs", fault);
+        table.fault_of("roofs", text!("fault-roofs"));
     }
     if people + animals > houses {
-        let fault =
-            "there must be a person or an animal, and a house for each of `people` and `animals`";
-        table.fault_of("people", fault);
+        table.fault_of("people", text!("fault-houses"));
     }
     Some(Box::new(Flood {
         shape: zone?.shape,

@@ -13,6 +13,7 @@ use crate::mission::Point;
 use crate::mission::format::{FileTable, KindOf, list, number, point, whole};
 use crate::mission::report::distance_m;
 use crate::mission::weather::Weather;
+use crate::text;
 
 const MOST_PYLONS: usize = 100;
 const MOST_DEFECTS: u32 = 200;
@@ -77,22 +78,25 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     let (pylons, height_m, sag_m) = (pylons?, height_m?, sag_m?);
     let mut spans = pylons.windows(2);
     if !spans.all(|pair| distance_m(pair[0], pair[1]) >= 5.0) {
-        let fault = format!("a line has 2 to {MOST_PYLONS} pylons, at least 5 m apart");
+        let fault = text!("fault-pylons", most = MOST_PYLONS);
         table.fault_of("pylons", fault);
         return None;
     }
     if sag_m > height_m {
-        let fault = format!("`sag` must lie between 0 and {height_m}, not {sag_m}");
+        let fault = text!(
+            "fault-between-not",
+            name = "sag",
+            low = 0,
+            high = height_m.to_string(),
+            found = sag_m.to_string()
+        );
         table.fault_of("sag", fault);
     }
     let (defects, gap_m) = (defects?, gap_m?);
     let wire = Wire::new(pylons, height_m, sag_m);
     // Half of the length must stay free; otherwise random placement finds no room.
     if f64::from(defects + stains) * gap_m > wire.length_m() / 2.0 {
-        table.fault_of(
-            "min_gap",
-            "the line is too short for this many defects and stains with this gap",
-        );
+        table.fault_of("min_gap", text!("fault-line-short"));
     }
     Some(Box::new(PowerLine {
         wire,

@@ -7,6 +7,7 @@ use super::{Field, Hazard, Object, ObjectClass, TruthPiece};
 use crate::mission::format::{FileTable, KindOf, number, table as table_of, whole};
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
+use crate::text;
 
 /// The maximum number of objects; more would slow a step down.
 const MOST_OBJECTS: f64 = 2000.0;
@@ -58,8 +59,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     };
     let all = count(&counts);
     if count(&mines) < 1.0 || all > MOST_OBJECTS {
-        let fault =
-            format!("a minefield needs at least one mine and holds at most {MOST_OBJECTS} objects");
+        let fault = text!("fault-mines", most = MOST_OBJECTS.to_string());
         table.fault_of("count", fault);
     }
     let (low, high) = zone.shape.bounds();
@@ -68,7 +68,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     // that.
     if all * gap_m * gap_m > area_m2 {
         let zone = &zone.id;
-        let fault = format!("zone `{zone}` is too small for {all} objects with this gap");
+        let fault = text!("fault-mines-gap", zone = zone, count = all.to_string());
         table.fault_of("min_gap", fault);
     }
     Some(Box::new(Minefield {

@@ -90,7 +90,7 @@ fn detectors(
     for sensor in &sensors {
         if sensor.get_ref().detector().is_none() {
             let id = sensor.get_ref().id;
-            let fault = format!("`{id}` measures at one point and sweeps no area");
+            let fault = text!("fault-no-sweep", sensor = id);
             table.draft().faults.add(sensor.span(), fault);
         }
     }
@@ -100,13 +100,13 @@ fn detectors(
 fn grid(table: &mut FileTable<'_>, shape: &Shape, side_m: f64) -> Option<CoverageGrid> {
     let (low, high) = shape.bounds();
     if (high[0] - low[0]) * (high[1] - low[1]) > MOST_CELLS * side_m * side_m {
-        let fault = format!("more than {MOST_CELLS} cells; make `cell` larger");
+        let fault = text!("fault-cells-most", most = MOST_CELLS.to_string());
         table.fault_of("cell", fault);
         return None;
     }
     let grid = CoverageGrid::new(shape, side_m);
     if grid.count() == 0 {
-        table.fault_of("cell", "no cell of this size has its centre in the zone");
+        table.fault_of("cell", text!("fault-cells-none"));
     }
     Some(grid)
 }

@@ -51,7 +51,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     );
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     if table.draft().pads.len() == 1 {
-        table.fault("a formation needs two vehicles or more");
+        table.fault(text!("fault-formation"));
     }
     Some(Box::new(FormationObjective {
         id: table.own_id(),

@@ -32,7 +32,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let count = table.or("count", whole(1, 250, ""), 1, "number of vehicles required");
     let fleet = table.draft().pads.len();
     if fleet > 0 && count as usize > fleet {
-        let fault = format!("`count` must lie between 1 and the {fleet} vehicles of the fleet");
+        let fault = text!("fault-count-fleet", fleet = fleet);
         table.fault_of("count", fault);
     }
     Some(Box::new(LandOn {

@@ -57,7 +57,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let within_m = table.need("within", within, "maximum distance of a correct report");
     let partial_to_m = table.need("partial_to", within, "distance at which points end");
     if partial_to_m <= within_m && partial_to_m.is_some() {
-        table.fault_of("partial_to", "`partial_to` must be above `within`");
+        table.fault_of("partial_to", text!("fault-partial-to"));
     }
     Some(Box::new(Locate {
         hazard: hazard?,

@@ -60,21 +60,15 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
         "result at which points begin",
     );
     if met_at.is_some_and(|met_at| partial_from >= met_at) {
-        table.fault_of(
-            "target",
-            "`target` must be above `partial_from`, which is 0 or more",
-        );
+        table.fault_of("target", text!("fault-target-from-zero"));
     }
     let times = times?;
     if !times.is_sorted_by(|a, b| a < b) {
-        table.fault_of(
-            "times",
-            "`times` must be seconds in ascending order, the first at least 1",
-        );
+        table.fault_of("times", text!("fault-times"));
     }
     let sensor = sensor?;
     if sensor.swath_m(1.0).is_none() {
-        table.fault_of("sensor", "the perimeter needs a camera");
+        table.fault_of("sensor", text!("fault-camera"));
     }
     Some(Box::new(Perimeter {
         hazard: hazard?,

@@ -53,7 +53,7 @@ pub(super) const KEPT: KindOf<Box<dyn ObjectiveKind>> = KindOf {
 
 fn read(table: &mut FileTable<'_>, rule: PlanRule) -> Option<Box<dyn ObjectiveKind>> {
     if !table.draft().has_plans {
-        table.fault_of("kind", "this kind needs `plans` in `[board]`");
+        table.fault_of("kind", text!("fault-needs-plans"));
         return None;
     }
     Some(Box::new(rule))

@@ -44,13 +44,13 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let target = target?;
     if !cells.is_empty() && target.met_at > cells.len() {
         let count = cells.len();
-        let fault = format!("`target` must lie between 1 and the {count} cells of the zone");
+        let fault = text!("fault-target-cells", count = count);
         table.fault_of("target", fault);
     }
     let sensor = sensor?;
     let probe = sensor.probe();
     if probe.is_none() {
-        let fault = format!("`{}` finds things and does not measure anything", sensor.id);
+        let fault = text!("fault-no-measure", sensor = sensor.id);
         table.fault_of("sensor", fault);
     }
     Some(Box::new(SampleCells {
@@ -76,8 +76,12 @@ fn grid(shape: &Shape, side_m: f64, table: &mut FileTable<'_>) -> Vec<CellPlan> 
     let count = |axis: usize| ((high[axis] - low[axis]) / side_m - 1e-3).ceil().max(0.0) as usize;
     let (columns, rows) = (count(0), count(1));
     if columns.saturating_mul(rows) > MOST_CELLS {
-        let fault =
-            format!("{columns} x {rows} cells are more than {MOST_CELLS}; make `cell` larger");
+        let fault = text!(
+            "fault-grid-most",
+            columns = columns,
+            rows = rows,
+            most = MOST_CELLS
+        );
         table.fault_of("cell", fault);
         return Vec::new();
     }
@@ -97,7 +101,7 @@ fn grid(shape: &Shape, side_m: f64, table: &mut FileTable<'_>) -> Vec<CellPlan> 
         }
     }
     if cells.is_empty() {
-        table.fault_of("cell", "no cell of this size has its centre in the zone");
+        table.fault_of("cell", text!("fault-cells-none"));
     }
     cells
 }

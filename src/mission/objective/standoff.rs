@@ -47,7 +47,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let target = table.need_target([0.01, 1.0], BetterMeasure::Higher);
     let (range_m, near_m) = (range_m?, near_m?);
     if range_m[1] > near_m {
-        table.fault_of("range", "`range` must be [nearest, farthest], up to `near`");
+        table.fault_of("range", text!("fault-range"));
     }
     Some(Box::new(Standoff {
         hazard: hazard?,

@@ -99,7 +99,7 @@ fn read_visit(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
             table
                 .draft()
                 .faults
-                .add(name.span(), "this place is named twice");
+                .add(name.span(), text!("fault-place-twice"));
         }
         found.extend(table.draft().named_place(name));
     }

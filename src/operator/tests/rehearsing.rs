@@ -385,6 +385,14 @@ fn smaller_work_names_the_vehicles_that_keep_an_old_plan() {
         });
         (notices.collect(), remarks.collect())
     };
+    let small = "all plan search square around 50.4515 30.5206 radius 20";
+    let (notices, remarks) = told(&give(0, small));
+    assert_eq!(remarks.len(), 1, "{remarks:?}");
+    assert!(
+        remarks[0].starts_with("parts for 1 of 3: no part for"),
+        "{remarks:?}"
+    );
+    assert_eq!(notices.len(), 2, "one for each without a part: {notices:?}");
     let nothing = (Vec::new(), Vec::new());
     let area = "search square around 50.4515 30.5206 radius 200";
     assert_eq!(told(&give(1, &format!("all plan {area}"))), nothing);

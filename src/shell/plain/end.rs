@@ -5,7 +5,6 @@ use std::time::Duration;
 use crate::app::State;
 use crate::app::state::{FlightView, Instance};
 use crate::ledger::Ledger;
-use crate::mission::ObjectiveState;
 use crate::shell::{ConsoleOptions, Opening};
 
 /// How long lines from a pipe wait for the vehicles to be heard.
@@ -105,14 +104,10 @@ pub(super) fn has_failures(ledger: &Ledger) -> bool {
     rows.any(|row| row.state.is_failure())
 }
 
-/// Whether a mission is about to pass: all objectives are met, and no vehicle is armed.
-pub(super) fn is_as_good_as_passed(state: &State) -> bool {
-    let session = state.session();
-    let mission = session.mission();
-    mission.is_some_and(|mission| {
-        let mut objectives = mission.objectives.iter();
-        session.armed() == 0 && objectives.all(|one| one.state == ObjectiveState::Met)
-    })
+/// Whether a mission is about to end, with its verdict, without any further command.
+pub(super) fn ends_itself(state: &State) -> bool {
+    let mission = state.session().mission();
+    mission.is_some_and(|mission| mission.ends_itself)
 }
 
 #[cfg(test)]

@@ -27,6 +27,8 @@ pub enum ProfileError {
     },
     /// An older version of the program wrote the file, and the file is read-only.
     Older { path: PathBuf },
+    /// It is read-only, and beside it is a log without the index that is needed to read it.
+    LogAlone { path: PathBuf, log: PathBuf },
     /// The database reports an error.
     Database {
         path: PathBuf,
@@ -74,6 +76,9 @@ impl ProfileError {
                 )
             }
             Self::Older { path } => text!("profiles-older", path = shown(path)),
+            Self::LogAlone { path, log } => {
+                text!("profiles-log-alone", path = shown(path), log = shown(log))
+            }
             Self::Database { path, error } => {
                 text!(
                     "profiles-database",

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use nix::errno::Errno;
 use nix::unistd::{AccessFlags, access};
-use rusqlite::{Connection, OpenFlags};
+use rusqlite::{Connection, ErrorCode, OpenFlags};
 
 use super::{FILE, PATIENCE, ProfileError, Profiles, Rescue, rescue, schema};
 use crate::store::sharing;
@@ -46,15 +46,16 @@ impl Profiles {
         Ok((profiles, rescue))
     }
 
-    /// Opens the profiles of a data folder to read them: a missing folder is not created and has no profiles. As with
-    /// [`open`](Self::open), a damaged file is replaced.
+    /// Opens the profiles of a data folder to read them: a missing folder or file is not created and has no profiles. As
+    /// with [`open`](Self::open), a damaged file is replaced.
     ///
     /// # Errors
     /// The profiles cannot be read, or a newer version of the program wrote the file.
     pub fn open_to_read(data: &Path) -> Result<(Self, Option<Rescue>), ProfileError> {
         let path = data.join(FILE);
-        let found = fs::metadata(data);
-        if found.is_err_and(|error| error.kind() == io::ErrorKind::NotFound) {
+        // A file that is missing beside its copies is damage.
+        let copies = rescue::copies(&path);
+        if is_missing(data) || (is_missing(&path) && copies.iter().all(|copy| is_missing(copy))) {
             return Ok((Self::none(path)?, None));
         }
         Self::open(data).map_err(|error| match error {
@@ -89,11 +90,8 @@ impl Profiles {
     /// Opens a file read-only. In a read-only folder without a log beside the file, it is read without the locks that
     /// `SQLite` would have to write.
     pub(super) fn read_only(path: PathBuf) -> Result<Self, ProfileError> {
-        let database = |error| ProfileError::Database {
-            path: path.clone(),
-            error,
-        };
-        let log = PathBuf::from(format!("{}-wal", path.display()));
+        let database = |error| unread(&path, error);
+        let log = beside(&path, "wal");
         let quiet = if log.exists() { "" } else { "?immutable=1" };
         let shown = path.display().to_string();
         let name = shown
@@ -153,6 +151,27 @@ pub(super) fn private(path: &Path) -> io::Result<File> {
     sharing::open(file.create(true).truncate(false).write(true), path)
 }
 
+/// A file of `SQLite` beside the database.
+fn beside(path: &Path, name: &str) -> PathBuf {
+    PathBuf::from(format!("{}-{name}", path.display()))
+}
+
+/// Why a database cannot be read: the log needs an index, which only a writer of the folder can create.
+fn unread(path: &Path, error: rusqlite::Error) -> ProfileError {
+    let log = beside(path, "wal");
+    let path = path.to_owned();
+    let is_closed = error.sqlite_error_code() == Some(ErrorCode::CannotOpen);
+    if is_closed && log.exists() && !beside(&path, "shm").exists() {
+        ProfileError::LogAlone { path, log }
+    } else {
+        ProfileError::Database { path, error }
+    }
+}
+
+fn is_missing(path: &Path) -> bool {
+    fs::metadata(path).is_err_and(|error| error.kind() == io::ErrorKind::NotFound)
+}
+
 /// Whether the error means that the file exists and must not be written.
 fn is_forbidden(error: &io::Error) -> bool {
     matches!(
@@ -165,4 +184,24 @@ fn is_forbidden(error: &io::Error) -> bool {
 fn is_closed(folder: &Path) -> bool {
     let found = access(folder, AccessFlags::W_OK | AccessFlags::X_OK);
     matches!(found, Err(Errno::EACCES | Errno::EROFS))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_log_that_cannot_be_read_without_its_index_is_named() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join(FILE);
+        let refused = || {
+            let code = rusqlite::ffi::Error::new(rusqlite::ffi::SQLITE_CANTOPEN);
+            unread(&path, rusqlite::Error::SqliteFailure(code, None))
+        };
+        assert!(matches!(refused(), ProfileError::Database { .. }));
+        fs::write(beside(&path, "wal"), "log").expect("written");
+        assert!(matches!(refused(), ProfileError::LogAlone { .. }));
+        fs::write(beside(&path, "shm"), "index").expect("written");
+        assert!(matches!(refused(), ProfileError::Database { .. }));
+    }
 }

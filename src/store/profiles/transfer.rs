@@ -81,6 +81,7 @@ impl ProfileFile {
             | ProfileError::ReadOnly { .. }
             | ProfileError::Newer { .. }
             | ProfileError::Older { .. }
+            | ProfileError::LogAlone { .. }
             | ProfileError::Database { .. }
             | ProfileError::Damaged { .. }
             | ProfileError::Unknown { .. }

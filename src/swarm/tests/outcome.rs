@@ -166,3 +166,31 @@ fn who_falls_out_where_the_others_find_no_safe_way_ends_it_for_all() {
         assert!(!stage.conductor.has(id));
     }
 }
+
+#[test]
+fn vehicles_sent_to_one_place_at_one_height_are_warned_of() {
+    let mut stage = Stage::flying(3, 10.0);
+    let goal = HOME.moved(60.0, 0.0);
+    let there = format!("goto {:.6} {:.6}", goal.lat_deg, goal.lon_deg);
+    let warned = |stage: &mut Stage, line: &str| {
+        stage.notices.clear();
+        stage.say(line);
+        stage.run(0.5);
+        stage.notices.join("\n")
+    };
+    let said = warned(&mut stage, &format!("all {there} up 20"));
+    assert!(said.contains("1-3 fly to one place"), "{said}");
+    // Each has an origin of its own, and one that flies higher passes above.
+    for apart in ["all goto n 30 e 0 up 20", "all goto by n 10 e 0 up 0"] {
+        assert_eq!(warned(&mut stage, apart), "", "{apart}");
+    }
+    stage.say("2 altitude 30");
+    stage.run(20.0);
+    let said = warned(&mut stage, &format!("all {there}"));
+    assert!(said.contains("1,3 fly to one place"), "{said}");
+    assert_eq!(warned(&mut stage, &format!("1-2 {there}")), "");
+    // A formation moves as one.
+    stage.say("all formation line spacing 12");
+    assert!(stage.watch(90.0, |stage| stage.is_done("formation")));
+    assert_eq!(warned(&mut stage, &format!("all {there}")), "");
+}

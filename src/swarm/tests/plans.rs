@@ -5,6 +5,7 @@ use crate::commands::{Ground, PlanTask};
 use crate::plan::command;
 use crate::plan::generate::Course;
 use crate::vehicle::Place;
+use crate::vehicle::{GlobalPosition, Vehicle};
 
 /// A vehicle that stands at home.
 fn standing() -> Vehicles {

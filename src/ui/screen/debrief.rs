@@ -9,7 +9,7 @@ use crate::debrief::{DebriefTone, TimelineMark};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::draw_truth;
-use crate::ui::widget::{below, centred, columns, put};
+use crate::ui::widget::{below, centred, columns, put, wrap};
 
 mod summary;
 
@@ -19,9 +19,7 @@ const HEADER_AND_FOOTER: u16 = 2;
 /// Draws the text from its first visible line; the last page stays full.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(debrief) = state.rooms().debrief() else {
-        let line = Line::styled(panel.say("debrief-none"), panel.style(Role::Muted));
-        put(buffer, below(panel.area, 1), 0, &line);
-        return;
+        return draw_nothing(panel, buffer);
     };
     let beside = debrief.is_beside(panel.area.width);
     if beside {
@@ -49,6 +47,20 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         put(buffer, column, row as u16, &line);
     }
     panel.at(column).mark_scroll(first, lines.len(), buffer);
+}
+
+/// Draws the reason why there is no debrief.
+fn draw_nothing(panel: Panel<'_>, buffer: &mut Buffer) {
+    let place = below(panel.area, 1);
+    let lines = wrap(&panel.say("debrief-none"), panel.width());
+    for (row, line) in (0..).zip(lines) {
+        put(
+            buffer,
+            place,
+            row,
+            &Line::styled(line, panel.style(Role::Muted)),
+        );
+    }
 }
 
 fn tone_role(tone: DebriefTone, passed: bool) -> Role {

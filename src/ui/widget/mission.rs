@@ -54,13 +54,15 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         let words = clip(&panel.text(&text), width);
         Line::styled(words, panel.style(Role::Muted))
     });
-    for line in objectives.chain(readings).chain(counts) {
+    let hint = hint_lines(progress, width, panel.look);
+    // The hint keeps a row: it is shown only here.
+    let most = usize::from(rest.height).saturating_sub(hint.len().min(1));
+    for line in objectives.chain(readings).chain(counts).take(most) {
         put(buffer, rest, 0, &line);
         rest = below(rest, 1);
     }
-    let hint = hint_lines(progress, width, panel.look);
     if let Some(grid) = Grid::of(&progress.cells) {
-        // The map also shows the cells, but the hint is shown only here.
+        // The map also shows the cells.
         let rows = grid.rows() as u16;
         let free = upper(rest, rest.height.saturating_sub(hint.len() as u16));
         grid.draw(state, panel.at(upper(free, rows)), buffer);

@@ -80,7 +80,7 @@ pub fn lines<'a>(
     };
     let mut head = format!(
         "{} {} {vehicles}",
-        clock(session.time(notice.at)),
+        clock(line.time(session)),
         aligned(&look.text(&word(notice.severity)), SEVERITY_WIDTH, false)
     );
     let indent = " ".repeat(Span::raw(&head).width());

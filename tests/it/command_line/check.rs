@@ -106,6 +106,16 @@ fn files_are_checked_in_the_language_of_the_user() {
 }
 
 #[test]
+fn faults_of_missions_are_in_the_language_of_the_user() {
+    let checked = sortie(&["check", "tests/data/bad_missions", "--lang", "uk"]);
+    let found = text(&checked.stdout);
+    assert!(found.contains("bad-id.toml:2:6: id завдання"), "{found}");
+    for english in [" must ", "unknown ", "missing ", "more than"] {
+        assert!(!found.contains(english), "{english}: {found}");
+    }
+}
+
+#[test]
 fn a_folder_does_not_hide_the_mission_of_the_same_name() {
     let folder = folder_with(&[("01/notes.txt", "mine")]);
     let output = sortie_in(folder.path(), &["run", "01", "--pilot", "nobody"]);
@@ -133,6 +143,75 @@ fn a_folder_is_checked_with_all_that_lies_below_it() {
     let found = text(&good.stdout);
     assert_eq!(good.status.code(), Some(0), "{found}");
     assert_eq!(found.lines().count(), 17, "{found}");
+}
+
+#[test]
+fn a_faulty_design_has_faults_of_a_design_and_an_unknown_file_says_so() {
+    let folder = folder_with(&[
+        (
+            "lab.toml",
+            "schema = 1\nname = \"Lab\"\n[parts]\nframe = \"x\"\n",
+        ),
+        ("odd.toml", "id = \"lab\"\ntitle = \"Lab\"\n[parts]\n"),
+    ]);
+    let checked = sortie(&["check", folder.path().to_str().expect("plain")]);
+    let found = text(&checked.stdout);
+    assert_eq!(checked.status.code(), Some(1), "{found}");
+    assert!(
+        found.contains("lab.toml:3:2: unknown field `parts`"),
+        "{found}"
+    );
+    assert!(
+        found.contains("odd.toml:1:1: unknown kind of file"),
+        "{found}"
+    );
+    assert!(!found.contains("objectives` is missing"), "{found}");
+}
+
+#[test]
+fn the_second_mission_with_an_id_is_a_fault_and_a_replacement_is_none() {
+    let mission = include_str!("../../../missions/01-air-sample.toml");
+    let folder = folder_with(&[
+        ("a/01-air-sample.toml", mission),
+        ("b/01-air-sample.toml", mission),
+        ("b/copy.toml", mission),
+    ]);
+    let checked = sortie(&["check", folder.path().to_str().expect("plain")]);
+    let found = text(&checked.stdout);
+    assert_eq!(checked.status.code(), Some(1), "{found}");
+    let faults: Vec<&str> = found.lines().filter(|it| it.contains("already")).collect();
+    assert_eq!(faults.len(), 1, "{found}");
+    assert!(faults[0].contains("copy.toml:3:6: the mission "), "{found}");
+    assert!(
+        faults[0].contains("a/01-air-sample.toml has the id"),
+        "{found}"
+    );
+}
+
+#[test]
+fn a_mission_that_cannot_be_read_is_named_with_the_reason() {
+    let folder = folder_with(&[("sortie/missions/pilots/none", "")]);
+    let missions = folder.path().join("sortie/missions");
+    std::os::unix::fs::symlink("/nowhere/53.toml", missions.join("53-gone.toml")).expect("linked");
+    fs::write(missions.join("54-odd.toml"), [0xFF, 0xFE]).expect("written");
+    let run = |name| {
+        let output = sortie_in(folder.path(), &["run", name, "--pilot", "00"]);
+        text(&output.stderr)
+    };
+    let gone = run("53");
+    assert!(
+        gone.contains("53-gone.toml is a link to /nowhere/53.toml, which"),
+        "{gone}"
+    );
+    let odd = run("54");
+    assert!(
+        odd.contains("54-odd.toml") && !odd.contains("no mission"),
+        "{odd}"
+    );
+    let path = missions.join("53-gone.toml");
+    let checked = sortie(&["check", path.to_str().expect("plain")]);
+    let said = text(&checked.stderr);
+    assert!(said.contains("is a link to /nowhere/53.toml"), "{said}");
 }
 
 #[test]

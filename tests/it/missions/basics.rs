@@ -99,3 +99,11 @@ fn a_formation_is_kept_or_it_is_not() {
     let apart = flown(&source, &flight(10), 1);
     assert_eq!(unmet(&apart), [("keep", "2/2 gates, 0 %".to_owned())]);
 }
+
+#[test]
+fn the_truth_of_a_line_inspection_shows_the_line() {
+    let source = std::fs::read_to_string(folder("missions/04-line-inspection.toml"));
+    let report = flown(&source.expect("it is there"), "wait 1s\n", 1);
+    assert_eq!(report.truth.wires.len(), 1);
+    assert!(report.truth.wires[0].len() > 2, "{:?}", report.truth.wires);
+}

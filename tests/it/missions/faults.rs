@@ -9,7 +9,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "sensors = [\"s_voc\"]",
         "sensors = [\"s_voc\"]\nloads = { bal = 4 }",
-        "27:11: unknown field `bal`, expected one of `ball`, `spray`, `kit`, `node` (did you mean `ball`?)",
+        "27:11: unknown field `bal`; known: ball, spray, kit, node (did you mean `ball`?)",
     ),
     (
         "sensors = [\"s_voc\"]",
@@ -149,7 +149,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[requires]\nmedals = { lane = \"tin\" }\n[fleet]",
-        "24:19: unknown value `tin`, expected one of `bronze`, `silver`, `gold`",
+        "24:19: unknown value `tin`; known: bronze, silver, gold",
     ),
     (
         "[fleet]",

@@ -56,6 +56,7 @@ pub(super) fn truth() -> TruthReport {
             [-10.0, 105.0],
         ]],
         gates: vec![[30.0, 25.0]],
+        wires: vec![vec![[0.0, 70.0], [45.0, 70.0], [95.0, 70.0]]],
     }
 }
 
@@ -161,7 +162,7 @@ fn what_nobody_asked_for_is_not_missed() {
     console.hear(SessionEvent::MissionEnded(Box::new(report)));
     console.at(10).press("m");
     let text = shown(&console, Symbols::Ascii);
-    assert!(text.contains("present, not an objective 1"), "{text}");
+    assert!(text.contains("present, not an objective: 1"), "{text}");
     assert!(!text.contains("missed"), "{text}");
 }
 

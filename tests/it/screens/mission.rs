@@ -7,6 +7,7 @@ use sortie::app::state::{Activity, Room};
 use sortie::campaign::Stake;
 use sortie::mission::Mission;
 use sortie::text::{Language, Locale};
+use sortie::vehicle::Severity;
 
 use crate::fixtures;
 use crate::harness::Console;
@@ -126,6 +127,60 @@ fn a_debrief_follows_the_language_and_stays_until_the_next_session() {
     assert!(console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
     console.start(Activity::Free);
     assert!(!console.press("D").screen(80, 24).contains("ПЕРЕБІГ"));
+}
+
+#[test]
+fn without_a_debrief_the_whole_reason_is_shown() {
+    let screen = Console::new().press("D").screen(80, 24);
+    let words = screen.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(words.contains("`seek end` leads there."), "{screen}");
+}
+
+#[test]
+fn a_long_target_cuts_no_other_column() {
+    let console = Console::set_up(|setup| {
+        let text = include_str!("../../../missions/04-line-inspection.toml");
+        setup.missions = vec![Mission::parse(text).expect("good").listing()];
+    });
+    for width in 150..=220 {
+        let screen = console.screen(width, 50);
+        let is_beside = screen.contains("── objectives");
+        let expected = if is_beside { 3 } else { 0 };
+        let shown = screen.matches("mandatory").count();
+        assert_eq!(shown, expected, "{width}\n{screen}");
+    }
+}
+
+#[test]
+fn the_hint_keeps_a_row_however_full_the_pane_is() {
+    let mut console = flying();
+    for id in 2..=12 {
+        console.vehicle(fixtures::airborne(id, 20.0, 20.1));
+    }
+    let mut progress = fixtures::progress();
+    progress.hint = Some("take off".into());
+    progress.objectives.extend(progress.objectives.clone());
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    let screen = console.press("F").screen(80, 24);
+    assert!(screen.contains("hint: take off"), "{screen}");
+}
+
+#[test]
+fn notices_keep_the_clock_of_their_session() {
+    let mut console = flying();
+    console.at(200).notice(Severity::Info, Some(1), "a text");
+    let told = |console: &mut Console| {
+        let screen = console.give("notices").screen(80, 24);
+        let line = screen.lines().find(|line| line.contains("a text"));
+        let line = line.expect("the notice").trim_matches(['│', ' ', '>']);
+        console.press("esc");
+        line.to_owned()
+    };
+    let before = told(&mut console);
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
+    console.at(300).press("h");
+    assert_eq!(console.state().room(), Room::Home);
+    assert_eq!(told(&mut console), before);
 }
 
 #[test]

@@ -51,7 +51,7 @@ const REFUSALS: &[&str] = &[
     "bad_themes/incomplete.toml:1:1: the role `text` has no style (give it one under `[roles]`, or inherit it: ",
     "bad_themes/no-parent.toml:1:12: unknown theme `drak` (did you mean `dark`?)",
     "bad_themes/role.toml:3:1: unknown role `warnin` (did you mean `warning`?)",
-    "bad_themes/style.toml:3:8: unknown field `blink`, expected one of ",
+    "bad_themes/style.toml:3:8: unknown field `blink`; known: ",
 ];
 
 #[test]

@@ -140,24 +140,30 @@ impl MissionPage<'_> {
             .map(|at| self.row(at))
             .collect();
         let widest = rows.iter().map(|row| row.detail.width()).max();
-        let detail = widest.unwrap_or(0).min(DETAIL);
-        let rest = 4 + 1 + detail + 1 + POINTS + 2 + required.width();
-        let room = self.text.width.saturating_sub(rest);
+        let rest = 4 + 1 + 1 + POINTS + 2 + required.width();
+        let shared = self.text.width.saturating_sub(rest);
+        let detail = widest.unwrap_or(0).min(DETAIL).min(shared / 2);
         for row in rows {
-            let wrapped = wrap(&row.title, room);
-            let mut title = wrapped.iter();
-            let line = format!(
-                "{} {} {} {:>POINTS$}  {}",
-                row.mark,
-                padded(title.next().map_or("", String::as_str), room),
-                padded(&row.detail, detail),
-                row.points,
-                if row.required { &required } else { "" }
-            );
+            let required = if row.required { &required } else { "" };
+            self.objective(&row, [shared - detail, detail], required);
+        }
+    }
+
+    /// Adds an objective: its name and its state in columns of these widths, wrapped where they are longer.
+    fn objective(&mut self, row: &ObjectiveRow, [room, detail]: [usize; 2], required: &str) {
+        let (title, state) = (wrap(&row.title, room), wrap(&row.detail, detail));
+        let part = |lines: &[String], at: usize, width| {
+            padded(lines.get(at).map_or("", String::as_str), width)
+        };
+        for at in 0..title.len().max(state.len()).max(1) {
+            let (title, state) = (part(&title, at, room), part(&state, at, detail));
+            let line = if at == 0 {
+                let (mark, points) = (row.mark, &row.points);
+                format!("{mark} {title} {state} {points:>POINTS$}  {required}")
+            } else {
+                format!("    {title} {state}")
+            };
             self.text.add(row.tone, line.trim_end());
-            for rest in title {
-                self.text.add(row.tone, format!("    {rest}"));
-            }
         }
     }
 

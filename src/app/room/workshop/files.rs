@@ -195,7 +195,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
     }
 }
 
-/// The design with this name; the trainee's own designs take precedence over built-in ones.
+/// The design with this name; the trainee's own designs take precedence over shared ones.
 fn named<'a>(state: &'a State, name: &str) -> Option<&'a Design> {
     let mut all = shelf::stored(state).into_iter();
     all.find(|it| it.design.name == name).map(|it| it.design)

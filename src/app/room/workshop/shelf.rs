@@ -1,4 +1,4 @@
-//! All designs: the trainee's own, and the built-in ones.
+//! All designs: the trainee's own, and those that all users share.
 
 use super::{Page, air};
 use crate::app::State;
@@ -105,7 +105,7 @@ pub(super) fn compare_or_choose(state: &mut State) {
     }
 }
 
-/// A design in the list: the trainee's own, or a built-in one.
+/// A design in the list: the trainee's own, or a shared one.
 pub(super) struct ListedDesign {
     pub design: Design,
     /// Whether it is the trainee's own.
@@ -145,7 +145,7 @@ pub(super) fn ask_take_out(state: &mut State) {
     }
 }
 
-/// Reports that built-in designs cannot be changed.
+/// Reports that shared designs, those of the program or of the administrator, cannot be changed.
 pub(super) fn refuse(state: &mut State) {
     state.say(Severity::Notice, text!("bench-not-own"));
 }

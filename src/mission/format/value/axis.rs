@@ -9,6 +9,8 @@ use crate::mission::Point;
 use crate::mission::format::POINT_RANGE;
 use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
+use crate::text;
+use crate::text::Text;
 
 /// See [`point`], [`gate`] and [`area`].
 #[derive(Debug, Clone, Copy)]
@@ -16,7 +18,7 @@ pub(in crate::mission) struct PointsValue<const N: usize> {
     form: &'static str,
     is_good: fn([f64; N]) -> bool,
     /// Returns the fault for an invalid value of the key with this name.
-    fault: fn(&str) -> String,
+    fault: fn(&str) -> Text,
 }
 
 pub(in crate::mission) const fn point() -> PointsValue<2> {
@@ -24,7 +26,8 @@ pub(in crate::mission) const fn point() -> PointsValue<2> {
         form: "[east, north]",
         is_good: |point: Point| point.iter().all(|&axis| is_near(axis)),
         fault: |name| {
-            format!("`{name}` must lie within {POINT_RANGE} m of the origin, as [east, north]")
+            let range = POINT_RANGE.to_string();
+            text!("fault-point", name = name, range = range)
         },
     }
 }
@@ -36,11 +39,7 @@ pub(in crate::mission) const fn gate() -> PointsValue<3> {
         is_good: |[east_m, north_m, up_m]| {
             is_near(east_m) && is_near(north_m) && (0.0..=1000.0).contains(&up_m)
         },
-        fault: |_| {
-            format!(
-                "a gate is [east, north, up]: within {POINT_RANGE} m of the origin, 0 to 1000 m high"
-            )
-        },
+        fault: |_| text!("fault-gate", range = POINT_RANGE.to_string()),
     }
 }
 
@@ -49,7 +48,8 @@ pub(in crate::mission) const fn area() -> PointsValue<4> {
         form: "[west, south, east, north]",
         is_good: |sides| sides.iter().all(|&side| is_near(side)),
         fault: |name| {
-            format!("`{name}` is [west, south, east, north], within {POINT_RANGE} m of the origin")
+            let range = POINT_RANGE.to_string();
+            text!("fault-area", name = name, range = range)
         },
     }
 }
@@ -147,7 +147,14 @@ impl FileValue for PairValue {
         let good = low <= first && ordered && second <= high;
         if !good {
             let (form, unit) = (self.form, spaced(unit));
-            let fault = format!("`{name}` must be {form}, {low} to {high}{unit}");
+            let fault = text!(
+                "fault-pair",
+                name = name,
+                form = form,
+                low = low.to_string(),
+                high = high.to_string(),
+                unit = unit
+            );
             draft.faults.add(place, fault);
         }
         good.then_some([first, second])

@@ -9,6 +9,7 @@ use super::FileValue;
 use crate::mission::format::LONGEST_S;
 use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
+use crate::text;
 
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct NumberValue {
@@ -41,7 +42,13 @@ impl FileValue for NumberValue {
             format!("{number:e}")
         };
         let (low, high) = (self.low, self.high);
-        let message = format!("`{name}` must lie between {low} and {high}, not {shown}");
+        let message = text!(
+            "fault-between-not",
+            name = name,
+            low = low.to_string(),
+            high = high.to_string(),
+            found = shown
+        );
         draft.faults.add(place, message);
         None
     }
@@ -111,7 +118,13 @@ impl FileValue for WholeValue {
         if !good {
             let unit = spaced(self.unit);
             let (low, high) = (self.low, self.high);
-            let message = format!("`{name}` must lie between {low} and {high}{unit}");
+            let message = text!(
+                "fault-between",
+                name = name,
+                low = low.to_string(),
+                high = high.to_string(),
+                unit = unit
+            );
             draft.faults.add(place, message);
         }
         good.then_some(number)

@@ -3,11 +3,13 @@
 use toml::Spanned;
 use toml::de::DeValue;
 
-use super::{FileValue, expected};
+use super::FileValue;
 use crate::diagnostic::Diagnostic;
 use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
 use crate::mission::sensor::Sensor;
+use crate::text;
+use crate::text::Text;
 
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct TextValue {
@@ -44,11 +46,7 @@ pub(in crate::mission) const fn text_by(
 
 /// The id of a table.
 pub(in crate::mission::format) const fn id() -> TextValue {
-    text_by(
-        "1 to 32 letters, digits, `-` and `_`",
-        is_id,
-        "an id is 1 to 32 letters, digits, `-` and `_`",
-    )
+    text_by("1 to 32 letters, digits, `-` and `_`", is_id, "fault-id")
 }
 
 /// The id of a sensor. The reader checks whether the fleet carries it.
@@ -85,7 +83,7 @@ impl FileValue for TextValue {
         let text = Spanned::new(place.clone(), draft.faults.read::<String>(written)?);
         match self.rule {
             Some((rule, fault)) if !rule(text.get_ref()) => {
-                draft.faults.add(place, fault);
+                draft.faults.add(place, Text::new(fault, Vec::new()));
                 None
             }
             _ => Some(text),
@@ -114,7 +112,11 @@ impl<T: Copy + PartialEq> FileValue for WordValue<T> {
         let found = self.0.iter().find(|(known, _)| *known == word);
         if found.is_none() {
             let known: Vec<&str> = self.0.iter().map(|(known, _)| *known).collect();
-            let message = format!("unknown value `{word}`, {}", expected(&known));
+            let message = text!(
+                "fault-value-unknown",
+                name = &word,
+                known = known.join(", ")
+            );
             let fault = Diagnostic::new(place, message);
             draft.faults.push(match word.len() {
                 // One-letter words are all equally similar.

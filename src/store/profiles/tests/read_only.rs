@@ -45,6 +45,15 @@ fn a_missing_folder_is_read_as_empty_and_not_created() {
 }
 
 #[test]
+fn a_missing_file_is_read_as_empty_and_not_created() {
+    let data = tempfile::tempdir().expect("a folder");
+    let (profiles, rescue) = Profiles::open_to_read(data.path()).expect("empty");
+    assert!(profiles.is_read_only() && rescue.is_none());
+    assert_eq!(profiles.list().expect("readable"), []);
+    assert_eq!(fs::read_dir(data.path()).expect("readable").count(), 0);
+}
+
+#[test]
 fn a_folder_that_cannot_be_read_is_named_as_such() {
     let folder = tempfile::tempdir().expect("a folder");
     let data = folder.path().join("file");

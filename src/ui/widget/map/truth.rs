@@ -5,11 +5,12 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::{Canvas, Stroke};
-use super::ground::outline;
+use super::ground::{WIRE, outline};
 use super::heat;
 use super::labels::stamp;
 use super::legend::draw_scale;
 use super::ways::trail;
+use crate::app::room::map::PYLON;
 use crate::geo::{Dot, Extent, GridSize, LatLon, Outline, Viewport};
 use crate::scoring::{ObjectKind, ObjectReport, SquareReport, TruthReport};
 use crate::ui::look::Look;
@@ -86,6 +87,9 @@ pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
         let corners: Vec<LatLon> = fence.iter().copied().map(place).collect();
         outline(&corners, &view, &mut canvas, FENCE);
     }
+    for pair in truth.wires.iter().flat_map(|pylons| pylons.windows(2)) {
+        canvas.line(view.dot(place(pair[0])), view.dot(place(pair[1])), WIRE);
+    }
     for track in &truth.tracks {
         let stroke = trail(track.vehicle);
         for pair in track.points.windows(2) {
@@ -94,13 +98,15 @@ pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
         }
     }
     canvas.draw(panel.at(canvas_area), buffer);
-    for label in labels {
-        if let Some((column, row)) = view.cell(place(label.at)) {
-            let text = label.text();
+    let pylons = truth.wires.iter().flatten();
+    let pylons = pylons.map(|&at| (at, PYLON.to_owned(), WIRE.role));
+    let signs = labels.iter().map(|it| (it.at, it.text(), it.sign.1));
+    for (at, text, role) in pylons.chain(signs) {
+        if let Some((column, row)) = view.cell(place(at)) {
             let room = canvas_area.width.saturating_sub(column);
             let columns = (text.len() as u16).min(room);
             let cells = Rect::new(canvas_area.x + column, canvas_area.y + row, columns, 1);
-            stamp(&text, panel.style(label.sign.1), panel.at(cells), buffer);
+            stamp(&text, panel.style(role), panel.at(cells), buffer);
         }
     }
     draw_scale(panel.look, &view, canvas_area, buffer);
@@ -126,6 +132,7 @@ fn places(truth: &TruthReport) -> impl Iterator<Item = LatLon> {
         points
             .chain(pads)
             .chain(truth.gates.iter().copied())
+            .chain(truth.wires.iter().flatten().copied())
             .map(place),
     )
 }
@@ -195,7 +202,7 @@ fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> 
     for sign in SIGNS {
         let count = labels.iter().filter(|label| label.sign == sign).count();
         if count > 0 {
-            words.push(format!("{} {} {count}", sign.0, look.say(sign.2)));
+            words.push(format!("{} {}: {count}", sign.0, look.say(sign.2)));
         }
     }
     if !truth.squares.is_empty() {
@@ -212,9 +219,16 @@ fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> 
             look.say("map-legend-fence")
         ));
     }
+    if !truth.wires.is_empty() {
+        words.push(format!(
+            "{} {}",
+            sample(WIRE, look),
+            look.say("map-legend-wire")
+        ));
+    }
     if !truth.gaps.is_empty() {
         let (line, count) = (sample(GAP, look), truth.gaps.len());
-        words.push(format!("{line} {} {count}", look.say("truth-gaps")));
+        words.push(format!("{line} {}: {count}", look.say("truth-gaps")));
     }
     let lines = wrap(&words.join(", "), width).into_iter();
     lines
