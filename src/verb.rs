@@ -154,7 +154,7 @@ pub enum CountsAs {
     Report,
     /// A message between trainee and mission: it does not count as a command.
     Word,
-    /// As [`CountsAs::Word`], but allowed before launch only: a prediction or a goal.
+    /// As [`CountsAs::Word`], but allowed before takeoff only: a prediction or a goal.
     Pledge,
     /// A trainee's self-assessment: not part of the flight, and without effect on any score.
     SelfReport,

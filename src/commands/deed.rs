@@ -29,7 +29,7 @@ pub enum Deed {
     Drop,
     /// Open or close the sprayer.
     Spray { on: bool },
-    /// Predict the score before launch.
+    /// Predict the score before takeoff.
     Predict {
         /// The expected score, 0 to 1000.
         points: u16,

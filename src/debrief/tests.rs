@@ -76,7 +76,7 @@ fn every_rule_broken_and_every_rejection_stands_in_the_timeline() {
     for words in [
         "r 1 arm: refused",
         "x drone 1: above 60 m",
-        "x drone 1: outside geofence fence",
+        "x drone 1: outside the fence \"fence\"",
         "x drone 1: motors stopped",
     ] {
         assert!(text.contains(words), "{words} is missing:\n{text}");

@@ -218,7 +218,7 @@ fn leaving_the_fence_costs_more_the_longer_it_lasts() {
     let breaches = report
         .events
         .iter()
-        .filter(|event| event.text.contains("geofence"))
+        .filter(|event| event.text.contains("outside the fence"))
         .count();
     assert_eq!(breaches, 1, "one breach, however long");
     let safety = report

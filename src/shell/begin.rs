@@ -99,7 +99,7 @@ impl Console {
     }
 
     /// Starts the current session again: with a new seed, unless the user has chosen one or asks for the same. A
-    /// prediction and a goal from before launch are kept.
+    /// prediction and a goal from before takeoff are kept.
     pub(super) async fn start_again(&mut self, alike: bool) -> Result<(), Text> {
         let Some(plan) = self.running.as_ref().map(RunningSession::plan) else {
             return Ok(());

@@ -304,7 +304,7 @@ mod tests {
         let said = said(&console).map(|it| it.to_string());
         assert_eq!(
             said.as_deref(),
-            Some("back to real time: takeoff of vehicle 1 done")
+            Some("back to real time: takeoff done, vehicle 1")
         );
         let before = elapsed(&console);
         run(&mut console, 4).await;

@@ -153,7 +153,7 @@ fn a_mission_is_flown_and_begun_again_with_new_processes() {
     let stand_in = StandIn::new(Behaviour::Normal);
     let mut terminal = fly(&stand_in, &["01"], (80, 24));
     // The brief comes first; a restart skips it.
-    terminal.see("MISSION").see("before launch");
+    terminal.see("MISSION").see("before takeoff");
     terminal.press("\r").see("FLY").see("ready");
     let pids = children(terminal.process_id());
     // No attempt was made yet, so no question is asked.

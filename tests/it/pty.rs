@@ -171,7 +171,7 @@ fn a_mission_is_read_predicted_flown_paused_and_debriefed() {
     let mut terminal = Terminal::start(&["fly", "01", "--speedup", "4"], 80, 24);
     terminal
         .see("MISSION")
-        .see("before launch")
+        .see("before takeoff")
         .see("1 vehicle");
     terminal
         .press("s")

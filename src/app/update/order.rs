@@ -117,7 +117,7 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
 }
 
 /// Whether a line may be given while time is stopped: it asks for a hint, rates the workload, or
-/// states a prediction or a goal before launch.
+/// states a prediction or a goal before takeoff.
 fn moves_nothing(state: &State, statement: &Statement) -> bool {
     match (&statement.meaning, statement.verb.counts_as) {
         (Meaning::Act(_), CountsAs::Pledge) => state.can_pledge(),

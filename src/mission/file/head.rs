@@ -36,7 +36,7 @@ impl FileHead {
             "results are compared only within one revision; raise it when a change makes the mission harder or easier",
         );
         let title = title(table);
-        let brief = table.need_text("brief", "briefing text, shown before launch");
+        let brief = table.need_text("brief", "briefing text, shown before takeoff");
         let tier = table.or(
             "tier",
             whole(0, 255, ""),

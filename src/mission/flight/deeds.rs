@@ -1,4 +1,4 @@
-//! Commands to the mission itself: reports, and the trainee's prediction and goal before launch.
+//! Commands to the mission itself: reports, and the trainee's prediction and goal before takeoff.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +11,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The prediction and the goal given before launch.
+/// The prediction and the goal given before takeoff.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Pledge {
     /// The score that the trainee expects.

@@ -145,7 +145,7 @@ fn a_chosen_mission_begins_with_its_brief_and_a_restarted_one_in_flight() {
     console.start(mission());
     assert_eq!(console.state().room(), Room::Mission);
     let screen = console.screen(80, 24);
-    for words in ["before launch", "predict 800", "goal time 200s"] {
+    for words in ["before takeoff", "predict 800", "goal time 200s"] {
         assert!(screen.contains(words), "{words}: {screen}");
     }
     assert_eq!(console.press("enter").state().room(), Room::Fly);
@@ -183,7 +183,7 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
     progress.pledge.prediction = Some(800);
     console.hear(SessionEvent::Mission(Box::new(progress)));
     let screen = console.screen(80, 24);
-    assert!(screen.contains("stated before launch"), "{screen}");
+    assert!(screen.contains("stated before takeoff"), "{screen}");
     assert!(!screen.contains("goal time 200s"), "{screen}");
     assert!(
         console

@@ -99,7 +99,7 @@ fn a_built_drone_flies_a_mission_that_pays_for_a_better_battery() {
         .press("*")
         .see("1018 cr")
         .press("g")
-        .see("before launch");
+        .see("before takeoff");
 
     terminal.press("F").see("ready").command("all guided");
     // Idle motors are disarmed after 10 s of simulated time, so the takeoff follows arming at once.

@@ -219,7 +219,7 @@ fn what_a_replay_is_told_is_confirmed() {
             "stopat refusal alert",
             "the replay stops at: refusal, alert",
         ),
-        ("stopat off", "the replay stops at no moments"),
+        ("stopat off", "the replay does not stop at moments"),
         ("loop off", "nothing is repeated"),
         ("restart", "a replay cannot be flown again"),
     ] {

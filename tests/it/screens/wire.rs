@@ -16,7 +16,7 @@ fn the_map_shows_the_power_line_without_its_defects() {
     let mission = Mission::parse(mission).expect("no faults");
     for (language, legend) in [
         (Language::English, "power line, pylons (T)"),
-        (Language::Ukrainian, "дріт ЛЕП, опори (T)"),
+        (Language::Ukrainian, "провід ЛЕП, опори (T)"),
     ] {
         let mut console = Console::in_language(language);
         console.hear(SessionEvent::Started(Box::new(Started {

@@ -98,7 +98,7 @@ fn a_crash_is_shown_until_the_vehicle_is_armed_again() {
     assert_eq!(shown(&vehicle), None, "a landing");
     hear(&mut vehicle, "SIM Hit ground at 15.97 m/s");
     hear(&mut vehicle, "Disarming motors");
-    assert_eq!(shown(&vehicle).as_deref(), Some("CRASHED 16 m/s"));
+    assert_eq!(shown(&vehicle).as_deref(), Some("CRASHED at 16 m/s"));
     hear(&mut vehicle, "Arming motors");
     assert_eq!(shown(&vehicle), None);
 }
@@ -113,7 +113,7 @@ fn a_vehicle_that_came_down_hard_and_stays_armed_has_crashed() {
     for (text, expected) in [
         ("SIM Hit ground at 13.6 m/s", None),
         ("Arming motors", None),
-        ("SIM Hit ground at 12.662 m/s", Some("CRASHED 13 m/s")),
+        ("SIM Hit ground at 12.662 m/s", Some("CRASHED at 13 m/s")),
         ("Arming motors", None),
     ] {
         vehicle.texts.push(StatusText {

@@ -26,7 +26,7 @@ fn a_changed_list_that_was_read_in_the_background_is_replaced_only_by_a_second_o
     assert_eq!(rig.ended(s(30)), RowState::Refused);
     let explanation = rig.explanation();
     assert!(
-        explanation.contains("changed it since this console"),
+        explanation.contains("changed the list since this console"),
         "{explanation}"
     );
     rig.upload(kind, "c");

@@ -1,4 +1,4 @@
-//! The questions before launch, and the answers.
+//! The questions before takeoff, and the answers.
 
 use super::MissionPage;
 use crate::app::action::Action;
@@ -28,7 +28,7 @@ impl MissionPage<'_> {
         self.awaits_launch() && allows && session.hangar.is_none()
     }
 
-    /// Adds, before launch, the questions and how to begin; afterwards the answers, if any.
+    /// Adds, before takeoff, the questions and how to begin; afterwards the answers, if any.
     pub(super) fn launch(&mut self) {
         if self.state.session.activity.is_none() {
             return;
