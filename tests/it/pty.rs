@@ -182,7 +182,7 @@ fn a_mission_is_read_predicted_flown_paused_and_debriefed() {
         .press("g")
         .see("goal ")
         .press("time 300s\r")
-        .see("done within 300 s");
+        .see("finish within 300 s");
     terminal.press("\r").see("FLY").see("ready");
     terminal.command("1 guided").see("GUIDED");
     terminal.command("1 arm").see("1 armed");
