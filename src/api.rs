@@ -22,8 +22,9 @@ mod tests;
 pub use client::{Client, present};
 pub use schema::schema;
 pub use view::{
-    ContactView, EntryView, LinkView, MissionView, NamedPlaceView, NoticeView, ObjectiveView,
-    ParameterView, PlanItemView, PlanView, ReadingView, RecordView, RowView, VehicleView,
+    ContactView, EntryView, ForeignView, LinkView, MissionView, NamedPlaceView, NoticeView,
+    ObjectiveView, ParameterView, PlanItemView, PlanView, ReadingView, RecordView, RowView,
+    VehicleView,
 };
 
 /// The version of this interface; it increases with every change that is not an addition.
@@ -183,8 +184,10 @@ pub enum Message {
     Row(RowView),
     /// A command has ended for all its vehicles.
     Ended(Ended),
+    /// Another ground station has commanded a vehicle, or its command has a new state.
+    Foreign(ForeignView),
     Vehicles(StateList<VehicleView>),
-    Ledger(StateList<EntryView>),
+    Ledger(LedgerState),
     Notices(StateList<NoticeView>),
     Notice(NoticeView),
     Mission(MissionState),
@@ -275,6 +278,18 @@ impl<T> StateList<T> {
         let list = list.into_iter().collect();
         Self { id, list }
     }
+}
+
+/// All commands.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct LedgerState {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<u64>,
+    /// The commands of this console.
+    pub list: Vec<EntryView>,
+    /// The commands of other ground stations.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub foreign: Vec<ForeignView>,
 }
 
 /// The mission, if one is flown.

@@ -8,10 +8,10 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::keepers::{BlockingKeeper, BlockingShelf, desk_of};
-use super::sharing::{Addressee, Sharing};
+use super::sharing::Sharing;
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
-use crate::forward::{ForwardSpec, SentCommands};
+use crate::forward::{Addressee, ForwardSpec, SentCommands};
 use crate::inspector::Census;
 use crate::ledger::RowState;
 use crate::link::{
@@ -185,7 +185,7 @@ impl Hub {
         self.tell(FleetEvent::Forwarding(feed)).await;
     }
 
-    /// Names the station that has commanded vehicles.
+    /// Reports the commands of a station to vehicles.
     async fn overhear(&mut self, news: &StationNews) {
         let now = self.clock.now();
         let is_meant = |system: SystemId| news.system.is_none_or(|meant| meant == system);
@@ -197,13 +197,13 @@ impl Hub {
             })
             .collect();
         for vehicle in vehicles {
-            if let Some(notice) = self.sharing.commanded(news, vehicle, now) {
-                self.tell(FleetEvent::Warning(notice)).await;
+            if let Some(row) = self.sharing.commanded(news, vehicle, now) {
+                self.tell(FleetEvent::Foreign(row)).await;
             }
         }
     }
 
-    /// Names the stations that a vehicle answers.
+    /// Reports what a vehicle answers to other stations.
     async fn attribute(&mut self, system: SystemId, frames: &[Frame], now: Duration) {
         let Some(class) = self.routes.get(&system).map(PeerRoute::class) else {
             return;
@@ -213,8 +213,8 @@ impl Hub {
             class,
         };
         for frame in frames {
-            if let Some(notice) = self.sharing.answered(&frame.content, vehicle, now) {
-                self.tell(FleetEvent::Warning(notice)).await;
+            for row in self.sharing.heard(&frame.content, vehicle, now) {
+                self.tell(FleetEvent::Foreign(row)).await;
             }
         }
     }

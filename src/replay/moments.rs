@@ -84,6 +84,7 @@ impl Lookout {
                 Event::Vehicle(
                     VehicleEvent::Parameters { .. }
                     | VehicleEvent::Given { .. }
+                    | VehicleEvent::Foreign(_)
                     | VehicleEvent::Paths(_)
                     | VehicleEvent::Rehearsed(_),
                 )

@@ -1,0 +1,266 @@
+//! The commands of other ground stations as rows of the ledger: repetitions are one row, and floods are bounded.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::answers::{Answered, StationAnswer, answer_in};
+use super::commands::Deed;
+use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{VehicleClass, VehicleId};
+use crate::wire::{Content, MavAddress};
+
+/// The time within which the same command of a station to a vehicle is a repetition.
+const SAME_WITHIN: Duration = Duration::from_secs(60);
+/// The maximum number of rows that one station adds for one vehicle within [`BURST`]; further commands share one row.
+const BURST_MOST: usize = 6;
+const BURST: Duration = Duration::from_secs(10);
+/// The minimum time between two reports of a row, except those of a new answer.
+const REPORT_EVERY: Duration = Duration::from_secs(1);
+/// The number of remembered rows above which old ones are forgotten, and new ones dropped while none is old.
+const MOST_ROWS: usize = 1024;
+
+/// A vehicle that a station commands, with the class that names its modes.
+#[derive(Debug, Clone, Copy)]
+pub struct Addressee {
+    pub vehicle: VehicleId,
+    pub class: VehicleClass,
+}
+
+/// A vehicle and a station that has commanded it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Exchange {
+    vehicle: VehicleId,
+    station: StationId,
+}
+
+/// A row that is still open for repetitions and answers.
+#[derive(Debug, Clone)]
+struct WatchedRow {
+    /// The action; `None` for the row that further commands of a burst share.
+    deed: Option<Deed>,
+    row: ForeignCommand,
+    /// Whether the command itself was seen; otherwise only its answers show it, and each counts.
+    is_seen: bool,
+    reported_at: Option<Duration>,
+    has_news: bool,
+}
+
+/// Watches what other stations command.
+#[derive(Debug)]
+pub struct StationWatch {
+    own: MavAddress,
+    exchanges: BTreeMap<Exchange, Vec<WatchedRow>>,
+    next: u32,
+}
+
+impl StationWatch {
+    /// A watch for a console with this address.
+    pub fn new(own: MavAddress) -> Self {
+        Self {
+            own,
+            exchanges: BTreeMap::new(),
+            next: 0,
+        }
+    }
+
+    /// Notes a station's command to a vehicle. Returns its row if that is to be reported now.
+    pub fn commanded(
+        &mut self,
+        station: StationId,
+        deed: &Deed,
+        to: Addressee,
+        now: Duration,
+    ) -> Option<ForeignCommand> {
+        let exchange = Exchange {
+            vehicle: to.vehicle,
+            station,
+        };
+        let watched = self.row(exchange, deed, to.class, now)?;
+        watched.is_seen = true;
+        // A stream of setpoints is one action, and has no answer.
+        if *deed != Deed::Steering || watched.row.count == 0 {
+            watched.row.count = watched.row.count.saturating_add(1);
+        }
+        watched.row.state = RowState::Sent;
+        watched.row.explanation = None;
+        watched.report(now)
+    }
+
+    /// Notes a vehicle's answer to a station. Returns the row of its command if that is to be reported now.
+    pub fn answered(
+        &mut self,
+        content: &Content,
+        from: Addressee,
+        now: Duration,
+    ) -> Option<ForeignCommand> {
+        let answer = answer_in(content, self.own)?;
+        let Some(station) = answer.station else {
+            return self.heard_by_all(&answer, from.vehicle, now);
+        };
+        let exchange = Exchange {
+            vehicle: from.vehicle,
+            station,
+        };
+        let rows = self.exchanges.get(&exchange);
+        let known = rows.into_iter().flatten().rev().find_map(|watched| {
+            let fits = |deed: &Deed| watched.is_recent(now) && answer.to.fits(deed);
+            watched.deed.clone().filter(fits)
+        });
+        let deed = known.or_else(|| answer.to.deed())?;
+        let watched = self.row(exchange, &deed, from.class, now)?;
+        let is_first = watched.row.count == 0;
+        let continues = matches!(watched.row.state, RowState::InProgress(_));
+        if is_first || (!watched.is_seen && !continues) {
+            watched.row.count = watched.row.count.saturating_add(1);
+        }
+        watched.answer(&answer);
+        watched.report_answer(now, is_first)
+    }
+
+    /// A parameter's value, which every station hears: it answers whoever has set it.
+    fn heard_by_all(
+        &mut self,
+        answer: &StationAnswer,
+        vehicle: VehicleId,
+        now: Duration,
+    ) -> Option<ForeignCommand> {
+        let rows = self.exchanges.iter_mut();
+        let of_vehicle = rows.filter(|(exchange, _)| exchange.vehicle == vehicle);
+        let watched = of_vehicle.flat_map(|(_, rows)| rows).find(|watched| {
+            let is_open = watched.row.state == RowState::Sent;
+            let fits = |deed| answer.to.fits(deed);
+            is_open && watched.deed.as_ref().is_some_and(fits)
+        })?;
+        watched.answer(answer);
+        watched.report_answer(now, true)
+    }
+
+    /// The rows with changes that were held back and are due now.
+    pub fn due(&mut self, now: Duration) -> Vec<ForeignCommand> {
+        let rows = self.exchanges.values_mut().flatten();
+        let waiting = rows.filter(|watched| watched.has_news);
+        waiting.filter_map(|watched| watched.report(now)).collect()
+    }
+
+    /// The row of an action: that of the same action a short time ago, a new one, or the common one of a burst.
+    fn row(
+        &mut self,
+        exchange: Exchange,
+        deed: &Deed,
+        class: VehicleClass,
+        now: Duration,
+    ) -> Option<&mut WatchedRow> {
+        self.make_room(now);
+        let is_full = self.exchanges.values().map(Vec::len).sum::<usize>() >= MOST_ROWS;
+        let rows = self.exchanges.entry(exchange).or_default();
+        rows.retain(|watched| watched.is_recent(now));
+        let begun = |watched: &&WatchedRow| now.saturating_sub(watched.row.at) < BURST;
+        let is_burst = rows.iter().filter(begun).count() >= BURST_MOST;
+        let place = |deed: Option<&Deed>| {
+            let same = |watched: &WatchedRow| watched.deed.as_ref() == deed;
+            rows.iter().rposition(same)
+        };
+        let known = place(Some(deed)).or_else(|| if is_burst { place(None) } else { None });
+        if let Some(at) = known {
+            let watched = rows.get_mut(at)?;
+            watched.row.last_at = now;
+            return Some(watched);
+        }
+        if is_full {
+            return None;
+        }
+        let deed = (!is_burst).then(|| deed.clone());
+        let what = deed
+            .as_ref()
+            .map_or_else(|| text!("foreign-further"), |deed| deed.words(class));
+        let id = ForeignId(self.next);
+        self.next = self.next.wrapping_add(1);
+        rows.push(WatchedRow::new(deed, begin(id, exchange, what, now)));
+        rows.last_mut()
+    }
+
+    /// Forgets old rows if there are many.
+    fn make_room(&mut self, now: Duration) {
+        if self.exchanges.values().map(Vec::len).sum::<usize>() >= MOST_ROWS {
+            self.exchanges.retain(|_, rows| {
+                rows.retain(|watched| watched.is_recent(now));
+                !rows.is_empty()
+            });
+        }
+    }
+}
+
+fn begin(id: ForeignId, exchange: Exchange, what: Text, now: Duration) -> ForeignCommand {
+    ForeignCommand {
+        id,
+        station: exchange.station,
+        vehicle: exchange.vehicle,
+        at: now,
+        last_at: now,
+        what,
+        count: 0,
+        state: RowState::Sent,
+        explanation: None,
+    }
+}
+
+impl WatchedRow {
+    fn new(deed: Option<Deed>, row: ForeignCommand) -> Self {
+        Self {
+            deed,
+            row,
+            is_seen: false,
+            reported_at: None,
+            has_news: true,
+        }
+    }
+
+    fn is_recent(&self, now: Duration) -> bool {
+        now.saturating_sub(self.row.last_at) < SAME_WITHIN
+    }
+
+    fn answer(&mut self, answer: &StationAnswer) {
+        let differs = match (&answer.to, &self.deed) {
+            (Answered::Parameter(_, value), Some(Deed::Parameter(_, wanted))) => {
+                (value != wanted).then_some(*value)
+            }
+            _ => None,
+        };
+        (self.row.state, self.row.explanation) = match differs {
+            Some(value) => (
+                RowState::Refused,
+                Some(text!("foreign-stays", value = value.to_string())),
+            ),
+            None => (
+                answer.ending.state,
+                Some(answer.ending.text.clone()).filter(|text| !text.is_empty()),
+            ),
+        };
+    }
+
+    /// Reports the row, unless that was done a moment ago.
+    fn report(&mut self, now: Duration) -> Option<ForeignCommand> {
+        self.has_news = true;
+        let is_due = self
+            .reported_at
+            .is_none_or(|at| now.saturating_sub(at) >= REPORT_EVERY);
+        is_due.then(|| self.tell(now))
+    }
+
+    /// Reports an answer at once if it is the first one.
+    fn report_answer(&mut self, now: Duration, is_first: bool) -> Option<ForeignCommand> {
+        if is_first || self.row.count == 1 {
+            Some(self.tell(now))
+        } else {
+            self.report(now)
+        }
+    }
+
+    fn tell(&mut self, now: Duration) -> ForeignCommand {
+        self.has_news = false;
+        self.reported_at = Some(now);
+        self.row.clone()
+    }
+}
