@@ -15,4 +15,4 @@ pub use commands::{Deed, NamedCommand, deed_of};
 pub use routes::{FrameFacts, Port, Reach, Route, Router, receiver_of};
 pub use spec::{ForwardFault, ForwardSpec};
 pub use stray::SentCommands;
-pub use watch::{Addressee, StationWatch};
+pub use watch::StationWatch;

@@ -25,6 +25,7 @@ mod health;
 mod heartbeat;
 mod idle;
 mod landed;
+mod modes;
 mod outputs;
 mod parameters;
 mod plan;
@@ -194,6 +195,9 @@ impl Inbox {
             M::COMMAND_ACK(data) if data.command == MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => {
                 self.idle.note_answer(vehicle, now);
             }
+            M::AVAILABLE_MODES(data) => modes::apply(vehicle, data),
+            M::AVAILABLE_MODES_MONITOR(data) => vehicle.modes.note_monitor(data.seq),
+            M::CURRENT_MODE(data) => modes::apply_current(vehicle, data),
             M::ATTITUDE(data) => attitude::apply(vehicle, data, now),
             M::GLOBAL_POSITION_INT(data) => position::apply_global(vehicle, data, now),
             M::LOCAL_POSITION_NED(data) => position::apply_local(vehicle, data, now),

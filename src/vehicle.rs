@@ -11,6 +11,7 @@ use std::time::Duration;
 use crate::geo::maths;
 use crate::wire::{ComponentId, MavAddress, SystemId};
 
+mod announced;
 mod carried;
 mod check_rules;
 mod fence_switch;
@@ -27,6 +28,7 @@ mod status;
 mod way_home;
 
 pub use crate::vehicle_id::VehicleId;
+pub use announced::{AnnouncedMode, AnnouncedModes};
 pub use carried::CarriedLists;
 pub use check_rules::check_rules;
 pub use fence_switch::FenceSwitch;
@@ -63,6 +65,10 @@ pub struct Vehicle {
     pub component: ComponentId,
     /// Identity and state from HEARTBEAT; `None` before the first one.
     pub heartbeat: Option<Heartbeat>,
+    /// The modes that it has announced.
+    pub modes: AnnouncedModes,
+    /// The number of the mode that was set last (`CURRENT_MODE`), if it tells.
+    pub intended_mode: Option<u32>,
     pub attitude: Option<Attitude>,
     pub global: Option<GlobalPosition>,
     /// `LOCAL_POSITION_NED`: metres from the EKF origin.
@@ -134,6 +140,8 @@ impl Vehicle {
             system,
             component,
             heartbeat: None,
+            modes: AnnouncedModes::default(),
+            intended_mode: None,
             attitude: None,
             global: None,
             local: None,

@@ -8,9 +8,10 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use crate::forward::{Addressee, ForwardSpec, StationWatch};
+use crate::forward::{ForwardSpec, StationWatch};
 use crate::ledger::ForeignCommand;
 use crate::link::{self, Address, ForwardCounts, Inbound, LinkId, LinkStatus, Relay, StationNews};
+use crate::vehicle::Vehicle;
 use crate::wire::{Content, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, MavAddress};
 
 /// The maximum number of commands of other stations that wait for the hub; further ones pass without a row.
@@ -120,7 +121,7 @@ impl Sharing {
     pub fn commanded(
         &mut self,
         news: &StationNews,
-        to: Addressee,
+        to: &Vehicle,
         now: Duration,
     ) -> Option<ForeignCommand> {
         self.stations.commanded(news.station, &news.deed, to, now)
@@ -130,7 +131,7 @@ impl Sharing {
     pub fn heard(
         &mut self,
         content: &Content,
-        from: Addressee,
+        from: &Vehicle,
         now: Duration,
     ) -> Vec<ForeignCommand> {
         let mut rows: Vec<_> = self

@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavMissionType};
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, VehicleClass};
+use crate::vehicle::{Mode, Vehicle, VehicleClass};
 use crate::wire::Content;
 
 /// The id of SET_MODE.
@@ -39,11 +39,15 @@ pub struct NamedCommand {
 
 impl Deed {
     /// The action in the console's words, or by the name of its MAVLink command.
-    pub fn words(&self, class: VehicleClass) -> Text {
+    pub fn words(&self, vehicle: &Vehicle) -> Text {
         match self {
             Self::Mode(number) => {
+                let class = vehicle
+                    .mode()
+                    .map_or(VehicleClass::Other, |mode| mode.class);
                 let number = *number;
-                Text::verbatim(format!("mode {}", Mode { class, number }))
+                let name = vehicle.name_of(Mode { class, number });
+                Text::verbatim(format!("mode {name}"))
             }
             Self::Arm(true) => Text::verbatim("arm"),
             Self::Arm(false) => Text::verbatim("disarm"),

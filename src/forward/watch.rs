@@ -8,7 +8,7 @@ use super::commands::Deed;
 use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{VehicleClass, VehicleId};
+use crate::vehicle::{Vehicle, VehicleId};
 use crate::wire::{Content, MavAddress};
 
 /// The time within which the same command of a station to a vehicle is a repetition.
@@ -20,13 +20,6 @@ const BURST: Duration = Duration::from_secs(10);
 const REPORT_EVERY: Duration = Duration::from_secs(1);
 /// The number of remembered rows above which old ones are forgotten, and new ones dropped while none is old.
 const MOST_ROWS: usize = 1024;
-
-/// A vehicle that a station commands, with the class that names its modes.
-#[derive(Debug, Clone, Copy)]
-pub struct Addressee {
-    pub vehicle: VehicleId,
-    pub class: VehicleClass,
-}
 
 /// A vehicle and a station that has commanded it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -70,14 +63,14 @@ impl StationWatch {
         &mut self,
         station: StationId,
         deed: &Deed,
-        to: Addressee,
+        to: &Vehicle,
         now: Duration,
     ) -> Option<ForeignCommand> {
         let exchange = Exchange {
-            vehicle: to.vehicle,
+            vehicle: to.id,
             station,
         };
-        let watched = self.row(exchange, deed, to.class, now)?;
+        let watched = self.row(exchange, deed, to, now)?;
         watched.is_seen = true;
         // A stream of setpoints is one action, and has no answer.
         if *deed != Deed::Steering || watched.row.count == 0 {
@@ -92,15 +85,15 @@ impl StationWatch {
     pub fn answered(
         &mut self,
         content: &Content,
-        from: Addressee,
+        from: &Vehicle,
         now: Duration,
     ) -> Option<ForeignCommand> {
         let answer = answer_in(content, self.own)?;
         let Some(station) = answer.station else {
-            return self.heard_by_all(&answer, from.vehicle, now);
+            return self.heard_by_all(&answer, from.id, now);
         };
         let exchange = Exchange {
-            vehicle: from.vehicle,
+            vehicle: from.id,
             station,
         };
         let rows = self.exchanges.get(&exchange);
@@ -109,7 +102,7 @@ impl StationWatch {
             watched.deed.clone().filter(fits)
         });
         let deed = known.or_else(|| answer.to.deed())?;
-        let watched = self.row(exchange, &deed, from.class, now)?;
+        let watched = self.row(exchange, &deed, from, now)?;
         let is_first = watched.row.count == 0;
         let continues = matches!(watched.row.state, RowState::InProgress(_));
         if is_first || (!watched.is_seen && !continues) {
@@ -149,7 +142,7 @@ impl StationWatch {
         &mut self,
         exchange: Exchange,
         deed: &Deed,
-        class: VehicleClass,
+        of: &Vehicle,
         now: Duration,
     ) -> Option<&mut WatchedRow> {
         self.make_room(now);
@@ -174,7 +167,7 @@ impl StationWatch {
         let deed = (!is_burst).then(|| deed.clone());
         let what = deed
             .as_ref()
-            .map_or_else(|| text!("foreign-further"), |deed| deed.words(class));
+            .map_or_else(|| text!("foreign-further"), |deed| deed.words(of));
         let id = ForeignId(self.next);
         self.next = self.next.wrapping_add(1);
         rows.push(WatchedRow::new(deed, begin(id, exchange, what, now)));

@@ -167,7 +167,7 @@ impl Lookout {
             add(MomentKind::Arming, text);
         }
         if before.mode != now.mode {
-            let mode = heartbeat.mode.to_string();
+            let mode = vehicle.name_of(heartbeat.mode);
             add(MomentKind::Mode, text!("moment-mode", mode = mode));
         }
     }

@@ -9,9 +9,9 @@ use std::time::Duration;
 
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{
-    ATTITUDE_DATA, AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA,
-    EXTENDED_SYS_STATE_DATA, FENCE_STATUS_DATA, GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA,
-    HOME_POSITION_DATA, LOCAL_POSITION_NED_DATA, MISSION_CURRENT_DATA,
+    ATTITUDE_DATA, AUTOPILOT_VERSION_DATA, AVAILABLE_MODES_DATA, BATTERY_STATUS_DATA,
+    EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA, FENCE_STATUS_DATA, GLOBAL_POSITION_INT_DATA,
+    GPS_RAW_INT_DATA, HOME_POSITION_DATA, LOCAL_POSITION_NED_DATA, MISSION_CURRENT_DATA,
     POSITION_TARGET_GLOBAL_INT_DATA, RC_CHANNELS_DATA, SERVO_OUTPUT_RAW_DATA, SYS_STATUS_DATA,
     VFR_HUD_DATA, VIBRATION_DATA, WIND_DATA,
 };
@@ -53,6 +53,7 @@ pub const WANTED_STREAMS: &[Stream] = &[
 ];
 
 const HOME_POSITION: u32 = HOME_POSITION_DATA::ID;
+const AVAILABLE_MODES: u32 = AVAILABLE_MODES_DATA::ID;
 const AUTOPILOT_VERSION: u32 = AUTOPILOT_VERSION_DATA::ID;
 
 /// The time over which rates are measured.
@@ -73,6 +74,8 @@ pub(super) struct Streams {
     wanted: &'static [Stream],
     arrived: BTreeMap<u32, u32>,
     asked: BTreeMap<u32, u32>,
+    /// The monitor's number when all modes were requested.
+    modes_asked: Option<Option<u8>>,
     window_start: Duration,
     next_look: Duration,
 }
@@ -83,6 +86,7 @@ impl Streams {
             wanted,
             arrived: BTreeMap::new(),
             asked: BTreeMap::new(),
+            modes_asked: None,
             window_start: now,
             next_look: now + FIRST_LOOK,
         }
@@ -124,6 +128,7 @@ impl Streams {
                 commands.push(Command::Query(QueryCommand::Request { message }));
             }
         }
+        commands.extend(self.modes_to_ask(vehicle).map(Command::Query));
         self.arrived.clear();
         self.window_start = now;
         self.next_look = now + WINDOW;
@@ -136,6 +141,19 @@ impl Streams {
                 Answer::Parameter(_) | Answer::None => None,
             })
             .collect()
+    }
+
+    /// The request for the vehicle's modes: once for all of them, again when they change, and a few times for those
+    /// that were lost. A vehicle that announces none refuses, and keeps the built-in names.
+    fn modes_to_ask(&mut self, vehicle: &Vehicle) -> Option<QueryCommand> {
+        let monitor = vehicle.modes.monitor();
+        if vehicle.modes.is_empty() {
+            let is_new = self.modes_asked.replace(monitor) != Some(monitor);
+            return is_new.then_some(QueryCommand::Modes { index: 0 });
+        }
+        let index = vehicle.modes.missing()?;
+        self.may_ask(AVAILABLE_MODES)
+            .then_some(QueryCommand::Modes { index })
     }
 
     fn may_ask(&mut self, message: u32) -> bool {

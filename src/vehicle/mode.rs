@@ -229,7 +229,7 @@ impl Mode {
 }
 
 /// Whether two names mean the same mode. Allocates nothing: every position of a vehicle asks for the name of its mode.
-fn is_same_name(one: &str, other: &str) -> bool {
+pub(super) fn is_same_name(one: &str, other: &str) -> bool {
     letters(one).eq(letters(other))
 }
 

@@ -7,13 +7,23 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::*;
 use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
-use crate::vehicle::VehicleClass;
+use crate::vehicle::{Heartbeat, Mode, SystemStatus, Vehicle, VehicleClass};
 
 const STATION_254: StationId = StationId(address(254, 230));
-const THREE: Addressee = Addressee {
-    vehicle: 3,
-    class: VehicleClass::Copter,
-};
+/// Vehicle 3, a copter.
+fn three() -> Vehicle {
+    let mut vehicle = Vehicle::new(3, 1);
+    vehicle.heartbeat = Some(Heartbeat {
+        mav_type: 2,
+        autopilot: Heartbeat::ARDUPILOT,
+        class: VehicleClass::Copter,
+        mode: Mode::copter(0),
+        armed: false,
+        status: SystemStatus::Standby,
+        at: Duration::ZERO,
+    });
+    vehicle
+}
 
 fn content(sender: MavAddress, what: &Outgoing) -> crate::wire::Content {
     framed(sender, what).1.content
@@ -26,11 +36,11 @@ fn told(row: Option<ForeignCommand>) -> Option<String> {
 
 fn commanded(watch: &mut StationWatch, what: &Outgoing, at: u64) -> Option<ForeignCommand> {
     let deed = deed_of(&content(address(254, 230), what))?;
-    watch.commanded(STATION_254, &deed, THREE, ms(at))
+    watch.commanded(STATION_254, &deed, &three(), ms(at))
 }
 
 fn answered(watch: &mut StationWatch, what: &Outgoing, at: u64) -> Option<ForeignCommand> {
-    watch.answered(&content(address(3, 1), what), THREE, ms(at))
+    watch.answered(&content(address(3, 1), what), &three(), ms(at))
 }
 
 fn answer(command: MavCmd, result: MavResult) -> Outgoing {
@@ -177,7 +187,7 @@ fn a_flood_is_a_few_rows() {
     for system in 1..=254 {
         for component in 1..=255 {
             let station = StationId(address(system, component));
-            drop(watch.commanded(station, &Deed::Arm(true), THREE, ms(2500)));
+            drop(watch.commanded(station, &Deed::Arm(true), &three(), ms(2500)));
         }
     }
     assert!(watch.due(ms(4000)).len() <= 1024);
