@@ -13,18 +13,21 @@ use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
 
 mod client;
+mod foreign;
 mod schema;
+mod traffic;
 mod view;
 
 #[cfg(test)]
 mod tests;
 
 pub use client::{Client, present};
+pub use foreign::ForeignView;
 pub use schema::schema;
+pub use traffic::{AircraftView, ApproachView};
 pub use view::{
-    ContactView, EntryView, ForeignView, LinkView, MissionView, NamedPlaceView, NoticeView,
-    ObjectiveView, ParameterView, PlanItemView, PlanView, ReadingView, RecordView, RowView,
-    VehicleView,
+    ContactView, EntryView, LinkView, MissionView, NamedPlaceView, NoticeView, ObjectiveView,
+    ParameterView, PlanItemView, PlanView, ReadingView, RecordView, RowView, VehicleView,
 };
 
 /// The version of this interface; it increases with every change that is not an addition.
@@ -91,6 +94,8 @@ pub enum Subject {
     Ledger,
     Mission,
     Links,
+    /// Other aircraft, the most urgent first.
+    Traffic,
     /// The parameters of one vehicle, as far as they have been read.
     Parameters,
     /// The plan on board one vehicle, as far as it has been read.
@@ -192,6 +197,7 @@ pub enum Message {
     Notice(NoticeView),
     Mission(MissionState),
     Links(StateList<LinkView>),
+    Traffic(StateList<AircraftView>),
     Parameters(StateList<ParameterView>),
     Plan(PlanView),
     Records(StateList<RecordView>),

@@ -14,9 +14,11 @@ use crate::vehicle::VehicleId;
 use crate::verb::{CountsAs, Verb};
 
 mod foreign;
+mod item;
 
 use foreign::ForeignLog;
 pub use foreign::{FOREIGN_KEPT, ForeignCommand, ForeignId, StationId};
+pub use item::{LedgerItem, LedgerKey, LedgerNumber};
 
 /// The maximum number of entries; the oldest are dropped, so that a console left open for days stays small.
 pub const ENTRIES_KEPT: usize = 10_000;
@@ -221,48 +223,6 @@ impl LedgerEntry {
     }
 }
 
-/// A command of the operator, or of another station.
-#[derive(Debug, Clone, Copy)]
-pub enum LedgerItem<'a> {
-    Own(&'a LedgerEntry),
-    Foreign(&'a ForeignCommand),
-}
-
-/// The key of an item, in the order of time.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct LedgerKey {
-    at: Duration,
-    number: LedgerNumber,
-}
-
-/// The number of an item among those of its kind.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum LedgerNumber {
-    Own(EntryId),
-    Foreign(ForeignId),
-}
-
-impl LedgerKey {
-    pub fn number(self) -> LedgerNumber {
-        self.number
-    }
-}
-
-impl LedgerItem<'_> {
-    pub fn key(self) -> LedgerKey {
-        match self {
-            Self::Own(entry) => LedgerKey {
-                at: entry.at,
-                number: LedgerNumber::Own(entry.id),
-            },
-            Self::Foreign(command) => LedgerKey {
-                at: command.at,
-                number: LedgerNumber::Foreign(command.id),
-            },
-        }
-    }
-}
-
 /// All commands so far, oldest first.
 #[derive(Debug, Clone, Default)]
 pub struct Ledger {
@@ -386,7 +346,7 @@ impl Ledger {
 
     /// The item of this key.
     pub fn item(&self, key: LedgerKey) -> Option<LedgerItem<'_>> {
-        match key.number {
+        match key.number() {
             LedgerNumber::Own(id) => self.entry(id).map(LedgerItem::Own),
             LedgerNumber::Foreign(id) => self.foreign.get(id).map(LedgerItem::Foreign),
         }

@@ -2,8 +2,9 @@
 //!
 //! A record is a set of files with one stem. `STEM.tlog` holds the frames of all links in both directions, as other
 //! ground stations write and read them. `STEM.flight.jsonl` holds the [`Head`] and then a [`JournalLine`] for each
-//! command, each change of its rows, each command of another ground station, each bookmark, and each other event that is not in the frames. `STEM.run.jsonl` is
-//! the mission's own record, from which it is scored again ([`mission::record`](crate::mission::record)).
+//! command, each change of its rows, each command of another ground station, each bookmark, and each other event that is
+//! not in the frames. `STEM.run.jsonl` is the mission's own record, from which it is scored again
+//! ([`mission::record`](crate::mission::record)).
 //! `STEM.inputs.jsonl` holds the inputs of simulated vehicles, with which the flight can be repeated ([`InputsHead`],
 //! [`InputLine`]). The console writes the journal with `shell::session::recorder`, and the run record with its
 //! `logbook`; a pilot script's flight keeps both in a [`FlightLog`].

@@ -25,6 +25,7 @@ mod readings;
 mod route;
 mod speeds;
 mod status;
+mod traffic;
 mod way_home;
 
 pub use crate::vehicle_id::VehicleId;
@@ -47,6 +48,7 @@ pub use readings::{
 };
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
+pub use traffic::{Aircraft, Approach, Traffic, TrafficThreat};
 pub use way_home::{HomeReach, MeanCurrent, USUAL_RESERVE_PERCENT, WayHome};
 
 /// A home farther away than this is not the home of this flight.
@@ -113,6 +115,8 @@ pub struct Vehicle {
     /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
     pub servos_us: [u16; 16],
     pub version: Option<AutopilotVersion>,
+    /// The aircraft that its ADS-B receiver hears.
+    pub traffic: Traffic,
     /// The speeds that this program has commanded.
     pub asked_speeds: AskedSpeeds,
     /// Milliseconds since the autopilot booted, from its messages; a step back means a reboot.
@@ -167,6 +171,7 @@ impl Vehicle {
             rc: None,
             servos_us: [0; 16],
             version: None,
+            traffic: Traffic::default(),
             asked_speeds: AskedSpeeds::default(),
             boot_ms: None,
             link: LinkQuality::default(),

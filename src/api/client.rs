@@ -5,9 +5,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{
-    Ended, EntryView, Fault, ForeignView, LedgerState, LinkView, Message, MissionState,
-    MissionView, NoticeView, ParameterView, PlanView, RecordView, RowView, StateList, Subject,
-    Topic, USUAL_WATCH_S, VehicleView,
+    AircraftView, Ended, EntryView, Fault, ForeignView, LedgerState, LinkView, Message,
+    MissionState, MissionView, NoticeView, ParameterView, PlanView, RecordView, RowView, StateList,
+    Subject, Topic, USUAL_WATCH_S, VehicleView,
 };
 use crate::app::State;
 use crate::ledger::{EntryId, ForeignId, LedgerEntry, RowState};
@@ -254,6 +254,11 @@ pub fn present(
                 id,
                 links.map(|link| LinkView::new(link, locale)),
             ))
+        }
+        Subject::Traffic => {
+            let tracked = session.traffic().tracked().iter();
+            let list = tracked.map(|it| AircraftView::new(it, state.now()));
+            Message::Traffic(StateList::new(id, list))
         }
         Subject::Parameters => {
             let vehicle = named(state, id, vehicle)?.id;

@@ -8,7 +8,7 @@ use crate::text::Text;
 use crate::vehicle::{Mode, Vehicle, VehicleClass};
 use crate::wire::Content;
 
-/// The id of SET_MODE.
+/// The id of `SET_MODE`.
 const SET_MODE: u16 = 11;
 /// The ids of `COMMAND_LONG` and `COMMAND_INT`, for commands that the dialect has no name for.
 const COMMAND_LONG: u32 = 76;

@@ -1,5 +1,5 @@
-//! The commands of other ground stations. They are in the ledger, but not among the operator's own: nothing that counts,
-//! rates or repeats commands reads them.
+//! The commands of other ground stations. They are in the ledger, but not among the operator's own: nothing that
+//! counts, rates or repeats commands reads them.
 
 use std::collections::VecDeque;
 use std::fmt;
