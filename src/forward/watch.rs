@@ -36,6 +36,8 @@ struct WatchedRow {
     row: ForeignCommand,
     /// Whether the command itself was seen; otherwise only its answers show it, and each counts.
     is_seen: bool,
+    /// Whether its first answer was reported.
+    is_answered: bool,
     reported_at: Option<Duration>,
     has_news: bool,
 }
@@ -96,20 +98,49 @@ impl StationWatch {
             vehicle: from.id,
             station,
         };
-        let rows = self.exchanges.get(&exchange);
-        let known = rows.into_iter().flatten().rev().find_map(|watched| {
-            let fits = |deed: &Deed| watched.is_recent(now) && answer.to.fits(deed);
-            watched.deed.clone().filter(fits)
-        });
-        let deed = known.or_else(|| answer.to.deed())?;
-        let watched = self.row(exchange, &deed, from, now)?;
-        let is_first = watched.row.count == 0;
-        let continues = matches!(watched.row.state, RowState::InProgress(_));
-        if is_first || (!watched.is_seen && !continues) {
-            watched.row.count = watched.row.count.saturating_add(1);
+        if let Some(watched) = self.answered_row(exchange, &answer, now) {
+            let continues = matches!(watched.row.state, RowState::InProgress(_));
+            if !watched.is_seen && !continues {
+                watched.row.count = watched.row.count.saturating_add(1);
+                watched.row.last_at = now;
+            }
+            watched.answer(&answer);
+            return watched.report_answer(now);
         }
+        // Its command came another way.
+        let watched = self.row(exchange, &answer.to.deed()?, from, now)?;
+        watched.row.count = watched.row.count.saturating_add(1);
         watched.answer(&answer);
-        watched.report_answer(now, is_first)
+        watched.report_answer(now)
+    }
+
+    /// The row that an answer is for: the one that has waited longest, or else the one that was commanded last. Answers
+    /// to commands of the same number cannot be told apart otherwise.
+    fn answered_row(
+        &mut self,
+        exchange: Exchange,
+        answer: &StationAnswer,
+        now: Duration,
+    ) -> Option<&mut WatchedRow> {
+        let rows = self.exchanges.get_mut(&exchange)?.iter_mut();
+        let fits = |watched: &&mut WatchedRow| {
+            let of_burst = matches!(answer.to, Answered::Command(_)) && watched.is_seen;
+            let deed = watched.deed.as_ref();
+            watched.is_recent(now) && deed.map_or(of_burst, |deed| answer.to.fits(deed))
+        };
+        let order = |watched: &&mut WatchedRow| {
+            let waits = watched.row.state == RowState::Sent;
+            let at = watched.row.last_at;
+            (
+                !waits,
+                if waits {
+                    at
+                } else {
+                    Duration::MAX.saturating_sub(at)
+                },
+            )
+        };
+        rows.filter(fits).min_by_key(order)
     }
 
     /// A parameter's value, which every station hears: it answers whoever has set it.
@@ -127,7 +158,7 @@ impl StationWatch {
             is_open && watched.deed.as_ref().is_some_and(fits)
         })?;
         watched.answer(answer);
-        watched.report_answer(now, true)
+        watched.report_answer(now)
     }
 
     /// The rows with changes that were held back and are due now.
@@ -205,6 +236,7 @@ impl WatchedRow {
             deed,
             row,
             is_seen: false,
+            is_answered: false,
             reported_at: None,
             has_news: true,
         }
@@ -217,7 +249,7 @@ impl WatchedRow {
     fn answer(&mut self, answer: &StationAnswer) {
         let differs = match (&answer.to, &self.deed) {
             (Answered::Parameter(_, value), Some(Deed::Parameter(_, wanted))) => {
-                (value != wanted).then_some(*value)
+                (value.to_bits() != wanted.to_bits()).then_some(*value)
             }
             _ => None,
         };
@@ -242,12 +274,12 @@ impl WatchedRow {
         is_due.then(|| self.tell(now))
     }
 
-    /// Reports an answer at once if it is the first one.
-    fn report_answer(&mut self, now: Duration, is_first: bool) -> Option<ForeignCommand> {
-        if is_first || self.row.count == 1 {
-            Some(self.tell(now))
-        } else {
+    /// Reports an answer, the first one at once.
+    fn report_answer(&mut self, now: Duration) -> Option<ForeignCommand> {
+        if std::mem::replace(&mut self.is_answered, true) {
             self.report(now)
+        } else {
+            Some(self.tell(now))
         }
     }
 

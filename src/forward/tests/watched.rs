@@ -236,3 +236,35 @@ fn parameters_and_lists_are_answered_by_their_own_messages() {
         Some("GCS 254/230: 3 plan upload, items: 9: refused: NO_SPACE")
     );
 }
+
+#[test]
+fn answers_are_for_the_command_that_waits_longest_and_those_of_a_burst_for_its_row() {
+    let mut watch = StationWatch::new(OWN);
+    let mode = |number| command(3, MavCmd::MAV_CMD_DO_SET_MODE, 1.0, number);
+    let says = |result| answer(MavCmd::MAV_CMD_DO_SET_MODE, result);
+    drop(commanded(&mut watch, &mode(6.0), 0));
+    drop(commanded(&mut watch, &mode(9.0), 10));
+    let first = answered(&mut watch, &says(MavResult::MAV_RESULT_FAILED), 20);
+    let second = answered(&mut watch, &says(MavResult::MAV_RESULT_ACCEPTED), 30);
+    let states = [first, second].map(|row| row.map(|row| (row.id, row.state)));
+    assert_eq!(
+        states,
+        [
+            Some((ForeignId(0), RowState::Refused)),
+            Some((ForeignId(1), RowState::Accepted))
+        ]
+    );
+    for number in 10..30_u8 {
+        let at = 1000 + u64::from(number);
+        drop(commanded(&mut watch, &mode(f32::from(number)), at));
+        drop(answered(
+            &mut watch,
+            &says(MavResult::MAV_RESULT_ACCEPTED),
+            at,
+        ));
+    }
+    let rows = watch.due(ms(3000));
+    let rest = rows.iter().find(|row| row.id == ForeignId(6));
+    let rest = rest.expect("the row for the rest");
+    assert_eq!((rest.count, rest.state), (16, RowState::Accepted));
+}

@@ -207,18 +207,17 @@ fn foreign_line(
     let mark = if under_cursor { "> " } else { "  " };
     let time = clock(state.session().time(command.at));
     let told = format!(" {}", look.text(&command.outcome()));
-    let free = outcome + TRIES_WIDTH;
+    // It has one vehicle, which its line names, and no measured answer.
+    let wide = line + 1 + COUNT_WIDTH + ANSWER_WIDTH;
     Line::from(vec![
         Span::raw(mark),
         Span::styled(aligned(&time, TIME_WIDTH, false), muted),
         Span::styled(
-            aligned(&look.text(&command.line()), line, false),
+            aligned(&look.text(&command.line()), wide, false),
             look.style(Role::Accent),
         ),
-        Span::styled(format!(" {}", aligned("1", COUNT_WIDTH, true)), muted),
-        Span::styled(aligned("-", ANSWER_WIDTH, true), muted),
         Span::styled(
-            format!(" {}", aligned(&told, free, false)),
+            format!(" {}", aligned(&told, outcome + TRIES_WIDTH, false)),
             look.style(row_role(command.state)),
         ),
     ])
