@@ -18,8 +18,9 @@ const BURST_MOST: usize = 6;
 const BURST: Duration = Duration::from_secs(10);
 /// The minimum time between two reports of a row, except those of a new answer.
 const REPORT_EVERY: Duration = Duration::from_secs(1);
-/// The number of remembered rows above which old ones are forgotten, and new ones dropped while none is old.
-const MOST_ROWS: usize = 1024;
+/// The number of stations and vehicles, in pairs, at which those without recent commands are forgotten, at most once in
+/// [`REPORT_EVERY`]; while there are as many, further pairs are left out.
+const MOST_EXCHANGES: usize = 512;
 
 /// A vehicle and a station that has commanded it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -48,6 +49,8 @@ pub struct StationWatch {
     own: MavAddress,
     exchanges: BTreeMap<Exchange, Vec<WatchedRow>>,
     next: u32,
+    /// When old exchanges were forgotten last.
+    cleared_at: Option<Duration>,
 }
 
 impl StationWatch {
@@ -57,6 +60,7 @@ impl StationWatch {
             own,
             exchanges: BTreeMap::new(),
             next: 0,
+            cleared_at: None,
         }
     }
 
@@ -177,7 +181,10 @@ impl StationWatch {
         now: Duration,
     ) -> Option<&mut WatchedRow> {
         self.make_room(now);
-        let is_full = self.exchanges.values().map(Vec::len).sum::<usize>() >= MOST_ROWS;
+        let is_full = self.exchanges.len() >= MOST_EXCHANGES;
+        if is_full && !self.exchanges.contains_key(&exchange) {
+            return None;
+        }
         let rows = self.exchanges.entry(exchange).or_default();
         rows.retain(|watched| watched.is_recent(now));
         let begun = |watched: &&WatchedRow| now.saturating_sub(watched.row.at) < BURST;
@@ -192,9 +199,6 @@ impl StationWatch {
             watched.row.last_at = now;
             return Some(watched);
         }
-        if is_full {
-            return None;
-        }
         let deed = (!is_burst).then(|| deed.clone());
         let what = deed
             .as_ref()
@@ -207,7 +211,11 @@ impl StationWatch {
 
     /// Forgets old rows if there are many.
     fn make_room(&mut self, now: Duration) {
-        if self.exchanges.values().map(Vec::len).sum::<usize>() >= MOST_ROWS {
+        let is_early = self
+            .cleared_at
+            .is_some_and(|at| now.saturating_sub(at) < REPORT_EVERY);
+        if self.exchanges.len() >= MOST_EXCHANGES && !is_early {
+            self.cleared_at = Some(now);
             self.exchanges.retain(|_, rows| {
                 rows.retain(|watched| watched.is_recent(now));
                 !rows.is_empty()
