@@ -42,6 +42,8 @@ pub enum AlertKind {
     Ekf,
     /// Another vehicle in the air is too close.
     Separation,
+    /// Another aircraft comes too close.
+    Traffic,
     Battery,
     /// The remaining battery is little more than the way home needs.
     WayHome,
@@ -80,7 +82,7 @@ impl AlertKind {
     /// with a status text or a notice, or show in the vehicle's values.
     pub const fn needs_notice(self) -> bool {
         match self {
-            Self::Crash | Self::Separation => true,
+            Self::Crash | Self::Separation | Self::Traffic => true,
             Self::Process
             | Self::LinkLost
             | Self::Failsafe
@@ -105,6 +107,7 @@ impl AlertKind {
             Self::Gps => text!("alert-kind-gps"),
             Self::Ekf => text!("alert-kind-ekf"),
             Self::Separation => text!("alert-kind-separation"),
+            Self::Traffic => text!("alert-kind-traffic"),
             Self::Battery => text!("alert-kind-battery"),
             Self::WayHome => text!("alert-kind-way-home"),
             Self::Fence => text!("alert-fence"),

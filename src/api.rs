@@ -14,14 +14,18 @@ use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
 
 mod client;
+mod foreign;
 mod schema;
+mod traffic;
 mod view;
 
 #[cfg(test)]
 mod tests;
 
 pub use client::{Client, present};
+pub use foreign::ForeignView;
 pub use schema::schema;
+pub use traffic::{AircraftView, ApproachView};
 pub use view::{
     ContactView, EntryView, LinkView, MissionView, NamedPlaceView, NoticeView, ObjectiveView,
     ParameterView, PlanItemView, PlanView, ReadingView, RecordView, RowView, VehicleView,
@@ -91,6 +95,8 @@ pub enum Subject {
     Ledger,
     Mission,
     Links,
+    /// Other aircraft, the most urgent first.
+    Traffic,
     /// The parameters of one vehicle, as far as they have been read.
     Parameters,
     /// The plan on board one vehicle, as far as it has been read.
@@ -184,12 +190,15 @@ pub enum Message {
     Row(RowView),
     /// A command has ended for all its vehicles.
     Ended(Ended),
+    /// Another ground station has commanded a vehicle, or its command has a new state.
+    Foreign(ForeignView),
     Vehicles(StateList<VehicleView>),
-    Ledger(StateList<EntryView>),
+    Ledger(LedgerState),
     Notices(StateList<NoticeView>),
     Notice(NoticeView),
     Mission(MissionState),
     Links(StateList<LinkView>),
+    Traffic(StateList<AircraftView>),
     Parameters(StateList<ParameterView>),
     Plan(PlanView),
     Records(StateList<RecordView>),
@@ -276,6 +285,18 @@ impl<T> StateList<T> {
         let list = list.into_iter().collect();
         Self { id, list }
     }
+}
+
+/// All commands.
+#[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
+pub struct LedgerState {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub id: Option<u64>,
+    /// The commands of this console.
+    pub list: Vec<EntryView>,
+    /// The commands of other ground stations.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub foreign: Vec<ForeignView>,
 }
 
 /// The mission, if one is being flown.

@@ -11,6 +11,7 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use crate::forward::ForwardSpec;
+use crate::ledger::ForeignCommand;
 use crate::link::{Address, FrameSink, LinkStatus, Signer, Tap, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
@@ -49,8 +50,10 @@ pub enum FleetEvent {
     Forwarding(ForwardFeed),
     /// A command's progress, or a notice of a vehicle.
     Report(Report),
-    /// A fault in the connections to vehicles, or a command of another ground station.
+    /// A fault in the connections to vehicles.
     Warning(Notice),
+    /// A command of another ground station, or its new state.
+    Foreign(ForeignCommand),
     /// This many further reports were dropped because the console did not read them.
     Dropped(u64),
 }

@@ -4,14 +4,17 @@
 //! Pure: the transports are in [`link`](crate::link), whose relay consults a [`Router`] for every
 //! frame.
 
+mod answers;
 mod commands;
 mod routes;
 mod spec;
 mod stray;
 #[cfg(test)]
 mod tests;
+mod watch;
 
-pub use commands::{Deed, StationId, deed_of, station_of_ack};
+pub use commands::{Deed, NamedCommand, deed_of};
 pub use routes::{FrameFacts, Port, Reach, Route, Router, receiver_of};
 pub use spec::{ForwardFault, ForwardSpec};
 pub use stray::SentCommands;
+pub use watch::StationWatch;

@@ -51,6 +51,7 @@ pub use console::{
 pub use head::said;
 pub use lexer::{Word, comment_start, words};
 pub use manual::manual;
+pub use modes::OfferedModes;
 pub use names::{Listed, NameList, Named, Names, UnknownNames, mission_meant};
 pub use parse::{draft_part, parse};
 pub use pilot::{Pilot, PilotEvent, Script};
@@ -77,6 +78,8 @@ pub struct Context<'a> {
     pub expected: &'a BTreeSet<VehicleId>,
     /// The class whose mode names are valid. [`VehicleClass::Other`] accepts those of every class.
     pub class: VehicleClass,
+    /// The modes that vehicles have announced; `None` if no vehicle has.
+    pub modes: Option<&'a OfferedModes>,
     /// The known parameters of the line's first target.
     pub parameters: Option<&'a ParameterList>,
     /// The lists of names that the console provides.
@@ -100,6 +103,7 @@ impl Default for Context<'_> {
             vehicles: &[],
             expected: &NONE_EXPECTED,
             class: VehicleClass::Copter,
+            modes: None,
             parameters: None,
             names: &UnknownNames,
             channel: Channel::Script,

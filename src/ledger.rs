@@ -1,4 +1,5 @@
-//! The ledger: every command, with one row per vehicle for its outcome.
+//! The ledger: every command, with one row per vehicle for its outcome; and beside them, the commands of other ground
+//! stations.
 
 use std::collections::VecDeque;
 use std::fmt;
@@ -11,6 +12,13 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::verb::{CountsAs, Verb};
+
+mod foreign;
+mod item;
+
+use foreign::ForeignLog;
+pub use foreign::{FOREIGN_KEPT, ForeignCommand, ForeignId, StationId};
+pub use item::{LedgerItem, LedgerKey, LedgerNumber};
 
 /// The maximum number of entries; the oldest are dropped, so that a console left open for days stays small.
 pub const ENTRIES_KEPT: usize = 10_000;
@@ -221,6 +229,7 @@ impl LedgerEntry {
 #[derive(Debug, Clone, Default)]
 pub struct Ledger {
     entries: VecDeque<LedgerEntry>,
+    foreign: ForeignLog,
     next: u32,
     revision: u64,
 }
@@ -294,6 +303,12 @@ impl Ledger {
         }
     }
 
+    /// Notes a command of another station, or its new state.
+    pub fn note_foreign(&mut self, command: ForeignCommand) {
+        self.revision += 1;
+        self.foreign.note(command);
+    }
+
     /// Increases with every change, so that readers can skip unchanged states.
     pub fn revision(&self) -> u64 {
         self.revision
@@ -308,7 +323,38 @@ impl Ledger {
         self.position(id).map(|at| &self.entries[at])
     }
 
-    /// All entries, oldest first.
+    /// The commands of other stations, oldest first.
+    pub fn foreign(&self) -> impl DoubleEndedIterator<Item = &ForeignCommand> + ExactSizeIterator {
+        self.foreign.all()
+    }
+
+    /// The operator's commands and those of other stations, newest first.
+    pub fn newest_first(&self) -> impl Iterator<Item = LedgerItem<'_>> {
+        let mut own = self.entries.iter().rev().peekable();
+        let mut foreign = self.foreign.all().rev().peekable();
+        std::iter::from_fn(move || {
+            let is_foreign = match (own.peek(), foreign.peek()) {
+                (Some(own), Some(foreign)) => foreign.at >= own.at,
+                (None, next) => next.is_some(),
+                (Some(_), None) => false,
+            };
+            if is_foreign {
+                foreign.next().map(LedgerItem::Foreign)
+            } else {
+                own.next().map(LedgerItem::Own)
+            }
+        })
+    }
+
+    /// The item of this key.
+    pub fn item(&self, key: LedgerKey) -> Option<LedgerItem<'_>> {
+        match key.number() {
+            LedgerNumber::Own(id) => self.entry(id).map(LedgerItem::Own),
+            LedgerNumber::Foreign(id) => self.foreign.get(id).map(LedgerItem::Foreign),
+        }
+    }
+
+    /// The operator's own entries, oldest first.
     pub fn entries(&self) -> impl DoubleEndedIterator<Item = &LedgerEntry> + ExactSizeIterator {
         self.entries.iter()
     }
@@ -321,91 +367,4 @@ impl Ledger {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry};
-
-    #[test]
-    fn the_revision_tells_whether_anything_has_changed() {
-        let mut ledger = Ledger::new();
-        let before = ledger.revision();
-        let entry = ledger.open(Duration::ZERO, given("all arm"), &[1]);
-        let opened = ledger.revision();
-        assert!(opened > before);
-        let _ = ledger.entries().count();
-        assert_eq!(ledger.revision(), opened);
-        ledger.apply(&RowUpdate {
-            entry,
-            vehicle: 1,
-            state: RowState::Done,
-            tries: 1,
-            at: Duration::ZERO,
-            explanation: None,
-        });
-        assert!(ledger.revision() > opened);
-    }
-
-    const ARM: Verb = Verb {
-        name: "arm",
-        danger: Danger::None,
-        retry: Retry::new(3, 1000, 3500),
-        precedence: Precedence::Awaited,
-        movement: Movement::None,
-        counts_as: CountsAs::Task,
-    };
-
-    fn given(line: &str) -> Given<'_> {
-        Given {
-            line,
-            verb: &ARM,
-            risk: Risk::None,
-        }
-    }
-
-    fn update(entry: EntryId, vehicle: VehicleId, state: RowState, at_s: u64) -> RowUpdate {
-        RowUpdate {
-            entry,
-            vehicle,
-            state,
-            tries: 1,
-            at: Duration::from_secs(at_s),
-            explanation: None,
-        }
-    }
-
-    #[test]
-    fn each_vehicle_has_its_own_outcome() {
-        let mut ledger = Ledger::new();
-        let id = ledger.open(Duration::from_secs(10), given("1-2 arm"), &[1, 2]);
-        ledger.apply(&update(id, 2, RowState::Sent, 10));
-        ledger.apply(&update(id, 2, RowState::Refused, 11));
-        let entry = ledger.entry(id).expect("just opened");
-        assert_eq!(entry.rows[0].state, RowState::Queued);
-        assert_eq!(entry.rows[1].state, RowState::Refused);
-        assert_eq!(entry.rows[1].answered_after, Some(Duration::from_secs(1)));
-        assert!(!entry.is_final());
-    }
-
-    #[test]
-    fn a_finished_row_never_changes_again() {
-        let mut ledger = Ledger::new();
-        let id = ledger.open(Duration::ZERO, given("1 arm"), &[1]);
-        ledger.apply(&update(id, 1, RowState::TimedOut, 1));
-        ledger.apply(&update(id, 1, RowState::Accepted, 2));
-        assert_eq!(
-            ledger.entry(id).map(|entry| entry.rows[0].state),
-            Some(RowState::TimedOut)
-        );
-    }
-
-    #[test]
-    fn the_oldest_entries_fall_out() {
-        let mut ledger = Ledger::new();
-        let first = ledger.open(Duration::ZERO, given("1 arm"), &[1]);
-        for _ in 0..ENTRIES_KEPT {
-            ledger.open(Duration::ZERO, given("2 arm"), &[2]);
-        }
-        assert_eq!(ledger.entry(first), None);
-        assert_eq!(ledger.entries().len(), ENTRIES_KEPT);
-    }
-}
+mod tests;

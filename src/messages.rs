@@ -25,6 +25,7 @@ mod health;
 mod heartbeat;
 mod idle;
 mod landed;
+mod modes;
 mod outputs;
 mod parameters;
 mod plan;
@@ -35,6 +36,7 @@ mod status_text;
 mod target;
 #[cfg(test)]
 mod testing;
+mod traffic;
 mod version;
 mod vibration;
 
@@ -100,7 +102,8 @@ impl Inbox {
 
     /// Applies one frame of this vehicle, received at `now`. `notices` receives the notices.
     ///
-    /// State comes from the vehicle's autopilot component only; a text may come from any component.
+    /// State comes from the vehicle's autopilot component only; a text may come from any component, and traffic from an
+    /// ADS-B receiver.
     pub fn apply(
         &mut self,
         vehicle: &mut Vehicle,
@@ -119,6 +122,11 @@ impl Inbox {
                 self.take_text(vehicle, &text, &mut report);
             }
             return;
+        }
+        if let Content::Message(MavMessage::ADSB_VEHICLE(data)) = &frame.content
+            && [vehicle.component, traffic::RECEIVER].contains(&frame.component)
+        {
+            return traffic::apply(vehicle, data, now);
         }
         if frame.component != vehicle.component {
             return;
@@ -154,7 +162,8 @@ impl Inbox {
     }
 
     /// Handles time-outs: releases chunked texts with missing parts (after 1 s), with `...` in
-    /// their place, and drops a target that is no longer sent. Must be called a few times a second.
+    /// their place, and drops a target and traffic that are no longer sent. Must be called a few
+    /// times a second.
     pub fn poll(&mut self, vehicle: &mut Vehicle, now: Duration, notices: &mut Vec<Notice>) {
         let mut report = HandlerNotices {
             vehicle: vehicle.id,
@@ -165,6 +174,7 @@ impl Inbox {
             self.take_text(vehicle, &text, &mut report);
         }
         target::expire(vehicle, now);
+        vehicle.traffic.expire(now);
     }
 
     /// Handles a restart of the autopilot: its earlier state is void. A heartbeat gives its mode and whether it is
@@ -195,6 +205,9 @@ impl Inbox {
             M::COMMAND_ACK(data) if data.command == MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => {
                 self.idle.note_answer(vehicle, now);
             }
+            M::AVAILABLE_MODES(data) => modes::apply(vehicle, data),
+            M::AVAILABLE_MODES_MONITOR(data) => vehicle.modes.note_monitor(data.seq),
+            M::CURRENT_MODE(data) => modes::apply_current(vehicle, data),
             M::ATTITUDE(data) => attitude::apply(vehicle, data, now),
             M::GLOBAL_POSITION_INT(data) => position::apply_global(vehicle, data, now),
             M::LOCAL_POSITION_NED(data) => position::apply_local(vehicle, data, now),

@@ -2,8 +2,9 @@
 //!
 //! A record is a set of files with one stem. `STEM.tlog` holds the frames of all links in both directions, as other
 //! ground stations write and read them. `STEM.flight.jsonl` holds the [`Head`] and then a [`JournalLine`] for each
-//! command, each change of its rows, each bookmark, and each other event that is not in the frames. `STEM.run.jsonl` is
-//! the mission's own record, from which it is scored again ([`mission::record`](crate::mission::record)).
+//! command, each change of its rows, each command of another ground station, each bookmark, and each other event that is
+//! not in the frames. `STEM.run.jsonl` is the mission's own record, from which it is scored again
+//! ([`mission::record`](crate::mission::record)).
 //! `STEM.inputs.jsonl` holds the inputs of simulated vehicles, with which the flight can be repeated ([`InputsHead`],
 //! [`InputLine`]). The console writes the journal with `shell::session::recorder`, and the run record with its
 //! `logbook`; a pilot script's flight keeps both in a [`FlightLog`].
@@ -23,6 +24,7 @@ use crate::text::Text;
 
 mod day_clock;
 mod flight_log;
+mod foreign_line;
 mod inputs;
 mod journal_fit;
 mod line;
@@ -30,6 +32,7 @@ mod mission_clock;
 
 pub use day_clock::DayClock;
 pub use flight_log::{FlightLog, push_frame};
+pub use foreign_line::ForeignLine;
 pub use inputs::{
     Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint, has_fingerprint,
 };
@@ -235,6 +238,7 @@ impl Journal {
             }),
             Happening::Entry(_)
             | Happening::Row(_)
+            | Happening::Foreign(_)
             | Happening::Notice(_)
             | Happening::Loss(_)
             | Happening::Paths(_)

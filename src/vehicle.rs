@@ -11,6 +11,7 @@ use std::time::Duration;
 use crate::geo::maths;
 use crate::wire::{ComponentId, MavAddress, SystemId};
 
+mod announced;
 mod carried;
 mod check_rules;
 mod fence_switch;
@@ -24,9 +25,11 @@ mod readings;
 mod route;
 mod speeds;
 mod status;
+mod traffic;
 mod way_home;
 
 pub use crate::vehicle_id::VehicleId;
+pub use announced::{AnnouncedMode, AnnouncedModes};
 pub use carried::CarriedLists;
 pub use check_rules::check_rules;
 pub use fence_switch::FenceSwitch;
@@ -45,6 +48,7 @@ pub use readings::{
 };
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
+pub use traffic::{Aircraft, Approach, Traffic, TrafficThreat};
 pub use way_home::{HomeReach, MeanCurrent, USUAL_RESERVE_PERCENT, WayHome};
 
 /// A home farther away than this is not the home of this flight, in metres.
@@ -63,6 +67,10 @@ pub struct Vehicle {
     pub component: ComponentId,
     /// Identity and state from HEARTBEAT; `None` before the first one.
     pub heartbeat: Option<Heartbeat>,
+    /// The modes that it has announced.
+    pub modes: AnnouncedModes,
+    /// The number of the mode that was set last (`CURRENT_MODE`), if it tells.
+    pub intended_mode: Option<u32>,
     pub attitude: Option<Attitude>,
     pub global: Option<GlobalPosition>,
     /// `LOCAL_POSITION_NED`: metres from the EKF origin.
@@ -108,6 +116,8 @@ pub struct Vehicle {
     /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
     pub servos_us: [u16; 16],
     pub version: Option<AutopilotVersion>,
+    /// The aircraft that its ADS-B receiver hears.
+    pub traffic: Traffic,
     /// The speeds that this program has commanded.
     pub asked_speeds: AskedSpeeds,
     /// Milliseconds since the autopilot booted, from its messages; a step back means a reboot.
@@ -136,6 +146,8 @@ impl Vehicle {
             system,
             component,
             heartbeat: None,
+            modes: AnnouncedModes::default(),
+            intended_mode: None,
             attitude: None,
             global: None,
             local: None,
@@ -161,6 +173,7 @@ impl Vehicle {
             rc: None,
             servos_us: [0; 16],
             version: None,
+            traffic: Traffic::default(),
             asked_speeds: AskedSpeeds::default(),
             boot_ms: None,
             link: LinkQuality::default(),

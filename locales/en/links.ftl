@@ -60,17 +60,13 @@ forward-file = { $address } is a recording: a forward needs a port
 
 # Commands of other ground stations
 
-foreign-mode = { $station } set vehicle { $vehicle } to { $mode }
-foreign-arm = { $station } armed vehicle { $vehicle }
-foreign-disarm = { $station } disarmed vehicle { $vehicle }
-foreign-command = { $station } sent { $command } to vehicle { $vehicle }
-foreign-parameter = { $station } set { $name } on vehicle { $vehicle } to { $value }
-foreign-plan = { $station } uploaded { $count ->
-    [one] { $count } plan item
-   *[other] { $count } plan items
-} to vehicle { $vehicle }
-foreign-no-plan = { $station } cleared the plan of vehicle { $vehicle }
-foreign-steering = { $station } steers vehicle { $vehicle }
+foreign-line = GCS { $station }: { $vehicle } { $what }
+foreign-upload = { $list } upload, items: { $count }
+foreign-steering = steering
+foreign-further = further commands
+foreign-unanswered = no answer yet
+foreign-stays = it stays { $value }
+foreign-repeated = { $outcome }, { $count } times
 foreign-twin = another ground station uses the address of this console ({ $system }/{ $component }): vehicle { $vehicle } answers { $command }, which this console did not send; give that station another system id
 
 # The name of a link to a simulator that the console runs.

@@ -12,6 +12,7 @@ refused-no-position = no position received yet
 refused-no-heading = no heading received yet
 refused-no-height = no height received yet
 refused-no-mode = it has no mode { $mode }
+refused-mode-hidden = mode { $mode } is set by the vehicle itself only: it is marked as not selectable
 refused-mode-autopilot = it does not run ArduPilot: its modes are not known by name; use `land` or `rtl`
 refused-arm-in-the-air = it is in the air: arm it on the ground
 refused-logs-armed = it is armed: disarm it before reading logs

@@ -12,6 +12,7 @@ vehicle-angles = roll { $roll }°  pitch { $pitch }°
 
 vehicle-state = state
 vehicle-mode = mode
+vehicle-mode-set = (set: { $mode })
 vehicle-no-heartbeat = no heartbeat yet
 vehicle-armed = ARMED
 vehicle-disarmed = disarmed

@@ -164,6 +164,7 @@ verb-help = show keys and verbs
 verb-links = show the counters of the links
 verb-ledger = show all commands of the session and their outcomes
 verb-notices = show all notices of the session
+verb-traffic = show other aircraft and their closest approach
 verb-brief = show the mission's brief
 verb-status = show the state of the named vehicles, or of all
 verb-objectives = show the state of the objectives

@@ -4,6 +4,11 @@ prompt-filter = показати лише
 
 fly-swarm = рій
 fly-notices = сповіщення
+traffic-title = повітряний рух
+traffic-none = про інші повітряні судна нічого не відомо
+traffic-aircraft = { $name }: { $height } m над рівнем моря, курс { $course }, { $speed } m/s, вертикально { $climb } m/s, дані { $age } s тому
+traffic-approach = апарат { $vehicle }: зараз { $distance } m, по висоті { $height } m; найближче через { $seconds } s: { $across } m, по висоті { $above } m
+traffic-leaves = апарат { $vehicle }: зараз { $distance } m, по висоті { $height } m; віддаляється
 fly-waiting = очікування першого апарата ...
 fly-rows = { $first }-{ $last } з { $count }
 fly-filtered = показано { $shown } з { $all }: «{ $filter }»

@@ -60,18 +60,13 @@ forward-file = { $address } є записом: для пересилання п�
 
 # Команди інших наземних станцій
 
-foreign-mode = { $station }: режим { $mode } для апарата { $vehicle }
-foreign-arm = { $station }: активовано двигуни апарата { $vehicle }
-foreign-disarm = { $station }: деактивовано двигуни апарата { $vehicle }
-foreign-command = { $station }: команда { $command } для апарата { $vehicle }
-foreign-parameter = { $station }: параметр { $name } апарата { $vehicle } тепер { $value }
-foreign-plan = { $station }: план завантажено на борт апарата { $vehicle }, { $count ->
-    [one] { $count } пункт
-    [few] { $count } пункти
-   *[many] { $count } пунктів
-}
-foreign-no-plan = { $station }: план апарата { $vehicle } видалено
-foreign-steering = { $station } керує апаратом { $vehicle }
+foreign-line = НСК { $station }: { $vehicle } { $what }
+foreign-upload = { $list } upload, пунктів: { $count }
+foreign-steering = ручне керування
+foreign-further = інші команди
+foreign-unanswered = відповіді ще немає
+foreign-stays = залишається { $value }
+foreign-repeated = { $outcome }, разів: { $count }
 foreign-twin = інша наземна станція має ту саму адресу, що й консоль ({ $system }/{ $component }): апарат { $vehicle } відповів на { $command }, якої звідси не надсилали; задайте тій станції інший номер системи
 
 # The name of a link to a simulator that the console runs.

@@ -12,6 +12,7 @@ refused-no-position = позиція ще невідома
 refused-no-heading = курс ще невідомий
 refused-no-height = висота ще невідома
 refused-no-mode = апарат не має режиму { $mode }
+refused-mode-hidden = режим { $mode } вмикає лише сам апарат: він позначений як недоступний для вибору
 refused-mode-autopilot = на апараті не ArduPilot: назви його режимів невідомі; скористайтеся `land` або `rtl`
 refused-arm-in-the-air = апарат у повітрі: активуйте двигуни на землі
 refused-logs-armed = двигуни активні: деактивуйте їх перед читанням журналів

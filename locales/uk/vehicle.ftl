@@ -12,6 +12,7 @@ vehicle-angles = крен { $roll }°  тангаж { $pitch }°
 
 vehicle-state = стан
 vehicle-mode = режим
+vehicle-mode-set = (задано: { $mode })
 vehicle-no-heartbeat = ще немає HEARTBEAT
 vehicle-armed = АКТИВНІ
 vehicle-disarmed = неактивні

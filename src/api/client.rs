@@ -5,12 +5,12 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{
-    Ended, EntryView, Fault, LinkView, Message, MissionState, MissionView, NoticeView,
-    ParameterView, PlanView, RecordView, RowView, StateList, Subject, Topic, USUAL_WATCH_S,
-    VehicleView,
+    AircraftView, Ended, EntryView, Fault, ForeignView, LedgerState, LinkView, Message,
+    MissionState, MissionView, NoticeView, ParameterView, PlanView, RecordView, RowView, StateList,
+    Subject, Topic, USUAL_WATCH_S, VehicleView,
 };
 use crate::app::State;
-use crate::ledger::{EntryId, LedgerEntry, RowState};
+use crate::ledger::{EntryId, ForeignId, LedgerEntry, RowState};
 use crate::text;
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
@@ -43,6 +43,7 @@ impl Client {
             notices: state.notices().listed(),
             commands: CommandNews {
                 next: state.session().ledger().next(),
+                foreign: foreign_views(state).collect(),
                 ..std::mem::take(&mut self.commands)
             },
             ..Self::default()
@@ -122,6 +123,8 @@ struct CommandNews {
     sent: BTreeMap<EntryId, BTreeMap<VehicleId, RowView>>,
     /// The first entry that has not been looked at.
     next: EntryId,
+    /// The commands of other stations, as they were sent last.
+    foreign: BTreeMap<ForeignId, ForeignView>,
     /// The revision of the ledger that was looked at last.
     revision: Option<u64>,
 }
@@ -149,6 +152,9 @@ impl CommandNews {
             self.open.extend(new.map(|entry| entry.id));
         }
         self.next = ledger.next();
+        if all {
+            self.foreign_news(state, news);
+        }
         let open = std::mem::take(&mut self.open);
         for id in open {
             // An entry of an earlier session, or one that the ledger has dropped, has no news.
@@ -169,6 +175,15 @@ impl CommandNews {
         }
     }
 
+    /// Adds the changed commands of other stations.
+    fn foreign_news(&mut self, state: &State, news: &mut Vec<Message>) {
+        let now: BTreeMap<ForeignId, ForeignView> = foreign_views(state).collect();
+        let is_new = |(id, view): &(&ForeignId, &ForeignView)| self.foreign.get(id) != Some(view);
+        let changed = now.iter().filter(is_new);
+        news.extend(changed.map(|(_, view)| Message::Foreign(view.clone())));
+        self.foreign = now;
+    }
+
     fn entry(&mut self, state: &State, entry: &LedgerEntry, news: &mut Vec<Message>) {
         let sent = self.sent.entry(entry.id).or_default();
         for row in &entry.rows {
@@ -179,6 +194,12 @@ impl CommandNews {
             }
         }
     }
+}
+
+/// The commands of other stations as a program sees them.
+fn foreign_views(state: &State) -> impl Iterator<Item = (ForeignId, ForeignView)> {
+    let commands = state.session().ledger().foreign();
+    commands.map(|command| (command.id, ForeignView::new(command, state.locale())))
 }
 
 fn mission(state: &State) -> Option<MissionView> {
@@ -217,9 +238,12 @@ pub fn present(
             Message::Notices(StateList::new(id, list))
         }
         Subject::Ledger => {
-            let entries = session.ledger().entries();
-            let list = entries.map(|entry| EntryView::new(entry, locale));
-            Message::Ledger(StateList::new(id, list))
+            let (entries, foreign) = (session.ledger().entries(), session.ledger().foreign());
+            Message::Ledger(LedgerState {
+                id,
+                list: entries.map(|entry| EntryView::new(entry, locale)).collect(),
+                foreign: foreign.map(|it| ForeignView::new(it, locale)).collect(),
+            })
         }
         Subject::Mission => Message::Mission(MissionState {
             id,
@@ -231,6 +255,11 @@ pub fn present(
                 id,
                 links.map(|link| LinkView::new(link, locale)),
             ))
+        }
+        Subject::Traffic => {
+            let tracked = session.traffic().tracked().iter();
+            let list = tracked.map(|it| AircraftView::new(it, state.now()));
+            Message::Traffic(StateList::new(id, list))
         }
         Subject::Parameters => {
             let vehicle = named(state, id, vehicle)?.id;

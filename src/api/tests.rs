@@ -8,10 +8,11 @@ use crate::app::effect::Effect;
 use crate::app::event::{Event, ProgramLine, SessionEvent, Started, VehicleEvent};
 use crate::app::state::Activity;
 use crate::app::{App, Setup, State};
-use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::ledger::{EntryId, ForeignCommand, ForeignId, RowState, RowUpdate, StationId};
 use crate::mission::Stake;
 use crate::notice::Notice;
 use crate::vehicle::{Severity, Vehicle};
+use crate::wire::MavAddress;
 
 fn read(line: &str) -> Result<Call, Fault> {
     Call::read(line, &Locale::default())
@@ -279,6 +280,41 @@ fn notices_and_commands_of_others_are_sent_from_the_request_on() {
     assert_eq!(news[0]["row"]["vehicle"], 2);
     assert_eq!(news[1]["notice"]["text"], "after");
     assert_eq!(news[1]["notice"]["severity"], 4);
+}
+
+#[test]
+fn commands_of_other_stations_are_sent_with_each_change() {
+    let mut app = console();
+    let foreign = |id, count| ForeignCommand {
+        id: ForeignId(id),
+        station: StationId(MavAddress {
+            system: 254,
+            component: 230,
+        }),
+        vehicle: 1,
+        at: Duration::ZERO,
+        last_at: Duration::ZERO,
+        what: "mode RTL".into(),
+        count,
+        state: RowState::Accepted,
+        explanation: None,
+    };
+    hear(&mut app, VehicleEvent::Foreign(foreign(0, 1)));
+    let mut client = Client::default();
+    client.watch([Topic::Ledger], None, app.state());
+    assert_eq!(client.news(app.state(), Duration::ZERO), []);
+    for command in [foreign(1, 1), foreign(1, 2)] {
+        hear(&mut app, VehicleEvent::Foreign(command));
+        let news = lines(&client.news(app.state(), Duration::from_secs(1)));
+        assert_eq!(news.len(), 1, "{news:?}");
+        assert_eq!(news[0]["foreign"]["foreign"], 1);
+        assert_eq!(news[0]["foreign"]["station"], "254/230");
+    }
+    assert_eq!(client.news(app.state(), Duration::from_secs(2)), []);
+    let all = present(app.state(), None, Subject::Ledger, None, Vec::new).expect("a state");
+    let all = lines(&[all]).remove(0);
+    assert_eq!(all["ledger"]["list"], json!([]));
+    assert_eq!(all["ledger"]["foreign"][1]["count"], 2);
 }
 
 #[test]

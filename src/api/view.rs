@@ -67,7 +67,7 @@ impl From<&Vehicle> for VehicleView {
             vehicle: vehicle.id,
             system_id: vehicle.system,
             component_id: vehicle.component,
-            mode: vehicle.mode().map(|mode| mode.to_string()),
+            mode: vehicle.mode_name(),
             armed: vehicle.armed(),
             in_air: vehicle.airborne(),
             ready_to_arm: vehicle.ready_to_arm(),

@@ -18,7 +18,7 @@ use crate::campaign::Reward;
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
-use crate::ledger::{Risk, RowUpdate};
+use crate::ledger::{ForeignCommand, Risk, RowUpdate};
 use crate::mission::{Area, Listing, Progress};
 use crate::moment::Moment;
 use crate::notice::Notice;
@@ -133,6 +133,8 @@ pub enum VehicleEvent {
     },
     /// A command made progress with one vehicle.
     Row(RowUpdate),
+    /// Another ground station has commanded a vehicle, or its command has a new state.
+    Foreign(ForeignCommand),
     /// The paths that vehicles of a manoeuvre will fly.
     Paths(Vec<Path>),
     /// A rehearsal is over.

@@ -39,6 +39,7 @@ mod separation;
 mod session_ledger;
 mod time;
 mod timing;
+mod traffic;
 mod training;
 mod typing;
 mod views;
@@ -72,6 +73,7 @@ pub use separation::{CloseVehicle, separation_limits, too_close};
 pub use session_ledger::SessionLedger;
 pub use time::SessionTime;
 pub use timing::{TimeFlow, Timing};
+pub use traffic::{TrackedAircraft, TrafficConflict, TrafficPicture, VehicleApproach};
 pub use training::{Trainee, Training};
 pub(in crate::app) use typing::Folder;
 pub use typing::Typing;
@@ -192,6 +194,7 @@ impl<R> State<R> {
     pub fn log_length(&self, log: Log) -> usize {
         match log {
             Log::Notices => self.notices.lines().len(),
+            Log::Traffic => self.session.traffic.tracked().len(),
             Log::Moments => self.replay.as_ref().map_or(0, |it| it.moments.len()),
         }
     }

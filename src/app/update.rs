@@ -157,6 +157,10 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
             state.touch();
             return order_advanced(state, &row);
         }
+        VehicleEvent::Foreign(command) => {
+            state.session.commands.ledger.note_foreign(command);
+            state.rooms.ledger.spoil();
+        }
         VehicleEvent::Paths(paths) => state.session.paths = paths,
         VehicleEvent::Rehearsed(findings) => state.session.note_rehearsal(findings),
     }

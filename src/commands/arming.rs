@@ -56,7 +56,7 @@ impl ArmingCommand {
             Self::Arm => vehicle
                 .mode()
                 .filter(|mode| mode.is("LAND") || mode.is("RTL"))
-                .map(|mode| text!("reason-arm-mode", mode = mode.to_string())),
+                .map(|mode| text!("reason-arm-mode", mode = vehicle.name_of(mode))),
             Self::Disarm => vehicle.airborne().then(|| text!("reason-in-the-air")),
             Self::Kill => None,
         }

@@ -30,9 +30,9 @@ impl Claim {
     }
 
     /// A description of the claimed state.
-    pub fn describe(&self) -> Text {
+    pub fn describe(&self, vehicle: &Vehicle) -> Text {
         match self.mode {
-            Some(mode) => text!("effect-mode", mode = mode.to_string()),
+            Some(mode) => text!("effect-mode", mode = vehicle.name_of(mode)),
             None if self.armed == Some(false) => text!("effect-disarmed"),
             None => text!("effect-armed"),
         }
@@ -45,7 +45,7 @@ impl Claim {
         if let Some(mode) = self.mode
             && mode != now.mode
         {
-            return Some(text!("outcome-overtaken", mode = now.mode.to_string()));
+            return Some(text!("outcome-overtaken", mode = vehicle.name_of(now.mode)));
         }
         match (self.armed, now.armed) {
             (Some(true), false) => Some(match vehicle.idle_disarm {

@@ -152,12 +152,12 @@ impl Effect {
     }
 
     /// A description of the effect, such as "armed" or "within 1.5 m of the target".
-    pub fn describe(&self) -> Text {
+    pub fn describe(&self, vehicle: &Vehicle) -> Text {
         match &self.watched {
             Watched::Nothing => text!("effect-nothing"),
             Watched::Armed(true) => text!("effect-armed"),
             Watched::Armed(false) => text!("effect-disarmed"),
-            Watched::Mode(mode) => text!("effect-mode", mode = mode.to_string()),
+            Watched::Mode(mode) => text!("effect-mode", mode = vehicle.name_of(*mode)),
             Watched::Landed(_) => text!("effect-landed"),
             Watched::Still => text!("effect-still"),
             Watched::Altitude {

@@ -60,6 +60,22 @@ impl AckResult {
         let named = NAMED.iter().find(|(wire, _)| *wire as u8 == number);
         named.map_or(Self::Other(number), |(_, result)| *result)
     }
+
+    /// The reason for a refusal that the result alone gives; empty if it is none.
+    pub fn reason(self) -> Text {
+        match self {
+            Self::TemporarilyRejected => text!("reason-not-now"),
+            Self::Denied => text!("reason-denied"),
+            Self::Unsupported => text!("reason-unsupported"),
+            Self::Failed => text!("reason-failed"),
+            Self::Cancelled => text!("reason-cancelled"),
+            Self::LongOnly => text!("reason-long-only"),
+            Self::IntOnly => text!("reason-int-only"),
+            Self::UnsupportedFrame => text!("reason-frame"),
+            Self::Accepted | Self::InProgress => Text::default(),
+            Self::Other(number) => text!("reason-other", number = number),
+        }
+    }
 }
 
 /// The result of a command with the status texts that came with it: "arm refused: `PreArm`: Need Position Estimate".
@@ -73,7 +89,7 @@ pub fn explain(
 ) -> Text {
     let reason = || {
         if texts.is_empty() {
-            likely_reason(result, vehicle, command).unwrap_or_else(|| general_reason(result))
+            likely_reason(result, vehicle, command).unwrap_or_else(|| result.reason())
         } else {
             Text::joined("; ", texts.to_vec())
         }
@@ -125,19 +141,4 @@ fn speed_reason(vehicle: &Vehicle) -> Option<Text> {
     let takes_speeds = SPEED_MODES.iter().any(|name| mode.is(name));
     let is_copter = mode.class == VehicleClass::Copter;
     (is_copter && !takes_speeds).then(|| text!("reason-speed-mode", mode = mode.to_string()))
-}
-
-fn general_reason(result: AckResult) -> Text {
-    match result {
-        AckResult::TemporarilyRejected => text!("reason-not-now"),
-        AckResult::Denied => text!("reason-denied"),
-        AckResult::Unsupported => text!("reason-unsupported"),
-        AckResult::Failed => text!("reason-failed"),
-        AckResult::Cancelled => text!("reason-cancelled"),
-        AckResult::LongOnly => text!("reason-long-only"),
-        AckResult::IntOnly => text!("reason-int-only"),
-        AckResult::UnsupportedFrame => text!("reason-frame"),
-        AckResult::Accepted | AckResult::InProgress => Text::default(),
-        AckResult::Other(number) => text!("reason-other", number = number),
-    }
 }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavCmd;
+use mavlink::dialects::ardupilotmega::{MavAutopilot, MavCmd};
 
 use super::effect::{Effect, Watched, altitude_effect, landing_effect, mode_effect};
 use super::encode::LongFields;
@@ -77,13 +77,27 @@ impl FlightCommand {
             Self::Takeoff { .. } => vehicle
                 .mode()
                 .filter(|mode| !mode.is("GUIDED"))
-                .map(|mode| text!("reason-takeoff-mode", mode = mode.to_string())),
+                .map(|mode| text!("reason-takeoff-mode", mode = vehicle.name_of(mode))),
             Self::Land | Self::ReturnToLaunch | Self::Hold | Self::Resume => None,
         }
     }
 }
 
+const PX4: u8 = MavAutopilot::MAV_AUTOPILOT_PX4 as u8;
+/// The greatest number that is a plain one for PX4, whose modes are in the upper two bytes.
+const MOST_PLAIN: u32 = 0xffff;
+
 pub(super) fn mode_fields(vehicle: &Vehicle, name: &str) -> Result<LongFields, Text> {
-    let number = mode_number(vehicle, name)? as f32;
-    Ok(LongFields::new(MavCmd::MAV_CMD_DO_SET_MODE, &[1.0, number]))
+    let number = mode_number(vehicle, name)?;
+    let is_px4 = vehicle
+        .heartbeat
+        .is_some_and(|heartbeat| heartbeat.autopilot == PX4);
+    let fields = if is_px4 && number > MOST_PLAIN {
+        // PX4 takes the main mode and the sub-mode of its number apart.
+        let [.., main, sub] = number.to_le_bytes();
+        [1.0, f32::from(main), f32::from(sub)]
+    } else {
+        [1.0, number as f32, 0.0]
+    };
+    Ok(LongFields::new(MavCmd::MAV_CMD_DO_SET_MODE, &fields))
 }

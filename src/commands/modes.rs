@@ -21,7 +21,7 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
 /// The number of a mode; a plain number is used as it is.
 ///
 /// # Errors
-/// The vehicle has not been heard, it has no such mode, or the names of its autopilot's modes are
+/// The vehicle has not been heard, it has no such mode or offers it to no user, or the names of its autopilot's modes are
 /// unknown.
 pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     if let Ok(number) = name.parse::<u8>() {
@@ -30,9 +30,22 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     let Some(heartbeat) = vehicle.heartbeat else {
         return Err(text!("refused-not-heard"));
     };
+    if let Some(announced) = vehicle.modes.named(name) {
+        return if announced.is_selectable {
+            Ok(announced.number)
+        } else {
+            Err(text!("refused-mode-hidden", mode = &announced.name))
+        };
+    }
     let mode = heartbeat.mode.class.mode(name);
-    mode.map(|mode| mode.number).ok_or_else(|| {
-        if heartbeat.is_ardupilot() {
+    let number = mode.map(|mode| mode.number);
+    // A vehicle that has announced all of its modes has no other ones.
+    let is_offered = |&number: &u32| {
+        let modes = &vehicle.modes;
+        !modes.is_complete() || modes.numbered(number).is_some_and(|it| it.is_selectable)
+    };
+    number.filter(is_offered).ok_or_else(|| {
+        if heartbeat.is_ardupilot() || vehicle.modes.is_complete() {
             text!("refused-no-mode", mode = name)
         } else {
             text!("refused-mode-autopilot")
@@ -43,7 +56,8 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
 /// A mode by name, or by a plain number; `None` if this vehicle has no such mode, or reports its
 /// modes with other numbers than those that set them, as autopilots other than `ArduPilot` do.
 pub(super) fn mode_named(vehicle: &Vehicle, name: &str) -> Option<Mode> {
-    let heartbeat = vehicle.heartbeat.filter(Heartbeat::is_ardupilot)?;
+    let has_names = |it: &Heartbeat| it.is_ardupilot() || vehicle.modes.named(name).is_some();
+    let heartbeat = vehicle.heartbeat.filter(has_names)?;
     let class = heartbeat.mode.class;
     let number = mode_number(vehicle, name).ok()?;
     Some(Mode { class, number })

@@ -227,7 +227,7 @@ fn is_under_way(vehicle: &Vehicle) -> Result<(), Text> {
 
 fn not_flown(vehicle: &Vehicle) -> Text {
     match vehicle.mode() {
-        Some(mode) if vehicle.armed() => text!("refused-plan-mode", mode = mode.to_string()),
+        Some(mode) if vehicle.armed() => text!("refused-plan-mode", mode = vehicle.name_of(mode)),
         _ => text!("refused-plan-not-armed"),
     }
 }

@@ -1,6 +1,7 @@
 //! Requests for messages.
 
-use mavlink::dialects::ardupilotmega::MavCmd;
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{AVAILABLE_MODES_DATA, MavCmd};
 
 use super::encode::LongFields;
 
@@ -14,6 +15,8 @@ pub enum QueryCommand {
     },
     /// Request a message once.
     Request { message: u32 },
+    /// Ask for the mode of an index, or with 0 for all modes.
+    Modes { index: u8 },
 }
 
 impl QueryCommand {
@@ -29,6 +32,10 @@ impl QueryCommand {
             Self::Request { message } => {
                 LongFields::new(MavCmd::MAV_CMD_REQUEST_MESSAGE, &[message as f32])
             }
+            Self::Modes { index } => LongFields::new(
+                MavCmd::MAV_CMD_REQUEST_MESSAGE,
+                &[AVAILABLE_MODES_DATA::ID as f32, f32::from(index)],
+            ),
         }
     }
 }

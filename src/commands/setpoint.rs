@@ -153,7 +153,7 @@ pub(super) fn needs_guided(verb: &'static str, vehicle: &Vehicle) -> Result<(), 
         return Err(text!(
             "refused-not-guided",
             verb = verb,
-            mode = heartbeat.mode.to_string(),
+            mode = vehicle.name_of(heartbeat.mode),
             vehicle = id
         ));
     }

@@ -429,3 +429,25 @@ fn other_autopilots_land_and_return_without_a_mode_to_wait_for() {
         assert!(command.claim(&px4).is_empty(), "{command:?}");
     }
 }
+
+#[test]
+fn px4_gets_the_parts_of_an_announced_mode() {
+    let mut px4 = with_px4();
+    px4.modes.add(
+        crate::vehicle::AnnouncedMode {
+            index: 1,
+            number: 0x0304_0000,
+            name: "Mission".to_owned(),
+            is_selectable: true,
+        },
+        1,
+    );
+    let mission = Command::Flight(FlightCommand::SetMode {
+        name: "mission".to_owned(),
+    });
+    let (number, fields) = long(&mission, &px4);
+    assert_eq!(number, 176);
+    assert_eq!(fields[..3], [1.0, 4.0, 3.0]);
+    // It is in this mode already.
+    assert_eq!(mission.effect(&px4).seen(&px4), Some(true));
+}

@@ -12,6 +12,7 @@ use crate::sim::{PortId, STEP, World};
 use crate::text;
 use crate::workshop::Design;
 
+mod giving_way;
 mod gold;
 mod plans;
 

@@ -8,7 +8,7 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::keepers::{BlockingKeeper, BlockingShelf, desk_of};
-use super::sharing::{Addressee, Sharing};
+use super::sharing::Sharing;
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
 use crate::forward::{ForwardSpec, SentCommands};
@@ -22,7 +22,7 @@ use crate::parameters::ParameterSnapshot;
 use crate::session::{LOST_AFTER, Report, Session, Stream, VehicleCommand, Want, autopilot_of};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, Vehicle, VehicleClass, VehicleId};
+use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::wire::{ComponentId, Frame, SystemId};
 
 /// The maximum number of batches of frames in the queue to the hub; beyond that, links read more slowly.
@@ -73,10 +73,9 @@ impl PeerRoute {
         }
     }
 
-    /// The class of the vehicle, as far as it is known.
-    fn class(&self) -> VehicleClass {
-        let heartbeat = self.state.borrow().heartbeat;
-        heartbeat.map_or(VehicleClass::Other, |heartbeat| heartbeat.class)
+    /// The vehicle, as far as it is known.
+    fn vehicle(&self) -> Arc<Vehicle> {
+        Arc::clone(&self.state.borrow())
     }
 
     /// Delivers changes to the vehicle's simulator or its link while there is room. Each is sent
@@ -190,31 +189,22 @@ impl Hub {
         let now = self.clock.now();
         let is_meant = |system: SystemId| news.system.is_none_or(|meant| meant == system);
         let routes = self.routes.iter().filter(|&(&system, _)| is_meant(system));
-        let vehicles: Vec<_> = routes
-            .map(|(&system, route)| Addressee {
-                vehicle: VehicleId::from(system),
-                class: route.class(),
-            })
-            .collect();
+        let vehicles: Vec<_> = routes.map(|(_, route)| route.vehicle()).collect();
         for vehicle in vehicles {
-            if let Some(notice) = self.sharing.commanded(news, vehicle, now) {
-                self.tell(FleetEvent::Warning(notice)).await;
+            if let Some(row) = self.sharing.commanded(news, &vehicle, now) {
+                self.tell(FleetEvent::Foreign(row)).await;
             }
         }
     }
 
-    /// Reports the stations that a vehicle answers.
+    /// Reports a vehicle's answers to other stations.
     async fn attribute(&mut self, system: SystemId, frames: &[Frame], now: Duration) {
-        let Some(class) = self.routes.get(&system).map(PeerRoute::class) else {
+        let Some(vehicle) = self.routes.get(&system).map(PeerRoute::vehicle) else {
             return;
         };
-        let vehicle = Addressee {
-            vehicle: VehicleId::from(system),
-            class,
-        };
         for frame in frames {
-            if let Some(notice) = self.sharing.answered(&frame.content, vehicle, now) {
-                self.tell(FleetEvent::Warning(notice)).await;
+            for row in self.sharing.heard(&frame.content, &vehicle, now) {
+                self.tell(FleetEvent::Foreign(row)).await;
             }
         }
     }

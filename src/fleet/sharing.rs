@@ -8,14 +8,13 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use crate::forward::{Deed, ForwardSpec, StationId, station_of_ack};
+use crate::forward::{ForwardSpec, StationWatch};
+use crate::ledger::ForeignCommand;
 use crate::link::{self, Address, ForwardCounts, Inbound, LinkId, LinkStatus, Relay, StationNews};
-use crate::notice::Notice;
-use crate::text::Text;
-use crate::vehicle::{Severity, VehicleClass, VehicleId};
+use crate::vehicle::Vehicle;
 use crate::wire::{Content, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, MavAddress};
 
-/// The maximum number of commands of other stations that wait for the hub; further ones pass without a notice.
+/// The maximum number of commands of other stations that wait for the hub; further ones pass without a row.
 const NEWS_KEPT: usize = 256;
 /// The maximum number of batches from forwards that wait for the hub, which ignores them: the relay has passed them on.
 const INBOUND_KEPT: usize = 16;
@@ -24,13 +23,6 @@ pub(super) const OWN: MavAddress = MavAddress {
     system: GROUND_STATION_SYSTEM,
     component: GROUND_STATION_COMPONENT,
 };
-/// Within this time, the same command of a station is a repetition, and an answer belongs to the
-/// command.
-const SAME_WITHIN: Duration = Duration::from_secs(5);
-/// The number of remembered deeds above which old ones are forgotten.
-const MOST_SAID: usize = 1024;
-/// The longest pause between setpoints of one stream.
-const STREAM_WITHIN: Duration = Duration::from_secs(30);
 
 /// A forward that can be watched.
 #[derive(Debug, Clone)]
@@ -54,24 +46,10 @@ pub(super) struct Sharing {
     forwards: BTreeMap<LinkId, (String, CancellationToken)>,
     opened: u16,
     inbound: mpsc::Sender<Inbound>,
-    /// The last deed of each station on each vehicle.
-    said: BTreeMap<Exchange, (Deed, Duration)>,
+    /// What the stations command.
+    stations: StationWatch,
     /// Whether a station with the console's own address has been reported; shared with the tasks of the vehicles.
     pub is_twin_said: Arc<AtomicBool>,
-}
-
-/// A vehicle that a station commands, with the class that names its modes.
-#[derive(Clone, Copy)]
-pub(super) struct Addressee {
-    pub vehicle: VehicleId,
-    pub class: VehicleClass,
-}
-
-/// A station and a vehicle that it has commanded.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-struct Exchange {
-    station: StationId,
-    vehicle: VehicleId,
 }
 
 /// The messages from forwards to the hub.
@@ -89,7 +67,7 @@ impl Sharing {
             forwards: BTreeMap::new(),
             opened: 0,
             inbound,
-            said: BTreeMap::new(),
+            stations: StationWatch::new(OWN),
             is_twin_said: Arc::default(),
         };
         let overheard = Overheard {
@@ -139,62 +117,29 @@ impl Sharing {
         });
     }
 
-    /// The notice of a station's command to a vehicle; `None` if it repeats or continues an earlier one.
+    /// The row of a station's command to a vehicle, if it is to be reported now.
     pub fn commanded(
         &mut self,
         news: &StationNews,
-        to: Addressee,
+        to: &Vehicle,
         now: Duration,
-    ) -> Option<Notice> {
-        let exchange = Exchange {
-            station: news.station,
-            vehicle: to.vehicle,
-        };
-        let last = self.said.get(&exchange);
-        let within = match news.deed {
-            Deed::Steering => STREAM_WITHIN,
-            Deed::Mode(_)
-            | Deed::Arm(_)
-            | Deed::Command(_)
-            | Deed::Parameter(..)
-            | Deed::Plan(_) => SAME_WITHIN,
-        };
-        let is_same =
-            last.is_some_and(|(deed, at)| *deed == news.deed && now.saturating_sub(*at) < within);
-        self.note(exchange, news.deed.clone(), now);
-        (!is_same).then(|| {
-            let text = news.deed.text(news.station, to.vehicle, to.class);
-            notice(to.vehicle, text, now)
-        })
+    ) -> Option<ForeignCommand> {
+        self.stations.commanded(news.station, &news.deed, to, now)
     }
 
-    /// The notice of a vehicle's answer to a station whose command did not come through a forward;
-    /// `None` for other messages and for a command that has been reported.
-    pub fn answered(&mut self, content: &Content, to: Addressee, now: Duration) -> Option<Notice> {
-        let (station, command) = station_of_ack(content, OWN)?;
-        let exchange = Exchange {
-            station,
-            vehicle: to.vehicle,
-        };
-        let last = self.said.get(&exchange);
-        if last.is_some_and(|(_, at)| now.saturating_sub(*at) < SAME_WITHIN) {
-            return None;
-        }
-        let deed = Deed::Command(command);
-        let text = deed.text(station, to.vehicle, to.class);
-        self.note(exchange, deed, now);
-        Some(notice(to.vehicle, text, now))
+    /// The rows that change with a vehicle's frame, and those that were held back and are due now.
+    pub fn heard(
+        &mut self,
+        content: &Content,
+        from: &Vehicle,
+        now: Duration,
+    ) -> Vec<ForeignCommand> {
+        let mut rows: Vec<_> = self
+            .stations
+            .answered(content, from, now)
+            .into_iter()
+            .collect();
+        rows.extend(self.stations.due(now));
+        rows
     }
-
-    fn note(&mut self, exchange: Exchange, deed: Deed, now: Duration) {
-        if self.said.len() >= MOST_SAID {
-            self.said
-                .retain(|_, (_, at)| now.saturating_sub(*at) < STREAM_WITHIN);
-        }
-        self.said.insert(exchange, (deed, now));
-    }
-}
-
-fn notice(vehicle: VehicleId, text: Text, now: Duration) -> Notice {
-    Notice::about(vehicle, now, Severity::Notice, text)
 }

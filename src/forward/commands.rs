@@ -1,33 +1,18 @@
-//! The commands of another ground station, read from its frames and from the answers to it.
+//! The commands of another ground station, read from its frames.
 
-use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage};
+use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavMissionType};
 
 use crate::notice::sanitised;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, VehicleClass, VehicleId};
-use crate::wire::{Content, GROUND_STATION_SYSTEM, MavAddress};
+use crate::vehicle::{Mode, Vehicle, VehicleClass};
+use crate::wire::Content;
 
+/// The id of `SET_MODE`.
+const SET_MODE: u16 = 11;
 /// The ids of `COMMAND_LONG` and `COMMAND_INT`, for commands that the dialect has no name for.
 const COMMAND_LONG: u32 = 76;
 const COMMAND_INT: u32 = 75;
-
-/// A ground station other than this console.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub struct StationId(pub MavAddress);
-
-impl StationId {
-    /// The station's name: `GCS 254`; with its component if it uses the usual system id of ground
-    /// stations.
-    pub fn name(self) -> String {
-        let MavAddress { system, component } = self.0;
-        if system == GROUND_STATION_SYSTEM {
-            format!("GCS {system}/{component}")
-        } else {
-            format!("GCS {system}")
-        }
-    }
-}
 
 /// An action on a vehicle. Questions (requests for messages, parameters, lists) are not actions.
 #[derive(Debug, Clone, PartialEq)]
@@ -35,55 +20,65 @@ pub enum Deed {
     /// Sets another mode, by its number.
     Mode(u32),
     Arm(bool),
-    /// Sends another command, by its name or number.
-    Command(String),
+    /// Sends another command.
+    Command(NamedCommand),
     /// Sets the parameter of this name to a value.
     Parameter(String, f32),
-    /// Loads a plan, a fence or rally points with this many items; 0 deletes them.
-    Plan(u16),
+    /// Loads a list with this many items; 0 deletes it.
+    Plan(MavMissionType, u16),
     /// Steers by a stream of setpoints or stick positions.
     Steering,
 }
 
+/// A MAVLink command, by its number and its name without `MAV_CMD_`; the name is the number if the dialect has none.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NamedCommand {
+    pub number: u16,
+    pub name: String,
+}
+
 impl Deed {
-    /// The text of the notice about the action.
-    pub fn text(&self, station: StationId, vehicle: VehicleId, class: VehicleClass) -> Text {
-        let station = station.name();
+    /// The action in the console's words, or by the name of its MAVLink command.
+    pub fn words(&self, vehicle: &Vehicle) -> Text {
         match self {
             Self::Mode(number) => {
+                let class = vehicle
+                    .mode()
+                    .map_or(VehicleClass::Other, |mode| mode.class);
                 let number = *number;
-                let mode = Mode { class, number }.to_string();
-                text!(
-                    "foreign-mode",
-                    station = station,
-                    vehicle = vehicle,
-                    mode = mode
-                )
+                let name = vehicle.name_of(Mode { class, number });
+                Text::verbatim(format!("mode {name}"))
             }
-            Self::Arm(true) => text!("foreign-arm", station = station, vehicle = vehicle),
-            Self::Arm(false) => text!("foreign-disarm", station = station, vehicle = vehicle),
-            Self::Command(name) => text!(
-                "foreign-command",
-                station = station,
-                vehicle = vehicle,
-                command = name
-            ),
-            Self::Parameter(name, value) => text!(
-                "foreign-parameter",
-                station = station,
-                vehicle = vehicle,
-                name = name,
-                value = value.to_string()
-            ),
-            Self::Plan(0) => text!("foreign-no-plan", station = station, vehicle = vehicle),
-            Self::Plan(count) => text!(
-                "foreign-plan",
-                station = station,
-                vehicle = vehicle,
-                count = *count
-            ),
-            Self::Steering => text!("foreign-steering", station = station, vehicle = vehicle),
+            Self::Arm(true) => Text::verbatim("arm"),
+            Self::Arm(false) => Text::verbatim("disarm"),
+            Self::Command(command) => Text::verbatim(&command.name),
+            Self::Parameter(name, value) => Text::verbatim(format!("param set {name} {value}")),
+            Self::Plan(list, 0) => Text::verbatim(format!("{} clear", list_name(*list))),
+            Self::Plan(list, count) => {
+                text!("foreign-upload", list = list_name(*list), count = *count)
+            }
+            Self::Steering => text!("foreign-steering"),
         }
+    }
+
+    /// Whether a `COMMAND_ACK` with this number answers it.
+    pub fn is_answered_by(&self, number: u16) -> bool {
+        match self {
+            // ArduPilot acknowledges SET_MODE under that message's number.
+            Self::Mode(_) => [MavCmd::MAV_CMD_DO_SET_MODE as u16, SET_MODE].contains(&number),
+            Self::Arm(_) => number == MavCmd::MAV_CMD_COMPONENT_ARM_DISARM as u16,
+            Self::Command(command) => command.number == number,
+            Self::Parameter(..) | Self::Plan(..) | Self::Steering => false,
+        }
+    }
+}
+
+/// The word for a list in the console's grammar.
+fn list_name(list: MavMissionType) -> &'static str {
+    match list {
+        MavMissionType::MAV_MISSION_TYPE_FENCE => "fence",
+        MavMissionType::MAV_MISSION_TYPE_RALLY => "rally",
+        MavMissionType::MAV_MISSION_TYPE_MISSION | MavMissionType::MAV_MISSION_TYPE_ALL => "plan",
     }
 }
 
@@ -93,7 +88,7 @@ pub fn deed_of(content: &Content) -> Option<Deed> {
         Content::Message(message) => deed_in(message),
         Content::Undecoded { id, payload } if [COMMAND_LONG, COMMAND_INT].contains(id) => {
             let number = u16::from_le_bytes([payload[28], payload[29]]);
-            Some(Deed::Command(number.to_string()))
+            Some(Deed::Command(unnamed(number)))
         }
         Content::Undecoded { .. } | Content::Unknown { .. } => None,
     }
@@ -109,8 +104,8 @@ fn deed_in(message: &MavMessage) -> Option<Deed> {
             let name = data.param_id.to_str().unwrap_or_default();
             Some(Deed::Parameter(sanitised(name), data.param_value))
         }
-        MavMessage::MISSION_COUNT(data) => Some(Deed::Plan(data.count)),
-        MavMessage::MISSION_CLEAR_ALL(_) => Some(Deed::Plan(0)),
+        MavMessage::MISSION_COUNT(data) => Some(Deed::Plan(data.mission_type, data.count)),
+        MavMessage::MISSION_CLEAR_ALL(data) => Some(Deed::Plan(data.mission_type, 0)),
         MavMessage::SET_POSITION_TARGET_GLOBAL_INT(_)
         | MavMessage::SET_POSITION_TARGET_LOCAL_NED(_)
         | MavMessage::SET_ATTITUDE_TARGET(_)
@@ -128,9 +123,14 @@ fn command(command: MavCmd, param1: f32, param2: f32) -> Option<Deed> {
     }
 }
 
-/// The name of a command; `None` for one that only requests messages.
+fn unnamed(number: u16) -> NamedCommand {
+    let name = number.to_string();
+    NamedCommand { number, name }
+}
+
+/// A command with its name; `None` for one that only requests messages.
 #[expect(deprecated, reason = "ground stations still ask by the older commands")]
-pub(super) fn named(command: MavCmd) -> Option<String> {
+pub(super) fn named(command: MavCmd) -> Option<NamedCommand> {
     let is_question = matches!(
         command,
         MavCmd::MAV_CMD_REQUEST_MESSAGE
@@ -142,23 +142,8 @@ pub(super) fn named(command: MavCmd) -> Option<String> {
             | MavCmd::MAV_CMD_REQUEST_CAMERA_INFORMATION
     );
     let name = format!("{command:?}");
-    (!is_question).then(|| name.trim_start_matches("MAV_CMD_").to_owned())
-}
-
-/// The station that a vehicle answers with a `COMMAND_ACK`, and the command; `None` if the answer is to the console
-/// itself (`own`), to no station in particular, or to a question.
-pub fn station_of_ack(content: &Content, own: MavAddress) -> Option<(StationId, String)> {
-    let Content::Message(MavMessage::COMMAND_ACK(ack)) = content else {
-        return None;
-    };
-    let station = MavAddress {
-        system: ack.target_system,
-        component: ack.target_component,
-    };
-    // Autopilots that leave the component out answer the whole system.
-    let is_own = station == own || (station.system == own.system && station.component == 0);
-    if station.system == 0 || is_own {
-        return None;
-    }
-    Some((StationId(station), named(ack.command)?))
+    (!is_question).then(|| NamedCommand {
+        number: command as u16,
+        name: name.trim_start_matches("MAV_CMD_").to_owned(),
+    })
 }

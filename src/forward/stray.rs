@@ -49,7 +49,7 @@ impl SentCommands {
         if is_ours || !is_to_us {
             return None;
         }
-        named(ack.command)
+        named(ack.command).map(|command| command.name)
     }
 }
 

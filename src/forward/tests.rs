@@ -1,4 +1,4 @@
-//! Routes of frames, texts of forwards, and the commands of stations.
+//! Routes of frames, and texts of forwards. What stations command is in `tests/watched.rs`.
 
 use std::time::Duration;
 
@@ -8,8 +8,9 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use super::*;
-use crate::vehicle::VehicleClass;
 use crate::wire::{Decoder, Encoder, Frame, MavAddress, Outgoing};
+
+mod watched;
 
 const OWN: MavAddress = address(255, 190);
 const VEHICLE: Port = Port::Vehicle { link: 0, peer: 0 };
@@ -167,7 +168,10 @@ fn a_command_that_the_dialect_has_no_name_for_finds_its_receiver() {
     assert_eq!(found, to(Reach::These(vec![VEHICLE]), Reach::Nobody));
     assert_eq!(
         deed_of(&frame.content),
-        Some(Deed::Command("65000".to_owned()))
+        Some(Deed::Command(NamedCommand {
+            number: 65_000,
+            name: "65000".to_owned()
+        }))
     );
 }
 
@@ -266,43 +270,4 @@ fn a_forward_reads_as_it_is_written_and_says_what_is_wrong() {
         let fault = faulty.parse::<ForwardSpec>().expect_err(faulty);
         assert!(fault.to_string().contains(words), "{faulty}: {fault}");
     }
-}
-
-#[test]
-fn commands_are_named_and_questions_are_none() {
-    let said = |what: &Outgoing| {
-        let (_, frame) = framed(address(254, 1), what);
-        let deed = deed_of(&frame.content)?;
-        let station = StationId(address(254, 1));
-        Some(deed.text(station, 3, VehicleClass::Copter).to_string())
-    };
-    let cases = [
-        (
-            command(3, MavCmd::MAV_CMD_DO_SET_MODE, 1.0, 6.0),
-            Some("GCS 254 set vehicle 3 to RTL"),
-        ),
-        (
-            command(3, MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, 0.0, 0.0),
-            Some("GCS 254 disarmed vehicle 3"),
-        ),
-        (
-            command(3, MavCmd::MAV_CMD_NAV_TAKEOFF, 0.0, 0.0),
-            Some("GCS 254 sent NAV_TAKEOFF to vehicle 3"),
-        ),
-        (command(3, MavCmd::MAV_CMD_REQUEST_MESSAGE, 0.0, 0.0), None),
-        (beat(), None),
-    ];
-    for (what, expected) in cases {
-        assert_eq!(said(&what).as_deref(), expected);
-    }
-    let answered = |to| {
-        let (_, frame) = framed(address(3, 1), &ack(to, MavCmd::MAV_CMD_NAV_LAND));
-        station_of_ack(&frame.content, OWN).map(|(station, what)| (station.name(), what))
-    };
-    let land = |name: &str| Some((name.to_owned(), "NAV_LAND".to_owned()));
-    assert_eq!(answered(address(254, 1)), land("GCS 254"));
-    assert_eq!(answered(address(255, 230)), land("GCS 255/230"));
-    assert_eq!(answered(OWN), None);
-    assert_eq!(answered(address(255, 0)), None);
-    assert_eq!(answered(address(0, 0)), None);
 }

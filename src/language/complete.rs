@@ -300,7 +300,7 @@ fn verb_names(fits: impl Fn(&VerbRow) -> bool) -> Vec<(String, Text)> {
 
 /// The modes whose name alone is a command to change to them, because it is not the name of a verb.
 fn modes_as_verbs(context: &Context) -> Vec<(String, Text)> {
-    let described = |mode: &'static str| {
+    let described = |mode: &str| {
         let mut hint = vec![text!("grammar-change-mode", mode = mode)];
         hint.extend(mode_warning(mode, context));
         (mode.to_ascii_lowercase(), Text::joined("; ", hint))

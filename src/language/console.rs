@@ -163,6 +163,8 @@ pub enum Report {
     Ledger,
     /// The notices so far.
     Notices,
+    /// Other aircraft, and how close they come.
+    Traffic,
     /// The processes of simulated vehicles.
     Hangar,
     /// The brief: the mission's objectives, its rules and its scoring.

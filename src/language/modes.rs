@@ -3,7 +3,7 @@
 use super::Context;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, VehicleClass};
+use crate::vehicle::{AnnouncedMode, AnnouncedModes, Mode, Vehicle, VehicleClass};
 
 /// The common modes, the most used first.
 const EVERYDAY_MODES: [&str; 8] = [
@@ -20,11 +20,49 @@ const EVERYDAY_MODES: [&str; 8] = [
 const STICK_CLIMBS: [&str; 5] = ["LOITER", "ALT_HOLD", "POSHOLD", "FLOWHOLD", "SPORT"];
 const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
 
-/// The canonical name of a mode; `None` if no mode has that name.
-pub(super) fn mode_named(text: &str, context: &Context) -> Option<&'static str> {
-    classes(context)
-        .iter()
-        .find_map(|class| class.mode(text).and_then(Mode::name))
+/// The modes that the vehicles of a session have announced, under their own names.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct OfferedModes {
+    /// Each name once.
+    modes: Vec<AnnouncedMode>,
+    /// Whether a vehicle has announced none, so that the built-in names hold too.
+    has_others: bool,
+}
+
+impl OfferedModes {
+    /// The modes of these vehicles; `None` if none of them has announced any.
+    pub fn of<'a>(vehicles: impl Iterator<Item = &'a Vehicle>) -> Option<Self> {
+        let mut offered = Self::default();
+        let mut last: Option<&AnnouncedModes> = None;
+        for vehicle in vehicles {
+            let announced = &vehicle.modes;
+            offered.has_others |= !announced.is_complete();
+            // Vehicles of a swarm are mostly of one kind.
+            if last.replace(announced) == Some(announced) {
+                continue;
+            }
+            for mode in announced.iter() {
+                if !offered.modes.iter().any(|known| known.name == mode.name) {
+                    offered.modes.push(mode.clone());
+                }
+            }
+        }
+        (!offered.modes.is_empty()).then_some(offered)
+    }
+}
+
+/// The canonical name of a mode: an announced one, or a built-in one.
+pub(super) fn mode_named<'a>(text: &str, context: &Context<'a>) -> Option<&'a str> {
+    let letters = |name: &str| name.replace('_', "").to_uppercase();
+    let announced = context.modes.into_iter().flat_map(|offered| &offered.modes);
+    let mut names = announced.map(|mode| mode.name.as_str());
+    names
+        .find(|name| letters(name) == letters(text))
+        .or_else(|| {
+            classes(context)
+                .iter()
+                .find_map(|class| class.mode(text).and_then(Mode::name))
+        })
 }
 
 /// A warning for pilots without a stick before they enter a mode.
@@ -58,12 +96,21 @@ pub(super) fn mode_summary(name: &str, context: &Context) -> Text {
     }
 }
 
-/// The names of all modes, each once, common ones first.
-pub(super) fn mode_names(context: &Context) -> Vec<&'static str> {
-    let mut names: Vec<&'static str> = Vec::new();
-    for (_, name) in classes(context).iter().flat_map(|class| class.modes()) {
-        if !names.contains(name) {
-            names.push(name);
+/// The names of all modes that can be set, each once, common ones first. A vehicle that announces its modes has no
+/// others.
+pub(super) fn mode_names<'a>(context: &Context<'a>) -> Vec<&'a str> {
+    let announced = context.modes.into_iter().flat_map(|offered| &offered.modes);
+    let selectable = announced.filter(|mode| mode.is_selectable);
+    let mut names: Vec<&'a str> = selectable.map(|mode| mode.name.as_str()).collect();
+    if context.modes.is_none_or(|offered| offered.has_others) {
+        let hidden = |name: &str| {
+            let mut modes = context.modes.into_iter().flat_map(|offered| &offered.modes);
+            modes.any(|mode| !mode.is_selectable && mode.name == name)
+        };
+        for &(_, name) in classes(context).iter().flat_map(|class| class.modes()) {
+            if !names.contains(&name) && !hidden(name) {
+                names.push(name);
+            }
         }
     }
     let everyday = |name: &&str| EVERYDAY_MODES.iter().position(|mode| mode == name);

@@ -196,7 +196,7 @@ fn unexplained<'a>(words: &'a [&'a str]) -> impl Iterator<Item = (String, Text)>
 }
 
 fn modes(context: &Context) -> Vec<(String, Text)> {
-    let explained = |name: &'static str| (name.to_owned(), mode_summary(name, context));
+    let explained = |name: &str| (name.to_owned(), mode_summary(name, context));
     mode_names(context).into_iter().map(explained).collect()
 }
 

@@ -10,6 +10,7 @@ use crate::vehicle::SpeedAxis;
 mod console;
 mod drafts;
 mod faults;
+mod modes;
 
 pub(super) fn places() -> BTreeMap<String, LatLon> {
     BTreeMap::from([

@@ -12,9 +12,8 @@ use tokio::sync::mpsc;
 use tokio::time::Instant;
 
 use super::{LinkId, LinkPeer, Outlet, Parcel, To};
-use crate::forward::{
-    Deed, ForwardSpec, FrameFacts, Port, Reach, Route, Router, StationId, deed_of,
-};
+use crate::forward::{Deed, ForwardSpec, FrameFacts, Port, Reach, Route, Router, deed_of};
+use crate::ledger::StationId;
 use crate::wire::{Frame, MavAddress, Outgoing, SystemId, is_secret};
 
 /// The maximum number of streams whose rate one forward limits; others pass.

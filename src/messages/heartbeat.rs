@@ -103,7 +103,7 @@ pub(super) fn apply(
     if before.mode != heartbeat.mode {
         report.say(
             Severity::Notice,
-            text!("heard-mode", mode = heartbeat.mode.to_string()),
+            text!("heard-mode", mode = vehicle.name_of(heartbeat.mode)),
         );
         // The new mode reports its own target, or has none.
         vehicle.target = None;

@@ -1,15 +1,15 @@
 use mavlink::dialects::ardupilotmega::{
-    ATTITUDE_DATA, COMMAND_ACK_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
-    EkfStatusFlags, FENCE_STATUS_DATA, FenceBreach, GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA,
-    GpsFixType, HEARTBEAT_DATA, HOME_POSITION_DATA, MISSION_ITEM_REACHED_DATA, MavAutopilot,
-    MavLandedState, MavModeFlag, MavState, MavSysStatusSensor, MavType, PARAM_VALUE_DATA,
-    STATUSTEXT_DATA, SYS_STATUS_DATA,
+    ADSB_VEHICLE_DATA, ATTITUDE_DATA, AdsbFlags, COMMAND_ACK_DATA, EKF_STATUS_REPORT_DATA,
+    EXTENDED_SYS_STATE_DATA, EkfStatusFlags, FENCE_STATUS_DATA, FenceBreach,
+    GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA, GpsFixType, HEARTBEAT_DATA, HOME_POSITION_DATA,
+    MISSION_ITEM_REACHED_DATA, MavAutopilot, MavLandedState, MavModeFlag, MavState,
+    MavSysStatusSensor, MavType, PARAM_VALUE_DATA, STATUSTEXT_DATA, SYS_STATUS_DATA,
 };
 use proptest::prelude::*;
 
 use super::testing::Bench;
 use super::*;
-use crate::vehicle::{Mode, SystemStatus, VehicleClass};
+use crate::vehicle::{Aircraft, Mode, SystemStatus, VehicleClass};
 
 mod values;
 
@@ -357,4 +357,47 @@ proptest! {
             prop_assert!((0.0..360.0).contains(&attitude.yaw_deg));
         }
     }
+}
+
+fn report(icao: u32, flags: AdsbFlags) -> MavMessage {
+    MavMessage::ADSB_VEHICLE(ADSB_VEHICLE_DATA {
+        ICAO_address: icao,
+        lat: 504_500_000,
+        lon: 305_200_000,
+        altitude: 350_000,
+        heading: 9000,
+        hor_velocity: 4000,
+        ver_velocity: -150,
+        callsign: "MED\u{1b}1".into(),
+        flags,
+        tslc: 2,
+        ..ADSB_VEHICLE_DATA::DEFAULT
+    })
+}
+
+#[test]
+fn traffic_is_noted_as_far_as_its_report_is_valid_and_drops_out() {
+    let mut bench = Bench::new();
+    bench.hear(MavMessage::HEARTBEAT(beat(4, false)));
+    bench.hear_after(20_000, report(1, AdsbFlags::all()));
+    bench.hear(report(2, AdsbFlags::ADSB_FLAGS_VALID_COORDS));
+    let place = AdsbFlags::ADSB_FLAGS_VALID_COORDS | AdsbFlags::ADSB_FLAGS_VALID_ALTITUDE;
+    bench.hear(report(3, place));
+    let heard: Vec<&Aircraft> = bench.vehicle.traffic.iter().collect();
+    assert_eq!(heard.len(), 2, "no height, no place: {heard:?}");
+    let (whole, bare) = (heard[0], heard[1]);
+    assert_eq!(whole.name(), "MED?1");
+    assert!((whole.altitude_amsl_m - 350.0).abs() < 1e-9);
+    let [north, east] = whole.velocity_m_s.expect("a velocity");
+    assert!(north.abs() < 1e-9 && (east - 40.0).abs() < 1e-9);
+    assert_eq!(whole.climb_m_s, Some(-1.5));
+    assert_eq!((bare.name().as_str(), bare.velocity_m_s), ("000003", None));
+    // A receiver with its own component counts, any other component does not.
+    for (component, count) in [(156, 3), (100, 3)] {
+        let content = Content::Message(report(u32::from(component), place));
+        bench.hear_from(component, content);
+        assert_eq!(bench.vehicle.traffic.iter().count(), count, "{component}");
+    }
+    bench.poll_after(15_000);
+    assert!(bench.vehicle.traffic.is_empty());
 }

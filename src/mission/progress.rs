@@ -84,6 +84,12 @@ pub struct MovingThing {
     pub at: LatLon,
     /// Its height in metres above the origin.
     pub height_m: f64,
+    /// Its height in metres above mean sea level.
+    pub altitude_amsl_m: f64,
+    /// Its velocity in m/s, north and east.
+    pub velocity_m_s: [f64; 2],
+    /// The callsign of an aircraft.
+    pub callsign: String,
     /// The distance that vehicles must keep from it, in metres.
     pub keep_out_m: f64,
 }

@@ -5,6 +5,7 @@ use std::time::Duration;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::foreign_line::ForeignLine;
 use crate::alert::AlertKind;
 use crate::commands::Order;
 use crate::geo::LatLon;
@@ -55,6 +56,7 @@ impl JournalLine {
             Happening::Mission { ms } => Duration::from_millis(ms) <= LONGEST_SILENCE,
             Happening::Entry(_)
             | Happening::Row(_)
+            | Happening::Foreign(_)
             | Happening::Notice(_)
             | Happening::Loss(_)
             | Happening::Paths(_)
@@ -85,6 +87,8 @@ pub enum Happening {
     Entry(EntryLine),
     /// The state of a command has changed for one vehicle.
     Row(RowLine),
+    /// Another ground station has commanded a vehicle, or its command has a new state.
+    Foreign(ForeignLine),
     /// A notice that a replay cannot derive from telemetry or the mission.
     Notice(NoticeLine),
     /// The radio between a vehicle and the console has changed to this state.

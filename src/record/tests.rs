@@ -1,4 +1,6 @@
 use super::*;
+use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
+use crate::wire::MavAddress;
 
 fn head() -> Head {
     Head::new(Subject::Free, 1_700_000_000_000_000)
@@ -27,6 +29,30 @@ fn what_a_later_program_has_added_is_passed_over() {
     assert!(faults.iter().all(|it| it.contains("line 3")), "{faults:?}");
     assert_eq!(faults.len(), 1);
     assert_eq!(journal.lines, [bookmark(1), bookmark(3)]);
+}
+
+#[test]
+fn a_command_of_another_station_is_read_as_it_was_written() {
+    let command = ForeignCommand {
+        id: ForeignId(4),
+        station: StationId(MavAddress {
+            system: 254,
+            component: 230,
+        }),
+        vehicle: 3,
+        at: Duration::from_secs(5),
+        last_at: Duration::from_secs(5),
+        what: Text::verbatim("mode RTL"),
+        count: 2,
+        state: RowState::Refused,
+        explanation: Some(Text::verbatim("denied")),
+    };
+    let foreign = ForeignLine::of(&command);
+    assert_eq!(foreign.command(Duration::from_secs(5)), command);
+    let line = JournalLine::new(Duration::from_secs(5), Happening::Foreign(foreign));
+    let text = [head().to_line(), line.to_line()].concat();
+    let journal = Journal::read(&text).expect("a journal");
+    assert_eq!((journal.lines, journal.damage), (vec![line], None));
 }
 
 #[test]

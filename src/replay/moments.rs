@@ -85,6 +85,7 @@ impl Lookout {
                 Event::Vehicle(
                     VehicleEvent::Parameters { .. }
                     | VehicleEvent::Given { .. }
+                    | VehicleEvent::Foreign(_)
                     | VehicleEvent::Paths(_)
                     | VehicleEvent::Rehearsed(_),
                 )
@@ -167,7 +168,7 @@ impl Lookout {
             add(MomentKind::Arming, text);
         }
         if before.mode != now.mode {
-            let mode = heartbeat.mode.to_string();
+            let mode = vehicle.name_of(heartbeat.mode);
             add(MomentKind::Mode, text!("moment-mode", mode = mode));
         }
     }

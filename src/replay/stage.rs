@@ -276,6 +276,9 @@ impl Stage {
                         events.push(VehicleEvent::Row(update).into());
                     }
                 }
+                Happening::Foreign(foreign) => {
+                    events.push(VehicleEvent::Foreign(foreign.command(line.at())).into());
+                }
                 Happening::Notice(notice) => events.push(notice.notice(line.at()).into()),
                 Happening::Mission { ms } => {
                     let elapsed = Duration::from_millis(*ms);

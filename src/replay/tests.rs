@@ -106,6 +106,25 @@ fn a_moment_is_the_same_by_whatever_way_one_comes_to_it() {
 }
 
 #[test]
+fn commands_of_other_stations_are_those_of_the_moment() {
+    let recorded = record();
+    let (mut replay, mut observer) = watched(&recorded);
+    for (at_s, expected) in [
+        (12, Some("GCS 254/230: 2 mode RTL: accepted, 2 times")),
+        (10, Some("GCS 254/230: 2 mode RTL: accepted")),
+        (5, None),
+    ] {
+        seek(&mut replay, &mut observer, s(at_s));
+        let ledger = observer.app().state().session().ledger();
+        let rows = ledger.foreign();
+        let shown = rows.map(|it| format!("{}: {}", it.line(), it.outcome()));
+        let shown: Vec<String> = shown.collect();
+        assert_eq!(shown.first().map(String::as_str), expected, "{at_s}");
+        assert!(shown.len() < 2);
+    }
+}
+
+#[test]
 fn the_table_and_the_parameters_are_those_of_the_moment() {
     let recorded = record();
     let (mut replay, mut observer) = watched(&recorded);

@@ -19,6 +19,7 @@ use crate::verb::{Retry, Verb};
 mod download;
 mod hearing;
 mod logs;
+mod modes;
 mod naming;
 mod orders;
 mod overtaken;

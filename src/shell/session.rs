@@ -156,6 +156,9 @@ impl RunningSession {
                     self.note_down(now, Happening::Notice(NoticeLine::of(&notice)));
                     collected.push(Event::Notice(notice));
                 }
+                Ok(FleetEvent::Foreign(command)) => {
+                    collected.push(VehicleEvent::Foreign(command).into());
+                }
                 Ok(FleetEvent::Dropped(count)) => {
                     self.dropped += count;
                     collected.push(Event::NoticesDropped(self.dropped));

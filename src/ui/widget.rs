@@ -32,6 +32,7 @@ pub mod prompt;
 pub mod replay;
 pub mod swarm;
 pub mod telemetry;
+pub mod traffic;
 pub mod urgent;
 
 pub use crate::text::clock;

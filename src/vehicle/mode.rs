@@ -230,7 +230,7 @@ impl Mode {
 
 /// Whether two names mean the same mode. Allocates nothing, because every position message of a
 /// vehicle looks up the name of its mode.
-fn is_same_name(one: &str, other: &str) -> bool {
+pub(super) fn is_same_name(one: &str, other: &str) -> bool {
     letters(one).eq(letters(other))
 }
 

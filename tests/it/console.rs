@@ -26,6 +26,7 @@ mod pause;
 mod plans;
 mod pointer;
 mod swarm;
+mod traffic;
 
 fn selection(console: &Console) -> Vec<u16> {
     console

@@ -12,7 +12,7 @@ use sortie::commands::{Act, Command};
 use sortie::fleet::{Fleet, FleetClock, FleetEvent, ForwardFeed, Keeping};
 use sortie::geo::LatLon;
 use sortie::language::{self, Context, Meaning};
-use sortie::ledger::{EntryId, RowState, RowUpdate};
+use sortie::ledger::{EntryId, ForeignId, RowState, RowUpdate};
 use sortie::link::{Endpoint, LinkState, LinkStatus, Simulator, Tap, Transport};
 use sortie::parameters::ParameterSnapshot;
 use sortie::session::{Report, VehicleCommand};
@@ -58,6 +58,8 @@ pub struct Console {
     forwards: Vec<ForwardFeed>,
     rows: Vec<RowUpdate>,
     notices: Vec<String>,
+    /// The commands of other stations with their outcomes.
+    foreign: BTreeMap<ForeignId, String>,
     entries: u32,
 }
 
@@ -80,6 +82,7 @@ impl Console {
             forwards: Vec::new(),
             rows: Vec::new(),
             notices: Vec::new(),
+            foreign: BTreeMap::new(),
             entries: 0,
         }
     }
@@ -146,6 +149,10 @@ impl Console {
             FleetEvent::Forwarding(feed) => self.forwards.push(feed),
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
+            FleetEvent::Foreign(command) => {
+                let line = format!("{}: {}", command.line(), command.outcome());
+                self.foreign.insert(command.id, line);
+            }
             FleetEvent::Report(Report::Notice(notice)) | FleetEvent::Warning(notice) => {
                 self.notices.push(notice.text.to_string());
             }

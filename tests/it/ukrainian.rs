@@ -269,7 +269,7 @@ fn outcomes() -> Vec<Text> {
     let mut said = Vec::new();
     for command in &commands {
         said.extend(command.request(&unheard, 0).err());
-        said.push(command.effect(&unheard).describe());
+        said.push(command.effect(&unheard).describe(&unheard));
         for result in 0..=10 {
             let result = AckResult::from_wire(result);
             said.push(explain("arm", result, &[], &unheard, command));

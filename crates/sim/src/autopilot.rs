@@ -26,7 +26,7 @@ use super::plan::ListKind;
 use super::vehicle::{Build, Vehicle};
 use super::wind::Wind;
 use super::workbench::Workbench;
-use super::{fence, mode, trail};
+use super::{adsb, fence, mode, trail};
 
 /// The delay between the acknowledgement of a reboot and the loss of the links.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
@@ -170,6 +170,9 @@ impl Autopilot {
         }
         if steps.is_multiple_of(trail::EVERY_STEPS) {
             self.vehicle.watch_trail();
+        }
+        if steps.is_multiple_of(adsb::EVERY_STEPS) {
+            self.vehicle.watch_traffic();
         }
         self.vehicle.record();
         if steps.is_multiple_of(TIMESYNC_EVERY_STEPS) {

@@ -78,6 +78,7 @@ impl Vehicle {
             servos_us,
             boot,
             log: _,
+            adsb,
             outbox,
             steps,
         } = self;
@@ -88,6 +89,9 @@ impl Vehicle {
         ];
         for part in parts {
             add(part);
+        }
+        if let Some(adsb) = adsb {
+            add(adsb);
         }
     }
 }

@@ -65,6 +65,7 @@
 
 #![warn(missing_docs)]
 
+mod adsb;
 mod airframe;
 mod arming;
 mod auto_plan;

@@ -11,11 +11,11 @@ use std::time::Duration;
 
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{
-    AHRS_DATA, AHRS2_DATA, ATTITUDE_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA,
-    ESC_TELEMETRY_1_TO_4_DATA, FENCE_STATUS_DATA, GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA,
-    HEARTBEAT_DATA, LOCAL_POSITION_NED_DATA, MEMINFO_DATA, MISSION_CURRENT_DATA, MavDataStream,
-    NAV_CONTROLLER_OUTPUT_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POWER_STATUS_DATA, RAW_IMU_DATA,
-    RC_CHANNELS_DATA, SCALED_IMU2_DATA, SCALED_IMU3_DATA, SCALED_PRESSURE_DATA,
+    ADSB_VEHICLE_DATA, AHRS_DATA, AHRS2_DATA, ATTITUDE_DATA, BATTERY_STATUS_DATA,
+    EKF_STATUS_REPORT_DATA, ESC_TELEMETRY_1_TO_4_DATA, FENCE_STATUS_DATA, GLOBAL_POSITION_INT_DATA,
+    GPS_RAW_INT_DATA, HEARTBEAT_DATA, LOCAL_POSITION_NED_DATA, MEMINFO_DATA, MISSION_CURRENT_DATA,
+    MavDataStream, NAV_CONTROLLER_OUTPUT_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POWER_STATUS_DATA,
+    RAW_IMU_DATA, RC_CHANNELS_DATA, SCALED_IMU2_DATA, SCALED_IMU3_DATA, SCALED_PRESSURE_DATA,
     SCALED_PRESSURE2_DATA, SERVO_OUTPUT_RAW_DATA, SIMSTATE_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
     TERRAIN_REPORT_DATA, TERRAIN_REQUEST_DATA, VFR_HUD_DATA, VIBRATION_DATA, WIND_DATA,
 };
@@ -99,6 +99,8 @@ const STREAMS: &[(MavDataStream, &str, &[u32])] = &[
         ],
     ),
 ];
+/// The stream of traffic, which has a parameter but no number: only all streams together include it.
+const TRAFFIC: (&str, u32) = ("ADSB", ADSB_VEHICLE_DATA::ID);
 /// The group that means all groups.
 const ALL_STREAMS: u8 = MavDataStream::MAV_DATA_STREAM_ALL as u8;
 
@@ -146,6 +148,11 @@ impl Schedule {
                 schedule.set_stream(*group as u8, rate_hz as u16, now);
             }
         }
+        let (name, id) = TRAFFIC;
+        let rate_hz = parameters.value(&rate_name(serial, name));
+        if rate_hz > 0.0 {
+            schedule.set_ms(id, interval_ms(rate_hz as u16), now);
+        }
         schedule
     }
 
@@ -174,9 +181,13 @@ impl Schedule {
         now: Duration,
     ) {
         let of = STREAMS.iter().find(|(.., ids)| ids.contains(&id));
-        let of_stream = of.map_or(0, |(_, name, _)| {
-            interval_ms(parameters.value(&rate_name(serial, name)) as u16)
-        });
+        let of_traffic = (id == TRAFFIC.1).then_some(TRAFFIC.0);
+        let of_stream = of
+            .map(|(_, name, _)| *name)
+            .or(of_traffic)
+            .map_or(0, |name| {
+                interval_ms(parameters.value(&rate_name(serial, name)) as u16)
+            });
         let default_ms = if id == HEARTBEAT {
             HEARTBEAT_MS
         } else {
@@ -244,6 +255,9 @@ impl Schedule {
                 }
             }
         }
+        if stream == ALL_STREAMS {
+            self.set_ms(TRAFFIC.1, interval_ms(rate_hz), now);
+        }
     }
 
     /// Calls `send` for every message that is due since the last step of 10 ms, as many times as it is due.
@@ -277,8 +291,7 @@ impl Schedule {
 pub(super) fn rate_names(serial: Serial, stream: u8) -> impl Iterator<Item = String> {
     let without_messages = [
         (MavDataStream::MAV_DATA_STREAM_RAW_CONTROLLER, "RAW_CTRL"),
-        // The stream of traffic has no name in the dialect.
-        (MavDataStream::MAV_DATA_STREAM_ALL, "ADSB"),
+        (MavDataStream::MAV_DATA_STREAM_ALL, TRAFFIC.0),
     ];
     let with_messages = STREAMS.iter().map(|(group, name, _)| (*group, *name));
     with_messages

@@ -118,7 +118,12 @@ impl VehicleSlot {
                 if self.autopilot.vehicle.boot.holds_back(id) {
                     return;
                 }
-                let Some(message) = telemetry::message(id, &self.autopilot) else {
+                let message = if id == telemetry::TRAFFIC {
+                    self.autopilot.vehicle.next_traffic(serial)
+                } else {
+                    telemetry::message(id, &self.autopilot)
+                };
+                let Some(message) = message else {
                     return;
                 };
                 for (_, port) in &mut self.ports {

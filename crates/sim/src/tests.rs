@@ -22,6 +22,7 @@ mod sweep;
 mod switches;
 mod takeoff;
 mod timeline;
+mod traffic;
 mod transfers;
 
 use super::*;

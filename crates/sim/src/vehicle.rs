@@ -4,6 +4,7 @@
 mod flight;
 mod fly;
 mod plant;
+mod traffic;
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -13,6 +14,7 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity, PARAM_VALUE_DATA
 
 pub(super) use self::flight::{AskedSpeeds, FlightState};
 pub(super) use self::plant::Plant;
+use super::adsb::Adsb;
 use super::airframe::Airframe;
 use super::arming::Safety;
 use super::body::Body;
@@ -60,6 +62,8 @@ pub(super) struct Vehicle {
     pub(super) servos_us: [u16; 16],
     pub(super) boot: Boot,
     pub(super) log: FlightLog,
+    /// The traffic around it, if there is any.
+    pub(super) adsb: Option<Box<Adsb>>,
     /// Messages for every link, in order.
     pub(super) outbox: Vec<MavMessage>,
     pub(super) steps: u64,
@@ -69,6 +73,7 @@ impl Vehicle {
     /// A vehicle that has just been switched on.
     pub(super) fn booted(build: Build, parameters: Parameters, wind: Wind) -> Self {
         let tuning = Tuning::read(&parameters);
+        let adsb = Adsb::booted(parameters.value("SIM_ADSB_COUNT"), build.board_id);
         let plant = Plant::resting(build.airframe, wind, &build.start, tuning.battery_set_v);
         Self {
             system: build.system,
@@ -86,6 +91,7 @@ impl Vehicle {
             servos_us: [0; 16],
             boot: Boot::new(false),
             log: FlightLog::default(),
+            adsb,
             outbox: Vec::new(),
             steps: 0,
         }

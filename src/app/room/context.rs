@@ -1,11 +1,12 @@
 //! Views of the state that depend on the rooms' own state.
 
 use std::collections::BTreeMap;
+use std::sync::Arc;
 
 use super::State;
 use crate::geo::Outline;
 use crate::language::{
-    Channel, Context, Listed, NameList, Named, Names, VehicleChoice, field_text,
+    Channel, Context, Listed, NameList, Named, Names, OfferedModes, VehicleChoice, field_text,
 };
 use crate::plan::field;
 use crate::preflight::summary;
@@ -80,7 +81,9 @@ impl State {
         let areas: BTreeMap<String, Outline> = drawn(self).into_iter().chain(named).collect();
         let first = self.addressed().first().copied();
         let parameters = first.and_then(|id| self.rooms.parameters.lists.get(&id));
+        let modes = OfferedModes::of(self.session.vehicles.values().map(Arc::as_ref));
         work(&Context {
+            modes: modes.as_ref(),
             groups: &self.session.choice.groups,
             places: Some(&self.session.places),
             areas: Some(&areas),

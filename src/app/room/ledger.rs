@@ -5,7 +5,7 @@ use crate::app::action::{Action, LedgerAction, Step, ViewAction};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Purpose;
-use crate::ledger::{EntryId, LedgerEntry, RowState};
+use crate::ledger::{ForeignCommand, LedgerEntry, LedgerItem, LedgerKey, LedgerNumber, RowState};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle_id::{parse_ranges, ranges};
@@ -18,13 +18,13 @@ pub struct Ledger {
     /// The outcome to show.
     pub(in crate::app) outcome: Outcome,
     /// The command under the cursor; `None` follows the newest.
-    pub(in crate::app) cursor: Option<EntryId>,
+    pub(in crate::app) cursor: Option<LedgerKey>,
     /// Whether the rows of the command under the cursor fill the screen.
     pub(in crate::app) opened: bool,
     /// The first row shown.
     pub(in crate::app) scroll: usize,
     /// The shown commands, oldest first.
-    shown: Vec<EntryId>,
+    shown: Vec<LedgerKey>,
     /// Whether the list needs an update.
     stale: bool,
 }
@@ -62,6 +62,16 @@ impl Outcome {
         }
     }
 
+    fn fits_foreign(self, command: &ForeignCommand) -> bool {
+        match self {
+            Self::Any => true,
+            Self::Failed => command.state.is_failure(),
+            // The console does not follow the effects of foreign commands.
+            Self::UnderWay => matches!(command.state, RowState::InProgress(_)),
+            Self::Done => command.state == RowState::Accepted,
+        }
+    }
+
     fn fits(self, entry: &LedgerEntry) -> bool {
         let mut states = entry.rows.iter().map(|row| row.state);
         match self {
@@ -85,7 +95,7 @@ impl Ledger {
     }
 
     /// The command under the cursor; `None` follows the newest.
-    pub fn cursor(&self) -> Option<EntryId> {
+    pub fn cursor(&self) -> Option<LedgerKey> {
         self.cursor
     }
 
@@ -100,7 +110,7 @@ impl Ledger {
     }
 
     /// The shown commands, oldest first.
-    pub fn shown(&self) -> &[EntryId] {
+    pub fn shown(&self) -> &[LedgerKey] {
         &self.shown
     }
 
@@ -111,12 +121,12 @@ impl Ledger {
             return newest;
         };
         // If the command is gone or filtered out, the cursor is on the next one.
-        let place = self.shown.partition_point(|&id| id < cursor);
+        let place = self.shown.partition_point(|&key| key < cursor);
         place.min(newest)
     }
 
     /// The command under the cursor.
-    pub fn under_cursor(&self) -> Option<EntryId> {
+    pub fn under_cursor(&self) -> Option<LedgerKey> {
         self.shown.get(self.place()).copied()
     }
 
@@ -153,9 +163,12 @@ impl RoomModel for Ledger {
     fn step(state: &mut State, step: Step) -> Answer {
         let room = &mut state.rooms.ledger;
         if room.opened {
-            let id = room.under_cursor();
-            let entry = id.and_then(|id| state.session.commands.ledger.entry(id));
-            let rows = entry.map_or(0, |entry| entry.rows.len());
+            let key = room.under_cursor();
+            let item = key.and_then(|key| state.session.commands.ledger.item(key));
+            let rows = match item {
+                Some(LedgerItem::Own(entry)) => entry.rows.len(),
+                Some(LedgerItem::Foreign(_)) | None => 0,
+            };
             room.scroll = step.apply(room.scroll, rows);
         } else {
             let count = room.shown.len();
@@ -168,7 +181,11 @@ impl RoomModel for Ledger {
 
     fn submit(state: &mut State) -> Answer {
         let room = &mut state.rooms.ledger;
-        room.opened = !room.opened && room.under_cursor().is_some();
+        // A foreign command is one row, which the list shows in full.
+        let has_rows = room
+            .under_cursor()
+            .is_some_and(|key| matches!(key.number(), LedgerNumber::Own(_)));
+        room.opened = !room.opened && has_rows;
         room.scroll = 0;
         Some(Vec::new())
     }
@@ -237,10 +254,19 @@ fn find(state: &mut State) {
     let room = &mut state.rooms.ledger;
     room.stale = false;
     let terms = terms(&room.filter);
-    let entries = state.session.commands.ledger.entries();
-    let fitting = entries
-        .filter(|entry| room.outcome.fits(entry) && terms.iter().all(|term| term.fits(entry)));
-    room.shown = fitting.map(|entry| entry.id).collect();
+    let items = state.session.commands.ledger.newest_first();
+    let fitting = items.filter(|&item| fits(room.outcome, &terms, item));
+    room.shown = fitting.map(LedgerItem::key).collect();
+    room.shown.reverse();
+}
+
+fn fits(outcome: Outcome, terms: &[Term], item: LedgerItem<'_>) -> bool {
+    match item {
+        LedgerItem::Own(entry) => outcome.fits(entry) && terms.iter().all(|term| term.fits(entry)),
+        LedgerItem::Foreign(command) => {
+            outcome.fits_foreign(command) && terms.iter().all(|term| term.fits_foreign(command))
+        }
+    }
 }
 
 /// Closes the open rows; otherwise clears the filter; otherwise leaves the room.
@@ -275,6 +301,16 @@ fn terms(filter: &str) -> Vec<Term> {
 }
 
 impl Term {
+    fn fits_foreign(&self, command: &ForeignCommand) -> bool {
+        match self {
+            Self::Vehicles(ids) => ids.binary_search(&command.vehicle).is_ok(),
+            Self::Word(word) => {
+                let line = command.line().to_string().to_lowercase();
+                line.contains(word) || became(command.state).contains(word)
+            }
+        }
+    }
+
     fn fits(&self, entry: &LedgerEntry) -> bool {
         match self {
             Self::Vehicles(ids) => {

@@ -3,9 +3,10 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use super::alert::{Alert, alerts, process_ended, separation};
+use super::alert::{Alert, alerts, process_ended, separation, traffic};
 use super::bell::{Bell, BellCall, Due};
 use super::separation::CloseVehicle;
+use super::traffic::TrafficConflict;
 use crate::alert::AlertKind;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
@@ -47,6 +48,8 @@ pub struct ActiveAlerts {
     muted: Vec<AlertKind>,
     /// For each vehicle that is too close to others, the closest of them.
     close: BTreeMap<VehicleId, CloseVehicle>,
+    /// The aircraft that come too close to vehicles.
+    traffic: BTreeMap<VehicleId, TrafficConflict>,
     /// Alerts that have begun and need a notice.
     begun: Vec<(VehicleId, Alert)>,
 }
@@ -67,6 +70,16 @@ impl ActiveAlerts {
         self.close.get(&vehicle).map(separation)
     }
 
+    /// Notes which aircraft come too close to vehicles.
+    pub fn note_traffic(&mut self, traffic: BTreeMap<VehicleId, TrafficConflict>) {
+        self.traffic = traffic;
+    }
+
+    /// The alert that another aircraft comes too close to this vehicle.
+    pub fn traffic(&self, vehicle: VehicleId) -> Option<Alert> {
+        self.traffic.get(&vehicle).map(traffic)
+    }
+
     /// Updates a vehicle's alerts: new or worse ones ring, ended ones disappear. The vehicle must
     /// land with at least `reserve_percent` of its battery. Returns whether anything changed.
     pub fn observe(&mut self, vehicle: &Vehicle, reserve_percent: f64, now: Duration) -> bool {
@@ -76,7 +89,8 @@ impl ActiveAlerts {
         let others = alerts(vehicle, reserve_percent, now)
             .filter(|one| !is_down || one.kind != AlertKind::LinkLost);
         let close = self.separation(vehicle.id);
-        let mut present = process.into_iter().chain(close).chain(others).peekable();
+        let near = close.into_iter().chain(self.traffic(vehicle.id));
+        let mut present = process.into_iter().chain(near).chain(others).peekable();
         if present.peek().is_none() && !self.standing.contains_key(&vehicle.id) {
             return false;
         }
@@ -104,6 +118,7 @@ impl ActiveAlerts {
         self.standing.remove(&vehicle);
         self.down.remove(&vehicle);
         self.close.remove(&vehicle);
+        self.traffic.remove(&vehicle);
     }
 
     /// Rings for a serious text, unless its alert has already done so.

@@ -4,12 +4,13 @@
 use std::time::Duration;
 
 use super::separation::CloseVehicle;
+use super::traffic::TrafficConflict;
 use crate::alert::{AlertKind, crash};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{
     EKF_BAD, EkfFlags, FixType, Grade, HomeReach, LandedState, Severity, StatusText, SystemStatus,
-    VIBRATION_BAD_M_S2, Vehicle,
+    TrafficThreat, VIBRATION_BAD_M_S2, Vehicle,
 };
 
 /// How long a text about a failsafe counts as current.
@@ -60,6 +61,23 @@ pub fn separation(close: &CloseVehicle) -> Alert {
         height = figure(close.height_m, 0)
     );
     condition(AlertKind::Separation, Severity::Critical, text)
+}
+
+/// The alert that another aircraft comes too close.
+pub fn traffic(conflict: &TrafficConflict) -> Alert {
+    let approach = &conflict.approach;
+    let severity = match approach.threat {
+        TrafficThreat::Critical => Severity::Critical,
+        TrafficThreat::Warning | TrafficThreat::None => Severity::Warning,
+    };
+    let text = text!(
+        "alert-traffic",
+        name = &conflict.name,
+        across = figure(approach.closest_m, 0),
+        height = format!("{:+.0}", approach.closest_height_m),
+        seconds = figure(approach.in_s, 0)
+    );
+    condition(AlertKind::Traffic, severity, text)
 }
 
 /// The alert that a vehicle's simulator process has ended.

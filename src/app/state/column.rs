@@ -21,8 +21,8 @@ impl Column {
         match self {
             Self::Name => SortKey::word(FlightView::class(vehicle)),
             Self::Mode => vehicle
-                .mode()
-                .map_or(SortKey::Missing, |mode| SortKey::word(&mode.to_string())),
+                .mode_name()
+                .map_or(SortKey::Missing, |mode| SortKey::word(&mode)),
             Self::Group => SortKey::word(&session.groups_of(vehicle.id).join(" ")),
             Self::Command => session
                 .latest(vehicle.id)

@@ -103,7 +103,7 @@ fn comparison(word: &str) -> Option<Test> {
 /// Whether a property of a vehicle begins with `start`, which must be in lower case.
 fn says(start: &str, vehicle: &Vehicle, session: &FlightView, locale: &Locale) -> bool {
     let begins = |word: &str| word.to_lowercase().starts_with(start);
-    let mode = vehicle.mode().map(|mode| mode.to_string());
+    let mode = vehicle.mode_name();
     begins(FlightView::class(vehicle))
         || mode.is_some_and(|mode| mode.split_whitespace().any(begins))
         || states(vehicle).any(begins)

@@ -7,7 +7,7 @@ use std::time::Duration;
 use super::alert::alert;
 use super::{
     ActiveAlerts, Alert, Choice, Connections, FlownMission, Hangar, Histories, PlanFailures,
-    SessionLedger, Timing,
+    SessionLedger, Timing, TrafficPicture,
 };
 use crate::app::room_list::Room;
 use crate::commands::{Act, Command, Order, PlanFlight};
@@ -35,6 +35,8 @@ pub struct FlightView {
     /// The histories of the vehicles' readings.
     pub(in crate::app) histories: Histories,
     pub(in crate::app) alerts: ActiveAlerts,
+    /// Other aircraft.
+    pub(in crate::app) traffic: TrafficPicture,
     /// The planned paths of vehicles in a joint manoeuvre.
     pub(in crate::app) paths: Vec<Path>,
     pub(in crate::app) rehearsed: PlanFailures,
@@ -77,6 +79,11 @@ impl Activity {
 }
 
 impl FlightView {
+    /// Other aircraft, the most urgent first.
+    pub fn traffic(&self) -> &TrafficPicture {
+        &self.traffic
+    }
+
     /// The planned paths of vehicles in a joint manoeuvre.
     pub fn paths(&self) -> &[Path] {
         &self.paths
@@ -180,6 +187,7 @@ impl FlightView {
         process
             .into_iter()
             .chain(self.alerts.separation(vehicle.id))
+            .chain(self.alerts.traffic(vehicle.id))
             .chain(alert(vehicle, self.reserve_percent(), now))
             .min_by_key(|alert| alert.severity)
     }

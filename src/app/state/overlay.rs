@@ -37,6 +37,8 @@ pub enum Overlay {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Log {
     Notices,
+    /// Other aircraft, the most urgent first.
+    Traffic,
     /// The moments of the replay.
     Moments,
 }

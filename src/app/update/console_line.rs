@@ -108,6 +108,7 @@ fn inform(state: &mut State, report: &Report) {
         Report::Links => show(state, Room::Links),
         Report::Ledger => show(state, Room::Ledger),
         Report::Notices => look_back(state, Log::Notices),
+        Report::Traffic => look_back(state, Log::Traffic),
         Report::Hangar => show(state, Room::Hangar),
         Report::Brief => brief(state),
         Report::Objectives => show(state, Room::Mission),

@@ -10,10 +10,12 @@ pub fn show(state: &mut State, room: Room) {
     room::entered(state, room);
 }
 
-/// Opens a log: notices at the newest entry, moments at the moment shown.
+/// Opens a log: notices at the newest entry, traffic at the most urgent aircraft, moments at the
+/// moment shown.
 pub fn look_back(state: &mut State, log: Log) {
     let cursor = match log {
         Log::Notices => None,
+        Log::Traffic => Some(0),
         Log::Moments => state.replay.as_ref().and_then(ReplayView::current_index),
     };
     state.overlay = Some(Overlay::Log { log, cursor });

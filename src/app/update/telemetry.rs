@@ -12,7 +12,9 @@ use crate::app::room::debrief::Debrief;
 use crate::app::room::map;
 use crate::app::room::mission;
 use crate::app::room::{fly, ledger};
-use crate::app::state::{Activity, BellCall, FlightView, Overlay, separation_limits, too_close};
+use crate::app::state::{
+    Activity, BellCall, FlightView, Overlay, TrafficPicture, separation_limits, too_close,
+};
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -23,7 +25,7 @@ use crate::vehicle::{Severity, Vehicle};
 /// If a notice reported an alert's condition within this time before the alert begins, the alert
 /// gets no notice of its own.
 const ANNOUNCED_WITHIN: Duration = Duration::from_secs(5);
-/// How often distances between vehicles are checked, in milliseconds.
+/// How often distances to vehicles and to other aircraft are checked, in milliseconds.
 const SEPARATION_MS: u128 = 500;
 
 /// Advances wall time and, except in a replay, flight time.
@@ -47,6 +49,7 @@ pub fn pass(state: &mut State, now: Duration) {
     map::tick(state);
     if before_ms / SEPARATION_MS != now.as_millis() / SEPARATION_MS {
         watch_separation(state);
+        watch_traffic(state);
     }
     if before != now.as_secs() {
         watch(state);
@@ -112,6 +115,19 @@ fn watch_separation(state: &mut State) {
         let close = too_close(&session.vehicles, limits);
         session.alerts.note_close(close);
     }
+}
+
+/// Looks for other aircraft that come too close.
+fn watch_traffic(state: &mut State) {
+    let session = &mut state.session;
+    let mission = session.task.progress.as_ref();
+    let picture = TrafficPicture::new(&session.vehicles, mission, state.now);
+    if picture.is_empty() && session.traffic.is_empty() {
+        return;
+    }
+    session.alerts.note_traffic(picture.conflicts());
+    session.traffic = picture;
+    state.touch();
 }
 
 /// Checks all vehicles again, because some alerts end as time passes.
@@ -188,6 +204,7 @@ pub fn progress(state: &mut State, mut progress: Progress) {
         if is_asked && state.room == Room::Mission {
             mission::show_asked_hint(state);
         }
+        watch_traffic(state);
     }
 }
 

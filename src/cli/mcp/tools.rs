@@ -111,6 +111,9 @@ fn description(what: Subject) -> &'static str {
              outside of missions."
         }
         Subject::Links => "Read the links to the vehicles: traffic, losses and errors.",
+        Subject::Traffic => {
+            "Read other aircraft (ADS-B), with the time and distance of their closest approach to vehicles in the air."
+        }
         Subject::Parameters => {
             "Read the parameters of a vehicle, as far as the console has loaded them."
         }
@@ -127,6 +130,7 @@ fn is_of_one_vehicle(what: Subject) -> bool {
         | Subject::Ledger
         | Subject::Mission
         | Subject::Links
+        | Subject::Traffic
         | Subject::Records => false,
     }
 }

@@ -15,7 +15,7 @@ use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[
     SHOW, SELECT, GROUP, UNGROUP, FORGET, SORT, FILTER, COLUMNS, ACK, MUTE, UNMUTE, PARAMS, SET,
-    THEME, HELP, LINKS, LEDGER, NOTICES, BRIEF, STATUS, OBJECTIVES, CONTACTS,
+    THEME, HELP, LINKS, LEDGER, NOTICES, TRAFFIC, BRIEF, STATUS, OBJECTIVES, CONTACTS,
 ];
 
 const VEHICLES: Argument = Argument::value("targets", Kind::Vehicles, "");
@@ -366,6 +366,12 @@ const NOTICES: VerbRow = shows(
     "notices",
     &[],
     &[Form::new(&[], |_| report(Report::Notices))],
+);
+
+const TRAFFIC: VerbRow = shows(
+    "traffic",
+    &["adsb"],
+    &[Form::new(&[], |_| report(Report::Traffic))],
 );
 
 const BRIEF: VerbRow = shows("brief", &[], &[Form::new(&[], |_| report(Report::Brief))]);

@@ -8,7 +8,8 @@ use mavlink::dialects::ardupilotmega::{
 use tokio::net::{TcpSocket, TcpStream, UdpSocket};
 
 use super::*;
-use crate::forward::{Deed, ForwardSpec, StationId};
+use crate::forward::{Deed, ForwardSpec, NamedCommand};
+use crate::ledger::StationId;
 use crate::wire::{MavAddress, SigningKey, Stamp};
 
 const OWN: MavAddress = MavAddress {
@@ -210,7 +211,11 @@ async fn stations_use_the_links_both_ways_and_each_frame_stays_as_it_was() {
         })
     );
     assert_eq!(news.system, Some(2));
-    assert_eq!(news.deed, Deed::Command("NAV_TAKEOFF".to_owned()));
+    let named = |name: &str| NamedCommand {
+        number: MavCmd::MAV_CMD_NAV_TAKEOFF as u16,
+        name: name.to_owned(),
+    };
+    assert_eq!(news.deed, Deed::Command(named("NAV_TAKEOFF")));
     shared.vehicles[1].say(&answer(254)).await;
     shared.vehicles[1].say(&text(1)).await;
     one.hear(2, 77).await;

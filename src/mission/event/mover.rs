@@ -15,6 +15,8 @@ pub(crate) struct Spawn {
     /// Its id in conditions.
     pub id: String,
     pub kind: MoverKind,
+    /// The callsign of an aircraft.
+    pub callsign: String,
     /// Its path: it moves from point to point and disappears after the last.
     pub path: Vec<Point>,
     pub speed_m_s: f64,
@@ -38,8 +40,11 @@ pub enum MoverKind {
 pub(crate) struct Mover {
     pub id: String,
     pub kind: MoverKind,
+    pub callsign: String,
     pub at: Point,
     pub height_m: f64,
+    /// Its velocity in m/s, north and east.
+    pub velocity_m_s: [f64; 2],
     pub keep_out_m: f64,
     path: Vec<Point>,
     speed_m_s: f64,
@@ -56,8 +61,10 @@ impl Mover {
         Self {
             id: spawn.id.clone(),
             kind: spawn.kind,
+            callsign: spawn.callsign.clone(),
             at: path.first().copied().unwrap_or_default(),
             height_m: spawn.height_m,
+            velocity_m_s: [0.0; 2],
             keep_out_m: spawn.keep_out_m,
             path,
             speed_m_s: spawn.speed_m_s,
@@ -74,6 +81,8 @@ impl Mover {
                 let share = left_m / length_m;
                 let along = |axis: usize| leg[0][axis] + (leg[1][axis] - leg[0][axis]) * share;
                 self.at = [along(0), along(1)];
+                let ahead = |axis: usize| (leg[1][axis] - leg[0][axis]) / length_m * self.speed_m_s;
+                self.velocity_m_s = [ahead(1), ahead(0)];
                 return true;
             }
             left_m -= length_m;

@@ -168,6 +168,27 @@ impl<'a> Scope<'a> {
         })
     }
 
+    /// The distance of the nearest vehicle in the air, in metres: horizontally from a zone, in three dimensions from an
+    /// aircraft or a drone; infinite without either of them.
+    pub fn clearance_m(&self, spot: &Spot) -> f64 {
+        let places = self.flying().filter_map(Craft::place_m);
+        let distances = places.map(|place| match spot {
+            Spot::Zone(zone) => {
+                let zone = self.zones.get(*zone);
+                zone.map_or(f64::INFINITY, |zone| {
+                    zone.shape.distance_m([place[0], place[1]])
+                })
+            }
+            Spot::Mover(id) => {
+                let movers = self.movers.iter().filter(|mover| mover.id == *id);
+                movers
+                    .map(|mover| mover.distance_m(place))
+                    .fold(f64::INFINITY, f64::min)
+            }
+        });
+        distances.fold(f64::INFINITY, f64::min)
+    }
+
     /// A vehicle's link margin in dB; infinite if the mission does not model the radio.
     pub fn margin_db(&self, id: VehicleId) -> f64 {
         self.margins_db.get(&id).copied().unwrap_or(f64::INFINITY)

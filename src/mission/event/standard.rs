@@ -146,6 +146,7 @@ fn passer_by(mission: &Mission) -> Spawn {
     Spawn {
         id: "person".to_owned(),
         kind: MoverKind::Person,
+        callsign: String::new(),
         path: vec![[east - WALK_M, north], [east + WALK_M, north]],
         speed_m_s: 1.2,
         height_m: 0.0,
@@ -159,6 +160,7 @@ fn overflight(mission: &Mission) -> Spawn {
     Spawn {
         id: "aircraft".to_owned(),
         kind: MoverKind::Aircraft,
+        callsign: "AIRCRAFT".to_owned(),
         path: vec![[east - APPROACH_M, north], [east + APPROACH_M, north]],
         speed_m_s: 30.0,
         height_m: 80.0,

@@ -172,6 +172,11 @@ fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
     );
     let mover = table.need("spawn", mover_form, "`person`, `aircraft` or `intruder`");
     let id = table.may("id", text(""), "name for conditions (default its kind)");
+    let callsign = table.may(
+        "callsign",
+        text(""),
+        "callsign of an aircraft in the list of traffic (default its id in capital letters)",
+    );
     let path = table.need("path", list(point(), 2, MOST_POINTS), "points of the path");
     let speed_m_s = table.need("speed", number(0.1, 300.0, "m/s"), "speed along the path");
     let height_m = table.may(
@@ -192,9 +197,16 @@ fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
         "the seed moves the whole path by up to this distance",
     );
     let &(name, kind, usual_height_m, usual_keep_out_m) = mover?;
+    if callsign.is_some() && kind != MoverKind::Aircraft {
+        let message = format!("only an aircraft has a callsign, not the {name}");
+        table.fault_of("callsign", message);
+    }
+    let id = id.map_or_else(|| name.to_owned(), Spanned::into_inner);
+    let usual = id.to_uppercase();
     Some(Action::Spawn(Spawn {
-        id: id.map_or_else(|| name.to_owned(), Spanned::into_inner),
+        id,
         kind,
+        callsign: callsign.map_or(usual, Spanned::into_inner),
         path: path?,
         speed_m_s: speed_m_s?,
         height_m: height_m.unwrap_or(usual_height_m),

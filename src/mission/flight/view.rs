@@ -241,6 +241,9 @@ impl Flight {
             kind: mover.kind,
             at: self.mission.site.origin.place(mover.at),
             height_m: mover.height_m,
+            altitude_amsl_m: self.mission.site.origin.altitude_amsl_m + mover.height_m,
+            velocity_m_s: mover.velocity_m_s,
+            callsign: mover.callsign.clone(),
             keep_out_m: mover.keep_out_m,
         };
         self.threats.engine().movers().iter().map(thing).collect()

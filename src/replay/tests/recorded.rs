@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use super::*;
 use crate::ledger::RowState;
 use crate::link::TlogWriter;
-use crate::record::{EntryLine, Happening, Head, JournalLine, PathLine, RowLine, Subject};
+use crate::record::{
+    EntryLine, ForeignLine, Happening, Head, JournalLine, PathLine, RowLine, Subject,
+};
 use crate::sim::{PortId, Start, World, WorldConfig};
 use crate::wire::{Decoder, Encoder};
 use mavlink::dialects::ardupilotmega::{
@@ -135,7 +137,7 @@ pub(super) fn record() -> Recorded {
     }
 }
 
-/// Writes a journal with a refused command and a bookmark.
+/// Writes a journal with a refused command, one of another station, and a bookmark.
 pub(super) fn write_journal(frames: &std::path::Path) {
     let head = Head::new(Subject::Free, BEGAN_US);
     let verb = crate::language::verb("arm").expect("it is one");
@@ -155,6 +157,17 @@ pub(super) fn write_journal(frames: &std::path::Path) {
             why: Some("it is tired".to_owned()),
         })
     };
+    let foreign = |count| {
+        Happening::Foreign(ForeignLine {
+            id: 0,
+            station: [254, 230],
+            vehicle: 2,
+            what: "mode RTL".to_owned(),
+            count,
+            state: RowState::Accepted,
+            why: None,
+        })
+    };
     let path = PathLine {
         vehicle: 1,
         points: vec![[50.46, 30.52]],
@@ -164,6 +177,8 @@ pub(super) fn write_journal(frames: &std::path::Path) {
         (s(6), row(RowState::Sent)),
         (s(7), row(RowState::Refused)),
         (s(8), Happening::Paths(vec![path])),
+        (s(9), foreign(1)),
+        (s(11), foreign(2)),
         (
             s(12),
             Happening::Bookmark {

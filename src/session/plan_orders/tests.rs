@@ -226,7 +226,8 @@ fn a_list_that_another_program_has_changed_is_replaced_only_by_a_second_order() 
     rig.upload(ListKind::Rally, "c");
     assert_eq!(rig.ended(s(30)), RowState::Refused);
     assert!(
-        rig.explanation().contains("changed the list since this console"),
+        rig.explanation()
+            .contains("changed the list since this console"),
         "{}",
         rig.explanation()
     );

@@ -28,11 +28,11 @@ impl Transaction {
         match self.effect_shows(vehicle) {
             None | Some(true) => self.end(RowState::Done, None, now, output),
             Some(false) if !self.has_begun(vehicle) && now >= since + BEGINS_WITHIN => {
-                let text = not_seen(&self.claim.describe(), BEGINS_WITHIN);
+                let text = not_seen(&self.claim.describe(vehicle), BEGINS_WITHIN);
                 self.end(RowState::NoEffect, Some(text), now, output);
             }
             Some(false) if now >= since + self.effect.within() => {
-                let text = not_seen(&self.effect.describe(), self.effect.within());
+                let text = not_seen(&self.effect.describe(vehicle), self.effect.within());
                 self.end(RowState::NoEffect, Some(text), now, output);
             }
             Some(false) => self.repeat_setpoint(now, output),
@@ -74,7 +74,7 @@ impl Transaction {
             if self.effect_has_shown || repeat.lasting < GATHERING_SPEED {
                 return self.end(RowState::Done, None, now, output);
             }
-            let text = text!("outcome-not-seen", effect = self.effect.describe());
+            let text = text!("outcome-not-seen", effect = self.effect.describe(vehicle));
             return self.end(RowState::NoEffect, Some(text), now, output);
         }
         if now >= self.last_sent + repeat.every {

@@ -17,6 +17,7 @@ mod notices;
 mod processes;
 #[cfg(test)]
 mod tests;
+mod traffic;
 mod vehicles;
 
 use alerts::PrintedAlerts;
@@ -60,6 +61,7 @@ pub fn texts(report: &Report, state: &State) -> Vec<Text> {
         Report::Links => links::now(state),
         Report::Ledger => commands::newest(state),
         Report::Notices => notices::newest(state),
+        Report::Traffic => traffic::now(state),
         Report::Hangar => processes::now(state),
         Report::Brief => brief::lines(state),
     }

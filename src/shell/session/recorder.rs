@@ -7,7 +7,7 @@ use crate::app::event::{Started, VehicleEvent};
 use crate::app::state::Activity;
 use crate::fleet::FleetClock;
 use crate::link::{FrameSink, InputSink};
-use crate::record::{Happening, Head, JournalLine, PathLine, RowLine, Subject};
+use crate::record::{ForeignLine, Happening, Head, JournalLine, PathLine, RowLine, Subject};
 use crate::store::{Recording, Records, utc};
 use crate::text;
 use crate::text::Text;
@@ -174,6 +174,7 @@ impl Drop for FlightRecorder {
 pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
     match event {
         VehicleEvent::Row(row) => Some(Happening::Row(RowLine::of(row))),
+        VehicleEvent::Foreign(command) => Some(Happening::Foreign(ForeignLine::of(command))),
         VehicleEvent::Paths(paths) => Some(Happening::Paths(PathLine::all(paths))),
         // Orders are recorded when they are given.
         VehicleEvent::Telemetry(_)

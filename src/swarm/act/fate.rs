@@ -158,7 +158,7 @@ fn unfit(vehicle: Option<&Vehicle>, silent: Duration) -> Option<RowEnding> {
     };
     let mode = vehicle.mode()?;
     if !mode.is("GUIDED") {
-        let reason = text!("outcome-overtaken", mode = mode.to_string());
+        let reason = text!("outcome-overtaken", mode = vehicle.name_of(mode));
         return Some(RowEnding::new(RowState::Overtaken, reason));
     }
     let flies = vehicle.armed() && vehicle.airborne();

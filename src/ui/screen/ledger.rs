@@ -5,7 +5,7 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::action::Action;
-use crate::ledger::{LedgerEntry, LedgerRow};
+use crate::ledger::{ForeignCommand, LedgerEntry, LedgerItem, LedgerRow};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -31,7 +31,8 @@ const STATE_WIDTH: usize = 16;
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().ledger();
     let chosen = room.under_cursor();
-    let Some(entry) = chosen.and_then(|id| state.session().ledger().entry(id)) else {
+    let item = chosen.and_then(|key| state.session().ledger().item(key));
+    let Some(LedgerItem::Own(entry)) = item else {
         draw_list(state, panel, buffer);
         return;
     };
@@ -65,7 +66,7 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     put(buffer, inner, 0, &headings(panel.look, width));
     let list = below(inner, 1);
     if room.shown().is_empty() {
-        let nothing = if state.session().ledger().entries().len() == 0 {
+        let nothing = if state.session().ledger().newest_first().next().is_none() {
             panel.text(&none(state))
         } else {
             panel.text(&text!("commands-none-fit", key = state.key(Action::Escape)))
@@ -81,11 +82,15 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         .saturating_sub(rows / 2)
         .min(room.shown().len().saturating_sub(rows));
     let seen = room.shown().iter().enumerate().skip(first).take(rows);
-    for (row, (at, &id)) in seen.enumerate() {
-        let Some(entry) = state.session().ledger().entry(id) else {
-            continue;
+    for (row, (at, &key)) in seen.enumerate() {
+        let is_chosen = at == place;
+        let line = match state.session().ledger().item(key) {
+            Some(LedgerItem::Own(entry)) => entry_line(entry, state, is_chosen, width, panel.look),
+            Some(LedgerItem::Foreign(command)) => {
+                foreign_line(command, state, is_chosen, width, panel.look)
+            }
+            None => continue,
         };
-        let line = entry_line(entry, state, at == place, width, panel.look);
         put(buffer, list, row as u16, &line);
         if at == place {
             panel.at(row_of(list, row as u16)).mark_cursor(buffer);
@@ -98,7 +103,8 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 fn title(state: &State, look: &Look) -> String {
     let room = state.rooms().ledger();
-    let all = state.session().ledger().entries().len();
+    let ledger = state.session().ledger();
+    let all = ledger.entries().len() + ledger.foreign().len();
     let shown = room.shown().len();
     let mut parts = vec![text!("commands-pane")];
     let vehicles = parse_ranges(room.filter_text());
@@ -184,6 +190,36 @@ fn entry_line(
             look.style(entry_role(entry)),
         ),
         Span::styled(aligned(&tries.to_string(), TRIES_WIDTH, true), muted),
+    ])
+}
+
+/// A command of another station: its line begins with the station, and stands in the colour of what is not the
+/// operator's.
+fn foreign_line(
+    command: &ForeignCommand,
+    state: &State,
+    under_cursor: bool,
+    width: usize,
+    look: &Look,
+) -> Line<'static> {
+    let (line, outcome) = split(width);
+    let muted = look.style(Role::Muted);
+    let mark = if under_cursor { "> " } else { "  " };
+    let time = clock(state.session().time(command.at));
+    let told = format!(" {}", look.text(&command.outcome()));
+    // It has one vehicle, which its line names, and no measured answer.
+    let wide = line + 1 + COUNT_WIDTH + ANSWER_WIDTH;
+    Line::from(vec![
+        Span::raw(mark),
+        Span::styled(aligned(&time, TIME_WIDTH, false), muted),
+        Span::styled(
+            aligned(&look.text(&command.line()), wide, false),
+            look.style(Role::Accent),
+        ),
+        Span::styled(
+            format!(" {}", aligned(&told, outcome + TRIES_WIDTH, false)),
+            look.style(row_role(command.state)),
+        ),
     ])
 }
 

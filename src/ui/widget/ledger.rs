@@ -10,7 +10,7 @@ use unicode_width::UnicodeWidthStr as _;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::state::FlightView;
-use crate::ledger::{LedgerEntry, LedgerRow, RowState};
+use crate::ledger::{ForeignCommand, LedgerEntry, LedgerItem, LedgerRow, RowState};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -33,11 +33,19 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let width = usize::from(inner.width);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
-    for entry in state.session().ledger().entries().rev() {
+    for item in state.session().ledger().newest_first() {
         if used >= rows {
             break;
         }
-        let block = lines_within(entry, state.session(), width, rows - used, panel.look);
+        let (session, left) = (state.session(), rows - used);
+        let block = match item {
+            LedgerItem::Own(entry) => lines_within(entry, session, width, left, panel.look),
+            LedgerItem::Foreign(command) => {
+                let mut lines = foreign_lines(command, session, width, panel.look);
+                cut(&mut lines, left, width);
+                lines
+            }
+        };
         used += block.len();
         blocks.push(block);
     }
@@ -165,6 +173,30 @@ fn head_lines<'a>(
     let wrapped = wrap(&short, width.saturating_sub(INDENT));
     lines.extend(wrapped.iter().map(|line| indented(line, style)));
     lines
+}
+
+/// A command of another station, which its line names, and the answer to it.
+fn foreign_lines<'a>(
+    command: &ForeignCommand,
+    session: &FlightView,
+    width: usize,
+    look: &Look,
+) -> Vec<Line<'a>> {
+    let foreign = look.style(Role::Accent);
+    let style = look.style(row_role(command.state));
+    let time = format!("{} ", clock(session.time(command.at)));
+    let time = Span::styled(time, look.style(Role::Muted));
+    let said = look.text(&command.line());
+    let outcome = look.text(&command.outcome());
+    let room = width.saturating_sub(time.width());
+    if said.width() + 2 + outcome.width() <= room {
+        let line = Span::styled(format!("{said}  "), foreign);
+        return vec![Line::from(vec![time, line, Span::styled(outcome, style)])];
+    }
+    let head = Line::from(vec![time, Span::styled(clip(&said, room), foreign)]);
+    let wrapped = wrap(&outcome, width.saturating_sub(INDENT));
+    let told = wrapped.iter().map(|line| indented(line, style));
+    std::iter::once(head).chain(told).collect()
 }
 
 fn indented<'a>(text: &str, style: Style) -> Line<'a> {

@@ -1,4 +1,4 @@
-//! A log on the whole screen: the notices, or the moments of a replay.
+//! A log on the whole screen: the notices, other aircraft, or the moments of a replay.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
 
-use super::{notices, replay};
+use super::{notices, replay, traffic};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::Place;
@@ -51,6 +51,7 @@ fn title(state: &State, log: Log, cursor: usize, panel: Panel<'_>) -> String {
     let count = state.log_length(log);
     let name = match log {
         Log::Notices => panel.say("fly-notices"),
+        Log::Traffic => panel.say("traffic-title"),
         Log::Moments if state.replay().is_some_and(|it| !it.clock.is_empty()) => {
             panel.say("replay-moments-mission")
         }
@@ -130,6 +131,13 @@ fn blocks<'a>(
             let notices = state.notices().lines().skip(which.start).take(count);
             notices
                 .map(|notice| notices::lines(notice, session, width, usize::MAX, look))
+                .collect()
+        }
+        Log::Traffic => {
+            let tracked = session.traffic().tracked().iter();
+            let tracked = tracked.skip(which.start).take(count);
+            tracked
+                .map(|it| traffic::lines(it, state.now(), width, look))
                 .collect()
         }
         Log::Moments => {

@@ -25,6 +25,7 @@ mod markers;
 mod sketch;
 mod squares;
 mod swept;
+mod traffic;
 mod truth;
 mod ways;
 

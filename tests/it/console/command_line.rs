@@ -3,6 +3,7 @@
 use sortie::app::effect::{Effect, TerminalEffect};
 use sortie::app::event::{SessionEvent, TerminalEvent};
 use sortie::app::state::{Overlay, Room};
+use sortie::vehicle::AnnouncedMode;
 
 use super::{palette_line, selection};
 use crate::fixtures;
@@ -329,4 +330,36 @@ fn keys_work_in_a_ukrainian_layout_and_letters_stay_letters_in_a_line() {
     assert_eq!(palette_line(&console), "злет");
     console.press("esc").press("ф");
     assert_eq!(palette_line(&console), "arm", "ф lies on the key of a");
+}
+
+#[test]
+fn the_modes_that_a_vehicle_announces_have_its_names() {
+    let mut console = Console::flying(1);
+    let mut vehicle = fixtures::parked(1);
+    for (index, number, name, is_selectable) in [
+        (1, 65, "LAWN_MOWER", true),
+        (2, 66, "HIDE", false),
+        (3, 0, "STEERED", true),
+    ] {
+        let mode = AnnouncedMode {
+            index,
+            number,
+            name: name.to_owned(),
+            is_selectable,
+        };
+        vehicle.modes.add(mode, 3);
+    }
+    vehicle.intended_mode = Some(65);
+    console.vehicle(vehicle);
+    assert!(console.screen(80, 24).contains("STEERED"));
+    let screen = console.press("V").screen(80, 24);
+    assert!(screen.contains("STEERED (set: LAWN_MOWER)"), "{screen}");
+    let screen = console.press("F").press("m").screen(80, 24);
+    assert!(screen.contains("LAWN_MOWER"), "{screen}");
+    assert!(
+        !screen.contains("HIDE") && !screen.contains("STABILIZE"),
+        "{screen}"
+    );
+    console.press("esc").give("1 mode lawnmower");
+    assert_eq!(console.sent_to(), [1]);
 }

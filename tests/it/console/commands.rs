@@ -2,7 +2,11 @@
 
 use sortie::app::event::{TerminalEvent, VehicleEvent};
 use sortie::app::state::Room;
-use sortie::ledger::{EntryId, RowState, RowUpdate};
+use sortie::ledger::{
+    EntryId, ForeignCommand, ForeignId, LedgerNumber, RowState, RowUpdate, StationId,
+};
+use sortie::text::Text;
+use sortie::wire::MavAddress;
 
 use crate::harness::Console;
 
@@ -27,7 +31,11 @@ fn commanded() -> Console {
 
 fn shown(console: &Console) -> Vec<u32> {
     let shown = console.state().rooms().ledger().shown().iter();
-    shown.map(|id| id.0).collect()
+    let own = shown.filter_map(|key| match key.number() {
+        LedgerNumber::Own(id) => Some(id.0),
+        LedgerNumber::Foreign(_) => None,
+    });
+    own.collect()
 }
 
 #[test]
@@ -167,4 +175,80 @@ fn the_mark_of_a_longer_list_leaves_the_tries_in_sight() {
     };
     assert!(screen.matches("queued  ").count() > 10, "{screen}");
     assert!(listed.all(shows_tries), "{screen}");
+}
+
+/// What station 254/230 has commanded.
+fn foreign(id: u32, at_s: u64) -> ForeignCommand {
+    let at = std::time::Duration::from_secs(at_s);
+    ForeignCommand {
+        id: ForeignId(id),
+        station: StationId(MavAddress {
+            system: 254,
+            component: 230,
+        }),
+        vehicle: 3,
+        at,
+        last_at: at,
+        what: Text::verbatim("mode RTL"),
+        count: 1,
+        state: RowState::Accepted,
+        explanation: None,
+    }
+}
+
+#[test]
+fn commands_of_other_stations_are_rows_that_are_not_the_operators() {
+    let mut console = commanded();
+    let repeated = ForeignCommand {
+        count: 4,
+        ..foreign(0, 10)
+    };
+    for command in [foreign(0, 10), repeated] {
+        console.hear(VehicleEvent::Foreign(command));
+    }
+    let refused = ForeignCommand {
+        state: RowState::Refused,
+        explanation: Some(Text::verbatim("denied")),
+        ..foreign(1, 14)
+    };
+    console.hear(VehicleEvent::Foreign(refused));
+    for (columns, rows) in [(80, 24), (200, 50)] {
+        let screen = console.press("F").screen(columns, rows);
+        assert!(screen.contains("GCS 254/230: 3 mode RTL"), "{screen}");
+        let screen = console.press("C").screen(columns, rows);
+        for part in [
+            "GCS 254/230: 3 mode RTL",
+            "accepted, 4 times",
+            "refused: denied",
+        ] {
+            assert!(screen.contains(part), "{part}: {screen}");
+        }
+    }
+    // They are neither the vehicle's last command nor among those that count.
+    let session = console.state().session();
+    let (latest, _) = session.latest(3).expect("a command");
+    assert_eq!(latest.line, "1-3 takeoff 20");
+    assert_eq!(session.ledger().entries().len(), 3);
+    assert!(!console.state().rooms().ledger().is_opened());
+    console.press("end").press("enter");
+    assert!(
+        !console.state().rooms().ledger().is_opened(),
+        "one row is all"
+    );
+    for (filter, expected) in [
+        ("3", 2),
+        ("254/230", 2),
+        ("rtl", 2),
+        ("failed 3", 1),
+        ("4", 0),
+    ] {
+        console
+            .press("/")
+            .press("ctrl-u")
+            .write(filter)
+            .press("enter");
+        let shown = console.state().rooms().ledger().shown().iter();
+        let others = shown.filter(|key| matches!(key.number(), LedgerNumber::Foreign(_)));
+        assert_eq!(others.count(), expected, "{filter}");
+    }
 }

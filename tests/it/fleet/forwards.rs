@@ -85,15 +85,12 @@ async fn a_station_commands_a_vehicle_over_a_forward_and_is_named() {
     assert_eq!(answer.result, MavResult::MAV_RESULT_ACCEPTED);
     assert_eq!(answer.target_system, 254);
     console
-        .until("the station is named", |console| {
-            console
-                .notices
-                .iter()
-                .any(|it| it == "GCS 254 set vehicle 1 to GUIDED")
+        .until("its command is in the ledger, with the answer", |console| {
+            let mut rows = console.foreign.values();
+            rows.any(|it| it == "GCS 254/1: 1 mode GUIDED: accepted")
         })
         .await;
-    let named = console.notices.iter().filter(|it| it.contains("GCS 254"));
-    assert_eq!(named.count(), 1, "its answer is no second command");
+    assert_eq!(console.foreign.len(), 1, "its answer is no second command");
     console
         .fleet
         .unforward("tcpin:127.0.0.1:0")
@@ -134,15 +131,12 @@ async fn a_station_elsewhere_is_named_from_the_answers_to_it() {
         vehicle.write_all(&bytes).await.expect("writable");
     }
     console
-        .until("the station is named", |console| {
-            console
-                .notices
-                .iter()
-                .any(|it| it == "GCS 253 sent NAV_TAKEOFF to vehicle 7")
+        .until("its command is in the ledger", |console| {
+            let mut rows = console.foreign.values();
+            rows.any(|it| it == "GCS 253/190: 7 NAV_TAKEOFF: accepted")
         })
         .await;
-    let named = console.notices.iter().filter(|it| it.contains("GCS"));
-    assert_eq!(named.count(), 1, "{:?}", console.notices);
+    assert_eq!(console.foreign.len(), 1, "{:?}", console.foreign);
     // The landing was answered to this console's own address, which has not sent it.
     let is_twin = |it: &&String| it.contains("another ground station uses the address");
     let twins = |console: &Console| console.notices.iter().filter(is_twin).count();
@@ -160,7 +154,10 @@ async fn a_station_elsewhere_is_named_from_the_answers_to_it() {
     vehicle.write_all(&bytes).await.expect("writable");
     console
         .until("a later message has arrived", |console| {
-            console.notices.iter().any(|it| it.contains("GCS 252"))
+            console
+                .foreign
+                .values()
+                .any(|it| it.contains("GCS 252/190"))
         })
         .await;
     assert_eq!(twins(&console), 1, "{:?}", console.notices);

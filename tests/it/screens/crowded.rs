@@ -34,6 +34,10 @@ fn progress() -> Progress {
         kind,
         at: fixtures::HOME.moved(north_m, east_m),
         height_m: 30.0,
+        // Too high to be a danger.
+        altitude_amsl_m: 900.0,
+        velocity_m_s: [0.0, 20.0],
+        callsign: name.to_uppercase(),
         keep_out_m: 15.0,
     };
     let contact = |name: &str, trust, north_m| ShownContact {
@@ -65,7 +69,7 @@ fn progress() -> Progress {
         ],
         movers: vec![
             mover("walker", MoverKind::Person, 70.0, -10.0),
-            mover("heli", MoverKind::Aircraft, 140.0, 0.0),
+            mover("heli", MoverKind::Aircraft, 140.0, -25.0),
         ],
         contacts: vec![
             contact("c1", Trust::Seen, 20.0),
@@ -343,7 +347,7 @@ fn areas_people_aircraft_and_contacts_are_on_the_map_and_told_apart_by_signs() {
     console.press("M").press("z");
     let text = drawn(&console, Symbols::Ascii, Language::English, size);
     for sign in [
-        "x school", "~ valley", "& square", "% ridge", "P:walker", "A:heli", "?c1", "!c2", "#c3",
+        "x school", "~ valley", "& square", "% ridge", "P:walker", "A>HELI", "?c1", "!c2", "#c3",
         "#mine",
     ] {
         assert!(text.contains(sign), "{sign}: {text}");

@@ -55,7 +55,6 @@ const SILENT: &[u32] = &[
     DEEPSTALL_DATA::ID,
     EFI_STATUS_DATA::ID,
     RPM_DATA::ID,
-    ADSB_VEHICLE_DATA::ID,
     CAMERA_INFORMATION_DATA::ID,
     CAMERA_SETTINGS_DATA::ID,
     CAMERA_CAPTURE_STATUS_DATA::ID,
@@ -69,6 +68,8 @@ const SILENT: &[u32] = &[
     UAVIONIX_ADSB_OUT_STATUS_DATA::ID,
     AOA_SSA_DATA::ID,
 ];
+/// The message about traffic, one aircraft at a time: the progress is that of the serial port.
+pub(crate) const TRAFFIC: u32 = ADSB_VEHICLE_DATA::ID;
 /// The message that cannot be requested, because the vehicle sends it together with another one.
 const UNASKABLE: u32 = TERRAIN_REPORT;
 
@@ -183,7 +184,7 @@ pub(crate) fn message(id: u32, autopilot: &Autopilot) -> Option<MavMessage> {
 
 /// The messages that are sent, by id.
 pub(crate) fn sent() -> impl Iterator<Item = u32> {
-    TABLE.iter().map(|(id, _)| *id)
+    TABLE.iter().map(|(id, _)| *id).chain([TRAFFIC])
 }
 
 /// Messages that can be requested, but are never sent.
@@ -193,7 +194,7 @@ pub(crate) fn silent() -> impl Iterator<Item = u32> {
 
 /// Whether the firmware supports the message, so it can be requested.
 pub(crate) fn is_known(id: u32) -> bool {
-    id != UNASKABLE && (builder(id).is_some() || SILENT.contains(&id))
+    id != UNASKABLE && (id == TRAFFIC || builder(id).is_some() || SILENT.contains(&id))
 }
 
 fn builder(id: u32) -> Option<Builder> {

@@ -65,6 +65,10 @@ pub(super) fn request(autopilot: &mut Autopilot, link: &mut Link, command: &Comm
         link.replies
             .extend(telemetry::message(id, autopilot).map(Into::into));
     }
+    if id == telemetry::TRAFFIC {
+        let traffic = autopilot.vehicle.next_traffic(link.serial);
+        link.replies.extend(traffic.map(Into::into));
+    }
     if id == schedule::TERRAIN_REQUEST {
         link.replies
             .extend(telemetry::message(schedule::TERRAIN_REPORT, autopilot).map(Into::into));

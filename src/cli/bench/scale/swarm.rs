@@ -129,6 +129,7 @@ impl<'a> ScaleSwarm<'a> {
                     | FleetEvent::Parameters(..)
                     | FleetEvent::Report(_)
                     | FleetEvent::Warning(_)
+                    | FleetEvent::Foreign(_)
                     | FleetEvent::Dropped(_) => {}
                 }
             }

@@ -74,6 +74,7 @@ fn who_comes_by_is_disturbed_then_hit() {
     let mover = |kind, height_m| {
         let spawn = Spawn {
             id: "it".to_owned(),
+            callsign: String::new(),
             kind,
             path: vec![[0.0, 0.0], [100.0, 0.0]],
             speed_m_s: 1.0,

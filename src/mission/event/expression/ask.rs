@@ -45,6 +45,7 @@ pub(super) enum Question {
     AnyMode(Vec<String>),
     AllModes(Vec<String>),
     PausedOrClear(Spot, f64),
+    Clearance(Spot),
     AlertOpen(AlertLevel),
     Fired(usize),
     Wind,
@@ -116,6 +117,11 @@ pub(in crate::mission) const FUNCTIONS: &[Function] = &[
             Some(Question::PausedOrClear(spot.clone(), *metres))
         }
         _ => None,
+    }),
+    function!("clearance", [Place], Number, |g| match g.first()? {
+        Given::Spot(spot) => Some(Question::Clearance(spot.clone())),
+        Given::Number(_) | Given::Index(_) | Given::Name(_) | Given::Modes(_) | Given::Level(_) =>
+            None,
     }),
     function!("alert_open", [Level], Bool, |g| match g.first()? {
         Given::Level(level) => Some(Question::AlertOpen(*level)),
@@ -244,6 +250,7 @@ impl Question {
             Self::PausedOrClear(spot, metres) => {
                 PartValue::Bool(scope.is_paused_or_clear(spot, *metres))
             }
+            Self::Clearance(spot) => PartValue::Number(scope.clearance_m(spot)),
             Self::AlertOpen(level) => PartValue::Bool(scope.alerts.contains(level)),
             Self::Fired(event) => PartValue::Bool(scope.fired.get(*event) == Some(&true)),
             Self::Wind => PartValue::Number(scope.wind_m_s),

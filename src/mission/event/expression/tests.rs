@@ -131,6 +131,7 @@ fn conditions_have_the_values_that_they_say() {
         ("paused_or_clear('lane', 0)", false),
         ("paused_or_clear('far', 10)", true),
         ("paused_or_clear('walker', 10)", true),
+        ("clearance('lane') == 0 and clearance('far') > 0", true),
         ("alert_open('critical') and not alert_open(warning)", true),
         ("fired('first') and not fired('second')", true),
         (

@@ -1,11 +1,17 @@
 //! Commands and their outcomes as lines.
 
+use std::collections::BTreeMap;
+use std::time::Duration;
+
 use super::LISTED;
 use crate::app::State;
-use crate::ledger::{EntryId, LedgerEntry, RowState};
+use crate::ledger::{EntryId, ForeignCommand, ForeignId, LedgerEntry, LedgerItem, RowState};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::vehicle_id::ranges;
+
+/// How long the line of another station's command waits for the answer.
+const ANSWERED_WITHIN: Duration = Duration::from_secs(2);
 
 /// The commands whose outcomes have been printed.
 #[derive(Debug, Default)]
@@ -14,6 +20,8 @@ pub(super) struct PrintedCommands {
     next: Option<EntryId>,
     /// Commands that had not ended at the last call.
     open: Vec<EntryId>,
+    /// The printed states of the commands of other stations.
+    foreign: BTreeMap<ForeignId, RowState>,
 }
 
 impl PrintedCommands {
@@ -39,15 +47,41 @@ impl PrintedCommands {
             }
             None => false,
         });
+        texts.extend(self.foreign_news(state));
         texts
+    }
+
+    /// Commands of other stations, once with each answer; repetitions are not printed.
+    fn foreign_news(&mut self, state: &State) -> Vec<Text> {
+        let now = state.now();
+        let foreign = state.session().ledger().foreign();
+        let is_due = |command: &&ForeignCommand| {
+            let may_be_answered =
+                command.state == RowState::Sent && now < command.at + ANSWERED_WITHIN;
+            !may_be_answered && self.foreign.get(&command.id) != Some(&command.state)
+        };
+        let news: Vec<&ForeignCommand> = foreign.filter(is_due).collect();
+        let printed = news.iter().map(|command| (command.id, command.state));
+        self.foreign.extend(printed.collect::<Vec<_>>());
+        news.into_iter().map(foreign_outcome).collect()
     }
 }
 
 /// The newest commands, on demand.
 pub(super) fn newest(state: &State) -> Vec<Text> {
-    let entries = state.session().ledger().entries();
-    let skipped = entries.len().saturating_sub(LISTED);
-    entries.skip(skipped).map(outcome).collect()
+    let items = state.session().ledger().newest_first().take(LISTED);
+    let mut texts: Vec<Text> = items
+        .map(|item| match item {
+            LedgerItem::Own(entry) => outcome(entry),
+            LedgerItem::Foreign(command) => foreign_outcome(command),
+        })
+        .collect();
+    texts.reverse();
+    texts
+}
+
+fn foreign_outcome(command: &ForeignCommand) -> Text {
+    Text::joined(": ", vec![command.line(), command.outcome()])
 }
 
 /// The outcome of a command for a vehicle: its state, and the reason.

@@ -6,7 +6,9 @@ use super::*;
 use crate::app::event::{Event, SessionEvent, Started, VehicleEvent};
 use crate::app::state::Activity;
 use crate::app::{App, Setup};
+use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
 use crate::vehicle::{Battery, Vehicle};
+use crate::wire::MavAddress;
 
 /// A console that has heard two vehicles, each with this percentage of charge left.
 fn heard(app: &mut App, percent: u8) {
@@ -52,4 +54,41 @@ fn an_alert_is_printed_when_it_is_raised_and_when_it_becomes_worse() {
     assert_eq!(news(&app), Vec::<String>::new());
     heard(&mut app, 8);
     assert_eq!(news(&app), ["00:00 1-2: CRITICAL: BATTERY 8 %"]);
+}
+
+#[test]
+fn a_command_of_another_station_is_printed_with_its_answer() {
+    let mut app = App::new(Setup::default());
+    let mut report = PlainReport::default();
+    let mut news = |app: &App| -> Vec<String> {
+        let texts = report.commands.news(app.state());
+        texts.iter().map(ToString::to_string).collect()
+    };
+    let foreign = |state, count| {
+        VehicleEvent::Foreign(ForeignCommand {
+            id: ForeignId(0),
+            station: StationId(MavAddress {
+                system: 254,
+                component: 230,
+            }),
+            vehicle: 3,
+            at: Duration::ZERO,
+            last_at: Duration::ZERO,
+            what: Text::verbatim("mode RTL"),
+            count,
+            state,
+            explanation: None,
+        })
+    };
+    drop(app.update(Event::from(foreign(RowState::Sent, 1))));
+    assert_eq!(news(&app), Vec::<String>::new(), "it waits for the answer");
+    drop(app.update(Event::from(foreign(RowState::Accepted, 1))));
+    assert_eq!(news(&app), ["GCS 254/230: 3 mode RTL: accepted"]);
+    drop(app.update(Event::from(foreign(RowState::Accepted, 2))));
+    assert_eq!(news(&app), Vec::<String>::new(), "a repetition");
+    let listed = commands::newest(app.state());
+    assert_eq!(
+        listed[0].to_string(),
+        "GCS 254/230: 3 mode RTL: accepted, 2 times"
+    );
 }

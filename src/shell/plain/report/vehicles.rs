@@ -33,7 +33,7 @@ pub(super) fn status(state: &State, choice: Option<&VehicleChoice>) -> Vec<Text>
 fn vehicle_text(vehicle: &Vehicle, state: &State) -> Text {
     let mut parts: Vec<Text> = Vec::new();
     if let Some(heartbeat) = vehicle.heartbeat {
-        parts.push(heartbeat.mode.to_string().into());
+        parts.push(vehicle.name_of(heartbeat.mode).into());
         let armed = if heartbeat.armed {
             text!("plain-armed")
         } else {

@@ -91,7 +91,12 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
         LandedState::Takeoff => look.say("vehicle-taking-off"),
         LandedState::Landing => look.say("vehicle-landing"),
     };
-    let value = format!("{} {armed} {landed}", heartbeat.mode);
+    let mode = vehicle.name_of(heartbeat.mode);
+    let intended = vehicle.mode_not_reached().map(|mode| {
+        let text = text!("vehicle-mode-set", mode = vehicle.name_of(mode));
+        format!(" {}", look.text(&text))
+    });
+    let value = format!("{mode}{} {armed} {landed}", intended.unwrap_or_default());
     let role = if vehicle.has_paused() {
         Role::Warning
     } else {

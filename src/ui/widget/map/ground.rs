@@ -7,7 +7,7 @@ use ratatui::layout::Rect;
 
 use super::canvas::{Canvas, Stroke};
 use super::labels::{self, Label, LabelKind, MapCell};
-use super::{finds, ways};
+use super::{finds, traffic, ways};
 use crate::app::State;
 use crate::app::room::map::{Sketch, SketchKind, sketches};
 use crate::config::Symbols;
@@ -133,6 +133,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     }
     draw_homes(state, look, view, &mut labels);
     draw_movers(state, view, &mut canvas, &mut labels);
+    traffic::draw(state, look, view, &mut canvas, &mut labels);
     labels.extend(finds::labels(state, look, view));
     // A ghost takes precedence over the name of a place.
     labels.extend(ghosts);
@@ -319,6 +320,10 @@ fn draw_movers(state: &State, view: &Viewport, canvas: &mut Canvas, labels: &mut
             radius_m: mover.keep_out_m,
         };
         outline(&around.corners(), view, canvas, Stroke::dotted(role));
+        if mover.kind == MoverKind::Aircraft {
+            // Its label is that of the traffic.
+            continue;
+        }
         labels.extend(view.cell(mover.at).map(|cell| Label {
             cell,
             kind: LabelKind::Word,

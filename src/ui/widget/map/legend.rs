@@ -9,7 +9,7 @@ use super::ground::{KEEP_OUT, RULER, stroke};
 use super::labels::blank;
 use super::markers::{LOST, arrow};
 use super::ways::{GHOST, target, trail};
-use super::{finds, fire, swept};
+use super::{finds, fire, swept, traffic};
 use crate::app::State;
 use crate::app::room::map::SketchKind::{
     Course, Fence, Jamming, KeepOut, Leg, Meeting, NoFly, People, Plan, Radio, Rally, Task, Wire,
@@ -112,7 +112,14 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
     let mission = state.session().mission();
     let movers = mission
         .filter(|it| !it.movers.is_empty())
-        .map(|_| ("P A U".to_owned(), Role::Danger, "map-legend-movers"));
+        .map(|_| ("P U".to_owned(), Role::Danger, "map-legend-movers"));
+    let aircraft = (!state.session().traffic().is_empty()).then(|| {
+        (
+            traffic::sample(look.symbols),
+            Role::Warning,
+            "map-legend-traffic",
+        )
+    });
     let mut vehicles = state.session().vehicles().values();
     let pause = vehicles
         .any(|vehicle| vehicle.has_paused())
@@ -125,6 +132,7 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         .into_iter()
         .chain(finds)
         .chain(movers)
+        .chain(aircraft)
         .chain(pause)
         .chain(shades(state, look))
         .chain(keep_out(state, look))

@@ -153,13 +153,13 @@ fn teams(row: &Row<'_>) -> Cell {
 }
 
 fn mode(vehicle: &Vehicle) -> Cell {
-    let Some(mode) = vehicle.mode() else {
+    let Some(mode) = vehicle.mode_name() else {
         return unknown();
     };
     if vehicle.has_paused() {
         (format!("{mode} {PAUSED}"), Role::Warning)
     } else {
-        (mode.to_string(), Role::Text)
+        (mode, Role::Text)
     }
 }
 

@@ -132,7 +132,7 @@ fn mode(vehicle: &Vehicle) -> Vec<(Text, Role)> {
     } else {
         (text!("telemetry-disarmed"), Role::Muted)
     };
-    let mode = heartbeat.mode.to_string().into();
+    let mode = vehicle.name_of(heartbeat.mode).into();
     vec![
         (mode, Role::Text),
         armed,
