@@ -38,7 +38,7 @@ checked-advice-cross = { $count ->
 }
 
 # Covering a zone.
-coverage-result = { $swept } % covered; a random search: { $random } %
+coverage-result = { $swept } % covered; a random search would cover { $random } %
 coverage-outlook = { $swept } % covered
 coverage-target = { $target } % covered
 coverage-advice = Fly lines no further apart than the width of the sensor's strip: { $left } % was not covered, although your path was long enough to cover the zone { $coverage } times.

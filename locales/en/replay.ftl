@@ -79,7 +79,7 @@ records-total = { $count ->
     [one] 1 record
    *[other] { $count } records
 }, { $size } MiB; the newest { $most } are kept, and at most { $space } MiB
-records-not-numbers = `{ $word }` is not a record: write `3`, `3-9` or `1,4-6`
+records-not-numbers = `{ $word }` is not a list of record numbers: write `3`, `3-9` or `1,4-6`
 records-not-a-file = { $file } is not a file: name a file of a record, or a tlog
 records-unknown = no record and no file { $name }: `sortie records list` lists the records
 records-no-number = no record { $number }: `sortie records list` numbers them

@@ -23,7 +23,7 @@ pub(super) struct LinkBeat {
 }
 
 impl LinkBeat {
-    /// Due for the first time at once, or when other work next wakes the task.
+    /// Due for the first time at once; with other work, only once [`BeatPace::handy`] has passed.
     pub fn new(pace: BeatPace) -> Self {
         let mut timer = interval(pace.latest);
         timer.set_missed_tick_behavior(MissedTickBehavior::Skip);

@@ -20,7 +20,7 @@ const REFUSALS: &[&str] = &[
     "duplicate-id.toml:41:6: the id `cells` is used twice",
     "far-point.toml:19:10: `source` must lie within 20000 m of the origin, as [east, north]",
     "gate-form.toml:50:18: a gate reads `NAME >= NUMBER`, with `>=`, `<=` or `==`",
-    "gate-name.toml:50:18: unknown name `safty` in a gate (did you mean `safety`?)",
+    "gate-name.toml:50:18: unknown name `safty` in `gold_requires` (did you mean `safety`?)",
     "hazard-kind.toml:18:8: unknown hazard kind `vulcano`; known: ..",
     "heights.toml:36:11: `heights` must be [low, high], 0 to 1000 m",
     "infinite.toml:21:8: `rate` must lie between 0.000001 and 1000000, not inf",

@@ -131,7 +131,7 @@ impl Upset {
         )
     }
 
-    /// The greatest lean for a throttle, in radians; it follows with a lag.
+    /// The greatest lean for a throttle, in radians; the limit follows a change of throttle with a lag.
     pub(super) fn lean_limit_rad(&mut self, throttle: f64) -> f64 {
         let left = maths::acos((throttle / LEAN_THROTTLE).clamp(0.0, 1.0));
         self.lean_max_rad += (left - self.lean_max_rad) * (STEP_S / (STEP_S + LEAN_LIMIT_S));

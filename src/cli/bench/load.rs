@@ -16,7 +16,7 @@ use crate::ui::Look;
 
 /// The time within which the vehicles take off.
 const WARM_UP: Duration = Duration::from_secs(25);
-/// The screen that is drawn.
+/// The size of the drawn screen, in columns and rows.
 const SIZE: Size = Size::new(120, 40);
 
 /// Options of `sortie bench load`.
