@@ -22,6 +22,7 @@ mod choice;
 mod complete;
 mod console;
 mod fault;
+mod fields;
 mod form;
 mod head;
 mod lexer;

@@ -50,6 +50,8 @@ verb-logs = list or download flight logs, or stop a download; downloads continue
 verb-signing = give vehicles a signing key, replace it, or remove it; disarmed only
 verb-long = send any MAV_CMD as COMMAND_LONG; parameters left out are 0
 verb-int = send any MAV_CMD as COMMAND_INT; for a position, x and y are degrees times 1e7
+verb-send = send any message with its fields by name; the receiver is filled in, other fields left out are 0, and no answer is awaited
+argument-message-fields = `NAME=VALUE` for each field: numbers, names joined by `|`, lists in `[ ]`, text in quotes
 
 argument-log-folder = folder for the files
 argument-log-number = number in `logs list`

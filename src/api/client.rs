@@ -161,7 +161,7 @@ impl CommandNews {
                 self.sent.remove(&id);
                 news.push(Message::Ended(Ended {
                     entry: id.0,
-                    done: entry.rows.iter().all(|row| row.state == RowState::Done),
+                    done: entry.rows.iter().all(|row| row.state.is_success()),
                 }));
             } else {
                 self.open.insert(id);

@@ -105,7 +105,7 @@ impl Transaction {
         };
         let effect = order.command.effect(vehicle);
         let phase = match request.answer {
-            Answer::None => TransactionPhase::AwaitingEffect {
+            Answer::None | Answer::NotAwaited(_) => TransactionPhase::AwaitingEffect {
                 since: now,
                 repeated: 0,
             },
@@ -135,6 +135,9 @@ impl Transaction {
             order,
         };
         transaction.send(now, output);
+        if matches!(transaction.request.answer, Answer::NotAwaited(_)) {
+            transaction.end(RowState::SentOnly, None, now, output);
+        }
         Some(transaction)
     }
 
@@ -170,7 +173,8 @@ impl Transaction {
     /// The command with acknowledgements that may still arrive although none is expected, and their number.
     pub fn owed_acks(&self) -> Option<(u16, u8)> {
         match (&self.request.answer, self.phase) {
-            (Answer::Ack(command), TransactionPhase::AwaitingAnswer { .. }) => {
+            (Answer::Ack(command), TransactionPhase::AwaitingAnswer { .. })
+            | (Answer::NotAwaited(Some(command)), TransactionPhase::Over) => {
                 Some((*command, self.tries))
             }
             _ => None,

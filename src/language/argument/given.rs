@@ -6,6 +6,7 @@ use std::str::FromStr;
 use strum::EnumTryAs;
 
 use super::kind::Switch;
+use crate::diagnostic::Diagnostic;
 use crate::draft::Items;
 use crate::geo::{LatLon, Outline};
 use crate::language::VehicleChoice;
@@ -27,12 +28,37 @@ pub(in crate::language) enum Value {
 pub(in crate::language) struct Problem {
     /// The argument that the fault points at.
     pub argument: &'static str,
+    /// The bytes of the argument that the fault points at, if not all of them.
+    pub part: Option<Range<usize>>,
     pub message: Text,
+    /// Advice, unless the remedy is obvious.
+    pub help: Option<Text>,
 }
 
 impl Problem {
     pub fn new(argument: &'static str, message: Text) -> Self {
-        Self { argument, message }
+        Self {
+            argument,
+            part: None,
+            message,
+            help: None,
+        }
+    }
+
+    /// A fault in a part of an argument that is a text of its own.
+    pub fn within(argument: &'static str, fault: Diagnostic) -> Self {
+        Self {
+            argument,
+            part: Some(fault.span),
+            message: fault.message,
+            help: fault.help,
+        }
+    }
+
+    /// The same fault, with advice on how to repair it.
+    pub fn with_help(self, help: Text) -> Self {
+        let help = Some(help);
+        Self { help, ..self }
     }
 
     fn missing(argument: &'static str) -> Self {

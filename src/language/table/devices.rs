@@ -1,20 +1,24 @@
 //! Verbs about outputs, messages, parameters and raw MAVLink.
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{MavMessage, SETUP_SIGNING_DATA};
 use strum::VariantNames as _;
 
 use super::{ASK, Built, ONCE, command, swarm};
 use crate::commands::{
     Act, Command, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand, QueryCommand,
-    RawCommand,
+    RawCommand, RawMessage,
 };
+use crate::inspector::{Definitions, write};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::signing::SigningChange;
 use crate::text;
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
+use crate::wire::is_secret;
 
 pub(super) static ROWS: &[VerbRow] = &[
-    SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT, LOGS, SIGNING,
+    SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT, SEND, LOGS, SIGNING,
 ];
 
 /// Any value that fits a float on the wire.
@@ -345,6 +349,60 @@ fn int(given: &Arguments) -> Built {
         y: given.required("y")? as i32,
         z: given.required("z")? as f32,
     }))
+}
+
+const SEND: VerbRow = VerbRow {
+    verb: Verb {
+        name: "send",
+        danger: Danger::Confirm,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    },
+    scope: Scope::Everywhere,
+    aliases: &[],
+    examples: &[
+        "3 send HEARTBEAT type=GCS autopilot=INVALID",
+        "send PARAM_REQUEST_READ param_index=-1 param_id=WPNAV_SPEED",
+        "send SET_ATTITUDE_TARGET q=[1,0,0,0] thrust=0.5 type_mask=BODY_ROLL_RATE_IGNORE|BODY_PITCH_RATE_IGNORE",
+    ],
+    forms: &[Form::new(
+        &[
+            Argument::value("message", Kind::Message, "argument-name-or-id"),
+            Argument::value("fields", Kind::Fields, "argument-message-fields").optional(),
+        ],
+        send,
+    )],
+};
+
+fn send(given: &Arguments) -> Built {
+    let id = given.required("message")? as u32;
+    let refused = |message| Problem::new("message", message);
+    let is_known = MavMessage::all_messages()
+        .iter()
+        .any(|(_, known)| *known == id);
+    let definition = Definitions::get().message(id).filter(|_| is_known);
+    let Some(definition) = definition else {
+        return Err(refused(text!("grammar-no-message", word = id.to_string())));
+    };
+    let name = definition.name;
+    if is_secret(id) {
+        let fault = refused(text!("grammar-secret-message", message = name));
+        return Err(if id == SETUP_SIGNING_DATA::ID {
+            fault.with_help(text!("grammar-secret-message-signing"))
+        } else {
+            fault
+        });
+    }
+    let fields = given.word("fields").unwrap_or_default().to_owned();
+    let payload = write(definition, &fields).map_err(|fault| Problem::within("fields", fault))?;
+    command(Command::Raw(RawCommand::Message(RawMessage {
+        id,
+        name,
+        fields,
+        payload,
+    })))
 }
 
 /// The key crosses the link in clear text, so each change needs a second key.
