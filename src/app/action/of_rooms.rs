@@ -168,6 +168,8 @@ pub enum MessagesAction {
     Pin,
     /// Switch between bytes and fields.
     Hex,
+    /// Put the last frame on the command line, to be edited and sent.
+    SendAgain,
 }
 
 /// Actions of the Hangar room.

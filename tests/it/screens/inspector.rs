@@ -333,3 +333,17 @@ fn both_rooms_as_they_look() {
         insta::assert_snapshot!(name, translated(console, Language::Ukrainian));
     }
 }
+
+#[test]
+fn the_last_frame_is_put_on_the_command_line_to_be_sent_again() {
+    let mut console = inspecting();
+    console.press("e");
+    shows(&console, &["choose a message first"]);
+    choose(&mut console, "heartbeat");
+    console.press("up").press("up").press("up").press("e");
+    let screen = console.screen(200, 50);
+    assert!(
+        screen.contains("send HEARTBEAT custom_mode=") && screen.contains("type=QUADROTOR"),
+        "{screen}"
+    );
+}

@@ -87,6 +87,7 @@ fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         fields = state.key(Action::Messages(MessagesAction::OtherSide)),
         graph = state.key(Action::Messages(MessagesAction::Pin)),
         bytes = state.key(Action::Messages(MessagesAction::Hex)),
+        send = state.key(Action::Messages(MessagesAction::SendAgain)),
         filter = state.key(Action::View(ViewAction::Filter)),
         sort = state.key(Action::View(ViewAction::Sort)),
         pause = state.key(Action::Messages(MessagesAction::Pause)),
