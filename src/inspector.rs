@@ -8,12 +8,15 @@
 
 mod census;
 mod definitions;
+mod export;
 mod reading;
 mod writing;
 
 pub use census::{
-    Census, Direction, FrameSource, FrameWay, MessageTally, Rate, TallyKey, WatchedMessage,
+    Census, Direction, FrameSource, FrameWay, MessageStatistics, MessageTally, Rate, TallyKey,
+    WatchedMessage,
 };
 pub use definitions::{Definitions, EnumDefinition, FieldDefinition, FieldType, MessageDefinition};
+pub use export::{CountedLink, StatisticsFormat, statistics_table};
 pub use reading::{ElementReading, FieldReading, MessageReading, figure, name_of, read};
 pub use writing::{WrittenPayload, target_of, write, written};

@@ -47,7 +47,8 @@ pub use complete::{
 };
 pub use console::{
     AlertLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource, LineNeeds,
-    LoopTarget, ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,
+    LoopTarget, MessagesLine, ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine,
+    SeekTarget, TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};

@@ -66,6 +66,7 @@ action-expand = open the branch, or go into it
 action-collapse = close the branch, or go back
 action-fold-all = close or open all systems
 action-send-again = edit the last frame and send it again
+action-reset-statistics = begin new statistics of the messages
 action-other-side = switch between the messages and the fields
 action-pause = freeze or resume the display
 action-pin = draw a graph of the field, or remove the graph

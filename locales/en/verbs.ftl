@@ -50,6 +50,7 @@ verb-logs = list or download flight logs, or stop a download; downloads continue
 verb-signing = give vehicles a signing key, replace it, or remove it; disarmed only
 verb-long = send any MAV_CMD as COMMAND_LONG; parameters left out are 0
 verb-int = send any MAV_CMD as COMMAND_INT; for a position, x and y are degrees times 1e7
+verb-messages = begin new statistics of the messages on the links, or export them
 verb-send = send any message with its fields by name; the receiver is filled in, other fields left out are 0, and no answer is awaited
 argument-message-fields = `NAME=VALUE` for each field: numbers, names joined by `|`, lists in `[ ]`, text in quotes
 
@@ -184,6 +185,8 @@ verb-restart = fly the same mission again from its start
 verb-leave = end the session and go back to the home screen
 verb-quit = leave the program
 argument-alert = kind of alert
+argument-messages-reset = begin new statistics
+argument-messages-file = a file, `.csv` or `.json`
 argument-file = name of a file
 argument-file-or-vehicle = name of a file, or number of a vehicle
 

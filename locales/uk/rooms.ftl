@@ -66,6 +66,7 @@ action-expand = розгорнути гілку, увійти
 action-collapse = згорнути гілку, повернутися
 action-fold-all = згорнути всі системи або розгорнути
 action-send-again = змінити останній кадр і надіслати знову
+action-reset-statistics = почати нову статистику повідомлень
 action-other-side = перейти до полів і назад
 action-pause = зупинити показ або продовжити
 action-pin = показати або прибрати графік поля

@@ -10,7 +10,7 @@ use super::{
     VehicleView,
 };
 use crate::app::State;
-use crate::ledger::{EntryId, LedgerEntry, RowState};
+use crate::ledger::{EntryId, LedgerEntry};
 use crate::text;
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 

@@ -51,6 +51,8 @@ pub enum FileKind {
     Plan,
     /// A review of a flight, as Markdown; write-only.
     Review,
+    /// Statistics of messages, as CSV or JSON; write-only.
+    Statistics,
 }
 
 /// Work for the shell.

@@ -52,6 +52,8 @@ pub enum ConsoleLine {
     Set(LiveSetting),
     /// A command about the parameters of the vehicle under the cursor.
     Parameters(ParametersLine),
+    /// A command about the messages on the links.
+    Messages(MessagesLine),
     /// A command about the process of a vehicle.
     Process {
         /// The action on the process.
@@ -129,6 +131,7 @@ impl ConsoleLine {
             | Self::Macro(_)
             | Self::Set(_)
             | Self::Parameters(_)
+            | Self::Messages(_)
             | Self::Table(_)
             | Self::Alerts(_)
             | Self::Pause
@@ -150,6 +153,15 @@ pub enum ForwardLine {
     Add(String),
     /// Close the forward at this address.
     Remove(String),
+}
+
+/// A command about the messages on the links.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum MessagesLine {
+    /// Begin new statistics.
+    Reset,
+    /// Write the statistics to a file.
+    Export(String),
 }
 
 /// A report to show.

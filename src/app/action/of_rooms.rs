@@ -170,6 +170,8 @@ pub enum MessagesAction {
     Hex,
     /// Put the last frame on the command line, to be edited and sent.
     SendAgain,
+    /// Begin new statistics.
+    ResetStatistics,
 }
 
 /// Actions of the Hangar room.

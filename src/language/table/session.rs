@@ -2,7 +2,7 @@
 
 use super::console;
 use crate::language::argument::{Argument, Kind, Unit};
-use crate::language::console::{ConsoleLine, ForwardLine, ProcessDeed, Report};
+use crate::language::console::{ConsoleLine, ForwardLine, MessagesLine, ProcessDeed, Report};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::vehicle::VehicleId;
@@ -10,8 +10,8 @@ use crate::vehicle_id::HIGHEST_VEHICLE;
 use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[
-    HANGAR, MACRO, FLY, CONNECT, FORWARD, INJECT, PAUSE, CONTINUE, SPEEDUP, ABANDON, RESTART,
-    LEAVE, QUIT,
+    HANGAR, MACRO, FLY, CONNECT, FORWARD, MESSAGES, INJECT, PAUSE, CONTINUE, SPEEDUP, ABANDON,
+    RESTART, LEAVE, QUIT,
 ];
 
 const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
@@ -121,6 +121,29 @@ const FORWARD: VerbRow = said(
             |given| {
                 let address = given.required_word("address")?.trim().to_owned();
                 console(ConsoleLine::Forward(ForwardLine::Remove(address)))
+            },
+        ),
+    ],
+);
+
+const MESSAGES: VerbRow = said(
+    "messages",
+    &["messages reset", "messages export link.csv"],
+    &[
+        Form::new(
+            &[Argument::flag("reset", "argument-messages-reset")],
+            |_| console(ConsoleLine::Messages(MessagesLine::Reset)),
+        ),
+        Form::new(
+            &[Argument::keyed(
+                "export",
+                "file",
+                Kind::Rest,
+                "argument-messages-file",
+            )],
+            |given| {
+                let file = given.required_word("file")?.trim().to_owned();
+                console(ConsoleLine::Messages(MessagesLine::Export(file)))
             },
         ),
     ],

@@ -36,6 +36,10 @@ const HINTS: &[KeyHint] = &[
     hint(&[Action::View(ViewAction::Filter)], "messages-key-filter"),
     hint(&[Action::View(ViewAction::Sort)], "messages-key-sort"),
     hint(
+        &[Action::Messages(MessagesAction::ResetStatistics)],
+        "messages-key-reset",
+    ),
+    hint(
         &[Action::Messages(MessagesAction::Pause)],
         "messages-key-pause",
     ),
@@ -66,6 +70,7 @@ impl RoomModel for Messages {
         does(key('g'), Action::Messages(MessagesAction::Pin)),
         does(key('x'), Action::Messages(MessagesAction::Hex)),
         does(key('e'), Action::Messages(MessagesAction::SendAgain)),
+        does(key('r'), Action::Messages(MessagesAction::ResetStatistics)),
         does(key('s'), Action::View(ViewAction::Sort)),
         does(ESCAPE, Action::Escape),
     ];
@@ -129,6 +134,13 @@ pub(in crate::app::room) fn act(state: &mut State, action: MessagesAction) -> Ve
         MessagesAction::FoldAll => room.fold_all(),
         MessagesAction::Pause => room.paused = !room.paused,
         MessagesAction::Hex => room.hex = !room.hex,
+        MessagesAction::ResetStatistics if room.paused => {
+            state.say(Severity::Notice, text!("messages-reset-paused"));
+        }
+        MessagesAction::ResetStatistics => {
+            state.session.connections.statistics_resets += 1;
+            state.say(Severity::Info, text!("messages-reset"));
+        }
         MessagesAction::SendAgain => match send_again(state) {
             Ok(line) => return vec![RoomRequest::Write(line)],
             Err(reason) => state.say(Severity::Notice, reason),
