@@ -31,6 +31,7 @@ mod modes;
 mod names;
 mod parse;
 mod pilot;
+mod radio;
 mod read;
 mod table;
 mod targets;
@@ -47,8 +48,8 @@ pub use complete::{
 };
 pub use console::{
     AlertLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource, LineNeeds,
-    LoopTarget, MessagesLine, ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine,
-    SeekTarget, TableLine,
+    LoopTarget, MessagesLine, ParametersLine, ProcessDeed, RadioChoice, ReplayLine, Report,
+    ReviewLine, SeekTarget, TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};

@@ -33,6 +33,7 @@ mod palette;
 mod profiles;
 mod program;
 mod prompt;
+mod radio;
 mod reader;
 mod replay;
 mod review;

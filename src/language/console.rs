@@ -12,7 +12,7 @@ use crate::geo::{LatLon, Outline};
 use crate::moment::{Alignment, MomentKind};
 use crate::plan::ListKind;
 use crate::plan::generate::Course;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{RadioTest, VehicleId};
 
 /// A line that the console carries out itself, without any vehicle.
 #[derive(Debug, Clone, PartialEq)]
@@ -54,6 +54,11 @@ pub enum ConsoleLine {
     Parameters(ParametersLine),
     /// A command about the messages on the links.
     Messages(MessagesLine),
+    /// Test the radio of vehicles, or end the test.
+    Radio {
+        choice: RadioChoice,
+        test: Option<RadioTest>,
+    },
     /// A command about the process of a vehicle.
     Process {
         /// The action on the process.
@@ -106,6 +111,7 @@ impl ConsoleLine {
             Self::Forget(_)
             | Self::Forward(_)
             | Self::Inject(_)
+            | Self::Radio { .. }
             | Self::Process { .. }
             | Self::Abandon
             | Self::Restart => LineNeeds::Flight,
@@ -153,6 +159,16 @@ pub enum ForwardLine {
     Add(String),
     /// Close the forward at this address.
     Remove(String),
+}
+
+/// The vehicles whose radio is meant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RadioChoice {
+    /// The selected vehicles; with none selected, the one under the cursor.
+    Addressed,
+    Vehicles(VehicleChoice),
+    /// Those heard on the link with this number, from 1.
+    Link(usize),
 }
 
 /// A command about the messages on the links.

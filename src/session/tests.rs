@@ -14,6 +14,7 @@ use crate::commands::{
 };
 use crate::language;
 use crate::ledger::{EntryId, Risk, RowState, RowUpdate};
+use crate::vehicle::RadioPreset;
 use crate::verb::{Retry, Verb};
 
 mod download;

@@ -391,3 +391,26 @@ fn a_raw_message_with_a_forced_disarm_is_as_risky_as_the_verb() {
     assert_eq!(message("3 send HEARTBEAT").risk(), Risk::None);
     assert_eq!(kill.setup(), Some(Setup::Anything));
 }
+
+#[test]
+fn a_radio_under_test_delays_both_directions_and_shows_its_figures() {
+    let mut scene = Scene::new();
+    scene.pass(ms(100));
+    scene.sent.clear();
+    let satellite = RadioPreset::Satellite.test();
+    scene.session.carry_out(Want::RadioTest(Some(satellite)));
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
+    scene.pass(ms(590));
+    assert!(scene.longs(ARM).is_empty(), "on the way");
+    scene.pass(ms(20));
+    assert_eq!(scene.longs(ARM).len(), 1);
+    scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(scene.states(1), [RowState::Sent]);
+    scene.pass(ms(610));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Accepted));
+    let radio = scene.session.vehicle().link.radio.expect("under test");
+    assert_eq!((radio.test, radio.received.passed), (satellite, 1));
+    scene.session.carry_out(Want::RadioTest(None));
+    scene.pass(ms(20));
+    assert_eq!(scene.session.vehicle().link.radio, None);
+}

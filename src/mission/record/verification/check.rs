@@ -213,8 +213,9 @@ impl RecordCheck {
                     self.wanted
                         .insert((vehicle, name), WantedParameter { value, at });
                 }
-                // The recorded frames put them on board; a different plan would lead to a different flight.
-                Want::Lists(_) => {}
+                // The recorded frames put them on board; a different plan would lead to a different flight. Missions
+                // refuse tests of the radio.
+                Want::Lists(_) | Want::RadioTest(_) => {}
             }
         }
     }
