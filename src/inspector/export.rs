@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::census::{Census, Direction, MessageTally, TallyKey};
 use super::reading::name_of;
+use crate::wire::SenderLoss;
 
 /// The format of a table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -109,7 +110,7 @@ fn row<'a>(link: &CountedLink<'a>, key: TallyKey, tally: &MessageTally) -> Stati
         jitter_ms: statistics.jitter().map(milliseconds),
         interval_max_ms: statistics.longest_interval().map(milliseconds),
         silence_max_ms: milliseconds(statistics.longest_silence(link.now)),
-        sender_lost: loss.map(|loss| loss.lost()),
+        sender_lost: loss.map(SenderLoss::lost),
         sender_loss_percent: loss.map(|loss| rounded(100.0 * loss.share())),
     }
 }

@@ -1,12 +1,9 @@
 //! Payloads from fields by name (`type=QUADROTOR custom_mode=4`), and the fields of a frame as such a text.
 
-use std::ops::Range;
-
 use super::definitions::{Definitions, FieldDefinition, FieldType, MessageDefinition};
 use super::reading::{ElementReading, element, padded};
 use crate::diagnostic::Diagnostic;
 use crate::text;
-use crate::text::Text;
 use crate::wire::{Anatomy, is_secret};
 
 mod assignment;
@@ -138,7 +135,6 @@ fn field_named<'a>(
 
 /// The bytes of a field's value; an array may have fewer elements than the field.
 fn encoded(field: &FieldDefinition, value: &Part<'_>) -> Result<Vec<u8>, Diagnostic> {
-    let fault = |span: Range<usize>, message: Text| Diagnostic::new(span, message);
     let is_quoted = value.text.starts_with('"');
     let is_text = field.kind == FieldType::Char || is_quoted && is_bytes(field);
     let most = usize::from(field.count.max(1));
@@ -146,29 +142,35 @@ fn encoded(field: &FieldDefinition, value: &Part<'_>) -> Result<Vec<u8>, Diagnos
         let bytes = text_bytes(value)?;
         if bytes.len() > most {
             let message = text!("grammar-field-long", field = field.name, most = most);
-            return Err(fault(value.span.clone(), message));
+            return Err(Diagnostic::new(value.span.clone(), message));
         }
         return Ok(bytes);
     }
     if is_quoted {
         let message = text!("grammar-field-number", field = field.name);
-        return Err(fault(value.span.clone(), message));
+        return Err(Diagnostic::new(value.span.clone(), message));
     }
-    let Some(elements) = elements(value) else {
-        if field.count > 0 {
+    match (elements(value), field.count) {
+        (None, 0) => number::bytes(field, value),
+        (Some(elements), 1..) => numbers(field, &elements),
+        (None, 1..) => {
             let message = text!("grammar-field-list", field = field.name, most = most);
             let advice = text!("grammar-field-list-help", field = field.name);
-            return Err(fault(value.span.clone(), message).with_help(advice));
+            Err(Diagnostic::new(value.span.clone(), message).with_help(advice))
         }
-        return number::bytes(field, value);
-    };
-    if field.count == 0 {
-        let message = text!("grammar-field-single", field = field.name);
-        return Err(fault(value.span.clone(), message));
+        (Some(_), 0) => {
+            let message = text!("grammar-field-single", field = field.name);
+            Err(Diagnostic::new(value.span.clone(), message))
+        }
     }
+}
+
+/// The bytes of the elements of a list.
+fn numbers(field: &FieldDefinition, elements: &[Part<'_>]) -> Result<Vec<u8>, Diagnostic> {
+    let most = usize::from(field.count);
     if let Some(excess) = elements.get(most) {
         let message = text!("grammar-field-elements", field = field.name, most = most);
-        return Err(fault(excess.span.clone(), message));
+        return Err(Diagnostic::new(excess.span.clone(), message));
     }
     let numbers: Result<Vec<Vec<u8>>, Diagnostic> = elements
         .iter()

@@ -66,9 +66,17 @@ impl<'a> FieldWords<'a> {
         };
         let before = written.rfind('|').filter(|_| names.is_mask);
         let before = before.map_or("", |at| &written[..=at]);
+        let meaning = |value: u64, name: &str| {
+            if before.is_empty() {
+                value.to_string()
+            } else {
+                // The list may cut the name off behind the names before it.
+                format!("{name} {value}")
+            }
+        };
         let entries = names.entries();
         entries
-            .map(|(value, name)| (format!("{before}{name}"), value.to_string().into()))
+            .map(|(value, name)| (format!("{before}{name}"), meaning(value, name).into()))
             .collect()
     }
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::argument::{Arguments, Kind, Problem};
+use super::argument::Kind;
 use super::console::ConsoleLine;
 use super::fault::fault;
 use super::form::fit;
@@ -51,28 +51,15 @@ pub(super) fn understand(
         if fit.complete {
             return match (form.build)(&fit.arguments) {
                 Ok(meaning) => Ok((meaning, form)),
-                Err(problem) => Err(located(problem, &fit.arguments, all)),
+                Err(problem) => {
+                    let argument = fit.arguments.span(problem.argument);
+                    Err(problem.at(argument.unwrap_or_else(|| end_of(all))))
+                }
             };
         }
         fits.push(fit);
     }
     Err(fault(head.row, &fits, rest, all, context))
-}
-
-/// A fault in the combination of arguments, with its place in the line.
-fn located(problem: Problem, arguments: &Arguments, all: &[Word]) -> Diagnostic {
-    let span = arguments.span(problem.argument).map_or_else(
-        || end_of(all),
-        |whole| match problem.part {
-            Some(part) => whole.start + part.start..whole.start + part.end,
-            None => whole,
-        },
-    );
-    let fault = Diagnostic::new(span, problem.message);
-    match problem.help {
-        Some(help) => fault.with_help(help),
-        None => fault,
-    }
 }
 
 /// The position of a part of a change in a line about a draft.

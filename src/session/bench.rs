@@ -71,7 +71,7 @@ impl<T> Lane<T> {
     ) -> Option<Duration> {
         let [luck, late]: [f64; 2] = [random.random(), random.random()];
         let begins = self.busy_until.max(now);
-        let is_full = begins - now > LONGEST_QUEUE;
+        let is_full = begins.saturating_sub(now) > LONGEST_QUEUE;
         if is_full || luck < test.loss {
             return None;
         }

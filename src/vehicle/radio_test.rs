@@ -107,8 +107,16 @@ pub struct TestedRadio {
 }
 
 impl TestedRadio {
-    /// The measured figures in one line.
-    pub fn measured(&self, round_trip: Option<Duration>) -> Text {
+    /// What was asked for, and what was measured.
+    pub fn text(&self, round_trip: Option<Duration>) -> Text {
+        text!(
+            "radio-line",
+            asked = self.test.text(),
+            measured = self.measured(round_trip)
+        )
+    }
+
+    fn measured(&self, round_trip: Option<Duration>) -> Text {
         let seconds = self.lasts.as_secs_f64().max(1.0);
         let rate = |traffic: RadioTraffic| format!("{:.0}", traffic.bytes as f64 / seconds);
         let trip = round_trip.map_or_else(|| "-".to_owned(), |trip| trip.as_millis().to_string());

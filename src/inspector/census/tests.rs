@@ -191,6 +191,6 @@ fn a_reset_begins_new_statistics_once() {
     assert_eq!(tally.statistics.window(second(7)), second(4));
     assert_eq!(tally.statistics.longest_silence(second(6)), second(2));
     let source = census.sources().next().expect("one");
-    assert_eq!(census.loss_of(source).map(|loss| loss.lost()), Some(0));
+    assert_eq!(census.loss_of(source).map(SenderLoss::lost), Some(0));
     assert_eq!(census.snapshot(), census);
 }

@@ -97,16 +97,17 @@ fn number(word: &str) -> Option<Written> {
     let hexadecimal = digits.strip_prefix("0x").or(digits.strip_prefix("0X"));
     let whole = match hexadecimal {
         Some(digits) => i128::from(u64::from_str_radix(digits, 16).ok()?),
-        None => match digits.parse::<u128>() {
-            Ok(value) => i128::try_from(value).unwrap_or(i128::MAX),
-            Err(_) => {
+        None => {
+            if let Ok(value) = digits.parse::<u128>() {
+                i128::try_from(value).unwrap_or(i128::MAX)
+            } else {
                 let value = digits.parse::<f64>().ok()?;
                 if value.fract() != 0.0 || value.abs() > EXACT {
                     return Some(Written::Fraction);
                 }
                 value as i128
             }
-        },
+        }
     };
     Some(Written::Whole(sign * whole))
 }

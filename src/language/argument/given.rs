@@ -28,37 +28,55 @@ pub(in crate::language) enum Value {
 pub(in crate::language) struct Problem {
     /// The argument that the fault points at.
     pub argument: &'static str,
-    /// The bytes of the argument that the fault points at, if not all of them.
-    pub part: Option<Range<usize>>,
     pub message: Text,
-    /// Advice, unless the remedy is obvious.
-    pub help: Option<Text>,
+    detail: Option<Box<ProblemDetail>>,
+}
+
+/// The place of a fault inside its argument, and advice; boxed because few faults have them.
+#[derive(Default)]
+struct ProblemDetail {
+    part: Option<Range<usize>>,
+    help: Option<Text>,
 }
 
 impl Problem {
     pub fn new(argument: &'static str, message: Text) -> Self {
         Self {
             argument,
-            part: None,
             message,
-            help: None,
+            detail: None,
         }
     }
 
     /// A fault in a part of an argument that is a text of its own.
     pub fn within(argument: &'static str, fault: Diagnostic) -> Self {
+        let part = Some(fault.span);
+        let help = fault.help;
         Self {
             argument,
-            part: Some(fault.span),
             message: fault.message,
-            help: fault.help,
+            detail: Some(Box::new(ProblemDetail { part, help })),
         }
     }
 
     /// The same fault, with advice on how to repair it.
-    pub fn with_help(self, help: Text) -> Self {
-        let help = Some(help);
-        Self { help, ..self }
+    pub fn with_help(mut self, help: Text) -> Self {
+        self.detail.get_or_insert_default().help = Some(help);
+        self
+    }
+
+    /// The fault in a line in which its argument has this place.
+    pub fn at(self, argument: Range<usize>) -> Diagnostic {
+        let ProblemDetail { part, help } = self.detail.map(|detail| *detail).unwrap_or_default();
+        let span = match part {
+            Some(part) => argument.start + part.start..argument.start + part.end,
+            None => argument,
+        };
+        Diagnostic {
+            span,
+            message: self.message,
+            help,
+        }
     }
 
     fn missing(argument: &'static str) -> Self {

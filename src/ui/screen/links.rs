@@ -244,8 +244,7 @@ fn radios(state: &State, at: usize, look: &Look) -> Vec<(Text, String)> {
     let mine = vehicles.filter(|vehicle| vehicle.link.via.map(usize::from) == Some(at));
     let tested = mine.filter_map(|vehicle| {
         let radio = vehicle.link.radio?;
-        let measured = radio.measured(vehicle.link.round_trip);
-        let figures = text!("radio-line", asked = radio.test.text(), measured = measured);
+        let figures = radio.text(vehicle.link.round_trip);
         let label = text!("links-radio", vehicle = vehicle.id);
         Some((label, look.text(&figures)))
     });
