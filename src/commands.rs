@@ -56,7 +56,7 @@ pub use parameter::{ParameterCommand, is_written_so};
 pub use plan::{PlanCommand, PlanDeed, PlanSource, ProtectedItem, protected_item};
 pub use plan_flight::PlanFlight;
 pub use query::QueryCommand;
-pub use raw::RawCommand;
+pub use raw::{RawCommand, RawMessage};
 pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 pub use speeds::{CHANGE_SPEED, asked_again};
@@ -220,14 +220,14 @@ impl Command {
             Self::Plan(command) => command.hazard(vehicle),
             Self::Device(command) => command.hazard(vehicle),
             Self::Signing(change) => Some(signing_hazard(*change)),
+            Self::Raw(command) => command.hazard(),
             Self::Arming(_)
             | Self::Flight(_)
             | Self::PlanFlight(_)
             | Self::Motion(_)
             | Self::Query(_)
             | Self::Parameter(_)
-            | Self::Log(_)
-            | Self::Raw(_) => None,
+            | Self::Log(_) => None,
         }
     }
 

@@ -22,6 +22,7 @@ mod choice;
 mod complete;
 mod console;
 mod fault;
+mod fields;
 mod form;
 mod head;
 mod lexer;
@@ -30,6 +31,7 @@ mod modes;
 mod names;
 mod parse;
 mod pilot;
+mod radio;
 mod read;
 mod table;
 mod targets;
@@ -46,7 +48,8 @@ pub use complete::{
 };
 pub use console::{
     AlertLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource, LineNeeds,
-    LoopTarget, ParametersLine, ProcessDeed, ReplayLine, Report, ReviewLine, SeekTarget, TableLine,
+    LoopTarget, MessagesLine, ParametersLine, ProcessDeed, RadioChoice, ReplayLine, Report,
+    ReviewLine, SeekTarget, TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};

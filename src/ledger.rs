@@ -40,6 +40,8 @@ pub enum RowState {
     InProgress(u8),
     /// Accepted (or sent, where no acknowledgement exists); its effect has not shown yet.
     Accepted,
+    /// Sent, and nothing more is awaited: neither an answer nor an effect is known.
+    SentOnly,
     /// Telemetry shows the effect; or the command has no visible effect and was accepted.
     Done,
     /// Accepted, but the effect did not show in time.
@@ -64,6 +66,11 @@ impl RowState {
         )
     }
 
+    /// Whether the command ended as intended, as far as the console can know.
+    pub fn is_success(self) -> bool {
+        matches!(self, Self::Done | Self::SentOnly)
+    }
+
     /// Whether the command ended otherwise than intended.
     pub fn is_failure(self) -> bool {
         matches!(
@@ -86,7 +93,7 @@ impl RowState {
     pub fn name(self) -> Text {
         match self {
             Self::Queued => text!("state-queued"),
-            Self::Sent => text!("state-sent"),
+            Self::Sent | Self::SentOnly => text!("state-sent"),
             Self::InProgress(_) => text!("state-in-progress"),
             Self::Accepted => text!("state-accepted"),
             Self::Done => text!("state-done"),
@@ -290,7 +297,11 @@ impl Ledger {
         }
         let answered = !matches!(
             update.state,
-            RowState::Queued | RowState::Sent | RowState::TimedOut | RowState::Superseded
+            RowState::Queued
+                | RowState::Sent
+                | RowState::SentOnly
+                | RowState::TimedOut
+                | RowState::Superseded
         );
         if answered && row.answered_after.is_none() {
             row.answered_after = Some(update.at.saturating_sub(given_at));

@@ -42,7 +42,7 @@
 //! | | [`vehicle`] | the model of one vehicle, the grades of its readings (good, poor, bad), its fence and limits, and the battery needed to return home |
 //! | | [`doctor`] | the faults of a link (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`signing`] | the keys of MAVLink signing and the console's timestamps |
-//! | | [`inspector`] | messages, counted and decoded field by field |
+//! | | [`inspector`] | messages, counted and decoded field by field, and built from fields by name |
 //! | | [`parameters`] | parameter lists, files, differences, and which parameters belong to one vehicle and are not copied |
 //! | | [`workshop`] | parts, designs, and the performance of a design, such as endurance and radio range |
 //! | | [`config`] | settings and the source of each; the columns of the swarm table |

@@ -19,6 +19,7 @@ use crate::vehicle::{AskedSpeeds, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, Outgoing, SystemId};
 
 mod acknowledgement;
+mod bench;
 mod download;
 mod fit;
 mod ftp;
@@ -74,6 +75,8 @@ pub use streams::{Stream, WANTED_STREAMS};
 const BUSY_POLL: Duration = Duration::from_millis(50);
 /// The maximum time between polls otherwise.
 const IDLE_POLL: Duration = Duration::from_millis(500);
+/// The time between polls while a radio is tested: the precision of its delays.
+const TEST_POLL: Duration = Duration::from_millis(10);
 
 /// The state of a conversation with one vehicle.
 #[derive(Debug, Clone)]
@@ -202,6 +205,10 @@ impl Session {
         match want {
             Want::Parameter { name, value } => self.surroundings.set_parameter(name, value),
             Want::Radio(fault) => self.surroundings.set_radio(fault, self.vehicle.id),
+            Want::RadioTest(test) => {
+                let surroundings = &mut self.surroundings;
+                surroundings.test_radio(test, self.vehicle.id, self.now);
+            }
             Want::Lists(document) => self.lists.stock(&document),
         }
     }
@@ -306,6 +313,7 @@ impl Session {
         self.now = now;
         self.take_in_arrived(now);
         self.surroundings.poll(&self.vehicle, now);
+        self.vehicle.link.radio = self.surroundings.tested(now);
         let mut notices = Vec::new();
         self.inbox.poll(&mut self.vehicle, now, &mut notices);
         self.output.say(notices);
@@ -336,6 +344,9 @@ impl Session {
 
     /// The maximum time until the next poll if nothing arrives.
     pub fn patience(&self) -> Duration {
+        if self.surroundings.is_under_test() {
+            return TEST_POLL;
+        }
         if !self.surroundings.are_settled()
             || self.line.is_busy()
             || self.logs.is_busy()

@@ -21,6 +21,7 @@ mod limits;
 mod mode;
 mod pause;
 mod plan;
+mod radio_test;
 mod readings;
 mod route;
 mod speeds;
@@ -41,6 +42,7 @@ pub use pause::{PauseChange, PlanPause};
 pub use plan::{
     FenceArea, FencePlan, FenceShape, Plan, Plans, RallyPlan, RallyPoint, Stored, Transfer,
 };
+pub use radio_test::{RadioPreset, RadioTest, RadioTraffic, TestedRadio};
 pub use readings::{
     Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, GpsAccuracy, Health,
     Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanPhase, PlanProgress, RcChannels,

@@ -22,6 +22,7 @@ file-unknown = no { $kind } `{ $name }`: give a path, or one of { $known }
 file-mission = mission
 file-pilot = pilot script
 file-design = design
+file-statistics = statistics of messages
 file-parameters = parameter file
 file-frame = airframe
 file-theme = theme

@@ -58,6 +58,22 @@ grammar-no-contact-yet = no contact `{ $contact }`: no contact has been found ye
 grammar-no-parameter = `{ $word }` is not a parameter name: use 1 to 16 letters, digits and `_`
 grammar-no-message = unknown message `{ $word }`
 grammar-no-message-id = `{ $word }` is not a message id: the highest is { $highest }
+grammar-secret-message = { $message } contains a key or a password, which this line would show and record
+grammar-secret-message-signing = `signing setup` gives a vehicle its key
+grammar-no-field = { $message } has no field `{ $field }`
+grammar-fields = its fields: { $names }
+grammar-field-twice = the field `{ $field }` is given twice
+grammar-field-value = the value of `{ $field }` is missing
+grammar-field-value-help = write each field as `NAME=VALUE`
+grammar-field-open = the closing `{ $sign }` is missing
+grammar-field-escape = unknown escape: write `\\`, `\"` or `\x41`
+grammar-field-number = { $field } takes a number, not a text
+grammar-field-long = { $field } has room for { $most } bytes
+grammar-field-list = { $field } is a list of up to { $most } numbers
+grammar-field-list-help = write it as `{ $field }=[1,2]`
+grammar-field-single = { $field } takes one value, not a list
+grammar-field-elements = { $field } has only { $most } elements
+grammar-no-enum-name = { $name } has no value `{ $word }`
 grammar-no-mav-cmd = unknown MAV_CMD `{ $word }`
 grammar-no-mav-cmd-number = `{ $word }` is not the number of a MAV_CMD: the highest is 65535
 

@@ -71,3 +71,18 @@ foreign-twin = another ground station uses the address of this console ({ $syste
 
 # The name of a link to a simulator that the console runs.
 link-simulator = simulator
+
+# Radios under test
+
+links-radio = radio of { $vehicle }
+radio-figures = loss { $loss } %, delay { $delay } ms, jitter { $jitter } ms
+radio-rate = { $rate } B/s
+radio-measured = lost { $lost_in } % in, { $lost_out } % out; round trip { $trip } ms; { $bytes_in } B/s in, { $bytes_out } B/s out
+radio-line = { $asked }; measured: { $measured }
+radio-on = the radio of { $vehicles } is impaired: { $figures }; `radio { $vehicles } off` ends it
+radio-off = the radio of { $vehicles } is no longer impaired
+radio-mission = a mission decides about the radio itself: test it in free flight or after `connect`
+radio-no-vehicles = no vehicle is heard there
+radio-no-link = no link { $link }: there are { $count }
+radio-no-setting = unknown setting `{ $word }`
+radio-wrong-value = `{ $word }`: write { $least } to { $most } { $unit }

@@ -2,7 +2,7 @@
 
 
 messages-fields = fields
-messages-hint = Choose a message in the tree. { $open } opens a branch, { $fields } goes to the fields, { $graph } draws a field as a graph, { $bytes } shows bytes, { $filter } filters, { $sort } sorts, { $pause } pauses, { $fold } closes or opens all systems.
+messages-hint = Choose a message in the tree. { $open } opens a branch, { $fields } goes to the fields, { $graph } draws a field as a graph, { $bytes } shows bytes, { $send } puts the last frame on the command line to edit and send it, { $filter } filters, { $sort } sorts, { $reset } begins new statistics, { $pause } pauses, { $fold } closes or opens all systems.
 messages-none = no link has received a message yet
 messages-none-found = no message matches
 messages-paused = PAUSED
@@ -29,6 +29,18 @@ messages-extent = now { $now }  { $seconds } s: { $low } to { $high }
 messages-not-drawn = { $count } not drawn
 messages-uncounted = frames of other kinds, not listed (often noise): { $count }
 messages-choose-field = choose a field first: { $key } goes to the fields
+messages-window = in { $time }: { $hz } Hz  { $bytes } B/s
+messages-jitter = jitter { $jitter }  interval up to { $longest }
+messages-gaps = silent for { $silence }  lost { $lost } ({ $percent } %)
+messages-no-losses = silent for { $silence }
+messages-jitter-column = jitter
+messages-silence-column = silent
+messages-reset = new statistics of the messages begin
+messages-reset-paused = the counts are paused: continue first
+messages-no-links = no links are open
+messages-export-ending = end the name of the file with `.csv` or `.json`
+messages-choose-message = choose a message first
+messages-not-sendable = { $message } cannot be sent again: its fields are unknown, or it contains a key or a password
 messages-no-number = { $field } is text and has no graph
 
 messages-key-help = help
@@ -36,7 +48,9 @@ messages-key-open = open
 messages-key-fields = fields
 messages-key-graph = graph
 messages-key-bytes = bytes
+messages-key-send = send again
 messages-key-filter = filter
 messages-key-sort = sort
+messages-key-reset = reset
 messages-key-pause = pause
 messages-key-fold = fold all

@@ -62,6 +62,8 @@ plan-result-space = too many items for the vehicle
 plan-result-denied = the vehicle is busy with another upload
 plan-result-error = the vehicle refused it without giving a reason
 plan-differs = the list read back differs from the list sent
+hazard-message = sends { $message } as typed: { $fields }
+hazard-message-empty = sends { $message } with all its fields 0
 hazard-plan-auto = a vehicle is flying its plan: it will follow the new one at once
 hazard-plan-rehearsal = the rehearsal failed for { $vehicles }: { $reason }
 hazard-plan-met = too close: { $pairs }
@@ -83,7 +85,7 @@ refused-neither-parameter-but = not sent: the vehicle has neither { $name } nor 
 refused-protected-parameter = { $parameter } is fixed by the mission: it can be set only in a practice flight
 refused-protected-home = home is fixed by the mission: it can be moved only in a practice flight
 refused-protected-limits = the fence and the rally points are fixed by the mission: they can be changed only in a practice flight
-refused-protected-raw = raw commands are allowed only in a practice flight; use the verb for what you want to do
+refused-protected-raw = raw commands and messages are allowed only in a practice flight; use the verb for what you want to do
 refused-protected-item = item { $item } ({ $command }) changes home or the fence, which are fixed by the mission: a plan with it can be uploaded only in a practice flight
 refused-value = { $name } stayed { $value }: { $wanted } was not accepted
 

@@ -50,6 +50,13 @@ verb-logs = list or download flight logs, or stop a download; downloads continue
 verb-signing = give vehicles a signing key, replace it, or remove it; disarmed only
 verb-long = send any MAV_CMD as COMMAND_LONG; parameters left out are 0
 verb-int = send any MAV_CMD as COMMAND_INT; for a position, x and y are degrees times 1e7
+verb-messages = begin new statistics of the messages on the links, or export them
+verb-radio = impair the radio of vehicles in both directions, to test a link; `off` ends it
+argument-radio-preset = a kind of bad radio
+argument-radio-settings = `loss=5` in %, `delay=80` and `jitter=20` in ms, `rate=1200` in bytes per second, `seed=7`
+argument-radio-link = number in the room Links
+verb-send = send any message with its fields by name; the receiver is filled in, other fields left out are 0, and no answer is awaited
+argument-message-fields = `NAME=VALUE` for each field: numbers, names joined by `|`, lists in `[ ]`, text in quotes
 
 argument-log-folder = folder for the files
 argument-log-number = number in `logs list`
@@ -183,6 +190,8 @@ verb-restart = fly the same mission again from its start
 verb-leave = end the session and go back to the home screen
 verb-quit = leave the program
 argument-alert = kind of alert
+argument-messages-reset = begin new statistics
+argument-messages-file = a file, `.csv` or `.json`
 argument-file = name of a file
 argument-file-or-vehicle = name of a file, or number of a vehicle
 

@@ -23,6 +23,7 @@ file-unknown = не знайдено: { $kind } `{ $name }`; вкажіть шл
 file-mission = завдання
 file-pilot = скрипт пілота
 file-design = проєкт
+file-statistics = статистика повідомлень
 file-parameters = файл параметрів
 file-frame = файл рами
 file-theme = тема

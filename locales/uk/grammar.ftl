@@ -58,6 +58,22 @@ grammar-no-contact-yet = контакту `{ $contact }` немає: жодно�
 grammar-no-parameter = `{ $word }` — не назва параметра: пишіть від 1 до 16 літер, цифр і `_`
 grammar-no-message = невідоме повідомлення `{ $word }`
 grammar-no-message-id = `{ $word }` — не номер повідомлення: найбільший — { $highest }
+grammar-secret-message = { $message } містить ключ або пароль, а цей рядок його показав би й записав
+grammar-secret-message-signing = ключ апарату дає `signing setup`
+grammar-no-field = у { $message } немає поля `{ $field }`
+grammar-fields = його поля: { $names }
+grammar-field-twice = поле `{ $field }` вказано двічі
+grammar-field-value = бракує значення поля `{ $field }`
+grammar-field-value-help = пишіть кожне поле як `НАЗВА=ЗНАЧЕННЯ`
+grammar-field-open = бракує закривної `{ $sign }`
+grammar-field-escape = невідома послідовність: пишіть `\\`, `\"` або `\x41`
+grammar-field-number = поле { $field } приймає число, а не текст
+grammar-field-long = у поле { $field } вміщується байтів: { $most }
+grammar-field-list = поле { $field } — список, чисел щонайбільше { $most }
+grammar-field-list-help = пишіть `{ $field }=[1,2]`
+grammar-field-single = поле { $field } приймає одне значення, а не список
+grammar-field-elements = елементів у полі { $field } лише { $most }
+grammar-no-enum-name = у { $name } немає значення `{ $word }`
 grammar-no-mav-cmd = невідома MAV_CMD `{ $word }`
 grammar-no-mav-cmd-number = `{ $word }` — не номер MAV_CMD: найбільший — 65535
 

@@ -71,3 +71,18 @@ foreign-twin = інша наземна станція має ту саму ад�
 
 # The name of a link to a simulator that the console runs.
 link-simulator = симулятор
+
+# Випробування радіо
+
+links-radio = радіо { $vehicle }
+radio-figures = втрати { $loss } %, затримка { $delay } ms, розкид { $jitter } ms
+radio-rate = { $rate } B/s
+radio-measured = втрачено { $lost_in } % сюди, { $lost_out } % туди; туди й назад { $trip } ms; { $bytes_in } B/s сюди, { $bytes_out } B/s туди
+radio-line = { $asked }; виміряно: { $measured }
+radio-on = радіо для { $vehicles } погіршено: { $figures }; завершує це `radio { $vehicles } off`
+radio-off = радіо для { $vehicles } знову без погіршення
+radio-mission = у завданні радіо задає саме завдання: випробовуйте його у вільному польоті або після `connect`
+radio-no-vehicles = там не чути жодного апарата
+radio-no-link = каналу { $link } немає: каналів { $count }
+radio-no-setting = невідомий параметр `{ $word }`
+radio-wrong-value = `{ $word }`: напишіть від { $least } до { $most } { $unit }

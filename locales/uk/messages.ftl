@@ -2,7 +2,7 @@
 
 
 messages-fields = поля
-messages-hint = Виберіть повідомлення в дереві. { $open } розгортає гілку, { $fields } переходить до полів, { $graph } малює графік поля, { $bytes } показує байти, { $filter } фільтрує, { $sort } упорядковує, { $pause } ставить на паузу, { $fold } згортає чи розгортає всі системи.
+messages-hint = Виберіть повідомлення в дереві. { $open } розгортає гілку, { $fields } переходить до полів, { $graph } малює графік поля, { $bytes } показує байти, { $send } переносить останній кадр у командний рядок, щоб змінити й надіслати, { $filter } фільтрує, { $sort } упорядковує, { $reset } починає нову статистику, { $pause } ставить на паузу, { $fold } згортає чи розгортає всі системи.
 messages-none = жодним каналом ще нічого не надійшло
 messages-none-found = жодне повідомлення не відповідає фільтру
 messages-paused = ПАУЗА
@@ -29,6 +29,18 @@ messages-extent = зараз { $now }  { $seconds } s: від { $low } до { $h
 messages-not-drawn = не намальовано: { $count }
 messages-uncounted = кадри інших видів, тут не показані (часто це шум): { $count }
 messages-choose-field = спершу виберіть поле: { $key } переходить до полів
+messages-window = за { $time }: { $hz } Hz  { $bytes } B/s
+messages-jitter = розкид { $jitter }  інтервал до { $longest }
+messages-gaps = тиша до { $silence }  втрачено { $lost } ({ $percent } %)
+messages-no-losses = тиша до { $silence }
+messages-jitter-column = розкид
+messages-silence-column = тиша
+messages-reset = починається нова статистика повідомлень
+messages-reset-paused = лічильники на паузі: спершу продовжте
+messages-no-links = жодного каналу не відкрито
+messages-export-ending = назва файлу має закінчуватися на `.csv` або `.json`
+messages-choose-message = спершу виберіть повідомлення
+messages-not-sendable = { $message } не можна надіслати знову: його поля невідомі, або в ньому є ключ чи пароль
 messages-no-number = { $field } — текст, графіка немає
 
 messages-key-help = довідка
@@ -36,7 +48,9 @@ messages-key-open = розгорнути
 messages-key-fields = поля
 messages-key-graph = графік
 messages-key-bytes = байти
+messages-key-send = надіслати знову
 messages-key-filter = фільтр
 messages-key-sort = порядок
+messages-key-reset = скинути
 messages-key-pause = пауза
 messages-key-fold = згорнути всі

@@ -65,6 +65,8 @@ plan-result-space = забагато пунктів для апарата
 plan-result-denied = апарат зайнятий іншим завантаженням
 plan-result-error = апарат відхилив список, не назвавши причини
 plan-differs = зчитаний назад список відрізняється від надісланого
+hazard-message = надсилає { $message } так, як написано: { $fields }
+hazard-message-empty = надсилає { $message }, у якому всі поля дорівнюють 0
 hazard-plan-auto = апарат летить за планом і відразу перейде на новий
 hazard-plan-rehearsal = випробування невдале для { $vehicles }: { $reason }
 hazard-plan-met = надто близько: { $pairs }
@@ -86,7 +88,7 @@ refused-neither-parameter-but = не надіслано: апарат не ма�
 refused-protected-parameter = { $parameter } задано завданням: змінювати цей параметр можна лише в тренуванні
 refused-protected-home = дім задано завданням: переносити його можна лише в тренуванні
 refused-protected-limits = геозону й точки збору задано завданням: змінювати їх можна лише в тренуванні
-refused-protected-raw = довільні MAV_CMD дозволено лише в тренуванні; скористайтеся дієсловом для цієї дії
+refused-protected-raw = довільні MAV_CMD і повідомлення дозволено лише в тренуванні; скористайтеся дієсловом для цієї дії
 refused-protected-item = пункт { $item } ({ $command }) змінює дім або геозону, які задано завданням: план із цим пунктом можна завантажити на борт лише в тренуванні
 refused-value = значення { $name } лишилося { $value }: { $wanted } не прийнято
 

@@ -10,7 +10,7 @@ use super::{
     Subject, Topic, USUAL_WATCH_S, VehicleView,
 };
 use crate::app::State;
-use crate::ledger::{EntryId, ForeignId, LedgerEntry, RowState};
+use crate::ledger::{EntryId, ForeignId, LedgerEntry};
 use crate::text;
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 
@@ -167,7 +167,7 @@ impl CommandNews {
                 self.sent.remove(&id);
                 news.push(Message::Ended(Ended {
                     entry: id.0,
-                    done: entry.rows.iter().all(|row| row.state == RowState::Done),
+                    done: entry.rows.iter().all(|row| row.state.is_success()),
                 }));
             } else {
                 self.open.insert(id);

@@ -98,8 +98,8 @@ pub struct RowView {
     /// The whole line, with its targets.
     pub line: String,
     pub vehicle: VehicleId,
-    /// `queued`, `sent`, `in_progress`, `accepted`, `done`, `no_effect`, `refused`, `timed_out`, `superseded` or
-    /// `overtaken`.
+    /// `queued`, `sent`, `sent_only` (nothing more is awaited), `in_progress`, `accepted`, `done`, `no_effect`, `refused`,
+    /// `timed_out`, `superseded` or `overtaken`.
     #[schema(value_type = String)]
     pub state: &'static str,
     /// The progress that the vehicle reports, in percent.
@@ -124,6 +124,7 @@ impl RowView {
                 RowState::InProgress(percent) => Some(percent),
                 RowState::Queued
                 | RowState::Sent
+                | RowState::SentOnly
                 | RowState::Accepted
                 | RowState::Done
                 | RowState::NoEffect

@@ -13,7 +13,7 @@ use crate::ledger::EntryId;
 use crate::moment::MomentKind;
 use crate::review::Review;
 use crate::text::{Language, Text};
-use crate::vehicle::VehicleId;
+use crate::vehicle::{RadioTest, VehicleId};
 use crate::workshop::Design;
 
 /// How a mission is to be flown.
@@ -52,6 +52,8 @@ pub enum FileKind {
     Plan,
     /// A review of a flight, as Markdown; write-only.
     Review,
+    /// Statistics of messages, as CSV or JSON; write-only.
+    Statistics,
 }
 
 /// Work for the shell.
@@ -207,6 +209,11 @@ pub enum SessionEffect {
     Connect(Vec<String>),
     /// Open or close a forward to other ground stations.
     Forward(ForwardChange),
+    /// Test the radio of these vehicles, or end the test.
+    Radio {
+        vehicles: Vec<VehicleId>,
+        test: Option<RadioTest>,
+    },
     /// Close the links to these vehicles; if heard again, they count as new.
     Forget(Vec<VehicleId>),
     /// Replay a recorded flight.

@@ -33,6 +33,7 @@ mod palette;
 mod profiles;
 mod program;
 mod prompt;
+mod radio;
 mod reader;
 mod replay;
 mod review;
@@ -85,7 +86,7 @@ fn react(state: &mut State, event: Event) -> Effects {
         Event::Terminal(event) => return terminal(state, event),
         Event::Program(line) => return program::give(state, &line),
         Event::Vehicle(event) => return vehicle(state, event),
-        Event::Link(event) => link(state, event),
+        Event::Link(event) => return link(state, event),
         Event::Process(event) => processes(state, event),
         Event::Session(event) => session(state, event),
         Event::Replay(event) => replay::happened(state, event),
@@ -180,7 +181,7 @@ fn order_advanced(state: &mut State, row: &RowUpdate) -> Effects {
     batch::advance(state)
 }
 
-fn link(state: &mut State, event: LinkEvent) {
+fn link(state: &mut State, event: LinkEvent) -> Effects {
     match event {
         LinkEvent::Summaries(summaries) => {
             state.session.connections.links = summaries;
@@ -189,8 +190,9 @@ fn link(state: &mut State, event: LinkEvent) {
         LinkEvent::Forwards(forwards) => forwards::changed(state, forwards),
         // Both come every second: redraw only if they differ or are on the screen.
         LinkEvent::Findings(findings) => links::findings(state, findings),
-        LinkEvent::Traffic(traffic) => links::traffic(state, traffic),
+        LinkEvent::Traffic(traffic) => return links::traffic(state, traffic),
     }
+    Effects::none()
 }
 
 fn processes(state: &mut State, event: ProcessEvent) {
@@ -240,7 +242,7 @@ fn file(state: &mut State, event: FileEvent) -> Effects {
             FileKind::Parameters => parameters::read(state, path, &text),
             FileKind::Design => workshop::read(state, &path, &text),
             FileKind::Plan => plans::read(state, &path, &text),
-            FileKind::Review => {}
+            FileKind::Review | FileKind::Statistics => {}
         },
         FileEvent::Ground { folder, terrain } => plans::ground_read(state, &folder, terrain),
         FileEvent::Listed { folder, names } => palette::listed(state, &folder, names),

@@ -1,14 +1,33 @@
 //! Raw MAVLink commands.
 
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{COMMAND_INT_DATA, COMMAND_LONG_DATA};
+
 use super::arming::risk_of_number;
 use super::encode::{IntFields, LongFields};
-use super::request::Request;
+use super::request::{Answer, Request};
+use crate::inspector::WrittenPayload;
 use crate::ledger::Risk;
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
+use crate::wire::Outgoing;
+
+/// The position of the `MAV_CMD` in `COMMAND_LONG` and `COMMAND_INT`.
+const COMMAND_OFFSET: usize = 28;
+
+/// Any message of the dialect, with its fields as typed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RawMessage {
+    pub id: u32,
+    pub name: &'static str,
+    /// The fields as typed; empty if all are 0.
+    pub fields: String,
+    pub payload: WrittenPayload,
+}
 
 /// Commands sent as typed, without interpretation.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub enum RawCommand {
     /// Any `MAV_CMD` as `COMMAND_LONG`.
     Long {
@@ -30,11 +49,14 @@ pub enum RawCommand {
         /// Parameter 7: height in metres, or as the command defines.
         z: f32,
     },
+    /// Any message; no answer is awaited.
+    Message(RawMessage),
 }
 
 impl RawCommand {
-    pub(super) fn request(self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
-        match self {
+    pub(super) fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
+        match *self {
+            Self::Message(ref message) => Ok(message.request(vehicle)),
             Self::Long { command, params } => {
                 let fields = LongFields { command, params };
                 Request::long(vehicle, &fields, confirmation)
@@ -60,8 +82,21 @@ impl RawCommand {
         }
     }
 
-    pub(super) fn risk(self) -> Risk {
+    /// What the command does, for the question before it is sent; `None` if its line says it all.
+    pub(super) fn hazard(&self) -> Option<Text> {
         match self {
+            Self::Message(RawMessage { name, fields, .. }) => Some(if fields.is_empty() {
+                text!("hazard-message-empty", message = *name)
+            } else {
+                text!("hazard-message", message = *name, fields = fields)
+            }),
+            Self::Long { .. } | Self::Int { .. } => None,
+        }
+    }
+
+    pub(super) fn risk(&self) -> Risk {
+        match *self {
+            Self::Message(ref message) => message.risk(),
             Self::Long {
                 command,
                 params: [first, second, ..],
@@ -72,5 +107,38 @@ impl RawCommand {
                 ..
             } => risk_of_number(command, first, second),
         }
+    }
+}
+
+impl RawMessage {
+    fn request(&self, vehicle: &Vehicle) -> Request {
+        let payload = self.payload.addressed(vehicle.system, vehicle.component);
+        let message = Outgoing::Raw {
+            id: self.id,
+            payload,
+        };
+        Request::new(message, Answer::NotAwaited(self.command()))
+    }
+
+    /// The `MAV_CMD` in the message, if it is a command.
+    fn command(&self) -> Option<u16> {
+        let is_command = [COMMAND_LONG_DATA::ID, COMMAND_INT_DATA::ID].contains(&self.id);
+        let number = self.payload.bytes.get(COMMAND_OFFSET..COMMAND_OFFSET + 2);
+        let number = number.filter(|_| is_command)?;
+        Some(u16::from_le_bytes(number.try_into().ok()?))
+    }
+
+    /// A parameter of a command, counted from 0.
+    fn param(&self, index: usize) -> f32 {
+        let bytes = self.payload.bytes.get(4 * index..4 * index + 4);
+        let bytes = bytes.and_then(|bytes| bytes.try_into().ok());
+        bytes.map_or(0.0, f32::from_le_bytes)
+    }
+
+    fn risk(&self) -> Risk {
+        let command = self.command();
+        command.map_or(Risk::None, |command| {
+            risk_of_number(command, self.param(0), self.param(1))
+        })
     }
 }

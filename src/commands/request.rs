@@ -17,6 +17,8 @@ pub enum Answer {
     Parameter(String),
     /// No answer (setpoints): success is visible only in the effect.
     None,
+    /// Nothing is awaited, neither an answer nor an effect. A `COMMAND_ACK` of this `MAV_CMD` may still arrive.
+    NotAwaited(Option<u16>),
 }
 
 /// The messages of a command.

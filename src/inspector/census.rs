@@ -1,5 +1,6 @@
 //! The census: the rate of each message by sender, and the last one of each kind.
 
+mod statistics;
 mod tally;
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -8,8 +9,9 @@ use std::time::Duration;
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, HEARTBEAT_DATA, TIMESYNC_DATA};
 
+pub use self::statistics::MessageStatistics;
 pub use self::tally::{MessageTally, Rate};
-use crate::wire::{Anatomy, ComponentId, SystemId};
+use crate::wire::{Anatomy, ComponentId, SenderLoss, SystemId};
 
 /// The maximum number of kinds of messages that one link keeps; further ones are only counted. 250 vehicles send about
 /// 10 000.
@@ -98,15 +100,19 @@ pub struct Census {
     next_sweep: Duration,
     watched: BTreeMap<TallyKey, WatchedMessage>,
     noise: Vec<u8>,
+    /// The number of resets of the statistics so far, as counted by their user.
+    resets: u32,
 }
 
 /// Facts about a source that depend on every one of its frames.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 struct SourceFacts {
     answered_at: Option<Duration>,
     heard_at: Duration,
     /// The time since which frames have been received without a pause.
     steady_since: Duration,
+    /// The losses since the last reset, by the sequence numbers.
+    loss: SenderLoss,
 }
 
 impl Census {
@@ -139,11 +145,13 @@ impl Census {
                 answered_at: None,
                 heard_at: now,
                 steady_since: now,
+                loss: SenderLoss::default(),
             });
             if now.saturating_sub(witness.heard_at) > PAUSE {
                 witness.steady_since = now;
             }
             witness.heard_at = now;
+            witness.loss.note(frame.sequence);
             if way.direction == Direction::In && answers(&frame) {
                 witness.answered_at = Some(now);
             }
@@ -233,6 +241,29 @@ impl Census {
         Some(self.sources.get(&source)?.steady_since)
     }
 
+    /// The losses of a source since the last reset; `None` if it is unknown.
+    pub fn loss_of(&self, source: FrameSource) -> Option<&SenderLoss> {
+        Some(&self.sources.get(&source)?.loss)
+    }
+
+    /// Begins new statistics if `resets`, the number of resets that were asked for so far, has changed.
+    pub fn reset_statistics(&mut self, resets: u32, now: Duration) {
+        if std::mem::replace(&mut self.resets, resets) == resets {
+            return;
+        }
+        for tally in self.tallies.values_mut() {
+            tally.statistics = MessageStatistics::new(now);
+        }
+        for source in self.sources.values_mut() {
+            source.loss.reset();
+        }
+    }
+
+    /// The number of resets of the statistics so far.
+    pub fn resets(&self) -> u32 {
+        self.resets
+    }
+
     /// The number of frames of kinds for which there was no room.
     pub fn uncounted(&self) -> u64 {
         self.uncounted
@@ -278,6 +309,7 @@ impl Census {
             next_sweep: self.next_sweep,
             watched: BTreeMap::new(),
             noise: self.noise.clone(),
+            resets: self.resets,
         }
     }
 }

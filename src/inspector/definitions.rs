@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
-use strum::EnumString;
+use strum::{Display, EnumString};
 
 /// The table of definitions; its header names the source.
 const TABLE: &str = include_str!("definitions.txt");
@@ -47,7 +47,7 @@ pub struct FieldDefinition {
 }
 
 /// The type of a field's element, little-endian on the wire.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, Display)]
 #[strum(serialize_all = "lowercase")]
 pub enum FieldType {
     Char,
@@ -81,6 +81,21 @@ impl FieldType {
             Self::U64 | Self::I64 | Self::F64 => 8,
         }
     }
+
+    /// The least and the greatest whole number; `None` for fractions.
+    pub fn range(self) -> Option<(i128, i128)> {
+        Some(match self {
+            Self::Char | Self::U8 => (0, u8::MAX.into()),
+            Self::I8 => (i8::MIN.into(), i8::MAX.into()),
+            Self::U16 => (0, u16::MAX.into()),
+            Self::I16 => (i16::MIN.into(), i16::MAX.into()),
+            Self::U32 => (0, u32::MAX.into()),
+            Self::I32 => (i32::MIN.into(), i32::MAX.into()),
+            Self::U64 => (0, u64::MAX.into()),
+            Self::I64 => (i64::MIN.into(), i64::MAX.into()),
+            Self::F32 | Self::F64 => return None,
+        })
+    }
 }
 
 impl FieldDefinition {
@@ -94,6 +109,11 @@ impl EnumDefinition {
     /// The name of a value, without the prefix that all names of its enum share.
     pub fn name(&self, value: u64) -> Option<&'static str> {
         self.entries.get(&value).copied()
+    }
+
+    /// All values with their names, by value.
+    pub fn entries(&self) -> impl Iterator<Item = (u64, &'static str)> {
+        self.entries.iter().map(|(&value, &name)| (value, name))
     }
 
     /// The names of the bits that are set, the lowest bit first; bits without a name as hexadecimal numbers.
@@ -115,6 +135,12 @@ impl Definitions {
     /// The message with this id; `None` if it is unknown.
     pub fn message(&self, id: u32) -> Option<&MessageDefinition> {
         self.messages.get(&id)
+    }
+
+    /// The message with this name; case does not matter. `None` if it is unknown.
+    pub fn named(&self, name: &str) -> Option<(u32, &MessageDefinition)> {
+        self.messages()
+            .find(|(_, message)| message.name.eq_ignore_ascii_case(name))
     }
 
     /// All messages by their ids.

@@ -148,9 +148,7 @@ fn value(
     payload: &[u8],
     at: usize,
 ) -> FieldReading {
-    let bytes: Vec<u8> = (at..at + field.wire_len())
-        .map(|at| payload.get(at).copied().unwrap_or(0))
-        .collect();
+    let bytes = padded(payload, at, field.wire_len());
     let (elements, text) = if field.kind == FieldType::Char {
         (Vec::new(), Some(text(&bytes)))
     } else {
@@ -177,6 +175,12 @@ fn value(
         is_unknown,
         is_extension: field.extension,
     }
+}
+
+/// Bytes of a payload, zero beyond its end.
+pub(super) fn padded(payload: &[u8], at: usize, len: usize) -> Vec<u8> {
+    let bytes = (at..at + len).map(|at| payload.get(at).copied().unwrap_or(0));
+    bytes.collect()
 }
 
 fn names(
@@ -207,7 +211,7 @@ fn text(bytes: &[u8]) -> String {
         .collect()
 }
 
-fn element(kind: FieldType, bytes: &[u8]) -> ElementReading {
+pub(super) fn element(kind: FieldType, bytes: &[u8]) -> ElementReading {
     let mut wide = [0; 8];
     wide[..bytes.len()].copy_from_slice(bytes);
     let bits = u64::from_le_bytes(wide);

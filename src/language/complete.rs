@@ -7,6 +7,7 @@ use nucleo_matcher::pattern::{AtomKind, CaseMatching, Normalization, Pattern};
 use nucleo_matcher::{Config, Matcher, Utf32Str};
 
 use super::argument::{Argument, Kind};
+use super::fields::FieldWords;
 use super::form::{Expected, Fit, fit};
 use super::head::{Head, head};
 use super::lexer::{Word, comment_start, words};
@@ -46,15 +47,21 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
         word.span.start..end
     });
     let written = partial.map_or("", |word| word.text);
-    ranked(candidates(&before, context), written)
-        .into_iter()
-        .take(SHOWN)
-        .map(|(text, hint)| Completion {
-            text,
-            hint,
-            replaces: replaces.clone(),
-        })
-        .collect()
+    let of_fields = head(&before, context)
+        .ok()
+        .and_then(|head| Some(FieldWords::of(&head, &before)?.candidates(written)));
+    ranked(
+        of_fields.unwrap_or_else(|| candidates(&before, context)),
+        written,
+    )
+    .into_iter()
+    .take(SHOWN)
+    .map(|(text, hint)| Completion {
+        text,
+        hint,
+        replaces: replaces.clone(),
+    })
+    .collect()
 }
 
 /// The beginning of the file name at the cursor, if a plan's file is possible there.
@@ -85,6 +92,9 @@ pub fn file_begun<'a>(line: &'a str, cursor: usize, context: &Context) -> Option
 pub fn hint(line: &str, context: &Context) -> Option<Text> {
     let words = words(line);
     let head = head(&words, context).ok()?;
+    if let Some(hint) = FieldWords::of(&head, &words).and_then(|fields| fields.hint()) {
+        return Some(hint);
+    }
     let rest = &words[head.len..];
     let row = head.row;
     let fitting: Vec<(&Form, Option<&'static Argument>)> = row

@@ -12,7 +12,7 @@ use crate::geo::{LatLon, Outline};
 use crate::moment::{Alignment, MomentKind};
 use crate::plan::ListKind;
 use crate::plan::generate::Course;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{RadioTest, VehicleId};
 
 /// A line that the console carries out itself, without any vehicle.
 #[derive(Debug, Clone, PartialEq)]
@@ -52,6 +52,13 @@ pub enum ConsoleLine {
     Set(LiveSetting),
     /// A command about the parameters of the vehicle under the cursor.
     Parameters(ParametersLine),
+    /// A command about the messages on the links.
+    Messages(MessagesLine),
+    /// Test the radio of vehicles, or end the test.
+    Radio {
+        choice: RadioChoice,
+        test: Option<RadioTest>,
+    },
     /// A command about the process of a vehicle.
     Process {
         /// The action on the process.
@@ -104,6 +111,7 @@ impl ConsoleLine {
             Self::Forget(_)
             | Self::Forward(_)
             | Self::Inject(_)
+            | Self::Radio { .. }
             | Self::Process { .. }
             | Self::Abandon
             | Self::Restart => LineNeeds::Flight,
@@ -129,6 +137,7 @@ impl ConsoleLine {
             | Self::Macro(_)
             | Self::Set(_)
             | Self::Parameters(_)
+            | Self::Messages(_)
             | Self::Table(_)
             | Self::Alerts(_)
             | Self::Pause
@@ -150,6 +159,25 @@ pub enum ForwardLine {
     Add(String),
     /// Close the forward at this address.
     Remove(String),
+}
+
+/// The vehicles whose radio is meant.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum RadioChoice {
+    /// The selected vehicles; with none selected, the one under the cursor.
+    Addressed,
+    Vehicles(VehicleChoice),
+    /// Those heard on the link with this number, from 1.
+    Link(usize),
+}
+
+/// A command about the messages on the links.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum MessagesLine {
+    /// Begin new statistics.
+    Reset,
+    /// Write the statistics to a file.
+    Export(String),
 }
 
 /// A report to show.

@@ -58,13 +58,46 @@ pub fn words(line: &str) -> Vec<Word<'_>> {
         .collect()
 }
 
-/// The position at which the comment of a line begins, if it has one.
+/// The position at which the comment of a line begins, if it has one. A `#` inside a field's text (`text="no #1"`)
+/// begins none.
 pub fn comment_start(line: &str) -> Option<usize> {
-    line.match_indices('#').map(|(at, _)| at).find(|&at| {
-        line[..at]
-            .chars()
-            .next_back()
-            .is_none_or(char::is_whitespace)
+    let mut from = 0;
+    for (at, _) in line
+        .match_indices('#')
+        .filter(|(at, _)| begins_word(line, *at))
+    {
+        from = after_texts(&line[..at], from);
+        let is_inside = line[from..at].contains("=\"") && closing_quote(&line[at..]).is_some();
+        if !is_inside {
+            return Some(at);
+        }
+    }
+    None
+}
+
+fn begins_word(line: &str, at: usize) -> bool {
+    let mut before = line[..at].chars();
+    before.next_back().is_none_or(char::is_whitespace)
+}
+
+/// The end of the last whole text of a field after `from`.
+fn after_texts(line: &str, mut from: usize) -> usize {
+    while let Some(start) = line[from..].find("=\"").map(|at| from + at + 2) {
+        let Some(end) = closing_quote(&line[start..]) else {
+            return from;
+        };
+        from = start + end + 1;
+    }
+    from
+}
+
+/// The position of the quote that ends a text; `\"` does not end it.
+fn closing_quote(text: &str) -> Option<usize> {
+    let mut is_escaped = false;
+    text.bytes().position(|byte| {
+        let ends = byte == b'"' && !is_escaped;
+        is_escaped = byte == b'\\' && !is_escaped;
+        ends
     })
 }
 
@@ -101,5 +134,22 @@ mod tests {
     fn a_hash_inside_a_word_is_no_comment() {
         assert_eq!(words("goto tree#2").len(), 2);
         assert_eq!(words("# goto").len(), 0);
+    }
+
+    #[test]
+    fn a_hash_inside_the_text_of_a_field_is_no_comment() {
+        for (line, comment) in [
+            (
+                r#"send STATUSTEXT text="no #1 # here" # why"#,
+                Some("# why"),
+            ),
+            (r#"send STATUSTEXT text="a \" # b""#, None),
+            (r#"send A text="a" # "b""#, Some(r#"# "b""#)),
+            (r#"send A text="open # end"#, Some("# end")),
+            (r#"bookmark 5" pipe # "x""#, Some(r#"# "x""#)),
+        ] {
+            let found = comment_start(line).map(|at| &line[at..]);
+            assert_eq!(found, comment, "{line}");
+        }
     }
 }

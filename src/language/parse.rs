@@ -2,6 +2,7 @@
 
 use std::ops::Range;
 
+use super::argument::Kind;
 use super::console::ConsoleLine;
 use super::fault::fault;
 use super::form::fit;
@@ -27,7 +28,7 @@ pub fn parse(line: &str, context: &Context) -> Result<Statement, Diagnostic> {
     }
     Ok(Statement {
         line: match meaning {
-            Meaning::Act(_) | Meaning::Wait(_) => normalised(&head, rest),
+            Meaning::Act(_) | Meaning::Wait(_) => normalised(&head, form, rest),
             Meaning::Console(_) => words.first().map_or("", |word| word.tail).to_owned(),
         },
         scope: head.row.scope,
@@ -52,8 +53,7 @@ pub(super) fn understand(
                 Ok(meaning) => Ok((meaning, form)),
                 Err(problem) => {
                     let argument = fit.arguments.span(problem.argument);
-                    let span = argument.unwrap_or_else(|| end_of(all));
-                    Err(Diagnostic::new(span, problem.message))
+                    Err(problem.at(argument.unwrap_or_else(|| end_of(all))))
                 }
             };
         }
@@ -76,14 +76,18 @@ pub fn draft_part(line: &str, part: EditPart, context: &Context) -> Option<Range
     names.find_map(|name| fit.arguments.span(name))
 }
 
-/// The line in its canonical spelling.
-fn normalised(head: &Head, rest: &[Word]) -> String {
+/// The line in its canonical spelling. The fields of a message stay as typed, because blanks in a text count.
+fn normalised(head: &Head, form: &Form, rest: &[Word]) -> String {
     let targets = head.targets.to_string();
     let mut parts: Vec<&str> = vec![&targets, &head.said];
     if head.row.scope == Scope::Scripts {
         parts.swap(0, 1);
     }
-    parts.extend(rest.iter().map(|word| word.text));
+    let mut arguments = form.arguments.iter();
+    let fields = arguments.position(|argument| argument.kind == Kind::Fields);
+    let (words, fields) = rest.split_at(fields.unwrap_or(rest.len()).min(rest.len()));
+    parts.extend(words.iter().map(|word| word.text));
+    parts.extend(fields.first().map(|first| first.tail));
     parts.retain(|part| !part.is_empty());
     parts.join(" ")
 }

@@ -13,6 +13,7 @@ mod flight;
 mod mission;
 mod motion;
 mod plans;
+mod raw;
 mod replay;
 mod review;
 mod session;

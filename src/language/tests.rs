@@ -3,8 +3,9 @@ use proptest::prelude::*;
 use super::*;
 use crate::commands::{
     Act, ArmingCommand, Command, Destination, DeviceCommand, FlightCommand, Heading, MotionCommand,
-    ParameterCommand, PlanFlight, QueryCommand, RawCommand,
+    ParameterCommand, PlanFlight, QueryCommand, RawCommand, RawMessage,
 };
+use crate::inspector::WrittenPayload;
 use crate::vehicle::SpeedAxis;
 
 mod console;
@@ -217,6 +218,20 @@ fn other_lines_become_the_commands_they_say() {
             }),
         ),
         (
+            "send heartbeat type=GCS",
+            Command::Raw(RawCommand::Message(RawMessage {
+                id: 0,
+                name: "HEARTBEAT",
+                fields: "type=GCS".to_owned(),
+                payload: WrittenPayload {
+                    bytes: vec![0, 0, 0, 0, 6, 0, 0, 0, 0],
+                    base_len: 9,
+                    open_system: None,
+                    open_component: None,
+                },
+            })),
+        ),
+        (
             "int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40",
             Command::Raw(RawCommand::Int {
                 command: 192,
@@ -395,5 +410,20 @@ proptest! {
         for completion in complete(&line, cursor, &Context::default()) {
             prop_assert!(line.get(completion.replaces.clone()).is_some(), "{:?}", completion);
         }
+    }
+}
+
+#[test]
+fn the_fields_of_a_message_keep_their_spelling() {
+    for (line, canonical) in [
+        (
+            r#"3   SEND statustext   text="two  blanks #1"  severity = 2 # why"#,
+            r#"3 send statustext text="two  blanks #1"  severity = 2"#,
+        ),
+        ("3 send 0", "3 send 0"),
+    ] {
+        let statement = read(line).expect(line);
+        assert_eq!(statement.line, canonical);
+        assert_eq!(read(canonical).expect(canonical), statement);
     }
 }

@@ -229,7 +229,7 @@ impl Happening {
     pub fn of_demand(vehicle: VehicleId, want: &Want) -> Option<Self> {
         match want {
             Want::Radio(fault) => Some(Self::Loss(LossLine::of(vehicle, *fault))),
-            Want::Parameter { .. } | Want::Lists(_) => None,
+            Want::Parameter { .. } | Want::RadioTest(_) | Want::Lists(_) => None,
         }
     }
 }

@@ -213,6 +213,11 @@ impl Line {
             // The old target is void; the next message contains the new one.
             moment.vehicle.target = None;
         }
+        if progress == Progress::Ended
+            && let Some((command, acks)) = order.owed_acks()
+        {
+            self.owed.add(command, acks, moment.now);
+        }
         match progress {
             Progress::Watching => self.watched.push(order),
             Progress::Ended => self.hold(&order),

@@ -13,7 +13,7 @@ use super::RadioFault;
 use crate::commands::{Command, ParameterCommand};
 use crate::parameters::other_name;
 use crate::plan::Document;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{RadioTest, Vehicle};
 use crate::wire::{Content, Frame, Outgoing};
 
 /// The initial time-out for an answer.
@@ -35,6 +35,8 @@ pub enum Want {
     },
     /// Sets the state of the radio link.
     Radio(RadioFault),
+    /// Begins or ends a test of the radio link, as the user asks.
+    RadioTest(Option<RadioTest>),
     /// Puts the lists of a document on board; lists that are empty in it stay as they are.
     Lists(Arc<Document>),
 }

@@ -143,7 +143,7 @@ impl Streams {
         requests
             .filter_map(|request| match request.answer {
                 Answer::Ack(command) => Some((request.messages.into_iter().next()?, command)),
-                Answer::Parameter(_) | Answer::None => None,
+                Answer::Parameter(_) | Answer::None | Answer::NotAwaited(_) => None,
             })
             .collect()
     }

@@ -2,15 +2,18 @@
 
 use std::time::Duration;
 
+use super::bench::Bench;
 use super::radio::{self, Channel, RadioFault};
 use super::settings::Settings;
-use crate::vehicle::{Vehicle, VehicleId};
+use crate::vehicle::{RadioTest, TestedRadio, Vehicle, VehicleId};
 use crate::wire::{Frame, Outgoing};
 
 /// The radio between the vehicle and the console, and the parameters of its simulator.
 #[derive(Debug, Clone)]
 pub(super) struct Surroundings {
     channel: Channel,
+    /// The radio as the user tests it, outside of missions.
+    bench: Bench,
     settings: Settings,
     /// Messages that bypass the simulated radio.
     beside: Vec<Outgoing>,
@@ -20,6 +23,7 @@ impl Surroundings {
     pub fn new() -> Self {
         Self {
             channel: Channel::new(),
+            bench: Bench::new(),
             settings: Settings::default(),
             beside: Vec::new(),
         }
@@ -33,6 +37,21 @@ impl Surroundings {
     /// Sets the state of the radio link; `vehicle` distinguishes the links of one flight.
     pub fn set_radio(&mut self, fault: RadioFault, vehicle: VehicleId) {
         self.channel.set(fault, u64::from(vehicle));
+    }
+
+    /// Begins or ends a test of the radio.
+    pub fn test_radio(&mut self, test: Option<RadioTest>, vehicle: VehicleId, now: Duration) {
+        self.bench.set(test, vehicle, now);
+    }
+
+    /// The test of the radio; `None` without one.
+    pub fn tested(&self, now: Duration) -> Option<TestedRadio> {
+        self.bench.tested(now)
+    }
+
+    /// Whether a radio under test needs attention at short intervals.
+    pub fn is_under_test(&self) -> bool {
+        !self.bench.is_clear()
     }
 
     /// Whether the radio link is cut, even for the console's heartbeats.
@@ -51,6 +70,10 @@ impl Surroundings {
         if frame.component == vehicle.component && frame.is_verified() {
             self.settings.receive(frame);
         }
+        if !self.bench.is_clear() {
+            self.bench.hear(frame, now);
+            return false;
+        }
         if self.channel.is_clear() {
             return true;
         }
@@ -64,7 +87,9 @@ impl Surroundings {
 
     /// The next frame that has arrived after its transit.
     pub fn arrived(&mut self, now: Duration) -> Option<Frame> {
-        self.channel.arrived(now)
+        self.bench
+            .arrived(now)
+            .or_else(|| self.channel.arrived(now))
     }
 
     /// Advances the setting of parameters.
@@ -79,6 +104,11 @@ impl Surroundings {
 
     /// Passes messages to the vehicle through the radio; returns those that leave now.
     pub fn pass(&mut self, messages: Vec<Outgoing>, now: Duration) -> Vec<Outgoing> {
+        let messages = if self.bench.is_clear() {
+            messages
+        } else {
+            self.bench.say(messages, now)
+        };
         if self.channel.is_clear() && self.beside.is_empty() {
             return messages;
         }

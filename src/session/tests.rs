@@ -9,11 +9,12 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::*;
 use crate::commands::{
-    ArmingCommand, Command, Destination, FlightCommand, Heading, MotionCommand, ParameterCommand,
-    QueryCommand,
+    Act, ArmingCommand, Command, Destination, FlightCommand, Heading, MotionCommand,
+    ParameterCommand, QueryCommand, Setup,
 };
 use crate::language;
-use crate::ledger::{EntryId, RowState, RowUpdate};
+use crate::ledger::{EntryId, Risk, RowState, RowUpdate};
+use crate::vehicle::RadioPreset;
 use crate::verb::{Retry, Verb};
 
 mod download;

@@ -106,7 +106,7 @@ impl Transaction {
         };
         let effect = order.command.effect(vehicle);
         let phase = match request.answer {
-            Answer::None => TransactionPhase::AwaitingEffect {
+            Answer::None | Answer::NotAwaited(_) => TransactionPhase::AwaitingEffect {
                 since: now,
                 repeated: 0,
             },
@@ -136,6 +136,9 @@ impl Transaction {
             order,
         };
         transaction.send(now, output);
+        if matches!(transaction.request.answer, Answer::NotAwaited(_)) {
+            transaction.end(RowState::SentOnly, None, now, output);
+        }
         Some(transaction)
     }
 
@@ -171,7 +174,8 @@ impl Transaction {
     /// The command whose acknowledgements may still arrive if it is dropped now, and their number.
     pub fn owed_acks(&self) -> Option<(u16, u8)> {
         match (&self.request.answer, self.phase) {
-            (Answer::Ack(command), TransactionPhase::AwaitingAnswer { .. }) => {
+            (Answer::Ack(command), TransactionPhase::AwaitingAnswer { .. })
+            | (Answer::NotAwaited(Some(command)), TransactionPhase::Over) => {
                 Some((*command, self.tries))
             }
             _ => None,

@@ -78,6 +78,12 @@ impl Console {
                 }
                 Ok(())
             }
+            SessionEffect::Radio { vehicles, test } => {
+                if let Some(running) = &self.running {
+                    running.test_radio(&vehicles, test);
+                }
+                Ok(())
+            }
             SessionEffect::Forward(change) => self.change_forwards(change),
             SessionEffect::Process(deed, vehicle) => {
                 if let Some(running) = &self.running {

@@ -25,9 +25,10 @@ impl Console {
                 let file = store::user_path(&path);
                 let content = match kind {
                     FileKind::Plan => store::read_plan_text(&file),
-                    FileKind::Parameters | FileKind::Design | FileKind::Review => {
-                        store::read(&file, subject(kind))
-                    }
+                    FileKind::Parameters
+                    | FileKind::Design
+                    | FileKind::Review
+                    | FileKind::Statistics => store::read(&file, subject(kind)),
                 };
                 match content {
                     Ok(Source { text, .. }) => FileEvent::Read { kind, path, text }.into(),
@@ -103,5 +104,6 @@ fn subject(kind: FileKind) -> &'static str {
         FileKind::Design => "file-design",
         FileKind::Plan => "file-plan",
         FileKind::Review => "file-review",
+        FileKind::Statistics => "file-statistics",
     }
 }

@@ -16,10 +16,10 @@ use crate::notice::Notice;
 use crate::operator::Operator;
 use crate::parameters::ParameterSnapshot;
 use crate::record::{Happening, NoticeLine};
-use crate::session::Report;
+use crate::session::{Report, Want};
 use crate::sim::Airframe;
 use crate::swarm::Path;
-use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle::{RadioTest, Severity, Vehicle, VehicleId};
 
 mod forwards;
 mod hangar;
@@ -108,6 +108,19 @@ impl RunningSession {
             if self.fleet.forget(vehicle).is_ok() {
                 self.vehicles.retain(|known| known.borrow().id != vehicle);
                 self.parameters.retain(|(id, _)| *id != vehicle);
+            }
+        }
+    }
+
+    /// Begins or ends a test of the radio of vehicles.
+    pub fn test_radio(&self, vehicles: &[VehicleId], test: Option<RadioTest>) {
+        for &vehicle in vehicles {
+            if self
+                .fleet
+                .carry_out(vehicle, Want::RadioTest(test))
+                .is_err()
+            {
+                tracing::warn!("vehicle {vehicle}: the test of its radio was not set");
             }
         }
     }

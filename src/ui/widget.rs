@@ -98,6 +98,7 @@ pub fn stars(medal: Option<Medal>) -> &'static str {
 pub fn row_role(state: RowState) -> Role {
     match state {
         RowState::Done => Role::Ok,
+        RowState::SentOnly => Role::Text,
         RowState::Queued | RowState::Superseded => Role::Muted,
         RowState::Sent | RowState::InProgress(_) | RowState::Accepted => Role::Accent,
         RowState::NoEffect | RowState::Overtaken => Role::Warning,

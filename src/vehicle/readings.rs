@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{MavAutopilot, MavSysStatusSensor};
 
+use super::radio_test::TestedRadio;
 use super::{EkfFlags, FixType, Mode, PlanPause, Severity, SystemStatus, VehicleClass};
 use crate::geo::LatLon;
 use crate::geo::maths;
@@ -329,6 +330,8 @@ pub struct LinkQuality {
     pub reboots: u32,
     /// The number of the link on which it is heard.
     pub via: Option<u16>,
+    /// The test of its radio, if one is on.
+    pub radio: Option<TestedRadio>,
 }
 
 impl LinkQuality {

@@ -25,6 +25,7 @@ pub mod parameters;
 mod pause;
 mod plans;
 mod pointer;
+mod radio;
 mod swarm;
 mod traffic;
 

@@ -12,6 +12,7 @@ use sortie::commands::{
     MotionCommand, ParameterCommand, explain,
 };
 use sortie::fleet::Unreachable;
+use sortie::inspector::Definitions;
 use sortie::language::{Context, Kind, Unit, complete, hint, parse, rows};
 use sortie::ledger::RowState;
 use sortie::link::{Address, LinkState};
@@ -80,6 +81,13 @@ fn from_tables() -> BTreeSet<String> {
         VehicleClass::Sub,
     ] {
         class.modes().iter().for_each(|(_, mode)| add(mode));
+    }
+    for (_, message) in Definitions::get().messages() {
+        for field in &message.fields {
+            add(&field.kind.to_string());
+            add(field.unit);
+            field.names.into_iter().for_each(&mut add);
+        }
     }
     add("LAT LON all");
     NAMES.iter().copied().for_each(&mut add);

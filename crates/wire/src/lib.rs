@@ -26,7 +26,7 @@ pub use anatomy::{Anatomy, frame_len, without_payload};
 pub use checksum::FtpChecksum;
 pub use decoder::{Counters, Decoder, is_frame_start};
 pub use encoder::{Encoder, Outgoing};
-pub use loss::{LossMeter, SequenceStep};
+pub use loss::{LossMeter, SenderLoss, SequenceStep};
 pub use signature::{Seal, SigningKey, Stamp, is_signed_with};
 
 /// A MAVLink system id. 0 addresses all systems and is never a sender.

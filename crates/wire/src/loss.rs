@@ -31,8 +31,44 @@ pub struct LossMeter {
     lost: u64,
 }
 
+/// The frames of one sender that arrived, and those that are missing between them.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct SenderLoss {
+    numbering: Option<Numbering>,
+    received: u64,
+    missing: i64,
+}
+
+impl SenderLoss {
+    /// Counts a frame by its sequence number.
+    pub fn note(&mut self, sequence: u8) {
+        let known = self.numbering.as_mut();
+        match known {
+            Some(numbering) => self.missing += i64::from(numbering.step_to(sequence).missing),
+            None => self.numbering = Some(Numbering::beginning_at(sequence)),
+        }
+        self.received += 1;
+    }
+
+    /// Begins to count anew; the next frame still continues the sequence.
+    pub fn reset(&mut self) {
+        (self.received, self.missing) = (0, 0);
+    }
+
+    /// Frames lost since the reset.
+    pub fn lost(&self) -> u64 {
+        // A frame lost before the reset may come late after it.
+        self.missing.max(0).unsigned_abs()
+    }
+
+    /// The share of the frames that were lost, 0 to 1.
+    pub fn share(&self) -> f64 {
+        self.lost() as f64 / (self.received + self.lost()).max(1) as f64
+    }
+}
+
 /// The state of one sender's sequence numbers.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 struct Numbering {
     last: u8,
     /// Which of the numbers before the last one have not been received.
@@ -154,6 +190,23 @@ mod tests {
         }
         assert_eq!(sum, meter.lost() as i64, "the changes add up");
         meter.lost()
+    }
+
+    #[test]
+    fn a_sender_counts_anew_after_a_reset_but_keeps_its_place() {
+        let mut loss = SenderLoss::default();
+        for sequence in [250, 251, 253, 255, 0, 2] {
+            loss.note(sequence);
+        }
+        assert_eq!(loss.lost(), 3);
+        assert!((loss.share() - 3.0 / 9.0).abs() < 1e-9);
+        loss.reset();
+        for sequence in [1, 3, 5] {
+            loss.note(sequence);
+        }
+        assert_eq!(loss.lost(), 0, "one is missing, one from before came late");
+        loss.note(9);
+        assert_eq!(loss.lost(), 3);
     }
 
     #[test]

@@ -168,6 +168,10 @@ pub enum MessagesAction {
     Pin,
     /// Switch between bytes and fields.
     Hex,
+    /// Put the last frame on the command line, to be edited and sent.
+    SendAgain,
+    /// Begin new statistics.
+    ResetStatistics,
 }
 
 /// Actions of the Hangar room.

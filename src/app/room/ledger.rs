@@ -333,7 +333,7 @@ impl Term {
 fn became(state: RowState) -> &'static str {
     match state {
         RowState::Queued => "queued",
-        RowState::Sent => "sent",
+        RowState::Sent | RowState::SentOnly => "sent",
         RowState::InProgress(_) => "in-progress",
         RowState::Accepted => "accepted",
         RowState::Done => "done effect-seen",

@@ -7,11 +7,11 @@ use crate::app::State;
 use crate::app::action::Step;
 use crate::app::room::Room;
 use crate::inspector::{
-    Census, MessageReading, MessageTally, TallyKey, WatchedMessage, name_of, read,
+    Census, Direction, MessageReading, MessageTally, TallyKey, WatchedMessage, name_of, read,
 };
 use crate::text;
 use crate::text::Text;
-use crate::wire::Anatomy;
+use crate::wire::{Anatomy, SenderLoss};
 
 pub(super) mod act;
 mod pin;
@@ -63,6 +63,8 @@ pub struct LinkTraffic {
 pub struct TrafficRequest {
     /// Whether the counts of all messages are needed.
     pub census: bool,
+    /// The number of resets of the statistics that were asked for in this session.
+    pub resets: u32,
     /// Messages of which every frame is needed, with the number of the link.
     pub watched: BTreeSet<(usize, TallyKey)>,
 }
@@ -75,6 +77,8 @@ pub struct Selected<'a> {
     /// The message and its sender.
     pub key: TallyKey,
     pub tally: &'a MessageTally,
+    /// The losses of its sender; `None` for the console's own messages and for unknown senders.
+    pub loss: Option<&'a SenderLoss>,
     /// The time of the count, on the link's clock.
     pub now: Duration,
 }
@@ -96,12 +100,20 @@ pub enum Sort {
 /// The data that the room needs now; `None` if it needs no data.
 pub fn traffic_request(state: &State) -> Option<TrafficRequest> {
     let room = &state.rooms.messages;
-    let census = state.room == Room::Messages;
+    let connections = &state.session.connections;
+    let resets = connections.statistics_resets;
+    let counted = |link: &LinkTraffic| link.census.as_ref().map(Census::resets);
+    let is_reset = room.traffic.first().and_then(counted) == Some(resets) || resets == 0;
+    let census = state.room == Room::Messages || connections.export_to.is_some() || !is_reset;
     if room.paused || !census && room.pins.is_empty() {
         return None;
     }
     let watched = room.pins.iter().map(|pin| (pin.link, pin.key)).collect();
-    Some(TrafficRequest { census, watched })
+    Some(TrafficRequest {
+        census,
+        resets,
+        watched,
+    })
 }
 
 impl Sort {
@@ -188,10 +200,13 @@ impl Messages {
             return None;
         };
         let traffic = self.traffic.get(link)?;
+        let census = traffic.census.as_ref()?;
+        let is_received = key.source.direction == Direction::In;
         Some(Selected {
             link,
             key,
-            tally: traffic.census.as_ref()?.tally(key)?,
+            tally: census.tally(key)?,
+            loss: census.loss_of(key.source).filter(|_| is_received),
             now: traffic.now,
         })
     }

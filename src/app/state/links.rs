@@ -16,6 +16,10 @@ pub struct Connections {
     pub(in crate::app) forwards: Vec<ForwardSummary>,
     /// The findings of the link doctor, worst first.
     pub(in crate::app) findings: Vec<LinkFinding>,
+    /// The number of resets of the statistics of messages that were asked for.
+    pub(in crate::app) statistics_resets: u32,
+    /// The file that the next count of the messages is exported to.
+    pub(in crate::app) export_to: Option<String>,
     /// Findings already reported, by link and name.
     told: BTreeSet<(usize, &'static str)>,
 }

@@ -42,6 +42,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         SessionEffect::StartArduPilot
         | SessionEffect::Connect(_)
         | SessionEffect::Forward(_)
+        | SessionEffect::Radio { .. }
         | SessionEffect::Forget(_)
         | SessionEffect::Restart { .. }
         | SessionEffect::Process(..)

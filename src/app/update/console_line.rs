@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::show::{brief, look_back, show};
 use super::{
-    alert_line, drafts, ending, forget, forwards, ghost, macros, mission, pace, replay, review,
-    selection,
+    alert_line, drafts, ending, forget, forwards, ghost, links, macros, mission, pace, radio,
+    replay, review, selection,
 };
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
@@ -83,6 +83,8 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Set(setting) => return Ok(set(state, &setting)),
         ConsoleLine::Parameters(own) => return parameters(state, own),
         ConsoleLine::Process { deed, vehicle } => return Ok(hangar::order(state, deed, vehicle)),
+        ConsoleLine::Radio { choice, test } => return radio::carry_out(state, &choice, test),
+        ConsoleLine::Messages(own) => return links::messages_line(state, own),
         ConsoleLine::Table(own) => arrange(state, own),
         ConsoleLine::Alerts(own) => alert_line::carry_out(state, own)?,
         ConsoleLine::Pause => return Ok(mission::pause(state)),

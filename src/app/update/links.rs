@@ -3,9 +3,12 @@
 use std::time::Duration;
 
 use crate::app::State;
+use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::app::room::messages::LinkTraffic;
 use crate::app::state::Room;
 use crate::doctor::{Cause, LinkFinding, Weight};
+use crate::inspector::{CountedLink, StatisticsFormat, statistics_table};
+use crate::language::MessagesLine;
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -30,15 +33,71 @@ pub fn findings(state: &mut State, findings: Vec<LinkFinding>) {
     }
 }
 
-/// Stores a count of the messages.
-pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) {
+/// Stores a count of the messages, and exports it if it was asked for.
+pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) -> Effects {
     if state.session.activity.is_none() || state.rooms.messages.paused {
-        return;
+        return Effects::none();
     }
+    let is_count = traffic.iter().any(|link| link.census.is_some());
     state.rooms.messages.take(traffic);
     if state.room == Room::Messages {
         state.touch();
     }
+    let path = state.session.connections.export_to.take_if(|_| is_count);
+    path.map_or_else(Effects::none, |path| export(state, path))
+}
+
+/// Carries out a line about the messages on the links.
+///
+/// # Errors
+/// Nothing is counted, or the file has another ending.
+pub fn messages_line(state: &mut State, line: MessagesLine) -> Result<Effects, Text> {
+    if state.session.activity.is_none() {
+        return Err(text!("messages-no-links"));
+    }
+    let is_paused = state.rooms.messages.paused;
+    match line {
+        MessagesLine::Reset if is_paused => return Err(text!("messages-reset-paused")),
+        MessagesLine::Reset => {
+            state.session.connections.statistics_resets += 1;
+            state.say(Severity::Info, text!("messages-reset"));
+        }
+        MessagesLine::Export(path) => {
+            StatisticsFormat::of(&path).ok_or_else(|| text!("messages-export-ending"))?;
+            // Paused counts are exported as they are shown.
+            if is_paused {
+                return Ok(export(state, path));
+            }
+            state.session.connections.export_to = Some(path);
+        }
+    }
+    Ok(Effects::none())
+}
+
+/// Writes the statistics of the last count to a file.
+fn export(state: &State, path: String) -> Effects {
+    let format = StatisticsFormat::of(&path).unwrap_or(StatisticsFormat::Csv);
+    let traffic = state.rooms.messages.traffic.iter();
+    let names: Vec<String> = traffic
+        .clone()
+        .map(|link| state.locale.text(&link.name))
+        .collect();
+    let counted: Vec<CountedLink> = traffic
+        .zip(&names)
+        .filter_map(|(link, name)| {
+            Some(CountedLink {
+                name,
+                census: link.census.as_ref()?,
+                now: link.now,
+            })
+        })
+        .collect();
+    Effects::from(Effect::File(FileEffect::Write {
+        kind: FileKind::Statistics,
+        text: statistics_table(&counted, format),
+        path,
+        replace: false,
+    }))
 }
 
 /// Reports each finding once per link.

@@ -202,8 +202,8 @@ fn complete(state: &mut State, mut palette: Palette, forward: bool) {
     let line = &palette.before_tab;
     let head = line.get(..completion.replaces.start).unwrap_or(line);
     let tail = line.get(completion.replaces.end..).unwrap_or_default();
-    // After the name of a folder, the completion continues with a file in it.
-    let is_whole = !completion.text.ends_with('/');
+    // A file in it follows the name of a folder, a value the name of a field.
+    let is_whole = !completion.text.ends_with(['/', '=']);
     let gap = if is_whole && !tail.starts_with(' ') {
         " "
     } else {

@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use super::MessageStatistics;
+
 /// The number of whole seconds over which rates are measured.
 const WINDOW_S: u64 = 5;
 /// The seconds of the window and the current one, rounded up to a power of two for a cheap division.
@@ -21,6 +23,8 @@ pub struct MessageTally {
     pub is_verified: bool,
     /// The bytes of the last message.
     pub last: Vec<u8>,
+    /// The statistics since the last reset.
+    pub statistics: MessageStatistics,
     /// Whether the checksum of the first one was verified.
     pub(super) was_admitted_verified: bool,
     slots: [TallySlot; SLOTS],
@@ -57,6 +61,7 @@ impl MessageTally {
             is_verified,
             was_admitted_verified: is_verified,
             last: Vec::new(),
+            statistics: MessageStatistics::new(now),
             slots: [TallySlot::default(); SLOTS],
         }
     }
@@ -65,6 +70,7 @@ impl MessageTally {
         self.count += 1;
         self.bytes += frame.len() as u64;
         self.last_at = now;
+        self.statistics.note(frame.len(), now);
         self.is_verified = is_verified;
         self.last.clear();
         self.last.extend_from_slice(frame);

@@ -168,3 +168,29 @@ proptest! {
         census.note_noise(&bytes);
     }
 }
+
+#[test]
+fn a_reset_begins_new_statistics_once() {
+    let second = Duration::from_secs;
+    let mut census = Census::default();
+    let mut encoder = Encoder::new(1, 1);
+    let mut heard = |census: &mut Census, at: u64| {
+        let mut beat = Vec::new();
+        encoder.encode(&ground_station_heartbeat(), &mut beat);
+        census.note(IN, &beat, true, second(at));
+    };
+    heard(&mut census, 1);
+    heard(&mut census, 2);
+    census.reset_statistics(1, second(3));
+    for at in [5, 6] {
+        heard(&mut census, at);
+        census.reset_statistics(1, second(at));
+    }
+    let tally = only(&census);
+    assert_eq!((tally.count, tally.statistics.count), (4, 2));
+    assert_eq!(tally.statistics.window(second(7)), second(4));
+    assert_eq!(tally.statistics.longest_silence(second(6)), second(2));
+    let source = census.sources().next().expect("one");
+    assert_eq!(census.loss_of(source).map(SenderLoss::lost), Some(0));
+    assert_eq!(census.snapshot(), census);
+}

@@ -6,6 +6,7 @@ use std::str::FromStr;
 use strum::EnumTryAs;
 
 use super::kind::Switch;
+use crate::diagnostic::Diagnostic;
 use crate::draft::Items;
 use crate::geo::{LatLon, Outline};
 use crate::language::VehicleChoice;
@@ -28,11 +29,54 @@ pub(in crate::language) struct Problem {
     /// The argument that the fault points at.
     pub argument: &'static str,
     pub message: Text,
+    detail: Option<Box<ProblemDetail>>,
+}
+
+/// The place of a fault inside its argument, and advice; boxed because few faults have them.
+#[derive(Default)]
+struct ProblemDetail {
+    part: Option<Range<usize>>,
+    help: Option<Text>,
 }
 
 impl Problem {
     pub fn new(argument: &'static str, message: Text) -> Self {
-        Self { argument, message }
+        Self {
+            argument,
+            message,
+            detail: None,
+        }
+    }
+
+    /// A fault in a part of an argument that is a text of its own.
+    pub fn within(argument: &'static str, fault: Diagnostic) -> Self {
+        let part = Some(fault.span);
+        let help = fault.help;
+        Self {
+            argument,
+            message: fault.message,
+            detail: Some(Box::new(ProblemDetail { part, help })),
+        }
+    }
+
+    /// The same fault, with advice on how to repair it.
+    pub fn with_help(mut self, help: Text) -> Self {
+        self.detail.get_or_insert_default().help = Some(help);
+        self
+    }
+
+    /// The fault in a line in which its argument has this place.
+    pub fn at(self, argument: Range<usize>) -> Diagnostic {
+        let ProblemDetail { part, help } = self.detail.map(|detail| *detail).unwrap_or_default();
+        let span = match part {
+            Some(part) => argument.start + part.start..argument.start + part.end,
+            None => argument,
+        };
+        Diagnostic {
+            span,
+            message: self.message,
+            help,
+        }
     }
 
     fn missing(argument: &'static str) -> Self {

@@ -54,6 +54,8 @@ pub enum Kind {
     Sort,
     /// The rest of the line, as typed.
     Rest,
+    /// The fields of a message, `NAME=VALUE`: the rest of the line, as typed.
+    Fields,
     /// The file of a plan: the rest of the line, as typed.
     PlanFile,
     /// Items of a list: a number or a range, `3-5`.

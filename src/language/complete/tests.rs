@@ -143,3 +143,43 @@ fn the_hint_marks_what_comes_next() {
         "{set}"
     );
 }
+
+#[test]
+fn messages_fields_and_the_names_of_values_are_completed() {
+    for (line, expected) in [
+        ("send HEARTB", vec!["HEARTBEAT"]),
+        (
+            "3 send HEARTBEAT ",
+            vec!["custom_mode=", "type=", "autopilot=", "base_mode="],
+        ),
+        ("3 send HEARTBEAT type=2 ty", vec![]),
+        ("3 send HEARTBEAT custom_mode=1 ty", vec!["type="]),
+        ("send HEARTBEAT type=QUAD", vec!["QUADROTOR"]),
+        (
+            "send HEARTBEAT base_mode=SAFETY_ARMED|AUTO",
+            vec!["SAFETY_ARMED|AUTO_ENABLED"],
+        ),
+        ("send ATTITUDE roll=", vec![]),
+    ] {
+        let found = completions(line);
+        let found: Vec<&str> = found.iter().map(|c| c.text.as_str()).collect();
+        assert!(found.starts_with(&expected), "{line}: {found:?}");
+        assert!(
+            !expected.is_empty() || found.is_empty(),
+            "{line}: {found:?}"
+        );
+    }
+    let whole = completions("send HEARTBEAT base_mode=SAFETY_ARMED|AUTO")[0].clone();
+    assert_eq!(whole.replaces, 25..42);
+}
+
+#[test]
+fn the_hint_of_a_field_is_its_type_and_range() {
+    let hint = |line| hint(line, &Context::default()).unwrap_or_default();
+    assert_eq!(
+        hint("send HEARTBEAT custom_mode="),
+        "custom_mode: u32, 0 to 4294967295"
+    );
+    assert_eq!(hint("send HEARTBEAT type=QU"), "type: u8, MAV_TYPE");
+    assert_eq!(hint("send SET_ATTITUDE_TARGET q=[1"), "q: f32[4]");
+}

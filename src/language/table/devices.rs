@@ -1,25 +1,29 @@
-//! Verbs about outputs, messages, parameters and raw MAVLink.
+//! Verbs about outputs, messages, parameters, logs and keys.
 
 use strum::VariantNames as _;
 
-use super::{ASK, Built, ONCE, command, swarm};
+use super::{ASK, ONCE, command, raw, swarm};
 use crate::commands::{
     Act, Command, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand, QueryCommand,
-    RawCommand,
 };
-use crate::language::argument::{Argument, Arguments, Kind, Problem, Switch, Unit};
+use crate::language::argument::{Argument, Arguments, Kind, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::signing::SigningChange;
-use crate::text;
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[
-    SERVO, RELAY, REBOOT, INTERVAL, REQUEST, PARAM, LONG, INT, LOGS, SIGNING,
+    SERVO,
+    RELAY,
+    REBOOT,
+    INTERVAL,
+    REQUEST,
+    PARAM,
+    raw::LONG,
+    raw::INT,
+    raw::SEND,
+    LOGS,
+    SIGNING,
 ];
-
-/// Any value that fits a float on the wire.
-const ANY: Kind = Kind::Number(Unit::None, -(f32::MAX as f64), f32::MAX as f64);
-const ANY_I32: Kind = Kind::Whole(Unit::None, i32::MIN as f64, i32::MAX as f64);
 
 const SERVO: VerbRow = VerbRow {
     verb: Verb {
@@ -190,7 +194,7 @@ const PARAM: VerbRow = VerbRow {
             &[
                 Argument::flag("set", "argument-parameter-set"),
                 Argument::value("name", Kind::Parameter, "argument-parameter-name"),
-                Argument::value("value", ANY, "argument-parameter-value"),
+                Argument::value("value", raw::ANY, "argument-parameter-value"),
             ],
             |given| {
                 command(Command::Parameter(ParameterCommand::Set {
@@ -263,88 +267,6 @@ fn download(which: LogChoice, given: &Arguments) -> Meaning {
     let folder = given.word("folder").map(str::to_owned);
     let download = LogCommand::Download { which, folder };
     Meaning::Act(Act::Command(Command::Log(download)))
-}
-
-const LONG: VerbRow = VerbRow {
-    verb: Verb {
-        name: "long",
-        danger: Danger::Confirm,
-        retry: ONCE,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Task,
-    },
-    scope: Scope::Everywhere,
-    aliases: &[],
-    examples: &["long NAV_TAKEOFF 0 0 0 0 0 0 20", "long 400 1"],
-    forms: &[Form::new(
-        &[
-            Argument::value("command", Kind::MavCommand, "argument-name-or-number"),
-            Argument::value("p1", ANY, "").optional(),
-            Argument::value("p2", ANY, "").optional(),
-            Argument::value("p3", ANY, "").optional(),
-            Argument::value("p4", ANY, "").optional(),
-            Argument::value("p5", ANY, "").optional(),
-            Argument::value("p6", ANY, "").optional(),
-            Argument::value("p7", ANY, "").optional(),
-        ],
-        |given| {
-            command(Command::Raw(RawCommand::Long {
-                command: given.required("command")? as u16,
-                params: ["p1", "p2", "p3", "p4", "p5", "p6", "p7"]
-                    .map(|name| given.number(name).unwrap_or(0.0) as f32),
-            }))
-        },
-    )],
-};
-
-const INT: VerbRow = VerbRow {
-    verb: Verb {
-        name: "int",
-        danger: Danger::Confirm,
-        retry: ONCE,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Task,
-    },
-    scope: Scope::Everywhere,
-    aliases: &[],
-    examples: &["int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40"],
-    forms: &[Form::new(
-        &[
-            Argument::value("command", Kind::MavCommand, "argument-name-or-number"),
-            Argument::value(
-                "frame",
-                Kind::Whole(Unit::None, 0.0, 255.0),
-                "argument-mav-frame",
-            ),
-            Argument::value("p1", ANY, ""),
-            Argument::value("p2", ANY, ""),
-            Argument::value("p3", ANY, ""),
-            Argument::value("p4", ANY, ""),
-            Argument::value("x", ANY_I32, ""),
-            Argument::value("y", ANY_I32, ""),
-            Argument::value("z", ANY, ""),
-        ],
-        int,
-    )],
-};
-
-fn int(given: &Arguments) -> Built {
-    let params: Result<Vec<f32>, Problem> = ["p1", "p2", "p3", "p4"]
-        .into_iter()
-        .map(|name| Ok(given.required(name)? as f32))
-        .collect();
-    command(Command::Raw(RawCommand::Int {
-        command: given.required("command")? as u16,
-        frame: given.required("frame")? as u8,
-        params: params?
-            .try_into()
-            .map_err(|_| Problem::new("p4", text!("grammar-four-parameters")))?,
-        x: given.required("x")? as i32,
-        y: given.required("y")? as i32,
-        z: given.required("z")? as f32,
-    }))
 }
 
 /// The signing key crosses the link in clear text, so each change must be confirmed with a second

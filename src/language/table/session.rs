@@ -1,17 +1,20 @@
 //! Verbs that start, control and end sessions.
 
 use super::console;
-use crate::language::argument::{Argument, Kind, Unit};
-use crate::language::console::{ConsoleLine, ForwardLine, ProcessDeed, Report};
+use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
+use crate::language::console::{
+    ConsoleLine, ForwardLine, MessagesLine, ProcessDeed, RadioChoice, Report,
+};
 use crate::language::names::NameList;
-use crate::language::verb::{Form, Scope, VerbRow};
+use crate::language::radio::{PRESETS, radio_test};
+use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::vehicle::VehicleId;
 use crate::vehicle_id::HIGHEST_VEHICLE;
 use crate::verb::Verb;
 
 pub(super) static ROWS: &[VerbRow] = &[
-    HANGAR, MACRO, FLY, CONNECT, FORWARD, INJECT, PAUSE, CONTINUE, SPEEDUP, ABANDON, RESTART,
-    LEAVE, QUIT,
+    HANGAR, MACRO, FLY, CONNECT, FORWARD, MESSAGES, RADIO, INJECT, PAUSE, CONTINUE, SPEEDUP,
+    ABANDON, RESTART, LEAVE, QUIT,
 ];
 
 const VEHICLE: Kind = Kind::Whole(Unit::None, 1.0, HIGHEST_VEHICLE as f64);
@@ -125,6 +128,71 @@ const FORWARD: VerbRow = said(
         ),
     ],
 );
+
+const MESSAGES: VerbRow = said(
+    "messages",
+    &["messages reset", "messages export link.csv"],
+    &[
+        Form::new(
+            &[Argument::flag("reset", "argument-messages-reset")],
+            |_| console(ConsoleLine::Messages(MessagesLine::Reset)),
+        ),
+        Form::new(
+            &[Argument::keyed(
+                "export",
+                "file",
+                Kind::Rest,
+                "argument-messages-file",
+            )],
+            |given| {
+                let file = given.required_word("file")?.trim().to_owned();
+                console(ConsoleLine::Messages(MessagesLine::Export(file)))
+            },
+        ),
+    ],
+);
+
+const TARGETS: Argument = Argument::value("targets", Kind::Vehicles, "").optional();
+const LINK: Argument = Argument::keyed(
+    "link",
+    "number",
+    Kind::Whole(Unit::None, 1.0, 255.0),
+    "argument-radio-link",
+);
+const RADIO_PRESET: Argument =
+    Argument::value("preset", Kind::Choice(PRESETS), "argument-radio-preset");
+const RADIO_SETTINGS: Argument = Argument::value("settings", Kind::Rest, "argument-radio-settings");
+
+const RADIO: VerbRow = said(
+    "radio",
+    &[
+        "radio 3 edge",
+        "radio all loss=5 delay=80 jitter=20 rate=1200",
+        "radio link 2 poor",
+        "radio all off",
+    ],
+    &[
+        Form::new(&[TARGETS, RADIO_PRESET, RADIO_SETTINGS.optional()], radio),
+        Form::new(&[LINK, RADIO_PRESET, RADIO_SETTINGS.optional()], radio),
+        Form::new(&[LINK, RADIO_SETTINGS], radio),
+        Form::new(&[TARGETS, RADIO_SETTINGS], radio),
+    ],
+);
+
+fn radio(given: &Arguments) -> Result<Meaning, Problem> {
+    let preset = given.word("preset").unwrap_or_default();
+    let settings = given.word("settings").unwrap_or_default();
+    let test = radio_test(preset, settings);
+    let choice = match (given.number("number"), given.vehicles("targets")) {
+        (Some(number), _) => RadioChoice::Link(number as usize),
+        (None, Some(vehicles)) => RadioChoice::Vehicles(vehicles),
+        (None, None) => RadioChoice::Addressed,
+    };
+    console(ConsoleLine::Radio {
+        choice,
+        test: test.map_err(|fault| Problem::within("settings", fault))?,
+    })
+}
 
 const INJECT: VerbRow = said(
     "inject",

@@ -3,6 +3,44 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Channel, Context, Statement, parse};
 
 #[test]
+fn faults_in_the_fields_of_a_message_point_at_the_part() {
+    check(&[
+        (
+            "send HARTBEAT",
+            "HARTBEAT",
+            "unknown message `HARTBEAT`",
+            "did you mean `HEARTBEAT`?",
+        ),
+        ("send", "", "send needs MESSAGE", "3 send HEARTBEAT"),
+        ("send 12345", "12345", "unknown message `12345`", ""),
+        (
+            "3 send HEARTBEAT mavlink_version=3 typ = 2 # why",
+            "typ",
+            "HEARTBEAT has no field `typ`",
+            "did you mean `type`?",
+        ),
+        (
+            "3 send  HEARTBEAT  type=300",
+            "300",
+            "type: `300` is out of range: 0 to 255",
+            "",
+        ),
+        (
+            "3 send SETUP_SIGNING initial_timestamp=1",
+            "SETUP_SIGNING",
+            "contains a key or a password",
+            "`signing setup`",
+        ),
+        (
+            "send WIFI_CONFIG_AP",
+            "WIFI_CONFIG_AP",
+            "contains a key or a password",
+            "",
+        ),
+    ]);
+}
+
+#[test]
 fn the_exact_word_that_is_wrong_is_named() {
     check(&[
         ("", "", "a command is missing", "all arm"),

@@ -146,7 +146,7 @@ fn a_jammed_zone_takes_hold_at_its_border_and_lets_go_beyond_it() {
         .iter()
         .filter_map(|demand| match demand.want {
             Want::Parameter { name, value } => Some((name, value)),
-            Want::Radio(_) | Want::Lists(_) => None,
+            Want::Radio(_) | Want::RadioTest(_) | Want::Lists(_) => None,
         })
         .collect();
     assert!(all.contains(&("SIM_GPS_DISABLE", 0.0)), "{all:?}");
@@ -182,7 +182,7 @@ fn what_breaks_is_mended_after_its_time() {
         .iter()
         .filter_map(|demand| match demand.want {
             Want::Radio(fault) => Some(fault.is_cut()),
-            Want::Parameter { .. } | Want::Lists(_) => None,
+            Want::Parameter { .. } | Want::RadioTest(_) | Want::Lists(_) => None,
         })
         .collect();
     assert_eq!(cut, [true, false]);

@@ -96,6 +96,7 @@ impl Scene {
     ) -> LinkTraffic {
         let keys = request.watched.iter().map(|(_, key)| *key).collect();
         self.census.watch(&keys);
+        self.census.reset_statistics(request.resets, now);
         LinkTraffic {
             name: name.into(),
             now,

@@ -8,9 +8,10 @@ use serde::{Deserialize, Deserializer, Serializer};
 
 use crate::ledger::RowState;
 
-const WITHOUT_FIGURE: [RowState; 9] = [
+const WITHOUT_FIGURE: [RowState; 10] = [
     RowState::Queued,
     RowState::Sent,
+    RowState::SentOnly,
     RowState::Accepted,
     RowState::Done,
     RowState::NoEffect,
@@ -25,6 +26,7 @@ fn name(state: RowState) -> Cow<'static, str> {
         RowState::InProgress(percent) => format!("in progress {percent} %").into(),
         RowState::Queued => "queued".into(),
         RowState::Sent => "sent".into(),
+        RowState::SentOnly => "sent only".into(),
         RowState::Accepted => "accepted".into(),
         RowState::Done => "effect seen".into(),
         RowState::NoEffect => "no effect".into(),

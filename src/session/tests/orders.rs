@@ -343,3 +343,74 @@ fn a_turn_gives_way_to_a_movement_and_ends_none() {
     scene.pass(ms(500));
     assert_eq!(scene.states(2).last(), Some(&RowState::Accepted));
 }
+
+fn message(line: &str) -> Command {
+    let statement = language::parse(line, &language::Context::default()).expect(line);
+    match statement.meaning {
+        language::Meaning::Act(Act::Command(command)) => command,
+        other => panic!("{line}: {other:?}"),
+    }
+}
+
+#[test]
+fn a_raw_message_is_sent_once_to_the_vehicle_and_claims_nothing_more() {
+    let mut scene = Scene::new();
+    scene.sent.clear();
+    scene.order(
+        1,
+        "send",
+        message("3 send PARAM_REQUEST_READ param_index=7"),
+    );
+    let id = 20;
+    let payload = [&[7, 0, 3, 1][..], &[0; 16]].concat();
+    assert_eq!(scene.sent, [Outgoing::Raw { id, payload }]);
+    assert_eq!(scene.states(1), [RowState::Sent, RowState::SentOnly]);
+    scene.pass(ms(10_000));
+    assert_eq!(scene.states(1).len(), 2);
+}
+
+#[test]
+fn the_answer_to_a_raw_message_is_not_taken_for_that_of_the_next_command() {
+    let mut scene = Scene::new();
+    scene.order(
+        1,
+        "send",
+        message("3 send COMMAND_LONG command=COMPONENT_ARM_DISARM param1=1"),
+    );
+    scene.order(2, "arm", Command::Arming(ArmingCommand::Arm));
+    scene.ack(ARM, MavResult::MAV_RESULT_FAILED);
+    assert_eq!(scene.states(2), [RowState::Sent]);
+    scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(scene.states(2).last(), Some(&RowState::Accepted));
+}
+
+#[test]
+fn a_raw_message_with_a_forced_disarm_is_as_risky_as_the_verb() {
+    let kill = message("3 send COMMAND_LONG command=400 param2=21196");
+    assert_eq!(kill.risk(), Risk::Unsafe);
+    assert_eq!(message("3 send HEARTBEAT").risk(), Risk::None);
+    assert_eq!(kill.setup(), Some(Setup::Anything));
+}
+
+#[test]
+fn a_radio_under_test_delays_both_directions_and_shows_its_figures() {
+    let mut scene = Scene::new();
+    scene.pass(ms(100));
+    scene.sent.clear();
+    let satellite = RadioPreset::Satellite.test();
+    scene.session.carry_out(Want::RadioTest(Some(satellite)));
+    scene.order(1, "arm", Command::Arming(ArmingCommand::Arm));
+    scene.pass(ms(590));
+    assert!(scene.longs(ARM).is_empty(), "on the way");
+    scene.pass(ms(20));
+    assert_eq!(scene.longs(ARM).len(), 1);
+    scene.ack(ARM, MavResult::MAV_RESULT_ACCEPTED);
+    assert_eq!(scene.states(1), [RowState::Sent]);
+    scene.pass(ms(610));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Accepted));
+    let radio = scene.session.vehicle().link.radio.expect("under test");
+    assert_eq!((radio.test, radio.received.passed), (satellite, 1));
+    scene.session.carry_out(Want::RadioTest(None));
+    scene.pass(ms(20));
+    assert_eq!(scene.session.vehicle().link.radio, None);
+}

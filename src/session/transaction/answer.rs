@@ -111,7 +111,7 @@ impl Transaction {
                 let guess = text!("outcome-no-parameter", name = name);
                 Text::joined("; ", vec![silence, guess])
             }
-            Answer::Ack(_) | Answer::None => silence,
+            Answer::Ack(_) | Answer::None | Answer::NotAwaited(_) => silence,
         }
     }
 

@@ -72,11 +72,14 @@ impl Inspection {
         self.watch(&request.watched);
         let looks = self.taps.iter().zip(links).map(|(tap, link)| {
             let name = link.borrow().name.clone();
-            tap.look(|census, now| LinkTraffic {
-                name,
-                now,
-                census: request.census.then(|| census.snapshot()),
-                watched: census.take_watched(),
+            tap.look(|census, now| {
+                census.reset_statistics(request.resets, now);
+                LinkTraffic {
+                    name,
+                    now,
+                    census: request.census.then(|| census.snapshot()),
+                    watched: census.take_watched(),
+                }
             })
         });
         let traffic: Vec<LinkTraffic> = looks.collect();

@@ -25,6 +25,8 @@ mod forwards;
 const LABEL: usize = 16;
 /// The number of senders whose losses are listed.
 const LOSSES_SHOWN: usize = 5;
+/// The number of radios under test that are listed.
+const RADIOS_SHOWN: usize = 8;
 /// Rows of a history curve.
 const CURVE_ROWS: u16 = 2;
 
@@ -179,7 +181,8 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
 fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let link = &state.session().links()[at];
     let inner = panel.titled(&format!("{} {}", at + 1, panel.text(&link.name)), buffer);
-    let lines = counters(link, panel.look);
+    let mut lines = counters(link, panel.look);
+    lines.extend(radios(state, at, panel.look));
     let mut row = 0;
     for (label, words) in lines {
         let label = panel.text(&label);
@@ -233,6 +236,19 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
         (text!("links-others"), counted(others)),
     ]);
     lines
+}
+
+/// The tests of radios of the vehicles on a link: what was asked for, and what was measured.
+fn radios(state: &State, at: usize, look: &Look) -> Vec<(Text, String)> {
+    let vehicles = state.session().vehicles().values();
+    let mine = vehicles.filter(|vehicle| vehicle.link.via.map(usize::from) == Some(at));
+    let tested = mine.filter_map(|vehicle| {
+        let radio = vehicle.link.radio?;
+        let figures = radio.text(vehicle.link.round_trip);
+        let label = text!("links-radio", vehicle = vehicle.id);
+        Some((label, look.text(&figures)))
+    });
+    tested.take(RADIOS_SHOWN).collect()
 }
 
 /// Counters of bytes and messages that arrived and were not used.

@@ -24,15 +24,19 @@ mod graph;
 /// columns.
 const NARROW_TREE: u16 = 43;
 const WIDE_TREE: u16 = 62;
+/// The width of the tree with jitter and silence as well, in columns.
+const WIDEST_TREE: u16 = 80;
 /// The minimum width of the screen for the wide tree, in columns.
 const WIDE: u16 = 112;
+/// The minimum width of the screen for the widest tree, in columns.
+const WIDEST: u16 = 150;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().messages();
-    let tree_width = if panel.area.width >= WIDE {
-        WIDE_TREE
-    } else {
-        NARROW_TREE
+    let tree_width = match panel.area.width {
+        WIDEST.. => WIDEST_TREE,
+        WIDE.. => WIDE_TREE,
+        _ => NARROW_TREE,
     };
     let branches = room.branches();
     draw_tree(room, &branches, panel.columns(0, tree_width), buffer);
@@ -46,8 +50,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mut Buffer) {
     let has_keys = room.field().is_none();
     let inner = panel.focused(&tree_title(room, panel.look), has_keys, buffer);
-    let is_wide = panel.area.width >= WIDE_TREE;
-    let head = heading(is_wide, inner.width, panel.look);
+    let tree_width = panel.area.width;
+    let head = heading(tree_width, inner.width, panel.look);
     put(
         buffer,
         inner,
@@ -74,7 +78,7 @@ fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mu
     let middle = cursor.saturating_sub(rows / 2);
     let first = middle.min(branches.len().saturating_sub(rows));
     for (row, branch) in branches.iter().skip(first).take(rows).enumerate() {
-        let line = tree_line(room, branch, is_wide, inner.width, panel.look);
+        let line = tree_line(room, branch, tree_width, inner.width, panel.look);
         put(buffer, inner, row as u16, &line);
         if first + row == cursor {
             let role = if has_keys {
@@ -101,36 +105,39 @@ fn tree_title(room: &Messages, look: &Look) -> String {
     title
 }
 
-fn heading(is_wide: bool, width: u16, look: &Look) -> String {
-    let figures = if is_wide {
-        let count = look.say("messages-count");
-        format!(
-            "{:>7}{:>8}{count:>9}{:>6}",
-            "Hz",
-            "B/s",
-            look.say("messages-age")
-        )
-    } else {
-        format!("{:>7}{:>6}", "Hz", look.say("messages-age"))
-    };
+fn heading(tree_width: u16, width: u16, look: &Look) -> String {
+    let count = look.say("messages-count");
+    let jitter = look.say("messages-jitter-column");
+    let silence = look.say("messages-silence-column");
+    let words = [
+        "Hz",
+        "B/s",
+        &count,
+        &look.say("messages-age"),
+        &jitter,
+        &silence,
+    ];
+    let figures = columns_of(tree_width, words);
     format!("{figures:>width$}", width = usize::from(width))
+}
+
+/// Figures in the columns of a tree: rate, bytes, count, age, jitter, silence. Narrow trees have fewer.
+fn columns_of(tree_width: u16, [hz, bytes, count, age, jitter, silence]: [&str; 6]) -> String {
+    match tree_width {
+        WIDEST_TREE.. => format!("{hz:>7}{bytes:>8}{count:>9}{age:>6}{jitter:>9}{silence:>7}"),
+        WIDE_TREE.. => format!("{hz:>7}{bytes:>8}{count:>9}{age:>6}"),
+        _ => format!("{hz:>7}{age:>6}"),
+    }
 }
 
 fn tree_line(
     room: &Messages,
     branch: &Branch,
-    is_wide: bool,
+    tree_width: u16,
     width: u16,
     look: &Look,
 ) -> Line<'static> {
-    let Rate { hz, bytes_s } = branch.rate;
-    let age = branch.age.map_or_else(|| "-".to_owned(), age);
-    let figures = if is_wide {
-        let count = branch.count;
-        format!("{:>7}{bytes_s:>8.0}{count:>9}{age:>6}", hertz(hz))
-    } else {
-        format!("{:>7}{age:>6}", hertz(hz))
-    };
+    let figures = figures(branch, tree_width);
     let marker = match branch.is_open {
         Some(true) => "- ",
         Some(false) => "+ ",
@@ -156,6 +163,30 @@ fn tree_line(
             look.style(if is_stale { Role::Muted } else { Role::Text }),
         ),
     ])
+}
+
+/// The figures of a line of the tree.
+fn figures(branch: &Branch, tree_width: u16) -> String {
+    let Rate { hz, bytes_s } = branch.rate;
+    let words = [
+        hertz(hz),
+        format!("{bytes_s:.0}"),
+        branch.count.to_string(),
+        branch.age.map_or_else(|| "-".to_owned(), age),
+        branch.jitter.map(interval).unwrap_or_default(),
+        branch.silence.map(age).unwrap_or_default(),
+    ];
+    columns_of(tree_width, words.each_ref().map(String::as_str))
+}
+
+/// An interval in milliseconds or seconds, in at most eight columns.
+fn interval(interval: Duration) -> String {
+    let seconds = interval.as_secs_f64();
+    match seconds {
+        ..0.01 => format!("{:.2} ms", seconds * 1e3),
+        ..1.0 => format!("{:.0} ms", seconds * 1e3),
+        _ => format!("{seconds:.1} s"),
+    }
 }
 
 /// The label of a line of the tree.

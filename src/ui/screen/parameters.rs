@@ -93,7 +93,7 @@ fn edited(
     let row = outcome(state, edit.entry, vehicle)?;
     let (word, role) = match row.state {
         RowState::Queued => (text!("parameters-state-waiting"), Role::Muted),
-        RowState::Sent | RowState::InProgress(_) | RowState::Accepted => {
+        RowState::Sent | RowState::SentOnly | RowState::InProgress(_) | RowState::Accepted => {
             (text!("parameters-state-sent"), Role::Accent)
         }
         RowState::Done | RowState::NoEffect => (text!("parameters-state-confirmed"), Role::Ok),

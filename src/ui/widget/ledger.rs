@@ -242,7 +242,7 @@ fn order(state: RowState) -> u8 {
         RowState::Done => 0,
         RowState::Accepted => 1,
         RowState::InProgress(_) => 2,
-        RowState::Sent => 3,
+        RowState::Sent | RowState::SentOnly => 3,
         RowState::Queued => 4,
         RowState::Superseded => 5,
         RowState::Overtaken => 6,
@@ -262,7 +262,7 @@ pub fn entry_role(entry: &LedgerEntry) -> Role {
         .iter()
         .map(|row| row.state)
         .max_by_key(|&state| match state {
-            RowState::Done => 0,
+            RowState::Done | RowState::SentOnly => 0,
             RowState::Superseded => 1,
             other if other.is_failure() => 3 + order(other),
             RowState::Queued

@@ -4,6 +4,7 @@ use std::io::BufReader;
 use std::sync::Arc;
 use std::time::Duration;
 
+use sortie::app::effect::{Effect, FileEffect};
 use sortie::app::event::LinkEvent;
 use sortie::app::room::messages::{LinkTraffic, traffic_request};
 use sortie::inspector::{Census, FrameWay, WatchedMessage};
@@ -331,5 +332,72 @@ fn both_rooms_as_they_look() {
         }
         let name = format!("room_{name}_uk_80x24");
         insta::assert_snapshot!(name, translated(console, Language::Ukrainian));
+    }
+}
+
+#[test]
+fn the_last_frame_is_put_on_the_command_line_to_be_sent_again() {
+    let mut console = inspecting();
+    console.press("e");
+    shows(&console, &["choose a message first"]);
+    choose(&mut console, "heartbeat");
+    console.press("up").press("up").press("up").press("e");
+    let screen = console.screen(200, 50);
+    assert!(
+        screen.contains("send HEARTBEAT custom_mode=") && screen.contains("type=QUADROTOR"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn statistics_begin_anew_and_are_exported_from_any_room() {
+    let mut console = inspecting();
+    console.press("r");
+    shows(&console, &["new statistics"]);
+    let request = traffic_request(console.state()).expect("the room is open");
+    assert_eq!((request.census, request.resets), (true, 1));
+    console.press("F");
+    let pending = traffic_request(console.state()).expect("the reset is still due");
+    assert_eq!(pending.resets, 1);
+    let reset = |resets: u32| {
+        let mut census = recorded("flight.tlog", 0);
+        census.reset_statistics(resets, Duration::from_secs(90));
+        census
+    };
+    console.hear(LinkEvent::Traffic(vec![traffic("link", reset(1))]));
+    assert_eq!(traffic_request(console.state()), None);
+    console.give("messages export ~/link.txt");
+    assert!(console.screen(80, 24).contains(".csv"));
+    console.press("esc").give("messages export link.csv");
+    assert!(console.effects.is_empty(), "the next count is exported");
+    let request = traffic_request(console.state()).expect("counts for the export");
+    assert!(request.census);
+    console.hear(LinkEvent::Traffic(vec![traffic("link", reset(1))]));
+    let [
+        Effect::File(FileEffect::Write {
+            path,
+            text,
+            replace: false,
+            ..
+        }),
+    ] = console.effects.as_slice()
+    else {
+        panic!("{:?}", console.effects);
+    };
+    assert_eq!(path, "link.csv");
+    assert!(
+        text.starts_with("link,direction,") && text.contains(",ATTITUDE,"),
+        "{text}"
+    );
+    assert_eq!(traffic_request(console.state()), None);
+}
+
+#[test]
+fn wide_screens_list_jitter_and_silence() {
+    let mut console = inspecting();
+    choose(&mut console, "attitude");
+    let screen = console.screen(200, 50);
+    for text in ["jitter", "silent", "interval up to", "lost 158 (6.0 %)"] {
+        assert!(screen.contains(text), "{text}:\n{screen}");
     }
 }

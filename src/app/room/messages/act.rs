@@ -8,8 +8,11 @@ use crate::app::action::{Action, MessagesAction, Step, ViewAction};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest};
 use crate::app::state::Purpose;
+use crate::inspector::{Direction, name_of, target_of, written};
 use crate::text;
+use crate::text::Text;
 use crate::vehicle::Severity;
+use crate::wire::Anatomy;
 
 const HINTS: &[KeyHint] = &[
     hint(&[Action::Help], "messages-key-help"),
@@ -26,8 +29,16 @@ const HINTS: &[KeyHint] = &[
         &[Action::Messages(MessagesAction::Hex)],
         "messages-key-bytes",
     ),
+    hint(
+        &[Action::Messages(MessagesAction::SendAgain)],
+        "messages-key-send",
+    ),
     hint(&[Action::View(ViewAction::Filter)], "messages-key-filter"),
     hint(&[Action::View(ViewAction::Sort)], "messages-key-sort"),
+    hint(
+        &[Action::Messages(MessagesAction::ResetStatistics)],
+        "messages-key-reset",
+    ),
     hint(
         &[Action::Messages(MessagesAction::Pause)],
         "messages-key-pause",
@@ -58,6 +69,8 @@ impl RoomModel for Messages {
         does(key('p'), Action::Messages(MessagesAction::Pause)),
         does(key('g'), Action::Messages(MessagesAction::Pin)),
         does(key('x'), Action::Messages(MessagesAction::Hex)),
+        does(key('e'), Action::Messages(MessagesAction::SendAgain)),
+        does(key('r'), Action::Messages(MessagesAction::ResetStatistics)),
         does(key('s'), Action::View(ViewAction::Sort)),
         does(ESCAPE, Action::Escape),
     ];
@@ -121,6 +134,17 @@ pub(in crate::app::room) fn act(state: &mut State, action: MessagesAction) -> Ve
         MessagesAction::FoldAll => room.fold_all(),
         MessagesAction::Pause => room.paused = !room.paused,
         MessagesAction::Hex => room.hex = !room.hex,
+        MessagesAction::ResetStatistics if room.paused => {
+            state.say(Severity::Notice, text!("messages-reset-paused"));
+        }
+        MessagesAction::ResetStatistics => {
+            state.session.connections.statistics_resets += 1;
+            state.say(Severity::Info, text!("messages-reset"));
+        }
+        MessagesAction::SendAgain => match send_again(state) {
+            Ok(line) => return vec![RoomRequest::Write(line)],
+            Err(reason) => state.say(Severity::Notice, reason),
+        },
         MessagesAction::Pin => {
             if let Err(reason) = room.pin(&choose) {
                 state.say(Severity::Notice, reason);
@@ -128,4 +152,26 @@ pub(in crate::app::room) fn act(state: &mut State, action: MessagesAction) -> Ve
         }
     }
     Vec::new()
+}
+
+/// The line that sends the last frame of the message under the cursor again: to its receiver, or to the vehicle that
+/// sent it.
+fn send_again(state: &State) -> Result<String, Text> {
+    let selected = state.rooms.messages.selected();
+    let selected = selected.ok_or_else(|| text!("messages-choose-message"))?;
+    let name = name_of(selected.key.message);
+    let frame = Anatomy::of(&selected.tally.last);
+    let fields = frame.as_ref().and_then(written);
+    let fields = fields.ok_or_else(|| text!("messages-not-sendable", message = name))?;
+    let system = match selected.key.source.direction {
+        Direction::In => Some(selected.key.source.system),
+        Direction::Out => frame.as_ref().and_then(target_of),
+    };
+    let vehicles = state.session.vehicles.values();
+    let named = vehicles.filter(|vehicle| Some(vehicle.system) == system);
+    let targets: Vec<String> = named
+        .take(1)
+        .map(|vehicle| format!("{} ", vehicle.id))
+        .collect();
+    Ok(format!("{}send {fields}", targets.concat()))
 }

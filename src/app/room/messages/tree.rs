@@ -84,6 +84,10 @@ pub struct Branch {
     pub count: u64,
     /// The time since the last message.
     pub age: Option<Duration>,
+    /// The standard deviation of a message's intervals; `None` for other lines.
+    pub jitter: Option<Duration>,
+    /// A message's longest silence since the last reset; `None` for other lines.
+    pub silence: Option<Duration>,
     /// Whether it is open; `None` for a message.
     pub is_open: Option<bool>,
 }
@@ -95,6 +99,8 @@ impl Branch {
             rate: Rate::default(),
             count: 0,
             age: None,
+            jitter: None,
+            silence: None,
             is_open: None,
         }
     }
@@ -104,6 +110,8 @@ impl Branch {
             rate: tally.rate(now),
             count: tally.count,
             age: Some(now.saturating_sub(tally.last_at)),
+            jitter: tally.statistics.jitter(),
+            silence: Some(tally.statistics.longest_silence(now)),
             ..Self::new(node)
         }
     }

@@ -4,7 +4,7 @@ use super::*;
 
 /// The verbs that a record may name. A record outlives the table: if a verb gets another name, the old one must stay
 /// readable ([`language::verb`]) before it is changed here.
-const RECORDED_VERBS: [&str; 55] = [
+const RECORDED_VERBS: [&str; 56] = [
     "altitude",
     "arm",
     "disarm",
@@ -49,6 +49,7 @@ const RECORDED_VERBS: [&str; 55] = [
     "rtl",
     "sample",
     "search",
+    "send",
     "servo",
     "signing",
     "speed",

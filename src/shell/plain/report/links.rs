@@ -3,6 +3,7 @@
 use crate::app::State;
 use crate::app::state::{ForwardSummary, LinkSummary};
 use crate::text::{Text, text};
+use crate::vehicle::Vehicle;
 
 /// The state of the links and forwards, and their faults.
 pub(super) fn now(state: &State) -> Vec<Text> {
@@ -11,7 +12,17 @@ pub(super) fn now(state: &State) -> Vec<Text> {
     let forwards = session.forwards().iter().map(forward_text);
     let findings = session.findings().iter();
     let ailments = findings.flat_map(|finding| [finding.cause.says(), finding.advice()]);
-    links.chain(forwards).chain(ailments).collect()
+    let vehicles = session.vehicles().values();
+    let radios = vehicles.filter_map(|vehicle| radio_text(vehicle));
+    let all = links.chain(radios).chain(forwards);
+    all.chain(ailments).collect()
+}
+
+/// The test of a vehicle's radio, if one is on.
+fn radio_text(vehicle: &Vehicle) -> Option<Text> {
+    let figures = vehicle.link.radio?.text(vehicle.link.round_trip);
+    let label = text!("links-radio", vehicle = vehicle.id);
+    Some(Text::joined(": ", vec![label, figures]))
 }
 
 /// A link, and the signatures on it if there are any.

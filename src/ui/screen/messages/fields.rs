@@ -1,9 +1,11 @@
 //! The message under the cursor, field by field or byte by byte.
 
+use std::time::Duration;
+
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
-use super::{age, hertz};
+use super::{age, hertz, interval};
 use crate::app::State;
 use crate::app::action::{Action, MessagesAction, ViewAction};
 use crate::app::room::messages::{Messages, Selected};
@@ -64,7 +66,11 @@ pub(super) fn draw(
         panel.style(Role::Muted),
     );
     put(buffer, inner, 1, &dress);
-    let inner = below(inner, 2);
+    let statistics = statistics(selected, panel.look);
+    for (row, line) in (2..).zip(&statistics) {
+        put(buffer, inner, row, &Line::raw(clip(line, width)));
+    }
+    let inner = below(inner, 2 + statistics.len() as u16);
     if room.shows_hex() {
         draw_bytes(tally, panel.at(inner), buffer);
         return;
@@ -78,6 +84,38 @@ pub(super) fn draw(
     draw_rows(&rows, room.field(), panel.at(inner), buffer);
 }
 
+/// The statistics since the last reset as lines.
+fn statistics(selected: Selected<'_>, look: &Look) -> [String; 3] {
+    let Selected {
+        tally, now, loss, ..
+    } = selected;
+    let statistics = &tally.statistics;
+    let rate = statistics.rate(now);
+    let known = |time: Option<Duration>| time.map_or_else(|| "-".to_owned(), interval);
+    let silence = age(statistics.longest_silence(now));
+    let gaps = match loss {
+        Some(loss) => text!(
+            "messages-gaps",
+            silence = silence,
+            lost = loss.lost(),
+            percent = format!("{:.1}", 100.0 * loss.share())
+        ),
+        None => text!("messages-no-losses", silence = silence),
+    };
+    let window = text!(
+        "messages-window",
+        time = age(statistics.window(now)),
+        hz = hertz(rate.hz),
+        bytes = format!("{:.0}", rate.bytes_s)
+    );
+    let jitter = text!(
+        "messages-jitter",
+        jitter = known(statistics.jitter()),
+        longest = known(statistics.longest_interval())
+    );
+    [window, jitter, gaps].map(|line| look.text(&line))
+}
+
 /// Draws a hint while no message is under the cursor.
 fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&panel.say("messages-fields"), buffer);
@@ -87,8 +125,10 @@ fn draw_hint(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         fields = state.key(Action::Messages(MessagesAction::OtherSide)),
         graph = state.key(Action::Messages(MessagesAction::Pin)),
         bytes = state.key(Action::Messages(MessagesAction::Hex)),
+        send = state.key(Action::Messages(MessagesAction::SendAgain)),
         filter = state.key(Action::View(ViewAction::Filter)),
         sort = state.key(Action::View(ViewAction::Sort)),
+        reset = state.key(Action::Messages(MessagesAction::ResetStatistics)),
         pause = state.key(Action::Messages(MessagesAction::Pause)),
         fold = state.key(Action::Messages(MessagesAction::FoldAll))
     );

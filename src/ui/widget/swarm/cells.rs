@@ -20,9 +20,10 @@ use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
 pub type Cell = (String, Role);
 
 /// The states of a command that are shown without a figure.
-const STATES: [RowState; 8] = [
+const STATES: [RowState; 9] = [
     RowState::Queued,
     RowState::Sent,
+    RowState::SentOnly,
     RowState::Accepted,
     RowState::NoEffect,
     RowState::Refused,

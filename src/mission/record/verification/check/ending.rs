@@ -134,6 +134,7 @@ fn is_admitted(state: RowState) -> bool {
         | RowState::NoEffect => true,
         RowState::Queued
         | RowState::Sent
+        | RowState::SentOnly
         | RowState::InProgress(_)
         | RowState::Accepted
         | RowState::Done => false,
