@@ -196,10 +196,10 @@ fn a_mission_is_read_predicted_flown_paused_and_debriefed() {
     terminal.command("continue").see_no_more("PAUSED");
     terminal
         .press("n")
-        .see("Esc closes")
+        .see("Esc close")
         .see("paused ")
         .press("\u{1b}");
-    terminal.see_no_more("Esc closes");
+    terminal.see_no_more("Esc close");
     terminal.command("abandon").see("press y").press("y");
     terminal.see("DEBRIEF").see("ABANDONED");
     signal(&terminal, "-TERM");
