@@ -166,6 +166,13 @@ pub struct Facts {
     pub given_up: bool,
 }
 
+impl Facts {
+    /// Whether all mandatory objectives were reached, as every medal requires.
+    fn mandatory_met(&self) -> bool {
+        self.objectives.iter().all(|o| o.met || !o.mandatory)
+    }
+}
+
 /// The points of a flight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Score {
@@ -203,30 +210,35 @@ pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     let hint_factor = facts.hints.factor();
     let earned = rounded_below(f64::from(tenths) * hint_factor / 10.0, ALL_POINTS.into());
     let points = (earned as u16).min(most_points(facts));
-    let mandatory_met = facts.objectives.iter().all(|o| o.met || !o.mandatory);
-    let mut gold_missing = gates_missing(rules, facts, &components);
+    let gold_missing = gold_missing(rules, facts, &components, points);
     let medal = rules.medals.won(points, gold_missing.is_empty());
-    let gold = rules.medals.gold;
-    gold_missing.extend((points < gold).then(|| text!("gold-points", points = gold)));
-    gold_missing.extend((!mandatory_met).then(|| text!("gold-mandatory")));
     Score {
         components,
         subtotal_tenths: tenths,
         hint_factor,
         points,
-        medal: medal.filter(|_| mandatory_met),
+        medal: medal.filter(|_| facts.mandatory_met()),
         gold_missing,
     }
 }
 
-/// The conditions of gold, besides points and mandatory objectives, that a flight does not meet.
-fn gates_missing(rules: &ScoreRules, facts: &Facts, components: &[ComponentScore]) -> Vec<Text> {
+/// The conditions of gold that a flight does not meet.
+fn gold_missing(
+    rules: &ScoreRules,
+    facts: &Facts,
+    components: &[ComponentScore],
+    points: u16,
+) -> Vec<Text> {
     let gates = rules.gold_requires.iter();
     let missing = gates.filter(|gate| !gate.holds(facts, components));
     // Copied commands show no skill.
     let is_copied = facts.hints.gave_commands();
     let copied = is_copied.then(|| text!("gold-without-commands"));
-    missing.map(Gate::text).chain(copied).collect()
+    let has_points = rules.medals.won(points, true) == Some(Medal::Gold);
+    let short = (!has_points).then(|| text!("gold-points", points = rules.medals.gold));
+    let failed = (!facts.mandatory_met()).then(|| text!("gold-mandatory"));
+    let others = copied.into_iter().chain(short).chain(failed);
+    missing.map(Gate::text).chain(others).collect()
 }
 
 /// Rounds an amount that may not look complete before it is: it reaches `all` only without a loss.

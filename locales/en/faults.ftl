@@ -79,6 +79,7 @@ fault-line-short = the line is too short for this many defects and stains with t
 fault-target-from-zero = `target` must be above `partial_from`, which is 0 or more
 fault-times = `times` must be seconds in ascending order, the first at least 1
 fault-camera = the perimeter needs a camera
+fault-checked = `checked` needs `dwell` or `crossings`, or every report would count
 fault-formation = a formation needs two vehicles or more
 fault-partial-to = `partial_to` must be above `within`
 fault-no-sweep = `{ $sensor }` measures at one point and sweeps no area

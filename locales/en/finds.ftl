@@ -33,9 +33,10 @@ checked-result = looked at closely: { $count }/{ $all } reports
 checked-target = all reports
 checked-advice = Before you report a place, stay within { $radius } m of it for { $dwell } s, at { $speed } m/s at most.
 checked-advice-cross = { $count ->
-    [1] Before you report a place, fly across it at { $speed } m/s at most.
-   *[other] Before you report a place, fly across it from { $count } sides, at { $speed } m/s at most.
+    [1] Before you report a place, fly straight across it, within { $radius } m of it, at { $speed } m/s at most.
+   *[other] Before you report a place, fly straight across it from { $count } sides, within { $radius } m of it, at { $speed } m/s at most.
 }
+checked-advice-heights = Only heights of { $low } to { $high } m count.
 
 # Covering a zone.
 coverage-result = { $swept } % covered; a random search would cover { $random } %

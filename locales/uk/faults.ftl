@@ -79,6 +79,7 @@ fault-line-short = лінія закоротка для стількох деф�
 fault-target-from-zero = `target` має бути більшим за `partial_from`, а той — не меншим за 0
 fault-times = `times` — секунди за зростанням, перша не менша за 1
 fault-camera = для периметра потрібна камера
+fault-checked = для `checked` треба `dwell` або `crossings`, інакше зараховуватиметься будь-яке повідомлення
 fault-formation = для строю треба щонайменше два апарати
 fault-partial-to = `partial_to` має бути більшим за `within`
 fault-no-sweep = `{ $sensor }` вимірює в одній точці й ділянки не обстежує

@@ -209,7 +209,7 @@ impl Shape {
 }
 
 /// The distance from a point to the line segment between two others.
-fn distance_to_side_m(at: Point, from: Point, to: Point) -> f64 {
+pub(in crate::mission) fn distance_to_side_m(at: Point, from: Point, to: Point) -> f64 {
     let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
     let length_2 = dx * dx + dy * dy;
     let along = if length_2 > 0.0 {

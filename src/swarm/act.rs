@@ -15,6 +15,7 @@ use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::session::Steering;
 use crate::text;
+use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId, Vehicles};
 use crate::verb::Verb;
 
@@ -261,21 +262,14 @@ impl ActiveManoeuvre {
         let who: Vec<VehicleId> = targets.filter(|id| self.has(*id)).collect();
         let by = text!("outcome-superseded", by = ordered.verb.name);
         self.end_move(RowState::Superseded, Some(&by), now, rows);
-        for &vehicle in &who {
-            let remark = if vehicle == leader {
-                text!("swarm-leads")
-            } else {
-                text!("swarm-goes-along", leader = leader)
-            };
-            rows.push(RowUpdate {
-                entry: ordered.entry,
-                vehicle,
-                state: RowState::InProgress(0),
-                tries: 1,
-                at: now,
-                explanation: Some(remark),
-            });
-        }
+        rows.extend(who.iter().map(|&vehicle| RowUpdate {
+            entry: ordered.entry,
+            vehicle,
+            state: RowState::InProgress(0),
+            tries: 1,
+            at: now,
+            explanation: Some(move_remark(vehicle, leader)),
+        }));
         self.moving = Some(Move {
             entry: ordered.entry,
             who: who.clone(),
@@ -330,6 +324,15 @@ impl ActiveManoeuvre {
         }
         lanes.sort_by(|a, b| a.from.dot(across).total_cmp(&b.from.dot(across)));
         lanes
+    }
+}
+
+/// The remark on a vehicle's row when its formation moves.
+fn move_remark(vehicle: VehicleId, leader: VehicleId) -> Text {
+    if vehicle == leader {
+        text!("swarm-leads")
+    } else {
+        text!("swarm-goes-along", leader = leader)
     }
 }
 

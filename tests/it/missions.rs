@@ -17,6 +17,7 @@ mod mutants;
 const REFUSALS: &[&str] = &[
     "bad-id.toml:2:6: a mission's id is 1 to 40 lower-case letters, digits and `-`",
     "callsign.toml:53:34: only an aircraft has a callsign, not the person",
+    "checked-nothing.toml:49:1: `checked` needs `dwell` or `crossings`, or every report would count",
     "duplicate-id.toml:41:6: the id `cells` is used twice",
     "far-point.toml:19:10: `source` must lie within 20000 m of the origin, as [east, north]",
     "gate-form.toml:50:18: a gate reads `NAME >= NUMBER`, with `>=`, `<=` or `==`",

@@ -1,8 +1,8 @@
 //! `checked`: look at each place closely before it is reported.
 //!
 //! A vehicle looks closely while it is near the place, slow enough and at the right height. The looks of all vehicles
-//! together must last for `dwell`, and `crossings` of them must lead across the place, in different directions. Only
-//! looks before the report count. Whether the report is correct plays no role, so the state is no secret in flight.
+//! together must last for `dwell`, and have `crossings` straight ways across the place, in different directions. Only looks
+//! before the report count. Whether the report is correct plays no role, so the state is no secret in flight.
 
 use std::collections::BTreeMap;
 
@@ -16,17 +16,20 @@ use crate::mission::format::{FileTable, KindOf, heights, number, seconds, whole}
 use crate::mission::report::{Mark, distance_m};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
+use crate::mission::zone::distance_to_side_m;
 use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The least length of a straight path across a place, as a multiple of the radius: such a path misses the place by at
-/// most four fifths of the radius.
+/// The least length of a straight way across a place, as a multiple of the radius: the line between its ends misses the
+/// place by at most four fifths of the radius.
 const ACROSS: f64 = 1.25;
-/// How much longer than a straight line a straight path may be, as a share and in metres.
-const BEND: f64 = 0.05;
-const BEND_M: f64 = 0.5;
+/// How far the points of a straight way may lie from the line between its ends, as a share of the radius. An arc of this
+/// width within the radius is too short to lead across.
+const BEND: f64 = 0.125;
+/// The distance of the points by which a path is judged, as a share of the radius; it keeps long stops cheap.
+const GRAIN: f64 = 0.03;
 /// The sine of the least angle between two crossings, 60 degrees.
 const APART: f64 = 0.866;
 
@@ -75,14 +78,18 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
     let dwell = table.may(
         "dwell",
         seconds(0.1, 600.0),
-        "time of the looks at a place, all vehicles together (default any)",
+        "time of the looks at a place, all vehicles together (required without `crossings`)",
     );
     let crossings = table.or(
         "crossings",
         whole(0, 2, ""),
         0,
-        "number of looks that lead across the place, at least 60 degrees apart",
+        "number of straight ways across the place, at least 60 degrees apart",
     );
+    let asks_for_looks = table.is_written("dwell") || crossings > 0;
+    if !asks_for_looks && !table.has_wrong() {
+        table.fault(text!("fault-checked"));
+    }
     Some(Box::new(Checked {
         radius_m: radius_m?,
         max_speed_m_s: max_speed_m_s?,
@@ -136,7 +143,9 @@ impl Checked {
     /// Whether these looks show a place: uninterrupted paths within the radius of it, one position a step.
     fn is_shown_by(&self, looks: &[Vec<Point>]) -> bool {
         let steps: usize = looks.iter().map(Vec::len).sum();
-        let ways = looks.iter().flat_map(|look| straight_ways(look));
+        let ways = looks
+            .iter()
+            .flat_map(|look| straight_ways(look, self.radius_m));
         let across_m = ACROSS * self.radius_m;
         let ways: Vec<Point> = ways.filter(|way| length_m(*way) >= across_m).collect();
         let has_crossed = match self.crossings {
@@ -150,41 +159,62 @@ impl Checked {
     }
 
     fn advice(&self) -> Text {
-        let speed = self.max_speed_m_s.to_string();
-        if self.crossings > 0 {
-            text!(
-                "checked-advice-cross",
-                count = self.crossings,
-                speed = speed
-            )
-        } else {
-            let (dwell, radius) = (
-                format!("{:.0}", self.dwell_s),
-                format!("{:.0}", self.radius_m),
-            );
-            text!(
-                "checked-advice",
-                dwell = dwell,
-                radius = radius,
-                speed = speed
-            )
-        }
+        let (radius, speed) = (self.radius_m.to_string(), self.max_speed_m_s.to_string());
+        let stay = text!(
+            "checked-advice",
+            dwell = self.dwell_s.to_string(),
+            radius = radius.clone(),
+            speed = speed.clone()
+        );
+        let cross = text!(
+            "checked-advice-cross",
+            count = self.crossings,
+            radius = radius,
+            speed = speed
+        );
+        let heights = self.heights_m.map(|heights_m| {
+            let [low, high] = heights_m.map(|height_m| height_m.to_string());
+            text!("checked-advice-heights", low = low, high = high)
+        });
+        let stay = (self.dwell_s > 0.0).then_some(stay);
+        let cross = (self.crossings > 0).then_some(cross);
+        Text::joined(" ", stay.into_iter().chain(cross).chain(heights).collect())
     }
 }
 
 /// The straight parts of a path, each as the way from its beginning to its end.
-fn straight_ways(path: &[Point]) -> Vec<Point> {
+fn straight_ways(path: &[Point], radius_m: f64) -> Vec<Point> {
+    let points = thinned(path, GRAIN * radius_m);
     let mut ways = Vec::new();
-    let (mut from, mut flown_m) = (0, 0.0);
-    for (at, pair) in path.windows(2).enumerate() {
-        flown_m += distance_m(pair[0], pair[1]);
-        if flown_m > (1.0 + BEND) * distance_m(path[from], pair[1]) + BEND_M {
-            ways.push(way(path[from], pair[0]));
-            (from, flown_m) = (at, distance_m(pair[0], pair[1]));
+    let (mut from, mut to) = (0, 1);
+    while to < points.len() {
+        let (begin, end) = (points[from], points[to]);
+        let aside_m = |at: &usize| distance_to_side_m(points[*at], begin, end);
+        let corner = (from + 1..to).max_by(|a, b| aside_m(a).total_cmp(&aside_m(b)));
+        let corner = corner.filter(|corner| aside_m(corner) > BEND * radius_m);
+        if let Some(corner) = corner {
+            ways.push(way(begin, points[corner]));
+            from = corner;
+            to = corner;
+        }
+        to += 1;
+    }
+    ways.extend(points.last().map(|&last| way(points[from], last)));
+    ways
+}
+
+/// The points of a path without those that are too near the one before.
+fn thinned(path: &[Point], apart_m: f64) -> Vec<Point> {
+    let mut points: Vec<Point> = Vec::new();
+    for &at in path {
+        if points
+            .last()
+            .is_none_or(|&last| distance_m(last, at) >= apart_m)
+        {
+            points.push(at);
         }
     }
-    ways.extend(path.last().map(|&last| way(path[from], last)));
-    ways
+    points
 }
 
 fn way(from: Point, to: Point) -> Point {
@@ -260,7 +290,12 @@ impl Tracker for CheckedTracker {
 
 #[cfg(test)]
 mod tests {
+    use rand::SeedableRng as _;
+    use rand_chacha::ChaCha8Rng;
+    use rand_distr::{Distribution as _, Normal};
+
     use super::*;
+    use crate::text::{Language, Locale};
 
     fn plan(dwell_s: f64, crossings: u32) -> Checked {
         Checked {
@@ -311,10 +346,76 @@ mod tests {
         ];
         assert!(plan(0.0, 2).is_shown_by(&[legs.concat()]));
         assert!(!plan(0.0, 2).is_shown_by(&[legs[..4].concat()]));
-        let ring = |step: u32| {
-            let angle = f64::from(step) / 30.0;
-            [5.0 * maths::sin(angle), 5.0 * maths::cos(angle)]
+    }
+
+    /// An orbit never leads across its centre, however wide it is.
+    #[test]
+    fn rings_around_a_place_do_not_cross_it() {
+        for radius_m in [2.0, 6.0, 8.0, 30.0] {
+            let plan = Checked {
+                radius_m,
+                ..plan(0.0, 1)
+            };
+            for share in [0.5, 0.7, 0.83, 0.9, 0.98] {
+                let ring = |step: u32| {
+                    let angle = f64::from(step) / 30.0;
+                    [maths::sin(angle), maths::cos(angle)].map(|part| share * radius_m * part)
+                };
+                let laps = (0..400).map(ring).collect();
+                assert!(!plan.is_shown_by(&[laps]), "{share} of {radius_m} m");
+            }
+        }
+    }
+
+    /// A slow flight with noise in its positions is long, but straight.
+    #[test]
+    fn slow_crossings_with_noisy_positions_count() {
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        let noise = Normal::new(0.0, 0.1).expect("a finite deviation");
+        // 11 m at 1 m/s, one position a step.
+        let mut crossing = |way: fn(f64) -> Point| -> Vec<Point> {
+            let along = (0..110).map(|step| way(f64::from(step) * 0.1 - 5.5));
+            let noisy = |at: Point| at.map(|axis| axis + noise.sample(&mut random));
+            along.map(noisy).collect()
         };
-        assert!(!plan(0.0, 1).is_shown_by(&[(0..190).map(ring).collect()]));
+        let (north, east) = (
+            crossing(|along| [1.0, along]),
+            crossing(|along| [along, -1.0]),
+        );
+        assert!(plan(0.0, 1).is_shown_by(std::slice::from_ref(&north)));
+        assert!(!plan(0.0, 2).is_shown_by(std::slice::from_ref(&north)));
+        assert!(plan(0.0, 2).is_shown_by(&[north, east]));
+    }
+
+    /// The advice names every condition, and rounds none away.
+    #[test]
+    fn the_advice_names_every_condition_of_a_look() {
+        let small = Checked {
+            radius_m: 0.5,
+            heights_m: Some([5.0, 17.5]),
+            ..plan(4.0, 2)
+        };
+        let advice = small.advice();
+        assert_eq!(
+            advice.to_string(),
+            "Before you report a place, stay within 0.5 m of it for 4 s, at 3 m/s at most. \
+             Before you report a place, fly straight across it from 2 sides, within 0.5 m of it, at 3 m/s at most. \
+             Only heights of 5 to 17.5 m count."
+        );
+        let ukrainian = Locale::new(Language::Ukrainian);
+        let ukrainian = ukrainian.text(&advice);
+        for condition in ["4 s", "0.5 m", "з 2 боків", "3 m/s", "від 5 до 17.5 m"] {
+            assert!(ukrainian.contains(condition), "{ukrainian}");
+        }
+        let stop = plan(4.0, 0).advice().to_string();
+        assert!(
+            !stop.contains("across") && !stop.contains("heights"),
+            "{stop}"
+        );
+        let cross = plan(0.0, 1).advice().to_string();
+        assert!(
+            !cross.contains("stay") && !cross.contains("heights"),
+            "{cross}"
+        );
     }
 }
