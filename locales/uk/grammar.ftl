@@ -82,7 +82,7 @@ grammar-keep-or-face = збережіть курс або візьміть ін�
 grammar-heading-range = курс буває від 0° до 360°; щоб повернути ліворуч, пишіть `by`, як-от `yaw by -90`
 grammar-which-way = бракує напрямку: пишіть `n`, `e`, `d` або `up` і швидкість
 grammar-down-or-up = вкажіть `d` або `up`: те й інше разом не можна
-grammar-small-circle = радіус кола має бути не менший ніж 1 m
+grammar-small-circle = радіус кола має бути щонайменше 1 m
 grammar-four-parameters = треба чотири параметри
 grammar-unknown-word = невідоме слово
 

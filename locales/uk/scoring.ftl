@@ -67,7 +67,7 @@ scoring-alerts-answered = { $count ->
     [one] на { $count } тривогу відповіли вчасно
    *[many] на всі тривоги ({ $count }) відповіли вчасно
 }
-scoring-alerts-late = { $worst }; запізно ще { $more }
+scoring-alerts-late = { $worst }; ще тривог із запізненням: { $more }
 scoring-alert-unanswered = { $alert }: без відповіді
 scoring-alert-took = { $alert }: { $seconds } s (межа { $limit } s)
 scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть дрон, потім читайте. На «{ $alert }» відводилося { $limit } s.

@@ -11,7 +11,7 @@ threat-bubble = { $distance } m до літака
 threat-intruder-hit = зіткнення з чужим дроном
 threat-intruder-near = { $distance } m до чужого дрона
 threat-answered = відповідь за { $seconds } s: { $alert }
-threat-not-allowed = `{ $name }` не можна ввести в цьому завданні
+threat-not-allowed = подію `{ $name }` не можна ввести в це завдання
 
 threat-gust = сильні пориви вітру
 threat-wind-shift = вітер змінює напрямок
