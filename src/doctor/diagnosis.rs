@@ -98,7 +98,7 @@ pub enum Cause {
     Unsigned(SystemId),
     /// Frames that are not signed with a vehicle's key arrive in its name.
     WrongKey(SystemId),
-    /// Frames of a vehicle arrive again, or its timestamps are this many seconds behind.
+    /// Frames of a vehicle have old timestamps, this many seconds behind: they may be replayed.
     OldStamps(SystemId, u64),
     /// The vehicle is heard but does not answer.
     OneWay(SystemId),

@@ -184,7 +184,7 @@ impl Hub {
         self.tell(FleetEvent::Forwarding(feed)).await;
     }
 
-    /// Reports a station's command to vehicles.
+    /// Reports to the console that another ground station has sent vehicles a command.
     async fn overhear(&mut self, news: &StationNews) {
         let now = self.clock.now();
         let is_meant = |system: SystemId| news.system.is_none_or(|meant| meant == system);

@@ -58,7 +58,8 @@ impl Contents {
         written.map_err(|error| Text::from(&error))
     }
 
-    /// Merges the index's moments and the bookmarks if either has changed; returns whether anything has changed.
+    /// Merges the moments of the index, the bookmarks and those of the joined logs, if the index or the bookmarks have
+    /// changed; returns whether they have.
     pub fn merge(&mut self, found: Arc<Vec<Moment>>) -> bool {
         let before = self.merged.as_ref();
         if before.is_some_and(|it| Arc::ptr_eq(it, &found)) {

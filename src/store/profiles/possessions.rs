@@ -74,7 +74,7 @@ impl Profiles {
         removed.map(drop).map_err(|error| self.fault(error))
     }
 
-    /// Renames a design from `from`, in one transaction.
+    /// Replaces the design named `from` with `design`, which has the new name, in one transaction.
     ///
     /// # Errors
     /// The database cannot be written.

@@ -268,7 +268,7 @@ const FAULTS_OF_SENSE: &[(&str, &str, &str)] = &[
     (
         "[[hazards]]",
         "[[zones]]\nid = \"bow\"\nkind = \"task\"\npolygon = [[0, 0], [9, 0], [0, 9], [9, 9]]\n[[hazards]]",
-        "24:11: the polygon crosses itself: its side between corners 2 and 3 and that between corners 4 and 1",
+        "24:11: the polygon crosses itself: the side between corners 2 and 3 crosses the side between corners 4 and 1",
     ),
     (
         "[[hazards]]",

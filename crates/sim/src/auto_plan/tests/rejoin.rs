@@ -3,7 +3,7 @@
 use super::*;
 use crate::cmd;
 
-/// Takeoff, out, the return path and its leg, the start of a landing without a place, the landing.
+/// Takeoff, a waypoint, the return path and its leg, the start of a landing without a place, the landing.
 fn with_return_path() -> Vec<Item> {
     vec![
         act(22, [0.0; 4], 10.0),
