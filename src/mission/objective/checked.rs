@@ -1,8 +1,8 @@
 //! `checked`: look at each place closely before it is reported.
 //!
 //! A vehicle looks closely while it is near the place, slow enough and at the right height. The looks of all vehicles
-//! together must last for `dwell`, and have `crossings` straight ways across the place, in different directions. Only looks
-//! before the report count. Whether the report is correct plays no role, so the state is no secret in flight.
+//! together must last for `dwell`, and have `crossings` straight ways across the place, in different directions. Only
+//! looks before the report count. Whether the report is correct plays no role, so the state is no secret in flight.
 
 use std::collections::BTreeMap;
 
@@ -25,8 +25,8 @@ use crate::vehicle::VehicleId;
 /// The least length of a straight way across a place, as a multiple of the radius: the line between its ends misses the
 /// place by at most four fifths of the radius.
 const ACROSS: f64 = 1.25;
-/// How far the points of a straight way may lie from the line between its ends, as a share of the radius. An arc of this
-/// width within the radius is too short to lead across.
+/// How far the points of a straight way may lie from the line between its ends, as a share of the radius. An arc of
+/// this width within the radius is too short to lead across.
 const BEND: f64 = 0.125;
 /// The distance of the points by which a path is judged, as a share of the radius; it keeps long stops cheap.
 const GRAIN: f64 = 0.03;
