@@ -30,12 +30,12 @@ unset CARGO_ENCODED_RUSTFLAGS CFLAGS
 program=${CARGO_TARGET_DIR:-target}/$target/release/sortie
 
 rm -rf "$stage"
-mkdir -p "$stage/completions" "$stage/docs/images" "$stage/systemd" "$stage/licences"
-cp "$program" README.md CHANGELOG.md LICENSE "$stage/"
-cp docs/*.md "$stage/docs/"
-cp docs/images/*.svg "$stage/docs/images/"
+mkdir -p "$stage/completions" "$stage/systemd" "$stage/licences"
+cp "$program" "$stage/"
+# From the working tree, as the program, but only what is tracked.
+git ls-files -z README.md CHANGELOG.md LICENSE ':(glob)docs/*.md' ':(glob)docs/images/*.svg' missions designs examples/api |
+    tar --create --null --files-from=- | tar --extract --directory "$stage"
 cp contrib/sortie-hangar.service "$stage/systemd/"
-git archive HEAD missions designs examples/api | tar --extract --directory "$stage"
 for shell in bash zsh fish elvish powershell; do
     "$program" completions "$shell" >"$stage/completions/sortie.$shell"
 done

@@ -244,31 +244,63 @@ fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
 mod tests {
     use super::*;
 
+    /// A table for faults of the TOML reader.
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(deny_unknown_fields)]
+    #[expect(dead_code, reason = "only the faults count")]
+    struct Table {
+        brief: f64,
+        state: Option<State>,
+        none: Option<Nothing>,
+    }
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(rename_all = "lowercase")]
+    enum State {
+        On,
+        Off,
+    }
+
+    #[derive(Debug, serde::Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct Nothing {}
+
     #[test]
     fn messages_of_the_toml_reader_are_texts() {
-        for (message, words) in [
+        for (source, words) in [
             (
-                "unknown field `blink`, expected one of `fg`, `bg`, `bold`",
-                "unknown field `blink`; known: fg, bg, bold",
+                "brief = 1\nblink = 1",
+                text!(
+                    "fault-key-unexpected",
+                    name = "blink",
+                    known = "brief, state, none"
+                ),
             ),
             (
-                "unknown field `x`, there are no fields",
-                "unknown field `x`: no fields are allowed here",
+                "brief = 1\nnone = { x = 1 }",
+                text!("fault-key-none", name = "x"),
             ),
             (
-                "unknown variant `up`, expected `on` or `off`",
-                "unknown value `up`; known: on, off",
+                "brief = 1\nstate = \"up\"",
+                text!("fault-value-unknown", name = "up", known = "on, off"),
             ),
-            ("missing field `brief`", "missing field `brief`"),
+            ("", text!("fault-key-missing", name = "brief")),
             (
-                "invalid type: string \"8, expected 9\", expected a number",
-                "invalid type: string \"8, expected 9\", expected a number",
+                "brief = \"8, expected 9\"",
+                text!(
+                    "fault-type",
+                    found = "string \"8, expected 9\"",
+                    wanted = "f64"
+                ),
             ),
-            ("duplicate key", "duplicate key"),
-            ("extra `=`, expected nothing", "extra `=`, expected nothing"),
+            ("brief = 1\nbrief = 2", text!("fault-key-twice")),
         ] {
-            assert_eq!(toml_words(message).to_string(), words);
+            let error = toml::from_str::<Table>(source).expect_err("a fault");
+            assert_eq!(Diagnostic::from_toml(&error).message, words, "{source}");
         }
+        let error = toml::from_str::<Table>("brief = = 1").expect_err("a fault");
+        let words = text!("fault-syntax", words = error.message());
+        assert_eq!(Diagnostic::from_toml(&error).message, words);
     }
 
     #[test]

@@ -224,6 +224,15 @@ impl Vehicle {
         self.heartbeat.is_some_and(|heartbeat| heartbeat.armed)
     }
 
+    /// Whether it reports an active failsafe, or that control is lost.
+    pub fn in_failsafe(&self) -> bool {
+        let status = self.heartbeat.map(|heartbeat| heartbeat.status);
+        matches!(
+            status,
+            Some(SystemStatus::Critical | SystemStatus::Emergency)
+        )
+    }
+
     /// Height above home in metres, if known.
     pub fn altitude_m(&self) -> Option<f64> {
         self.global.map(|global| global.altitude_m)

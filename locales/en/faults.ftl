@@ -100,7 +100,12 @@ check-plan-high = this plan is above the limit of { $height } m
 check-place-fence = this place lies beyond the fence `{ $fence }`
 check-budget = `budget` is too small: the cheapest fleet with these sensors and loads costs { $least } credits
 check-event-late = the mission is over before this happens
-check-not-carried = no vehicle carries { $missing }
+check-no-load = { $count ->
+    [one] no vehicle carries a { $loads }
+   *[other] no vehicle carries any of { $loads }
+}
+check-no-sensor = no vehicle carries a sensor
+check-no-detector = no vehicle carries a sensor that finds things
 check-too-long = the mission lasts only { $limit } s
 check-too-far = at { $speed } m/s in straight lines this takes { $needed } s, but the mission lasts { $limit } s
 check-pads-near = this pad is { $near } m from another one; vehicles must keep { $apart } m apart

@@ -61,6 +61,8 @@ check-kind = unknown kind of file: neither a mission nor a design, a theme, a ke
 check-kind-help = a mission has sections such as `objectives`, a design `name` and `frame`, a theme `roles`, a keymap rooms such as `fly`, a configuration settings such as `lang`
 check-same-id = the mission { $file } has the id `{ $id }` already
 check-same-id-help = give it an id of its own: of several missions with one id, only the first is found
+check-known-id = the mission { $file } has the id `{ $id }`, too
+check-known-id-help = this id finds only one of them, the first by file name; fly this file by its path
 check-note = { $line } (a note, not a fault)
 
 # `sortie verify`

@@ -79,6 +79,7 @@ mission-hint = hint: { $hint }
 mission-landed = Landed. The flight ends when all reports are in and final: report what is missing, or wait.
 mission-returning = All drones in the air return or land. The flight ends after the last landing.
 mission-returning-early = All drones in the air return or land, and objectives are still open: `guided` stops that, then `goto` continues the task.
+mission-returning-failsafe = A failsafe brings down vehicle { $vehicle }: let it land. Objectives are still open.
 mission-grounded = a failsafe has landed vehicle { $vehicle } ({ $reason }): take off again if the battery lasts; `abandon` ends the mission without points
 mission-lesson = now: { $step }
 mission-more-cells = more cells on a larger screen

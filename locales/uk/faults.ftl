@@ -100,7 +100,12 @@ check-plan-high = цей план вище за дозволені { $height } m
 check-place-fence = це місце лежить за геозоною `{ $fence }`
 check-budget = `budget` замалий: найдешевший флот з такими сенсорами й вантажами коштує { $least } кредитів
 check-event-late = завдання закінчується раніше, ніж це станеться
-check-not-carried = жоден апарат не несе { $missing }
+check-no-load = { $count ->
+    [one] жоден апарат не несе { $loads }
+   *[other] жоден апарат не несе нічого з { $loads }
+}
+check-no-sensor = жоден апарат не має датчика
+check-no-detector = жоден апарат не має датчика, що знаходить об'єкти
 check-too-long = завдання триває лише { $limit } s
 check-too-far = зі швидкістю { $speed } m/s по прямій на це треба { $needed } s, а завдання триває { $limit } s
 check-pads-near = цей майданчик за { $near } m від іншого; апарати мають триматися за { $apart } m один від одного

@@ -1,9 +1,11 @@
 //! `sortie check`: faults in files, as `FILE:LINE:COLUMN`.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use toml::Spanned;
 use toml::de::DeTable;
 
 use clap::Args;
@@ -58,17 +60,9 @@ enum FileKind {
     Script,
 }
 
-/// Keys that every mission file has; the last ones are sections that no other kind of file has.
-const MISSION_KEYS: &[&str] = &[
-    "schema",
-    "id",
-    "title",
-    "brief",
-    "sim",
-    "fleet",
-    "objectives",
-    "scoring",
-];
+/// Keys that every mission file has, and other files may have.
+const MISSION_KEYS: &[&str] = &["schema", "id", "title", "brief"];
+/// Sections that every mission file has, and no other kind of file.
 const MISSION_SECTIONS: &[&str] = &["sim", "fleet", "objectives", "scoring"];
 
 /// Prints the faults of each file, or the results of flown missions; exit code 1 if there is any fault.
@@ -89,7 +83,6 @@ pub(super) fn check(
     }
     let files = &unfolded(&options.files);
     let known = known_missions(files);
-    let ids = first_with_ids(files);
     let locale = Locale::new(settings.language());
     let mut faulty = false;
     // A wrong file name is a usage error, so no file is checked before all names are understood.
@@ -101,7 +94,6 @@ pub(super) fn check(
         }
         let others = OtherFiles {
             missions: &known,
-            ids: &ids,
             named: &options.files,
         };
         faulty |= report(path, &others, &locale)?;
@@ -147,9 +139,46 @@ fn unfolded(paths: &[PathBuf]) -> Vec<PathBuf> {
     paths.iter().flat_map(inside).collect()
 }
 
-/// The ids of missions that other files may name: the shipped ones, the user's, the checked ones, and those in the
-/// checked files' folders and parent folders.
-fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
+/// A file with a mission.
+struct MissionFile {
+    /// The path, or the name of an embedded file.
+    name: String,
+    /// Whether it is one of the files to check.
+    is_checked: bool,
+}
+
+/// The files with each id of a mission that other files may name.
+type KnownMissions = BTreeMap<String, Vec<MissionFile>>;
+
+/// The missions among the checked files, in their order, then the shipped ones, the user's, and those in the checked
+/// files' folders and parent folders.
+fn known_missions(files: &[PathBuf]) -> KnownMissions {
+    let is_toml = |path: &&PathBuf| path.extension().is_some_and(|ending| ending == "toml");
+    let checked = files.iter().filter(is_toml);
+    let checked = checked.filter_map(|path| store::read_found(path, "file-mission").ok());
+    let known = store::missions().into_iter().chain(missions_beside(files));
+    let all = checked
+        .map(|source| (source, true))
+        .chain(known.map(|source| (source, false)));
+    let mut seen = BTreeSet::new();
+    let mut missions = KnownMissions::new();
+    for (source, is_checked) in all {
+        let Some(id) = Mission::id_of(&source.text) else {
+            continue;
+        };
+        let name = source.name;
+        // A file can be checked, the user's, and beside another one.
+        let is_new = fs::canonicalize(&name).map_or(true, |path| seen.insert(path));
+        if is_new {
+            let same = missions.entry(id).or_default();
+            same.push(MissionFile { name, is_checked });
+        }
+    }
+    missions
+}
+
+/// The missions in the files' folders and parent folders.
+fn missions_beside(files: &[PathBuf]) -> impl Iterator<Item = Source> {
     let own = files.iter().filter_map(|path| path.parent());
     let folders: BTreeSet<&Path> = own
         .flat_map(|folder| [Some(folder), folder.parent()])
@@ -162,38 +191,22 @@ fn known_missions(files: &[PathBuf]) -> BTreeSet<String> {
             }
         })
         .collect();
-    let beside = folders
+    folders
         .into_iter()
-        .flat_map(|folder| store::files(folder, "file-mission", "toml"));
-    let all = store::missions().into_iter().chain(beside);
-    all.filter_map(|source| Mission::id_of(&source.text))
-        .collect()
+        .flat_map(|folder| store::files(folder, "file-mission", "toml"))
 }
 
-/// The first of these files with each mission's id.
-fn first_with_ids(files: &[PathBuf]) -> BTreeMap<String, PathBuf> {
-    let mut first = BTreeMap::new();
-    for path in files {
-        let source = store::read_found(path, "file-mission").ok();
-        if let Some(id) = source.and_then(|source| Mission::id_of(&source.text)) {
-            first.entry(id).or_insert_with(|| path.clone());
-        }
-    }
-    first
-}
-
-/// The fault of a mission whose id another file has already. A file of the same name replaces the other one.
-fn same_id(path: &Path, source: &Source, others: &OtherFiles<'_>) -> Option<Diagnostic> {
-    let id = Mission::id_of(&source.text)?;
-    let first = others.ids.get(&id)?;
-    if first.file_name() == path.file_name() {
-        return None;
-    }
-    let (table, _) = DeTable::parse_recoverable(&source.text);
-    let span = table.get_ref().get("id")?.span();
-    let first = first.display().to_string();
-    let fault = Diagnostic::new(span, text!("check-same-id", id = id, file = first));
-    Some(fault.with_help(text!("check-same-id-help")))
+/// Another file with a mission's id, which comes before it. A file of the same name replaces the other one.
+fn same_id<'a>(path: &Path, id: &str, missions: &'a KnownMissions) -> Option<&'a MissionFile> {
+    let same = missions.get(id)?;
+    let at = same
+        .iter()
+        .position(|it| Path::new(&it.name) == path)
+        .unwrap_or(same.len());
+    let is_other = |it: &&MissionFile| Path::new(&it.name).file_name() != path.file_name();
+    let mut before = same.iter().take(at).filter(|it| it.is_checked);
+    let first = before.find(is_other);
+    first.or_else(|| same.iter().filter(|it| !it.is_checked).find(is_other))
 }
 
 fn has_known_ending(path: &Path) -> Result<(), Failure> {
@@ -228,8 +241,9 @@ fn kind(path: &Path, text: &str) -> Option<FileKind> {
     let contexts: Vec<&str> = Place::all().map(Place::name).collect();
     let slots = PartSlot::ALL.map(PartSlot::key);
     let design: Vec<&str> = ["schema", "name"].into_iter().chain(slots).collect();
+    let mission = [MISSION_KEYS, MISSION_SECTIONS].concat();
     let kinds: [(FileKind, &str, &[&str]); 5] = [
-        (FileKind::Mission, "missions", MISSION_KEYS),
+        (FileKind::Mission, "missions", &mission),
         (FileKind::Design, "designs", &design),
         (FileKind::Theme, "themes", &["inherits", "roles"]),
         (FileKind::Keymap, "keymap", &contexts),
@@ -262,9 +276,7 @@ fn matches(keys: &[&str], known: &[&str]) -> usize {
 
 /// The other files that a file may refer to.
 struct OtherFiles<'a> {
-    missions: &'a BTreeSet<String>,
-    /// The first of the checked files with each mission's id.
-    ids: &'a BTreeMap<String, PathBuf>,
+    missions: &'a KnownMissions,
     /// All files that the command line names.
     named: &'a [PathBuf],
 }
@@ -282,35 +294,59 @@ fn examined(
         return (vec![fault.with_help(text!("check-kind-help"))], Vec::new());
     };
     let faults = match kind {
-        FileKind::Theme => {
-            let mut themes = settings::themes();
-            let folder = path
-                .parent()
-                .filter(|folder| !folder.as_os_str().is_empty());
-            // A theme may inherit from the themes beside it.
-            settings::add_themes(
-                &mut themes,
-                store::files(folder.unwrap_or(Path::new(".")), "file-theme", "toml"),
-            );
-            themes.read(source.stem(), text).err()
-        }
+        FileKind::Theme => theme_faults(path, source),
         FileKind::Keymap => {
             let themes = settings::theme_names(&settings::themes());
             Keymap::default().overlay(text, &themes).err()
         }
         FileKind::Configuration => settings::faults_in(source, &settings::themes()),
         FileKind::Mission => match Mission::parse(text) {
-            Ok(mission) => {
-                let mut faults = mission.check();
-                faults.extend(mission.unknown_missions(others.missions));
-                faults.extend(same_id(path, source, others));
-                faults.sort_by_key(|fault| fault.span.start);
-                return (faults, mission.file.untranslated);
-            }
+            Ok(mission) => return examined_mission(path, mission, others.missions),
             Err(faults) => Some(faults),
         },
         FileKind::Design => Design::from_toml(text).err(),
         FileKind::Script => script::faults(path, text, others.named),
     };
     (faults.unwrap_or_default(), Vec::new())
+}
+
+fn theme_faults(path: &Path, source: &Source) -> Option<Vec<Diagnostic>> {
+    let mut themes = settings::themes();
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    // A theme may inherit from the themes beside it.
+    settings::add_themes(
+        &mut themes,
+        store::files(folder.unwrap_or(Path::new(".")), "file-theme", "toml"),
+    );
+    themes.read(source.stem(), &source.text).err()
+}
+
+/// The faults and the notes of a mission that can be read. An id that another checked file has already is a fault; that
+/// of a mission that is not checked is a note, as such a file may stand in for practice.
+fn examined_mission(
+    path: &Path,
+    mission: Mission,
+    missions: &KnownMissions,
+) -> (Vec<Diagnostic>, Vec<Diagnostic>) {
+    let known: BTreeSet<String> = missions.keys().cloned().collect();
+    let mut faults = mission.check();
+    faults.extend(mission.unknown_missions(&known));
+    let (table, _) = DeTable::parse_recoverable(&mission.file.text);
+    let place = table.get_ref().get("id").map_or(0..0, Spanned::span);
+    let mut notes = mission.file.untranslated;
+    if let Some(other) = same_id(path, &mission.id, missions) {
+        let (id, file) = (mission.id.as_str(), other.name.as_str());
+        if other.is_checked {
+            let fault = Diagnostic::new(place, text!("check-same-id", id = id, file = file));
+            faults.push(fault.with_help(text!("check-same-id-help")));
+        } else {
+            let note = Diagnostic::new(place, text!("check-known-id", id = id, file = file));
+            notes.push(note.with_help(text!("check-known-id-help")));
+        }
+    }
+    faults.sort_by_key(|fault| fault.span.start);
+    notes.sort_by_key(|note| note.span.start);
+    (faults, notes)
 }

@@ -15,6 +15,8 @@ pub struct Area {
     /// Its meaning for vehicles inside.
     pub kind: AreaKind,
     pub outline: Outline,
+    /// The height above home that vehicles must not exceed in a fence, in metres, if it has one.
+    pub ceiling_m: Option<f64>,
 }
 
 impl Area {
@@ -34,6 +36,15 @@ impl Area {
                 maths::hypot(north_m, east_m) <= *radius_m
             }
         }
+    }
+
+    /// Whether a place lies inside, or about a metre outside: the places on board a vehicle are rounded.
+    pub fn contains_nearly(&self, place: LatLon) -> bool {
+        const NEAR_M: [f64; 3] = [0.0, -1.0, 1.0];
+        let mut steps = NEAR_M
+            .into_iter()
+            .flat_map(|north_m| NEAR_M.map(|east_m| (north_m, east_m)));
+        steps.any(|(north_m, east_m)| self.contains(place.moved(north_m, east_m)))
     }
 }
 
@@ -98,6 +109,7 @@ impl Mission {
         Area {
             name: zone.id.clone(),
             kind: zone.kind.into(),
+            ceiling_m: zone.kind.fence_ceiling_m(),
             outline: match &zone.shape {
                 Shape::Polygon(corners) => {
                     let places = corners.iter().map(|&corner| self.site.origin.place(corner));

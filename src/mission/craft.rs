@@ -47,6 +47,8 @@ pub(crate) struct Craft {
     pub in_auto: bool,
     /// Whether it returns or lands on its own, by its mode.
     pub comes_down: bool,
+    /// Whether it reports an active failsafe.
+    pub in_failsafe: bool,
     /// Whether it has been in the air during this mission.
     pub flown: bool,
     /// Whether it has crashed, or its simulator's process has ended.
@@ -89,6 +91,7 @@ impl Craft {
             airborne: false,
             in_auto: false,
             comes_down: false,
+            in_failsafe: false,
             flown: false,
             lost: false,
             heard: false,
@@ -109,6 +112,11 @@ impl Craft {
     /// Whether the vehicle is disarmed on the ground after flying.
     pub fn is_down(&self) -> bool {
         self.flown && !self.lost && !self.armed && !self.airborne
+    }
+
+    /// Whether the vehicle is in the air and has not crashed.
+    pub fn flies(&self) -> bool {
+        self.airborne && !self.lost
     }
 
     /// Whether the vehicle's detectors work and its radio delivers their results.
@@ -198,6 +206,7 @@ impl Craft {
         self.airborne = vehicle.airborne();
         self.in_auto = vehicle.flies_plan();
         self.comes_down = vehicle.mode().is_some_and(Mode::comes_down);
+        self.in_failsafe = vehicle.in_failsafe();
         self.flown |= self.airborne && self.armed;
         self.speed_m_s = vehicle.ground_speed_m_s().map_or(0.0, f64::from);
         let sound =

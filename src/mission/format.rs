@@ -23,7 +23,7 @@ pub(super) use description::FileShape;
 #[cfg(test)]
 pub(super) use description::FileTableDescription;
 pub(super) use draft::{Draft, NamedPlace};
-pub(super) use faults::FileFaults;
+pub(super) use faults::{FileFaults, not_between};
 pub(super) use reference::reference;
 pub(super) use schema::schema;
 pub(super) use shared::{BetterMeasure, CountTarget, ObjectiveTarget};

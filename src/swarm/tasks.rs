@@ -11,6 +11,7 @@ use crate::plan::generate::{
     GenerateError, Idle, Manner, Task, USUAL_HEIGHT_M, USUAL_SECTOR_M, USUAL_TURNS, generate,
     source,
 };
+use crate::plan::pattern::square;
 use crate::plan::{Document, Home, Item};
 use crate::preflight::{idle_words, ungenerated};
 use crate::text;
@@ -253,9 +254,14 @@ pub fn outermost_places(
     match task {
         Task::Survey { rings, .. } => rings.into_iter().next().unwrap_or_default(),
         Task::Square {
-            datum, radius_m, ..
-        }
-        | Task::Sector { datum, radius_m } => around(datum, radius_m),
+            datum,
+            spacing_m,
+            radius_m,
+        } => square(spacing_m, radius_m)
+            .into_iter()
+            .map(|point| datum.moved(point.x, point.y))
+            .collect(),
+        Task::Sector { datum, radius_m } => around(datum, radius_m),
         Task::Line { points, .. } => points,
         Task::Orbit {
             centre, radius_m, ..

@@ -9,8 +9,8 @@ use crate::alert::{AlertKind, crash};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{
-    EKF_BAD, EkfFlags, FixType, Grade, HomeReach, LandedState, Severity, StatusText, SystemStatus,
-    TrafficThreat, VIBRATION_BAD_M_S2, Vehicle,
+    EKF_BAD, EkfFlags, FixType, Grade, HomeReach, LandedState, Severity, StatusText, TrafficThreat,
+    VIBRATION_BAD_M_S2, Vehicle,
 };
 
 /// How long a text about a failsafe counts as current.
@@ -133,8 +133,7 @@ fn link_lost(vehicle: &Vehicle) -> Option<Alert> {
 }
 
 fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
-    let status = vehicle.heartbeat?.status;
-    if !matches!(status, SystemStatus::Critical | SystemStatus::Emergency) {
+    if !vehicle.in_failsafe() {
         return None;
     }
     // A heartbeat can still report a failsafe that a text has just ended, or another one.

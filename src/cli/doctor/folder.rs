@@ -8,6 +8,7 @@ use nix::errno::Errno;
 use nix::unistd::{AccessFlags, Uid, User, access, geteuid};
 
 use super::HostFinding;
+use crate::sitl::quoted;
 
 /// With less free space than this, logs soon fill a disk: a flying instance writes about a megabyte a minute.
 const LEAST_FREE_MIB: u64 = 512;
@@ -106,7 +107,7 @@ impl ClosedFolder<'_> {
             ),
             (error, None) => {
                 let found = format!("{name} cannot be written: {error}");
-                let mend = format!("chmod u+wx {name}, or {elsewhere}");
+                let mend = format!("chmod u+wx {}, or {elsewhere}", shell_word(self.path));
                 return HostFinding::fault(self.about, found, mend);
             }
         };
@@ -136,11 +137,16 @@ impl ClosedFolder<'_> {
             ),
             (error, None) => (
                 format!("{name} cannot be created: {error}"),
-                format!("chmod u+wx {there}, or {elsewhere}"),
+                format!("chmod u+wx {}, or {elsewhere}", shell_word(self.there)),
             ),
         };
         HostFinding::fault(self.about, found, mend)
     }
+}
+
+/// A path in a command for a shell.
+pub(super) fn shell_word(path: &Path) -> String {
+    quoted(&path.display().to_string()).into_owned()
 }
 
 /// The name of a folder's owner, or the user id if it has no name; `None` if this user owns the

@@ -9,9 +9,10 @@ use nix::unistd::{Gid, Group};
 
 use super::super::settings::CliSettings;
 use super::HostFinding;
-use super::folder::{FolderUse, folder};
+use super::folder::{FolderUse, folder, shell_word};
 use super::mount::network_file_system;
 use crate::config::Readers;
+use crate::sitl::quoted;
 use crate::store::{KeyFile, KeyFileFault, SharingFault, sharing_fault};
 use crate::text::Text;
 
@@ -86,21 +87,21 @@ fn open_to_others(data: &Path) -> Option<HostFinding> {
         HostFinding::fault(
             "profiles",
             format!("other users can write to {name}"),
-            format!("chmod go-w {name}"),
+            format!("chmod go-w {}", shell_word(data)),
         )
     })
 }
 
 /// A finding if the group's permissions differ from the setting `results.readers`.
 fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
-    let name = data.display();
+    let (name, word) = (data.display(), shell_word(data));
     Some(match sharing_fault(data, readers)? {
         SharingFault::NotShared => HostFinding::fault(
             "profiles",
             format!(
                 "results.readers is \"group\", but the group cannot read {name}: its setgid bit is missing"
             ),
-            format!("as root: chmod g+rxs {name}"),
+            format!("as root: chmod g+rxs {word}"),
         ),
         SharingFault::OtherGroup(count) => {
             let group =
@@ -110,13 +111,13 @@ fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
                 format!(
                     "{count} of the files and folders in {name} do not belong to its group, {group}, which cannot read them"
                 ),
-                format!("as root: chgrp -R {group} {name}"),
+                format!("as root: chgrp -R {} {word}", quoted(&group)),
             )
         }
         SharingFault::StillShared => HostFinding::note(
             "profiles",
             format!("results.readers is \"owner\", but the group can still read {name}"),
-            format!("chmod -R g-rwxs {name}"),
+            format!("chmod -R g-rwxs {word}"),
         ),
     })
 }
@@ -190,7 +191,8 @@ fn available_kib(text: &str) -> Option<u64> {
 /// Whether the signing keys can be used; `None` without any.
 pub(super) fn keys(settings: &CliSettings) -> Option<HostFinding> {
     let data = settings.data.as_deref()?;
-    let path = KeyFile::path_within(data).display().to_string();
+    let file = KeyFile::path_within(data);
+    let (path, word) = (file.display(), shell_word(&file));
     let about = "signing keys";
     match KeyFile::look(data) {
         Ok(None) => None,
@@ -201,7 +203,7 @@ pub(super) fn keys(settings: &CliSettings) -> Option<HostFinding> {
         Err(fault @ KeyFileFault::Readable { .. }) => Some(HostFinding::fault(
             about,
             Text::from(&fault).to_string(),
-            format!("chmod 600 {path}, then `signing rotate` for every vehicle"),
+            format!("chmod 600 {word}, then `signing rotate` for every vehicle"),
         )),
         Err(fault) => Some(HostFinding::fault(
             about,
@@ -236,7 +238,7 @@ pub(super) fn token(settings: &CliSettings) -> Option<HostFinding> {
         Ok(facts) if facts.permissions().mode() & 0o077 != 0 => HostFinding::fault(
             about,
             format!("others can read {name}, and start and stop vehicles with it"),
-            format!("rm {name}: a new one is created"),
+            format!("rm {}: a new one is created", shell_word(&path)),
         ),
         Ok(facts) if facts.uid() != nix::unistd::geteuid().as_raw() => HostFinding::fault(
             about,
@@ -272,6 +274,19 @@ mod tests {
         fs::set_permissions(data.path(), open).expect("ours");
         let found = open_to_others(data.path()).expect("noticed");
         assert_eq!(found.verdict, CheckResult::Fault);
+    }
+
+    #[test]
+    fn a_path_in_a_command_is_quoted() {
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let data = folder.path().join("my results; old");
+        fs::create_dir(&data).expect("ours");
+        let quoted = format!("'{}'", data.display());
+        let found = shared_otherwise(&data, Readers::Group).expect("noticed");
+        assert_eq!(found.mend, Some(format!("as root: chmod g+rxs {quoted}")));
+        fs::set_permissions(&data, fs::Permissions::from_mode(0o777)).expect("ours");
+        let found = open_to_others(&data).expect("noticed");
+        assert_eq!(found.mend, Some(format!("chmod go-w {quoted}")));
     }
 
     #[test]

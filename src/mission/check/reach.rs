@@ -34,8 +34,7 @@ fn equipment(examined: &mut Examined<'_>, objective: &ExaminedObjective<'_>) {
     };
     if !demanded.equipment.is_carried(&examined.mission.seats.fits) {
         let place = objective.written.span_of(demanded.key);
-        let missing = demanded.equipment.words();
-        examined.add(place, text!("check-not-carried", missing = missing));
+        examined.add(place, demanded.equipment.missing());
     }
 }
 

@@ -11,8 +11,8 @@ use crate::mission::event::fault::{Fault, FaultKind, Victim};
 use crate::mission::event::mover::{MoverKind, Spawn};
 use crate::mission::event::weather::{Change, Element, Target};
 use crate::mission::format::{
-    Draft, FileShape, FileTable, FileValue, KindOf, flag, list, named, number, point, seconds,
-    text, time, whole, word,
+    Draft, FileShape, FileTable, FileValue, KindOf, flag, list, named, not_between, number, point,
+    seconds, text, time, whole, word,
 };
 use crate::scoring::AlertLevel;
 use crate::text;
@@ -124,17 +124,7 @@ fn set(table: &mut FileTable<'_>) -> Option<Action> {
     );
     let ((element, range), to) = (quantity?, to?);
     if !range.contains(&to) {
-        let (low, high) = (range.start(), range.end());
-        table.fault_of(
-            "to",
-            text!(
-                "fault-between-not",
-                name = "to",
-                low = low.to_string(),
-                high = high.to_string(),
-                found = to.to_string()
-            ),
-        );
+        table.fault_of("to", not_between("to", &range, to));
     }
     Some(Action::Weather(Change {
         element,
@@ -239,17 +229,7 @@ fn fault(table: &mut FileTable<'_>) -> Option<Action> {
     );
     let (_, kind, usual, range) = kind?;
     if let Some(to) = to.filter(|to| !range.contains(to)) {
-        let (low, high) = (range.start(), range.end());
-        table.fault_of(
-            "to",
-            text!(
-                "fault-between-not",
-                name = "to",
-                low = low.to_string(),
-                high = high.to_string(),
-                found = to.to_string()
-            ),
-        );
+        table.fault_of("to", not_between("to", &range, to));
     }
     Some(Action::Fault(Fault {
         kind,

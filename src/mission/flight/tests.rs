@@ -10,7 +10,7 @@ use crate::ledger::{EntryId, Given, Risk, RowState};
 use crate::mission::fake::{Pilot, fly_the_cells};
 use crate::scoring::{AlertFact, SafetyEvent, SafetyKind};
 use crate::text::Text;
-use crate::vehicle::{LandedState, Unheard, Vehicle};
+use crate::vehicle::{LandedState, SystemStatus, Unheard, Vehicle};
 
 impl Flight {
     pub(in crate::mission) fn alert_facts(&self) -> &[AlertFact] {
@@ -270,6 +270,19 @@ fn vehicles_that_return_are_not_told_to_go_on() {
     pilot.set_mode("GUIDED");
     pilot.wait(1.0);
     assert_eq!(hint(&pilot).expect("a hint"), on_task);
+}
+
+#[test]
+fn a_return_by_failsafe_is_not_to_be_cancelled() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    pilot.set_mode("RTL");
+    let heartbeat = pilot.vehicle().heartbeat.as_mut();
+    heartbeat.expect("there from the start").status = SystemStatus::Critical;
+    pilot.wait(1.0);
+    let hint = pilot.flight.progress().hint.expect("a hint").to_string();
+    assert!(!hint.contains("guided"), "{hint}");
+    assert!(hint.contains("let it land"), "{hint}");
 }
 
 #[test]

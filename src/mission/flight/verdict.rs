@@ -48,13 +48,16 @@ impl Flight {
     /// Whether the flight ends without any further command: all vehicles are down, and the mandatory objectives are
     /// settled, or only wait until the reports are final.
     pub(super) fn ends_itself(&self, standings: &[ObjectiveStanding]) -> bool {
+        if !self.is_down_again() {
+            return false;
+        }
         let in_the_end = self.final_standings();
+        let has_reports = !self.search.marks().is_empty();
         let is_due = |(now, later): (&ObjectiveStanding, &ObjectiveStanding)| {
-            let has_reports = !self.search.marks().is_empty();
             now.settled || now.landing || (has_reports && later.settled)
         };
         let mut mandatory = self.mandatory(standings).zip(self.mandatory(&in_the_end));
-        self.is_down_again() && mandatory.all(is_due)
+        mandatory.all(is_due)
     }
 
     /// The state of the mandatory objectives.

@@ -126,9 +126,13 @@ impl Flight {
             return Some(text!("mission-landed"));
         }
         if self.all_come_down() && !self.is_over() {
-            return Some(match phase {
-                Phase::Done => text!("mission-returning"),
-                Phase::Ground | Phase::Armed | Phase::Air => text!("mission-returning-early"),
+            let forced = self.crafts.iter().find(|it| it.flies() && it.in_failsafe);
+            return Some(match (phase, forced) {
+                (Phase::Done, _) => text!("mission-returning"),
+                (_, Some(craft)) => text!("mission-returning-failsafe", vehicle = craft.id),
+                (Phase::Ground | Phase::Armed | Phase::Air, None) => {
+                    text!("mission-returning-early")
+                }
             });
         }
         let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();
@@ -145,8 +149,7 @@ impl Flight {
 
     /// Whether vehicles are in the air, and all of them return or land on their own.
     fn all_come_down(&self) -> bool {
-        let is_flying = |craft: &&Craft| craft.airborne && !craft.lost;
-        let mut flying = self.crafts.iter().filter(is_flying).peekable();
+        let mut flying = self.crafts.iter().filter(|it| it.flies()).peekable();
         flying.peek().is_some() && flying.all(|craft| craft.comes_down)
     }
 

@@ -1,6 +1,6 @@
 //! The faults of a mission file, each with its position.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use serde::Deserialize;
 use toml::Spanned;
@@ -109,6 +109,26 @@ impl FileFaults {
         let translation = ukrainian.map(|words| (Language::Ukrainian, words.into_inner()));
         Text::written(english.into_inner(), translation)
     }
+}
+
+/// The fault of a value outside its bounds.
+pub(in crate::mission) fn not_between(
+    name: &str,
+    bounds: &RangeInclusive<f64>,
+    found: f64,
+) -> Text {
+    let shown = if found.abs() < 1e9 {
+        found.to_string()
+    } else {
+        format!("{found:e}")
+    };
+    text!(
+        "fault-between-not",
+        name = name,
+        low = bounds.start().to_string(),
+        high = bounds.end().to_string(),
+        found = shown
+    )
 }
 
 /// A message of the TOML reader with plain words in place of Rust's type names.

@@ -10,7 +10,7 @@ use super::placing::revealed;
 use super::{Field, Hazard, Object, ObjectClass, TruthPiece};
 use crate::geo::maths;
 use crate::mission::Point;
-use crate::mission::format::{FileTable, KindOf, list, number, point, whole};
+use crate::mission::format::{FileTable, KindOf, list, not_between, number, point, whole};
 use crate::mission::report::distance_m;
 use crate::mission::weather::Weather;
 use crate::text;
@@ -83,14 +83,7 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
         return None;
     }
     if sag_m > height_m {
-        let fault = text!(
-            "fault-between-not",
-            name = "sag",
-            low = 0,
-            high = height_m.to_string(),
-            found = sag_m.to_string()
-        );
-        table.fault_of("sag", fault);
+        table.fault_of("sag", not_between("sag", &(0.0..=height_m), sag_m));
     }
     let (defects, gap_m) = (defects?, gap_m?);
     let wire = Wire::new(pylons, height_m, sag_m);

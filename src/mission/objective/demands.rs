@@ -8,6 +8,8 @@ use crate::mission::format::NamedPlace;
 use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
 use crate::mission::zone::Zone;
+use crate::text;
+use crate::text::Text;
 
 /// The demands of one objective. Fields are named after the keys of the file, so that a fault can be reported there.
 #[derive(Debug, Default)]
@@ -84,15 +86,22 @@ impl Equipment {
         }
     }
 
-    /// The equipment's name in the fault "no vehicle carries ..".
-    pub fn words(self) -> String {
+    /// The fault that no vehicle carries the equipment.
+    pub fn missing(self) -> Text {
         match self {
             Self::AnyOf(loads) => {
-                let names = loads.iter().map(|load| format!("`{}`", load.id()));
-                format!("a {}", names.collect::<Vec<_>>().join(" or "))
+                let names: Vec<_> = loads
+                    .iter()
+                    .map(|load| format!("`{}`", load.id()))
+                    .collect();
+                text!(
+                    "check-no-load",
+                    count = names.len(),
+                    loads = names.join(", ")
+                )
             }
-            Self::AnySensor => "a sensor".to_owned(),
-            Self::Detector => "a sensor that finds things".to_owned(),
+            Self::AnySensor => text!("check-no-sensor"),
+            Self::Detector => text!("check-no-detector"),
         }
     }
 }

@@ -189,6 +189,26 @@ fn the_second_mission_with_an_id_is_a_fault_and_a_replacement_is_none() {
 }
 
 #[test]
+fn a_mission_with_the_id_of_a_shipped_one_is_noted() {
+    let mission = include_str!("../../../missions/01-air-sample.toml");
+    let notes = "id = \"01-air-sample\"\n";
+    let folder = folder_with(&[("mine.toml", mission), ("notes.toml", notes)]);
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let checked = sortie(&["check", &path("mine.toml")]);
+    let found = text(&checked.stdout);
+    assert_eq!(checked.status.code(), Some(0), "{found}");
+    assert!(
+        found.contains("mine.toml:3:6: the mission 01-air-sample.toml has the id"),
+        "{found}"
+    );
+    assert!(found.contains("mine.toml: good"), "{found}");
+    // Another kind of file with this id is no mission.
+    let checked = sortie(&["check", &path("notes.toml"), &path("mine.toml")]);
+    let found = text(&checked.stdout);
+    assert!(!found.contains("already"), "{found}");
+}
+
+#[test]
 fn a_mission_that_cannot_be_read_is_named_with_the_reason() {
     let folder = folder_with(&[("sortie/missions/pilots/none", "")]);
     let missions = folder.path().join("sortie/missions");

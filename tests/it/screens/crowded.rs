@@ -25,6 +25,7 @@ fn area(name: &str, kind: AreaKind, north_m: f64, east_m: f64, side_m: f64) -> A
         name: name.to_owned(),
         kind,
         outline: Outline::square(fixtures::HOME.moved(north_m, east_m), side_m),
+        ceiling_m: None,
     }
 }
 

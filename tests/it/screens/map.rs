@@ -43,6 +43,7 @@ pub fn surveyed() -> Console {
         name: name.to_owned(),
         kind,
         outline: Outline::square(fixtures::HOME.moved(40.0, 10.0), side_m),
+        ceiling_m: None,
     };
     let areas = vec![
         area("fence", AreaKind::Geofence, 160.0),

@@ -1,7 +1,8 @@
 use super::*;
 use crate::text::said::without_words;
 use crate::vehicle::{
-    Battery, Fence, Health, Heartbeat, StatusText, USUAL_RESERVE_PERCENT, VehicleClass,
+    Battery, Fence, Health, Heartbeat, StatusText, SystemStatus, USUAL_RESERVE_PERCENT,
+    VehicleClass,
 };
 
 fn vehicle() -> Vehicle {

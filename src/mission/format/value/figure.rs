@@ -9,6 +9,7 @@ use super::FileValue;
 use crate::mission::format::LONGEST_S;
 use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
+use crate::mission::format::faults::not_between;
 use crate::text;
 
 #[derive(Debug, Clone, Copy)]
@@ -36,19 +37,7 @@ impl FileValue for NumberValue {
         if (self.low..=self.high).contains(&number) {
             return Some(number);
         }
-        let shown = if number.abs() < 1e9 {
-            number.to_string()
-        } else {
-            format!("{number:e}")
-        };
-        let (low, high) = (self.low, self.high);
-        let message = text!(
-            "fault-between-not",
-            name = name,
-            low = low.to_string(),
-            high = high.to_string(),
-            found = shown
-        );
+        let message = not_between(name, &(self.low..=self.high), number);
         draft.faults.add(place, message);
         None
     }

@@ -79,13 +79,24 @@ pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
         shade(square, panel.look, &view, canvas_area, buffer);
     }
     let mut canvas = Canvas::new(size, panel.look.symbols);
+    draw_lines(truth, &view, &mut canvas);
+    canvas.draw(panel.at(canvas_area), buffer);
+    draw_labels(truth, &labels, &view, panel.at(canvas_area), buffer);
+    draw_scale(panel.look, &view, canvas_area, buffer);
+    for (row, line) in legend.into_iter().enumerate() {
+        put(buffer, below(inner, rows), row as u16, &line);
+    }
+}
+
+/// Draws the gaps, the fences, the wires and the tracks.
+fn draw_lines(truth: &TruthReport, view: &Viewport, canvas: &mut Canvas) {
     for gap in &truth.gaps {
         let corners = Outline::square(place(gap.at), gap.side_m).corners();
-        outline(&corners, &view, &mut canvas, GAP);
+        outline(&corners, view, canvas, GAP);
     }
     for fence in &truth.fences {
         let corners: Vec<LatLon> = fence.iter().copied().map(place).collect();
-        outline(&corners, &view, &mut canvas, FENCE);
+        outline(&corners, view, canvas, FENCE);
     }
     for pair in truth.wires.iter().flat_map(|pylons| pylons.windows(2)) {
         canvas.line(view.dot(place(pair[0])), view.dot(place(pair[1])), WIRE);
@@ -97,21 +108,26 @@ pub fn draw(truth: &TruthReport, panel: Panel<'_>, buffer: &mut Buffer) {
             canvas.line(ends[0], ends[1], stroke);
         }
     }
-    canvas.draw(panel.at(canvas_area), buffer);
+}
+
+/// Draws the pylons and the signs.
+fn draw_labels(
+    truth: &TruthReport,
+    labels: &[SignAt],
+    view: &Viewport,
+    panel: Panel<'_>,
+    buffer: &mut Buffer,
+) {
     let pylons = truth.wires.iter().flatten();
     let pylons = pylons.map(|&at| (at, PYLON.to_owned(), WIRE.role));
     let signs = labels.iter().map(|it| (it.at, it.text(), it.sign.1));
     for (at, text, role) in pylons.chain(signs) {
         if let Some((column, row)) = view.cell(place(at)) {
-            let room = canvas_area.width.saturating_sub(column);
+            let room = panel.area.width.saturating_sub(column);
             let columns = (text.len() as u16).min(room);
-            let cells = Rect::new(canvas_area.x + column, canvas_area.y + row, columns, 1);
+            let cells = Rect::new(panel.area.x + column, panel.area.y + row, columns, 1);
             stamp(&text, panel.style(role), panel.at(cells), buffer);
         }
-    }
-    draw_scale(panel.look, &view, canvas_area, buffer);
-    for (row, line) in legend.into_iter().enumerate() {
-        put(buffer, below(inner, rows), row as u16, &line);
     }
 }
 
