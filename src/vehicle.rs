@@ -37,7 +37,7 @@ pub use fence_switch::FenceSwitch;
 pub use idle_disarm::IdleDisarm;
 pub use leg::{LegSpeed, PlanLeg};
 pub use limits::{EKF_BAD, Grade, VIBRATION_BAD_M_S2};
-pub use mode::{Mode, VehicleClass};
+pub use mode::{Mode, VehicleClass, is_same_name};
 pub use pause::{PauseChange, PlanPause};
 pub use plan::{
     FenceArea, FencePlan, FenceShape, Plan, Plans, RallyPlan, RallyPoint, Stored, Transfer,
