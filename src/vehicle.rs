@@ -50,7 +50,7 @@ pub use readings::{
 };
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
-pub use traffic::{Aircraft, Approach, Traffic, TrafficThreat};
+pub use traffic::{Aircraft, Approach, PredictedPass, Traffic, TrafficThreat};
 pub use way_home::{HomeReach, MeanCurrent, USUAL_RESERVE_PERCENT, WayHome};
 
 /// A home farther away than this is not the home of this flight, in metres.

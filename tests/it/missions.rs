@@ -16,6 +16,7 @@ mod mutants;
 /// faults.
 const REFUSALS: &[&str] = &[
     "bad-id.toml:2:6: a mission's id is 1 to 40 lower-case letters, digits and `-`",
+    "callsign-empty.toml:53:36: a callsign is 1 to 8 characters",
     "callsign.toml:53:34: only an aircraft has a callsign, not the person",
     "duplicate-id.toml:41:6: the id `cells` is used twice",
     "far-point.toml:19:10: `source` must lie within 20000 m of the origin, as [east, north]",
