@@ -18,7 +18,7 @@ const BURST_MOST: usize = 6;
 const BURST: Duration = Duration::from_secs(10);
 /// The minimum time between two reports of a row, except those of a new answer.
 const REPORT_EVERY: Duration = Duration::from_secs(1);
-/// The same for the row of a stream of setpoints, of which only the end is news.
+/// The same for the row of a stream of setpoints, whose repetitions are no news.
 const STEERING_EVERY: Duration = Duration::from_secs(60);
 /// The number of stations and vehicles, in pairs, at which those without recent commands are forgotten, at most once in
 /// [`REPORT_EVERY`]; while there are as many, further pairs are left out.

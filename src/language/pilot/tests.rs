@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::*;
-use crate::language::Findings;
+use crate::language::{Findings, OfferedModes};
 use crate::ledger::{Given, Ledger, Risk, RowState, RowUpdate};
 use crate::vehicle::{
     AnnouncedMode, Heartbeat, LandedState, Mode, SystemStatus, Vehicle, VehicleClass, Vehicles,
@@ -157,13 +157,19 @@ fn a_mode_that_the_vehicle_has_announced_can_be_waited_for() {
         };
         own.modes.add(mode, 2);
     }
+    let modes = OfferedModes::of(std::iter::once(&own));
+    let context = Context {
+        modes: modes.as_ref(),
+        ..Context::default()
+    };
     let vehicles = Vehicles::from([(1, own.into())]);
     for (line, met) in [
         ("wait 1 mode LAWN_MOWER", true),
         ("wait all mode lawnmower", true),
         ("wait 1 mode HIDE", false),
     ] {
-        let steps = step(&mut pilot(line), 0.0, &vehicles, &Ledger::new());
+        let mut pilot = Pilot::new(Script::parse(line, &context).expect(line));
+        let steps = step(&mut pilot, 0.0, &vehicles, &Ledger::new());
         assert_eq!(steps.len(), usize::from(met), "{line}");
     }
 }

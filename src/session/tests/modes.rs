@@ -80,8 +80,8 @@ fn modes_are_asked_for_and_those_that_were_lost_again() {
     fly_on(&mut scene, 20);
     assert_eq!(asked(&scene), [0, 2]);
     assert!(scene.session.vehicle().modes.is_complete());
-    // A vehicle that can change its modes says so by its monitor.
-    for (seq, expected) in [(1, 2), (1, 2), (2, 3)] {
+    // A vehicle that can change its modes says so by its monitor; without an answer, it is asked again after 4 s.
+    for (seq, expected) in [(1, 2), (1, 2), (2, 4)] {
         let monitor = AVAILABLE_MODES_MONITOR_DATA { seq };
         scene.hear(MavMessage::AVAILABLE_MODES_MONITOR(monitor));
         fly_on(&mut scene, 5);
