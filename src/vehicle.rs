@@ -37,7 +37,7 @@ pub use fence_switch::FenceSwitch;
 pub use idle_disarm::IdleDisarm;
 pub use leg::{LegSpeed, PlanLeg};
 pub use limits::{EKF_BAD, Grade, VIBRATION_BAD_M_S2};
-pub use mode::{Mode, VehicleClass};
+pub use mode::{Mode, VehicleClass, is_same_name};
 pub use pause::{PauseChange, PlanPause};
 pub use plan::{
     FenceArea, FencePlan, FenceShape, Plan, Plans, RallyPlan, RallyPoint, Stored, Transfer,
@@ -50,7 +50,7 @@ pub use readings::{
 };
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
-pub use traffic::{Aircraft, Approach, Traffic, TrafficThreat};
+pub use traffic::{Aircraft, Approach, PredictedPass, Traffic, TrafficThreat};
 pub use way_home::{HomeReach, MeanCurrent, USUAL_RESERVE_PERCENT, WayHome};
 
 /// A home farther away than this is not the home of this flight, in metres.

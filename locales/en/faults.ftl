@@ -64,6 +64,7 @@ fault-design-id = a design's id is 1 to 40 lower-case letters, digits, `-` and `
 fault-name-long = a name may have up to 60 characters
 fault-title = `title` must have 1 to 60 characters
 fault-title-uk = `title_uk` must have 1 to 60 characters
+fault-callsign = a callsign is 1 to 8 characters
 fault-id = an id is 1 to 32 letters, digits, `-` and `_`
 fault-type = invalid type: { $found }, expected { $wanted }
 fault-key-twice = duplicate key

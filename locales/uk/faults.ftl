@@ -64,6 +64,7 @@ fault-design-id = id проєкту — від 1 до 40 малих латинс
 fault-name-long = назва має щонайбільше 60 символів
 fault-title = `title` має містити від 1 до 60 символів
 fault-title-uk = `title_uk` має містити від 1 до 60 символів
+fault-callsign = позивний — від 1 до 8 символів
 fault-id = id — від 1 до 32 латинських літер, цифр, `-` і `_`
 fault-type = хибний тип: { $found }, має бути { $wanted }
 fault-key-twice = ключ ужито двічі

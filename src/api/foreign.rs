@@ -22,7 +22,8 @@ pub struct ForeignView {
     pub what: String,
     /// How many times it was noticed.
     pub count: u32,
-    /// `sent` while there is no answer; `in_progress`, `accepted`, `refused` or `superseded`.
+    /// `sent` while there is no answer; `sent_only` for steering, which has none; `in_progress`, `accepted`, `refused` or
+    /// `superseded`.
     #[schema(value_type = String)]
     pub state: &'static str,
     /// The reason of a refusal.

@@ -140,5 +140,5 @@ fn speed_reason(vehicle: &Vehicle) -> Option<Text> {
     let mode = vehicle.mode()?;
     let takes_speeds = SPEED_MODES.iter().any(|name| mode.is(name));
     let is_copter = mode.class == VehicleClass::Copter;
-    (is_copter && !takes_speeds).then(|| text!("reason-speed-mode", mode = mode.to_string()))
+    (is_copter && !takes_speeds).then(|| text!("reason-speed-mode", mode = vehicle.name_of(mode)))
 }

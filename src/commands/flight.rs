@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{MavAutopilot, MavCmd};
+use mavlink::dialects::ardupilotmega::MavCmd;
 
 use super::effect::{Effect, Watched, altitude_effect, landing_effect, mode_effect};
 use super::encode::LongFields;
@@ -83,7 +83,6 @@ impl FlightCommand {
     }
 }
 
-const PX4: u8 = MavAutopilot::MAV_AUTOPILOT_PX4 as u8;
 /// The greatest number that is a plain one for PX4, whose modes are in the upper two bytes.
 const MOST_PLAIN: u32 = 0xffff;
 
@@ -91,7 +90,7 @@ pub(super) fn mode_fields(vehicle: &Vehicle, name: &str) -> Result<LongFields, T
     let number = mode_number(vehicle, name)?;
     let is_px4 = vehicle
         .heartbeat
-        .is_some_and(|heartbeat| heartbeat.autopilot == PX4);
+        .is_some_and(|heartbeat| heartbeat.is_px4());
     let fields = if is_px4 && number > MOST_PLAIN {
         // PX4 takes the main mode and the sub-mode of its number apart.
         let [.., main, sub] = number.to_le_bytes();

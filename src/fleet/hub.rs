@@ -203,7 +203,7 @@ impl Hub {
             return;
         };
         for frame in frames {
-            for row in self.sharing.heard(&frame.content, &vehicle, now) {
+            if let Some(row) = self.sharing.heard(&frame.content, &vehicle, now) {
                 self.tell(FleetEvent::Foreign(row)).await;
             }
         }
@@ -265,6 +265,9 @@ impl Hub {
         };
         for (system, frames) in by_system {
             self.deliver(system, sender, frames).await;
+        }
+        for row in self.sharing.due(self.clock.now()) {
+            self.tell(FleetEvent::Foreign(row)).await;
         }
     }
 

@@ -127,19 +127,18 @@ impl Sharing {
         self.stations.commanded(news.station, &news.deed, to, now)
     }
 
-    /// The rows that change with a vehicle's frame, and those that were held back and are due now.
+    /// The row that changes with a vehicle's frame, if it is to be reported now.
     pub fn heard(
         &mut self,
         content: &Content,
         from: &Vehicle,
         now: Duration,
-    ) -> Vec<ForeignCommand> {
-        let mut rows: Vec<_> = self
-            .stations
-            .answered(content, from, now)
-            .into_iter()
-            .collect();
-        rows.extend(self.stations.due(now));
-        rows
+    ) -> Option<ForeignCommand> {
+        self.stations.answered(content, from, now)
+    }
+
+    /// The rows that were held back and are due now.
+    pub fn due(&mut self, now: Duration) -> Vec<ForeignCommand> {
+        self.stations.due(now)
     }
 }

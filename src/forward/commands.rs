@@ -17,8 +17,11 @@ const COMMAND_INT: u32 = 75;
 /// An action on a vehicle. Questions (requests for messages, parameters, lists) are not actions.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Deed {
-    /// Sets another mode, by its number.
-    Mode(u32),
+    /// Sets another mode, by its number. A PX4 has a main mode, and a sub-mode of it (0 if it has none), apart.
+    Mode {
+        number: u32,
+        sub: u8,
+    },
     Arm(bool),
     /// Sends another command.
     Command(NamedCommand),
@@ -41,11 +44,15 @@ impl Deed {
     /// The action in the console's words, or by the name of its MAVLink command.
     pub fn words(&self, vehicle: &Vehicle) -> Text {
         match self {
-            Self::Mode(number) => {
+            Self::Mode { number, sub } => {
                 let class = vehicle
                     .mode()
                     .map_or(VehicleClass::Other, |mode| mode.class);
-                let number = *number;
+                let is_px4 = vehicle.heartbeat.is_some_and(|beat| beat.is_px4());
+                let number = match u8::try_from(*number) {
+                    Ok(main) if is_px4 => u32::from_le_bytes([0, 0, main, *sub]),
+                    _ => *number,
+                };
                 let name = vehicle.name_of(Mode { class, number });
                 Text::verbatim(format!("mode {name}"))
             }
@@ -65,7 +72,7 @@ impl Deed {
     pub fn is_answered_by(&self, number: u16) -> bool {
         match self {
             // ArduPilot acknowledges SET_MODE under that message's number.
-            Self::Mode(_) => [MavCmd::MAV_CMD_DO_SET_MODE as u16, SET_MODE].contains(&number),
+            Self::Mode { .. } => [MavCmd::MAV_CMD_DO_SET_MODE as u16, SET_MODE].contains(&number),
             Self::Arm(_) => number == MavCmd::MAV_CMD_COMPONENT_ARM_DISARM as u16,
             Self::Command(command) => command.number == number,
             Self::Parameter(..) | Self::Plan(..) | Self::Steering => false,
@@ -97,9 +104,16 @@ pub fn deed_of(content: &Content) -> Option<Deed> {
 #[expect(deprecated, reason = "ground stations still send SET_MODE")]
 fn deed_in(message: &MavMessage) -> Option<Deed> {
     match message {
-        MavMessage::COMMAND_LONG(data) => command(data.command, data.param1, data.param2),
-        MavMessage::COMMAND_INT(data) => command(data.command, data.param1, data.param2),
-        MavMessage::SET_MODE(data) => Some(Deed::Mode(data.custom_mode)),
+        MavMessage::COMMAND_LONG(data) => {
+            command(data.command, [data.param1, data.param2, data.param3])
+        }
+        MavMessage::COMMAND_INT(data) => {
+            command(data.command, [data.param1, data.param2, data.param3])
+        }
+        MavMessage::SET_MODE(data) => Some(Deed::Mode {
+            number: data.custom_mode,
+            sub: 0,
+        }),
         MavMessage::PARAM_SET(data) => {
             let name = data.param_id.to_str().unwrap_or_default();
             Some(Deed::Parameter(sanitised(name), data.param_value))
@@ -115,10 +129,13 @@ fn deed_in(message: &MavMessage) -> Option<Deed> {
     }
 }
 
-fn command(command: MavCmd, param1: f32, param2: f32) -> Option<Deed> {
+fn command(command: MavCmd, [first, second, third]: [f32; 3]) -> Option<Deed> {
     match command {
-        MavCmd::MAV_CMD_DO_SET_MODE => Some(Deed::Mode(param2 as u32)),
-        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => Some(Deed::Arm(param1 > 0.5)),
+        MavCmd::MAV_CMD_DO_SET_MODE => Some(Deed::Mode {
+            number: second as u32,
+            sub: third as u8,
+        }),
+        MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => Some(Deed::Arm(first > 0.5)),
         _ => named(command).map(Deed::Command),
     }
 }

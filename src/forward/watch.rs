@@ -18,6 +18,8 @@ const BURST_MOST: usize = 6;
 const BURST: Duration = Duration::from_secs(10);
 /// The minimum time between two reports of a row, except those of a new answer.
 const REPORT_EVERY: Duration = Duration::from_secs(1);
+/// The same for the row of a stream of setpoints, whose repetitions are no news.
+const STEERING_EVERY: Duration = Duration::from_secs(60);
 /// The number of stations and vehicles, in pairs, at which those without recent commands are forgotten, at most once in
 /// [`REPORT_EVERY`]; while there are as many, further pairs are left out.
 const MOST_EXCHANGES: usize = 512;
@@ -47,6 +49,7 @@ struct WatchedRow {
 #[derive(Debug)]
 pub struct StationWatch {
     own: MavAddress,
+    /// The rows of each exchange; the one that was commanded last is at the end, apart from steering.
     exchanges: BTreeMap<Exchange, Vec<WatchedRow>>,
     next: u32,
     /// When old exchanges were forgotten last.
@@ -78,12 +81,15 @@ impl StationWatch {
         };
         let watched = self.row(exchange, deed, to, now)?;
         watched.is_seen = true;
-        // A stream of setpoints is one action, and has no answer.
-        if *deed != Deed::Steering || watched.row.count == 0 {
+        if *deed == Deed::Steering {
+            // A stream of setpoints is one action, and has no answer.
+            watched.row.count = 1;
+            watched.row.state = RowState::SentOnly;
+        } else {
             watched.row.count = watched.row.count.saturating_add(1);
+            watched.row.state = RowState::Sent;
+            watched.row.explanation = None;
         }
-        watched.row.state = RowState::Sent;
-        watched.row.explanation = None;
         watched.report(now)
     }
 
@@ -103,8 +109,7 @@ impl StationWatch {
             station,
         };
         if let Some(watched) = self.answered_row(exchange, &answer, now) {
-            let continues = matches!(watched.row.state, RowState::InProgress(_));
-            if !watched.is_seen && !continues {
+            if !watched.is_seen && !watched.continues() {
                 watched.row.count = watched.row.count.saturating_add(1);
                 watched.row.last_at = now;
             }
@@ -119,18 +124,21 @@ impl StationWatch {
     }
 
     /// The row that an answer is for: the one that has waited longest, or else the one that was commanded last. Answers
-    /// to commands of the same number cannot be told apart otherwise.
+    /// to commands of the same number cannot be told apart otherwise. A command that only its answers show is repeated
+    /// by the next answer only if no other command came between.
     fn answered_row(
         &mut self,
         exchange: Exchange,
         answer: &StationAnswer,
         now: Duration,
     ) -> Option<&mut WatchedRow> {
-        let rows = self.exchanges.get_mut(&exchange)?.iter_mut();
+        let rows = self.exchanges.get_mut(&exchange)?;
+        let newest = newest_command(rows).map(|at| rows[at].row.id);
         let fits = |watched: &&mut WatchedRow| {
             let of_burst = matches!(answer.to, Answered::Command(_)) && watched.is_seen;
             let deed = watched.deed.as_ref();
-            watched.is_recent(now) && deed.map_or(of_burst, |deed| answer.to.fits(deed))
+            let is_open = watched.is_seen || watched.continues() || newest == Some(watched.row.id);
+            is_open && watched.is_recent(now) && deed.map_or(of_burst, |it| answer.to.fits(it))
         };
         let order = |watched: &&mut WatchedRow| {
             let waits = watched.row.state == RowState::Sent;
@@ -144,10 +152,11 @@ impl StationWatch {
                 },
             )
         };
-        rows.filter(fits).min_by_key(order)
+        rows.iter_mut().filter(fits).min_by_key(order)
     }
 
-    /// A parameter's value, which every station hears: it answers whoever has set it.
+    /// A parameter's value, which every station hears: it answers the station that has set this value, or else the one
+    /// that waits. A value that was on its way before makes a row refused; the true answer then accepts it.
     fn heard_by_all(
         &mut self,
         answer: &StationAnswer,
@@ -156,23 +165,30 @@ impl StationWatch {
     ) -> Option<ForeignCommand> {
         let rows = self.exchanges.iter_mut();
         let of_vehicle = rows.filter(|(exchange, _)| exchange.vehicle == vehicle);
-        let watched = of_vehicle.flat_map(|(_, rows)| rows).find(|watched| {
-            let is_open = watched.row.state == RowState::Sent;
-            let fits = |deed| answer.to.fits(deed);
-            is_open && watched.deed.as_ref().is_some_and(fits)
-        })?;
+        let ranked = of_vehicle.flat_map(|(_, rows)| rows).filter_map(|watched| {
+            let fits = watched.deed.as_ref().is_some_and(|it| answer.to.fits(it));
+            let is_wanted = watched.other_value(answer).is_none();
+            let state = watched.row.state;
+            let is_open = state == RowState::Sent || (is_wanted && state == RowState::Refused);
+            (fits && is_open && watched.is_recent(now)).then_some((!is_wanted, watched))
+        });
+        let (_, watched) = ranked.min_by_key(|(is_other, _)| *is_other)?;
         watched.answer(answer);
         watched.report_answer(now)
     }
 
-    /// The rows with changes that were held back and are due now.
+    /// The rows with changes that were held back and are due now. Old rows are forgotten.
     pub fn due(&mut self, now: Duration) -> Vec<ForeignCommand> {
         let rows = self.exchanges.values_mut().flatten();
         let waiting = rows.filter(|watched| watched.has_news);
-        waiting.filter_map(|watched| watched.report(now)).collect()
+        let due = waiting.filter_map(|watched| watched.report(now)).collect();
+        self.forget_old(now);
+        due
     }
 
-    /// The row of an action: that of the same action a short time ago, a new one, or the common one of a burst.
+    /// The row of an action: the newest one if it is of the same action, a new one, or the common one of a burst. Rows
+    /// are in the order of their commands, so that `RTL` between two `GUIDED` is not the newest one. Steering goes on
+    /// beside commands, and has one row.
     fn row(
         &mut self,
         exchange: Exchange,
@@ -188,16 +204,14 @@ impl StationWatch {
         let rows = self.exchanges.entry(exchange).or_default();
         rows.retain(|watched| watched.is_recent(now));
         let begun = |watched: &&WatchedRow| now.saturating_sub(watched.row.at) < BURST;
-        let is_burst = rows.iter().filter(begun).count() >= BURST_MOST;
-        let place = |deed: Option<&Deed>| {
-            let same = |watched: &WatchedRow| watched.deed.as_ref() == deed;
-            rows.iter().rposition(same)
-        };
-        let known = place(Some(deed)).or_else(|| if is_burst { place(None) } else { None });
-        if let Some(at) = known {
-            let watched = rows.get_mut(at)?;
-            watched.row.last_at = now;
-            return Some(watched);
+        let is_steering = *deed == Deed::Steering;
+        let is_burst = !is_steering && rows.iter().filter(begun).count() >= BURST_MOST;
+        if let Some(at) = known_row(rows, deed, is_burst) {
+            // It is the newest one now.
+            let mut known = rows.remove(at);
+            known.row.last_at = now;
+            rows.push(known);
+            return rows.last_mut();
         }
         let deed = (!is_burst).then(|| deed.clone());
         let what = deed
@@ -216,12 +230,31 @@ impl StationWatch {
             .is_some_and(|at| now.saturating_sub(at) < REPORT_EVERY);
         if self.exchanges.len() >= MOST_EXCHANGES && !is_early {
             self.cleared_at = Some(now);
-            self.exchanges.retain(|_, rows| {
-                rows.retain(|watched| watched.is_recent(now));
-                !rows.is_empty()
-            });
+            self.forget_old(now);
         }
     }
+
+    fn forget_old(&mut self, now: Duration) {
+        self.exchanges.retain(|_, rows| {
+            rows.retain(|watched| watched.is_recent(now));
+            !rows.is_empty()
+        });
+    }
+}
+
+/// The place of the row that was commanded last, apart from steering.
+fn newest_command(rows: &[WatchedRow]) -> Option<usize> {
+    rows.iter().rposition(|watched| !watched.is_steering())
+}
+
+/// The place of the row that repeats an action, or of the common one of a burst.
+fn known_row(rows: &[WatchedRow], deed: &Deed, is_burst: bool) -> Option<usize> {
+    if *deed == Deed::Steering {
+        return rows.iter().position(WatchedRow::is_steering);
+    }
+    let newest = newest_command(rows).filter(|&at| rows[at].deed.as_ref() == Some(deed));
+    let common = || rows.iter().position(|watched| watched.deed.is_none());
+    newest.or_else(|| if is_burst { common() } else { None })
 }
 
 fn begin(id: ForeignId, exchange: Exchange, what: Text, now: Duration) -> ForeignCommand {
@@ -254,14 +287,27 @@ impl WatchedRow {
         now.saturating_sub(self.row.last_at) < SAME_WITHIN
     }
 
-    fn answer(&mut self, answer: &StationAnswer) {
-        let differs = match (&answer.to, &self.deed) {
+    fn is_steering(&self) -> bool {
+        self.deed == Some(Deed::Steering)
+    }
+
+    /// Whether the next answer is about the same command, since the vehicle has only reported progress so far.
+    fn continues(&self) -> bool {
+        matches!(self.row.state, RowState::InProgress(_))
+    }
+
+    /// The value that a parameter has instead of the one that was set.
+    fn other_value(&self, answer: &StationAnswer) -> Option<f32> {
+        match (&answer.to, &self.deed) {
             (Answered::Parameter(_, value), Some(Deed::Parameter(_, wanted))) => {
                 (value.to_bits() != wanted.to_bits()).then_some(*value)
             }
             _ => None,
-        };
-        (self.row.state, self.row.explanation) = match differs {
+        }
+    }
+
+    fn answer(&mut self, answer: &StationAnswer) {
+        (self.row.state, self.row.explanation) = match self.other_value(answer) {
             Some(value) => (
                 RowState::Refused,
                 Some(text!("foreign-stays", value = value.to_string())),
@@ -276,9 +322,14 @@ impl WatchedRow {
     /// Reports the row, unless that was done a moment ago.
     fn report(&mut self, now: Duration) -> Option<ForeignCommand> {
         self.has_news = true;
+        let every = if self.is_steering() {
+            STEERING_EVERY
+        } else {
+            REPORT_EVERY
+        };
         let is_due = self
             .reported_at
-            .is_none_or(|at| now.saturating_sub(at) >= REPORT_EVERY);
+            .is_none_or(|at| now.saturating_sub(at) >= every);
         is_due.then(|| self.tell(now))
     }
 

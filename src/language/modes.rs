@@ -3,7 +3,7 @@
 use super::Context;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{AnnouncedMode, AnnouncedModes, Mode, Vehicle, VehicleClass};
+use crate::vehicle::{AnnouncedMode, AnnouncedModes, Mode, Vehicle, VehicleClass, is_same_name};
 
 /// The common modes, the most used first.
 const EVERYDAY_MODES: [&str; 8] = [
@@ -42,7 +42,8 @@ impl OfferedModes {
                 continue;
             }
             for mode in announced.iter() {
-                if !offered.modes.iter().any(|known| known.name == mode.name) {
+                let same = |known: &AnnouncedMode| is_same_name(&known.name, &mode.name);
+                if !offered.modes.iter().any(same) {
                     offered.modes.push(mode.clone());
                 }
             }
@@ -53,25 +54,31 @@ impl OfferedModes {
 
 /// The canonical name of a mode: an announced one, or a built-in one.
 pub(super) fn mode_named<'a>(text: &str, context: &Context<'a>) -> Option<&'a str> {
-    let letters = |name: &str| name.replace('_', "").to_uppercase();
     let announced = context.modes.into_iter().flat_map(|offered| &offered.modes);
     let mut names = announced.map(|mode| mode.name.as_str());
     names
-        .find(|name| letters(name) == letters(text))
-        .or_else(|| {
-            classes(context)
-                .iter()
-                .find_map(|class| class.mode(text).and_then(Mode::name))
-        })
+        .find(|name| is_same_name(name, text))
+        .or_else(|| built_in(text, context))
+}
+
+/// The built-in name of a mode.
+fn built_in(name: &str, context: &Context) -> Option<&'static str> {
+    let mut classes = classes(context).into_iter();
+    classes.find_map(|class| class.mode(name).and_then(Mode::name))
+}
+
+/// Whether a name is one of these modes; vehicles announce them in any spelling.
+fn is_one_of(name: &str, modes: &[&str]) -> bool {
+    modes.iter().any(|mode| is_same_name(mode, name))
 }
 
 /// A warning for pilots without a stick before they enter a mode.
 pub(super) fn mode_warning(name: &str, context: &Context) -> Option<Text> {
     if !matches!(context.class, VehicleClass::Copter | VehicleClass::Other) {
         None
-    } else if STICK_CLIMBS.contains(&name) {
+    } else if is_one_of(name, &STICK_CLIMBS) {
         Some(text!("grammar-stick-sinks"))
-    } else if STICK_LIFTS.contains(&name) {
+    } else if is_one_of(name, &STICK_LIFTS) {
         Some(text!("grammar-stick-falls"))
     } else {
         None
@@ -83,7 +90,7 @@ pub(super) fn mode_summary(name: &str, context: &Context) -> Text {
     if let Some(warning) = mode_warning(name, context) {
         return warning;
     }
-    match name {
+    match built_in(name, context).unwrap_or(name) {
         "GUIDED" => text!("mode-guided"),
         "AUTO" => text!("mode-auto"),
         "RTL" => text!("mode-rtl"),
@@ -105,15 +112,18 @@ pub(super) fn mode_names<'a>(context: &Context<'a>) -> Vec<&'a str> {
     if context.modes.is_none_or(|offered| offered.has_others) {
         let hidden = |name: &str| {
             let mut modes = context.modes.into_iter().flat_map(|offered| &offered.modes);
-            modes.any(|mode| !mode.is_selectable && mode.name == name)
+            modes.any(|mode| !mode.is_selectable && is_same_name(&mode.name, name))
         };
         for &(_, name) in classes(context).iter().flat_map(|class| class.modes()) {
-            if !names.contains(&name) && !hidden(name) {
+            if !is_one_of(name, &names) && !hidden(name) {
                 names.push(name);
             }
         }
     }
-    let everyday = |name: &&str| EVERYDAY_MODES.iter().position(|mode| mode == name);
+    let everyday = |name: &str| {
+        let mut modes = EVERYDAY_MODES.iter();
+        modes.position(|mode| is_same_name(mode, name))
+    };
     names.sort_by_key(|name| everyday(name).unwrap_or(EVERYDAY_MODES.len()));
     names
 }

@@ -180,7 +180,9 @@ impl Until {
             Self::Passed(_) => false,
             Self::Situation(situation) => situation.holds(vehicle, seen),
             Self::Mode(name) => vehicle.mode().is_some_and(|mode| {
+                let announced = vehicle.modes.named(name);
                 mode.is(name)
+                    || announced.is_some_and(|known| known.number == mode.number)
                     || name
                         .parse::<u32>()
                         .is_ok_and(|number| mode.number == number)

@@ -80,8 +80,10 @@ impl ForeignCommand {
 pub(super) struct ForeignLog(VecDeque<ForeignCommand>);
 
 impl ForeignLog {
-    /// Adds a command, or replaces its earlier state, which keeps its first time.
+    /// Adds a command, or replaces its earlier state, which keeps its first time. News of one that was dropped is
+    /// ignored: its place is before all others.
     pub fn note(&mut self, command: ForeignCommand) {
+        let newest = self.0.back().map(|it| it.id);
         match self.0.iter_mut().rev().find(|it| it.id == command.id) {
             Some(known) => {
                 *known = ForeignCommand {
@@ -89,6 +91,7 @@ impl ForeignLog {
                     ..command
                 }
             }
+            None if newest.is_some_and(|newest| command.id < newest) => {}
             None => self.0.push_back(command),
         }
         if self.0.len() > FOREIGN_KEPT {

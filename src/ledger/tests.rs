@@ -148,4 +148,9 @@ fn the_oldest_foreign_commands_fall_out() {
     assert_eq!(ledger.foreign().len(), FOREIGN_KEPT);
     let first = ledger.foreign().next().map(|it| it.id);
     assert_eq!(first, Some(ForeignId(1)));
+    // A later answer to the dropped one does not bring it back at the end.
+    ledger.note_foreign(foreign(0, 5000));
+    let ids: Vec<_> = ledger.foreign().map(|it| it.id).collect();
+    assert_eq!(ids.len(), FOREIGN_KEPT);
+    assert!(ids.is_sorted() && ids[0] == ForeignId(1));
 }

@@ -55,6 +55,7 @@ struct RelayShared {
 
 #[derive(Debug)]
 struct RelayCore {
+    own: MavAddress,
     router: Router,
     links: BTreeMap<LinkId, Outlet>,
     forwards: BTreeMap<LinkId, RelayedForward>,
@@ -86,6 +87,7 @@ impl Relay {
             opened: Instant::now(),
             is_used: AtomicBool::new(false),
             core: Mutex::new(RelayCore {
+                own,
                 router: Router::new(own),
                 links: BTreeMap::new(),
                 forwards: BTreeMap::new(),
@@ -247,7 +249,12 @@ impl RelayCore {
         }
     }
 
+    /// Reports a station's command. One with the console's own address cannot be told from the console: the answers to
+    /// it count as the console's own.
     fn report(&self, facts: &FrameFacts, frame: &Frame) {
+        if facts.sender == self.own {
+            return;
+        }
         if let Some(deed) = deed_of(&frame.content) {
             // If the queue is full, the report is dropped: there are many others.
             drop(self.news.try_send(StationNews {

@@ -9,11 +9,11 @@ use std::time::Duration;
 
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{
-    ADSB_VEHICLE_DATA, ATTITUDE_DATA, AUTOPILOT_VERSION_DATA, AVAILABLE_MODES_DATA,
-    BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA, FENCE_STATUS_DATA,
-    GLOBAL_POSITION_INT_DATA, GPS_RAW_INT_DATA, HOME_POSITION_DATA, LOCAL_POSITION_NED_DATA,
-    MISSION_CURRENT_DATA, POSITION_TARGET_GLOBAL_INT_DATA, RC_CHANNELS_DATA, SERVO_OUTPUT_RAW_DATA,
-    SYS_STATUS_DATA, VFR_HUD_DATA, VIBRATION_DATA, WIND_DATA,
+    ADSB_VEHICLE_DATA, ATTITUDE_DATA, AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA,
+    EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA, FENCE_STATUS_DATA, GLOBAL_POSITION_INT_DATA,
+    GPS_RAW_INT_DATA, HOME_POSITION_DATA, LOCAL_POSITION_NED_DATA, MISSION_CURRENT_DATA,
+    POSITION_TARGET_GLOBAL_INT_DATA, RC_CHANNELS_DATA, SERVO_OUTPUT_RAW_DATA, SYS_STATUS_DATA,
+    VFR_HUD_DATA, VIBRATION_DATA, WIND_DATA,
 };
 
 use crate::commands::{Answer, Command, QueryCommand};
@@ -50,13 +50,11 @@ pub const WANTED_STREAMS: &[Stream] = &[
     stream(RC_CHANNELS_DATA::ID, 1.0),
     stream(WIND_DATA::ID, 0.5),
     stream(FENCE_STATUS_DATA::ID, 0.5),
-    // One aircraft at a time, and only if there is any.
-    stream(ADSB_VEHICLE, 5.0),
+    // One aircraft at a time, and only if there is any: without, no message tells whether the request has arrived.
+    stream(ADSB_VEHICLE_DATA::ID, 5.0),
 ];
 
-const ADSB_VEHICLE: u32 = ADSB_VEHICLE_DATA::ID;
 const HOME_POSITION: u32 = HOME_POSITION_DATA::ID;
-const AVAILABLE_MODES: u32 = AVAILABLE_MODES_DATA::ID;
 const AUTOPILOT_VERSION: u32 = AUTOPILOT_VERSION_DATA::ID;
 
 /// The time over which rates are measured.
@@ -77,8 +75,8 @@ pub(super) struct Streams {
     wanted: &'static [Stream],
     arrived: BTreeMap<u32, u32>,
     asked: BTreeMap<u32, u32>,
-    /// Whether all modes were requested, and the monitor's number then.
-    modes_asked: bool,
+    /// How many times each mode was requested, by its index (0 for all), since the monitor had this number.
+    modes_asked: BTreeMap<u8, u32>,
     modes_monitor: Option<u8>,
     window_start: Duration,
     next_look: Duration,
@@ -90,7 +88,7 @@ impl Streams {
             wanted,
             arrived: BTreeMap::new(),
             asked: BTreeMap::new(),
-            modes_asked: false,
+            modes_asked: BTreeMap::new(),
             modes_monitor: None,
             window_start: now,
             next_look: now + FIRST_LOOK,
@@ -148,18 +146,22 @@ impl Streams {
             .collect()
     }
 
-    /// The request for the vehicle's modes: once for all of them, again when they change, and a few times for those
-    /// that were lost. A vehicle that announces none refuses, and keeps the built-in names.
+    /// The request for the vehicle's modes: a few times for all of them and for each one that was lost, and again when
+    /// they change. A vehicle that announces none refuses, and keeps the built-in names.
     fn modes_to_ask(&mut self, vehicle: &Vehicle) -> Option<QueryCommand> {
         let monitor = vehicle.modes.monitor();
-        if vehicle.modes.is_empty() {
-            let is_new = !self.modes_asked || self.modes_monitor != monitor;
-            (self.modes_asked, self.modes_monitor) = (true, monitor);
-            return is_new.then_some(QueryCommand::Modes { index: 0 });
+        if self.modes_monitor != monitor {
+            self.modes_asked.clear();
+            self.modes_monitor = monitor;
         }
-        let index = vehicle.modes.missing()?;
-        self.may_ask(AVAILABLE_MODES)
-            .then_some(QueryCommand::Modes { index })
+        let index = if vehicle.modes.is_empty() {
+            0
+        } else {
+            vehicle.modes.missing()?
+        };
+        let asked = self.modes_asked.entry(index).or_default();
+        *asked = asked.saturating_add(1);
+        (*asked <= TRIES).then_some(QueryCommand::Modes { index })
     }
 
     fn may_ask(&mut self, message: u32) -> bool {
@@ -168,9 +170,7 @@ impl Streams {
         if message == HOME_POSITION {
             return asked.is_power_of_two() || asked.is_multiple_of(HOME_EVERY);
         }
-        // Without traffic, no message tells whether the request has arrived.
-        let most = if message == ADSB_VEHICLE { 1 } else { TRIES };
-        *asked <= most
+        *asked <= TRIES
     }
 }
 

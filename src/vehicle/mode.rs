@@ -228,9 +228,9 @@ impl Mode {
     }
 }
 
-/// Whether two names mean the same mode. Allocates nothing, because every position message of a
+/// Whether two names mean the same mode: case does not matter and underscores are optional. Allocates nothing, because every position message of a
 /// vehicle looks up the name of its mode.
-pub(super) fn is_same_name(one: &str, other: &str) -> bool {
+pub fn is_same_name(one: &str, other: &str) -> bool {
     letters(one).eq(letters(other))
 }
 

@@ -35,6 +35,11 @@ impl Heartbeat {
     pub fn is_ardupilot(&self) -> bool {
         self.autopilot == Self::ARDUPILOT
     }
+
+    /// Whether the autopilot is PX4, whose mode numbers have the main mode and the sub-mode in the upper two bytes.
+    pub fn is_px4(&self) -> bool {
+        self.autopilot == MavAutopilot::MAV_AUTOPILOT_PX4 as u8
+    }
 }
 
 /// The attitude of the vehicle (ATTITUDE).

@@ -116,13 +116,26 @@ pub struct Approach {
     pub distance_m: f64,
     /// The height of the aircraft above the vehicle now, in metres.
     pub height_m: f64,
-    /// The time until they are closest, in seconds; 0 if they move apart.
+    /// The time until they are closest, in seconds; 0 if they come no closer.
     pub in_s: f64,
     /// The distance then, horizontally, in metres.
     pub closest_m: f64,
     /// The height of the aircraft above the vehicle then, in metres.
     pub closest_height_m: f64,
+    /// When they are closest within the time for which approaches are predicted, and where.
+    pub predicted: PredictedPass,
     pub threat: TrafficThreat,
+}
+
+/// The closest point of an approach within the next 30 s, which is what the threat is about.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PredictedPass {
+    /// The time until then, in seconds.
+    pub in_s: f64,
+    /// The distance then, horizontally, in metres.
+    pub across_m: f64,
+    /// The height of the aircraft above the vehicle then, in metres.
+    pub height_m: f64,
 }
 
 impl Approach {
@@ -146,13 +159,20 @@ impl Approach {
         };
         let away_m =
             |time_s: f64| maths::hypot(north_m + closing[0] * time_s, east_m + closing[1] * time_s);
+        let soon_s = in_s.min(HORIZON_S);
+        let predicted = PredictedPass {
+            in_s: soon_s,
+            across_m: away_m(soon_s),
+            height_m: height_m + rise * soon_s,
+        };
         Self {
             distance_m: away_m(0.0),
             height_m,
             in_s,
             closest_m: away_m(in_s),
             closest_height_m: height_m + rise * in_s,
-            threat: threat(away_m(in_s.min(HORIZON_S)), least(height_m, rise)),
+            predicted,
+            threat: threat(predicted.across_m, least(height_m, rise)),
         }
     }
 }
@@ -245,6 +265,21 @@ mod tests {
             let found = approach(&aircraft(north_m, 0.0, 0.0, velocity));
             assert_eq!(found.threat, expected, "{north_m} {velocity:?}");
         }
+    }
+
+    #[test]
+    fn a_slow_approach_is_predicted_for_the_time_that_counts() {
+        // 80 m away, and 4000 s until it would be overhead.
+        let found = approach(&aircraft(80.0, 0.0, 10.0, [-0.02, 0.0]));
+        assert_eq!(found.threat, TrafficThreat::Critical);
+        assert!(found.in_s > 3900.0 && found.closest_m < 0.1);
+        let PredictedPass {
+            in_s,
+            across_m,
+            height_m,
+        } = found.predicted;
+        assert!((in_s - 30.0).abs() < 1e-9 && (height_m - 10.0).abs() < 1e-9);
+        assert!((across_m - 79.4).abs() < 0.1, "{across_m}");
     }
 
     #[test]

@@ -16,6 +16,7 @@ mod mutants;
 /// faults.
 const REFUSALS: &[&str] = &[
     "bad-id.toml:2:6: a mission's id is 1 to 40 lower-case letters, digits and `-`",
+    "callsign-empty.toml:53:36: a callsign is 1 to 8 characters",
     "callsign.toml:53:34: only an aircraft has a callsign, not the person",
     "checked-nothing.toml:49:1: `checked` needs `dwell` or `crossings`, or every report would count",
     "duplicate-id.toml:41:6: the id `cells` is used twice",

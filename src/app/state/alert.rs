@@ -73,9 +73,9 @@ pub fn traffic(conflict: &TrafficConflict) -> Alert {
     let text = text!(
         "alert-traffic",
         name = &conflict.name,
-        across = figure(approach.closest_m, 0),
-        height = format!("{:+.0}", approach.closest_height_m),
-        seconds = figure(approach.in_s, 0)
+        across = figure(approach.predicted.across_m, 0),
+        height = format!("{:+.0}", approach.predicted.height_m),
+        seconds = figure(approach.predicted.in_s, 0)
     );
     condition(AlertKind::Traffic, severity, text)
 }

@@ -1,5 +1,6 @@
 //! The traffic around the vehicles: what their receivers hear, and what the mission reports.
 
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 use std::time::Duration;
 
@@ -104,30 +105,21 @@ pub struct TrafficPicture {
 impl TrafficPicture {
     /// The picture now, from the vehicles' receivers and from the mission.
     pub fn new(vehicles: &Vehicles, mission: Option<&Progress>, now: Duration) -> Self {
-        // Several receivers hear the same aircraft: the newest report counts.
-        let mut newest: BTreeMap<(Option<u32>, String), Aircraft> = BTreeMap::new();
-        let heard = vehicles.values().flat_map(|vehicle| vehicle.traffic.iter());
-        for aircraft in heard.cloned().chain(of_mission(mission, now)) {
-            let name = aircraft
-                .icao
-                .map_or_else(|| aircraft.name(), |_| String::new());
-            let known = newest
-                .entry((aircraft.icao, name))
-                .or_insert_with(|| aircraft.clone());
-            if aircraft.at > known.at {
-                *known = aircraft;
-            }
-        }
-        let flying: Vec<&Vehicle> = if newest.is_empty() {
+        let known: Vec<Aircraft> = heard(vehicles).chain(of_mission(mission, now)).collect();
+        let flying: Vec<&Vehicle> = if known.is_empty() {
             Vec::new()
         } else {
             let flies = |vehicle: &&Vehicle| vehicle.airborne() && !vehicle.link.lost;
             vehicles.values().map(AsRef::as_ref).filter(flies).collect()
         };
-        let aircraft = newest.into_values();
+        let aircraft = known.into_iter();
         let mut tracked: Vec<TrackedAircraft> =
             aircraft.map(|it| track(it, &flying, now)).collect();
-        tracked.sort_by(|a, b| urgency(a.worst()).total_cmp(&urgency(b.worst())));
+        tracked.sort_by(|a, b| match (a.worst(), b.worst()) {
+            (Some(one), Some(other)) => by_urgency(one, other),
+            // One without a vehicle in the air is the least urgent.
+            (one, other) => other.is_some().cmp(&one.is_some()),
+        });
         Self { tracked }
     }
 
@@ -164,7 +156,24 @@ impl TrafficPicture {
     }
 }
 
-/// The manned aircraft of a mission: its task force receives their reports.
+/// The aircraft that receivers hear. Several receivers hear the same one, by its ICAO address: the newest report counts.
+fn heard(vehicles: &Vehicles) -> impl Iterator<Item = Aircraft> {
+    let mut newest: BTreeMap<u32, Aircraft> = BTreeMap::new();
+    let mut nameless = Vec::new();
+    for aircraft in vehicles.values().flat_map(|vehicle| vehicle.traffic.iter()) {
+        let Some(icao) = aircraft.icao else {
+            nameless.push(aircraft.clone());
+            continue;
+        };
+        let is_newer = newest.get(&icao).is_none_or(|known| aircraft.at > known.at);
+        if is_newer {
+            newest.insert(icao, aircraft.clone());
+        }
+    }
+    newest.into_values().chain(nameless)
+}
+
+/// The manned aircraft of a mission: its task force receives their reports. Several may have one callsign.
 fn of_mission(mission: Option<&Progress>, now: Duration) -> impl Iterator<Item = Aircraft> + '_ {
     let movers = mission.into_iter().flat_map(|progress| &progress.movers);
     let manned = movers.filter(|mover| mover.kind == MoverKind::Aircraft);
@@ -188,7 +197,7 @@ fn track(aircraft: Aircraft, flying: &[&Vehicle], now: Duration) -> TrackedAircr
         })
     });
     let mut approaches: Vec<VehicleApproach> = own.collect();
-    approaches.sort_by(|a, b| urgency(Some(a)).total_cmp(&urgency(Some(b))));
+    approaches.sort_by(by_urgency);
     // All that are in danger are kept, for their alerts.
     let in_danger = |one: &VehicleApproach| one.approach.threat != TrafficThreat::None;
     let kept = approaches.iter().filter(|one| in_danger(one)).count();
@@ -200,14 +209,99 @@ fn track(aircraft: Aircraft, flying: &[&Vehicle], now: Duration) -> TrackedAircr
 }
 
 /// The order of approaches: the threat, then how close and how soon.
-fn urgency(one: Option<&VehicleApproach>) -> f64 {
-    let Some(VehicleApproach { approach, .. }) = one else {
-        return f64::MAX;
+fn by_urgency(one: &VehicleApproach, other: &VehicleApproach) -> Ordering {
+    let far = |it: &VehicleApproach| {
+        let predicted = &it.approach.predicted;
+        predicted.across_m + 10.0 * predicted.in_s
     };
-    let class = match approach.threat {
-        TrafficThreat::Critical => 0.0,
-        TrafficThreat::Warning => 1e9,
-        TrafficThreat::None => 2e9,
-    };
-    class + approach.closest_m + 10.0 * approach.in_s
+    let by_threat = one.approach.threat.cmp(&other.approach.threat);
+    by_threat.then_with(|| far(one).total_cmp(&far(other)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geo::LatLon;
+    use crate::vehicle::GlobalPosition;
+
+    const HERE: LatLon = LatLon::new(50.45, 30.52);
+
+    /// A vehicle this far in the north, with this velocity to the north.
+    fn vehicle(id: u8, north_m: f64, north_m_s: f32) -> Vehicle {
+        let mut vehicle = Vehicle::new(id, 1);
+        vehicle.global = Some(GlobalPosition {
+            at_point: HERE.moved(north_m, 0.0),
+            altitude_amsl_m: 200.0,
+            altitude_m: 30.0,
+            north_m_s,
+            east_m_s: 0.0,
+            down_m_s: 0.0,
+            heading_deg: None,
+            at: Duration::ZERO,
+        });
+        vehicle
+    }
+
+    fn aircraft(callsign: &str, north_m_s: f64) -> Aircraft {
+        Aircraft {
+            icao: None,
+            callsign: callsign.to_owned(),
+            at_point: HERE,
+            altitude_amsl_m: 200.0,
+            velocity_m_s: Some([north_m_s, 0.0]),
+            climb_m_s: Some(0.0),
+            at: Duration::ZERO,
+        }
+    }
+
+    #[test]
+    fn danger_at_nearly_equal_velocities_comes_first_and_is_never_left_out() {
+        // The last one is 50 m ahead and 5e-8 m/s slower: they would meet in 1e9 s. The others are 5 km and more behind.
+        let mut all: Vec<Vehicle> = (1..=12)
+            .map(|id| vehicle(id, -5000.0 - 10.0 * f64::from(id), 20.0))
+            .collect();
+        all.push(vehicle(13, 50.0, 20.0));
+        let flying: Vec<&Vehicle> = all.iter().collect();
+        let tracked = track(aircraft("A", 20.0 + 5e-8), &flying, Duration::ZERO);
+        assert_eq!(tracked.approaches.len(), LISTED);
+        assert_eq!(tracked.threat(), TrafficThreat::Critical);
+        let worst = tracked.worst().expect("vehicles fly");
+        assert_eq!(worst.vehicle, 13);
+        assert!(worst.approach.in_s > 1e8, "{}", worst.approach.in_s);
+    }
+
+    #[test]
+    fn an_aircraft_that_flies_beside_a_vehicle_comes_no_closer() {
+        let beside = vehicle(1, 50.0, 20.0);
+        let tracked = track(aircraft("A", 20.0), &[&beside], Duration::ZERO);
+        assert_eq!(tracked.threat(), TrafficThreat::Critical);
+        let text = tracked.worst().expect("it flies").text().to_string();
+        assert_eq!(text, "vehicle 1: now 50 m, +0 m vertical; comes no closer");
+    }
+
+    #[test]
+    fn only_reports_with_an_icao_address_are_merged() {
+        let mut vehicles = Vehicles::new();
+        for (id, at_s) in [(1, 5), (2, 7)] {
+            let mut receiver = vehicle(id, 0.0, 0.0);
+            for icao in [0xabc, 0xdef] {
+                let mut report = aircraft("SAME", 0.0);
+                report.icao = Some(icao);
+                report.at = Duration::from_secs(at_s);
+                receiver.traffic.note(icao, report);
+            }
+            // Two without an address.
+            let mut report = aircraft("SAME", 0.0);
+            report.at = Duration::from_secs(at_s);
+            receiver.traffic.note(u32::from(id), report);
+            vehicles.insert(receiver.id, receiver.into());
+        }
+        let picture = TrafficPicture::new(&vehicles, None, Duration::from_secs(8));
+        let aircraft = picture.tracked().iter().map(|it| &it.aircraft);
+        let found: Vec<_> = aircraft.map(|it| (it.icao, it.at.as_secs())).collect();
+        assert_eq!(
+            found,
+            [(Some(0xabc), 7), (Some(0xdef), 7), (None, 5), (None, 7)]
+        );
+    }
 }

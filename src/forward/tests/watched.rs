@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::*;
 use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
-use crate::vehicle::{Heartbeat, Mode, SystemStatus, Vehicle, VehicleClass};
+use crate::vehicle::{AnnouncedMode, Heartbeat, Mode, SystemStatus, Vehicle, VehicleClass};
 
 const STATION_254: StationId = StationId(address(254, 230));
 /// Vehicle 3, a copter.
@@ -221,7 +221,14 @@ fn parameters_and_lists_are_answered_by_their_own_messages() {
         told(row).as_deref(),
         Some("GCS 254/230: 3 param set RTL_ALT 3000: refused: it stays 1500")
     );
-    assert_eq!(answered(&mut watch, &value(3000.0), 200), None);
+    // That value was on its way before; the true answer follows.
+    assert_eq!(answered(&mut watch, &value(3000.0), 200), None, "held back");
+    let row = watch.due(ms(1500)).pop();
+    assert_eq!(
+        told(row).as_deref(),
+        Some("GCS 254/230: 3 param set RTL_ALT 3000: accepted")
+    );
+    assert_eq!(answered(&mut watch, &value(1500.0), 3000), None);
     let clear = MavMessage::MISSION_COUNT(MISSION_COUNT_DATA {
         target_system: 3,
         count: 9,
@@ -271,4 +278,114 @@ fn answers_are_for_the_command_that_waits_longest_and_those_of_a_burst_for_its_r
     let rest = rows.iter().find(|row| row.id == ForeignId(6));
     let rest = rest.expect("the row for the rest");
     assert_eq!((rest.count, rest.state), (16, RowState::Accepted));
+}
+
+/// The command that sets a mode.
+fn mode(number: f32) -> Outgoing {
+    command(3, MavCmd::MAV_CMD_DO_SET_MODE, 1.0, number)
+}
+
+#[test]
+fn a_command_after_another_one_is_a_new_row_even_if_it_is_like_an_earlier_one() {
+    let mut watch = StationWatch::new(OWN);
+    let mut last = None;
+    for (number, at) in [(4.0, 0), (6.0, 2000), (4.0, 4000)] {
+        last = commanded(&mut watch, &mode(number), at);
+    }
+    let row = last.expect("it is news");
+    assert_eq!((row.id, row.count), (ForeignId(2), 1));
+    assert_eq!(row.what.to_string(), "mode GUIDED");
+    let again = commanded(&mut watch, &mode(4.0), 6000).expect("it is news");
+    assert_eq!((again.id, again.count), (ForeignId(2), 2));
+    // The same if only the answers show the commands.
+    let mut watch = StationWatch::new(OWN);
+    let (land, takeoff) = (MavCmd::MAV_CMD_NAV_LAND, MavCmd::MAV_CMD_NAV_TAKEOFF);
+    for (command, at, expected) in [
+        (land, 0, (0, 1)),
+        (takeoff, 2000, (1, 1)),
+        (land, 4000, (2, 1)),
+        (land, 6000, (2, 2)),
+    ] {
+        let says = answer(command, MavResult::MAV_RESULT_ACCEPTED);
+        let row = answered(&mut watch, &says, at).expect("it is news");
+        assert_eq!((row.id.0, row.count), expected, "{at}");
+    }
+}
+
+#[test]
+fn steering_is_one_row_beside_commands_and_is_reported_once_a_minute() {
+    let mut watch = StationWatch::new(OWN);
+    let setpoint: Outgoing =
+        MavMessage::SET_POSITION_TARGET_LOCAL_NED(SET_POSITION_TARGET_LOCAL_NED_DATA::default())
+            .into();
+    let mut reports = Vec::new();
+    for at in (0..150_000).step_by(100) {
+        reports.extend(commanded(&mut watch, &setpoint, at));
+        if at == 5000 || at == 9000 {
+            // The same command again: setpoints between are no other command.
+            let row = commanded(&mut watch, &mode(6.0), at).expect("it is news");
+            assert_eq!(row.id, ForeignId(1));
+        }
+        let due = watch.due(ms(at)).into_iter();
+        reports.extend(due.filter(|row| row.id == ForeignId(0)));
+    }
+    assert_eq!(reports.len(), 3, "at 0, 60 and 120 s");
+    assert_eq!(
+        told(reports.pop()).as_deref(),
+        Some("GCS 254/230: 3 steering: sent")
+    );
+}
+
+#[test]
+fn a_parameter_that_was_never_answered_is_not_refused_by_a_later_download() {
+    let mut watch = StationWatch::new(OWN);
+    let set = MavMessage::PARAM_SET(PARAM_SET_DATA {
+        target_system: 3,
+        param_id: "RTL_ALT".into(),
+        param_value: 3000.0,
+        ..PARAM_SET_DATA::default()
+    });
+    drop(commanded(&mut watch, &set.into(), 0));
+    let value = MavMessage::PARAM_VALUE(PARAM_VALUE_DATA {
+        param_id: "RTL_ALT".into(),
+        param_value: 1500.0,
+        ..PARAM_VALUE_DATA::default()
+    });
+    assert_eq!(answered(&mut watch, &value.into(), 7_200_000), None);
+}
+
+#[test]
+fn the_mode_of_a_px4_has_a_main_and_a_sub_number() {
+    let mut vehicle = three();
+    if let Some(heartbeat) = &mut vehicle.heartbeat {
+        heartbeat.autopilot = 12;
+        heartbeat.mode.class = VehicleClass::Other;
+    }
+    for (index, number, name) in [(1, 0x0304_0000, "Hold"), (2, 0x0504_0000, "Return")] {
+        let mode = AnnouncedMode {
+            index,
+            number,
+            name: name.to_owned(),
+            is_selectable: true,
+        };
+        vehicle.modes.add(mode, 2);
+    }
+    let set = |sub| COMMAND_LONG_DATA {
+        target_system: 3,
+        command: MavCmd::MAV_CMD_DO_SET_MODE,
+        param1: 1.0,
+        param2: 4.0,
+        param3: sub,
+        ..COMMAND_LONG_DATA::default()
+    };
+    let mut watch = StationWatch::new(OWN);
+    for (sub, expected) in [(3.0, "mode Hold"), (5.0, "mode Return")] {
+        let content = content(
+            address(254, 230),
+            &MavMessage::COMMAND_LONG(set(sub)).into(),
+        );
+        let deed = deed_of(&content).expect("a command");
+        let row = watch.commanded(STATION_254, &deed, &vehicle, ms(0));
+        assert_eq!(row.expect("it is news").what.to_string(), expected);
+    }
 }

@@ -2,9 +2,11 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::*;
-use crate::language::Findings;
+use crate::language::{Findings, OfferedModes};
 use crate::ledger::{Given, Ledger, Risk, RowState, RowUpdate};
-use crate::vehicle::{Heartbeat, LandedState, Mode, SystemStatus, Vehicle, VehicleClass, Vehicles};
+use crate::vehicle::{
+    AnnouncedMode, Heartbeat, LandedState, Mode, SystemStatus, Vehicle, VehicleClass, Vehicles,
+};
 
 const SCRIPT: &str = "# up and away
 all guided
@@ -137,6 +139,39 @@ fn a_condition_holds_only_when_it_does_for_every_vehicle_there_is() {
         );
     }
     assert!(step(&mut pilot("wait all armed"), 0.0, &BTreeMap::new(), &ledger).is_empty());
+}
+
+#[test]
+fn a_mode_that_the_vehicle_has_announced_can_be_waited_for() {
+    let mut own = Vehicle::new(1, 1);
+    own.heartbeat = swarm(true)[&1].heartbeat;
+    if let Some(heartbeat) = &mut own.heartbeat {
+        heartbeat.mode.number = 65;
+    }
+    for (index, number, name) in [(1, 65, "LAWN_MOWER"), (2, 66, "HIDE")] {
+        let mode = AnnouncedMode {
+            index,
+            number,
+            name: name.to_owned(),
+            is_selectable: true,
+        };
+        own.modes.add(mode, 2);
+    }
+    let modes = OfferedModes::of(std::iter::once(&own));
+    let context = Context {
+        modes: modes.as_ref(),
+        ..Context::default()
+    };
+    let vehicles = Vehicles::from([(1, own.into())]);
+    for (line, met) in [
+        ("wait 1 mode LAWN_MOWER", true),
+        ("wait all mode lawnmower", true),
+        ("wait 1 mode HIDE", false),
+    ] {
+        let mut pilot = Pilot::new(Script::parse(line, &context).expect(line));
+        let steps = step(&mut pilot, 0.0, &vehicles, &Ledger::new());
+        assert_eq!(steps.len(), usize::from(met), "{line}");
+    }
 }
 
 #[test]

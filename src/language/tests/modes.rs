@@ -66,3 +66,53 @@ fn announced_modes_are_read_in_any_case_and_as_a_verb() {
     }
     assert!(parse("mode lawnmower", &Context::default()).is_err());
 }
+
+#[test]
+fn announced_names_in_another_spelling_keep_their_place_and_their_warning() {
+    let mut vehicle = Vehicle::new(1, 1);
+    let names = ["Lawn_Mower", "Stabilize", "Loiter", "Guided", "Smart_RTL"];
+    for (place, name) in names.into_iter().enumerate() {
+        let mode = AnnouncedMode {
+            index: place as u8 + 1,
+            number: 60 + place as u32,
+            name: name.to_owned(),
+            is_selectable: name != "Smart_RTL",
+        };
+        vehicle.modes.add(mode, 5);
+    }
+    // One vehicle has the built-in names; its LOITER is not offered a second time.
+    let plain = Vehicle::new(2, 1);
+    let modes = OfferedModes::of([vehicle, plain].iter());
+    let context = Context {
+        modes: modes.as_ref(),
+        ..Context::default()
+    };
+    let line = "mode ";
+    let completions = complete(line, line.len(), &context);
+    let found: Vec<&str> = completions.iter().map(|it| it.text.as_str()).collect();
+    assert_eq!(found[..2], ["Guided", "Loiter"]);
+    for name in ["GUIDED", "LOITER", "STABILIZE", "SMART_RTL"] {
+        assert!(!found.contains(&name), "{name} in {found:?}");
+    }
+    let hint = |name: &str| {
+        let found = completions.iter().find(|it| it.text == name);
+        found.map(|it| it.hint.to_string())
+    };
+    let usual = offered_hints();
+    for (name, same) in [
+        ("Guided", "GUIDED"),
+        ("Loiter", "LOITER"),
+        ("Stabilize", "STABILIZE"),
+    ] {
+        assert_eq!(hint(name).as_ref(), usual.get(same), "{name}");
+    }
+    assert_ne!(hint("Loiter"), hint("Lawn_Mower"), "it warns");
+}
+
+/// The hints of the built-in modes.
+fn offered_hints() -> std::collections::BTreeMap<String, String> {
+    let line = "mode ";
+    let completions = complete(line, line.len(), &Context::default());
+    let hints = completions.into_iter();
+    hints.map(|it| (it.text, it.hint.to_string())).collect()
+}

@@ -244,6 +244,26 @@ async fn stations_use_the_links_both_ways_and_each_frame_stays_as_it_was() {
 }
 
 #[tokio::test]
+async fn commands_from_the_own_address_of_the_console_are_passed_on_without_a_report() {
+    let mut shared = Shared::new();
+    shared.add_vehicle();
+    let (_forward, at) = shared.forward(0, "tcpin:127.0.0.1:0").await;
+    let mut twin = Far::new(TcpStream::connect(at).await.expect("connected"), OWN.system);
+    twin.encoder = Encoder::new(OWN.system, OWN.component);
+    twin.say(&beat(OWN.system)).await;
+    shared.vehicles[0].hear(OWN.system, 0).await;
+    shared.vehicles[0].say(&beat(1)).await;
+    twin.hear(1, 0).await;
+    twin.say(&takeoff(1)).await;
+    shared.vehicles[0].hear(OWN.system, 76).await;
+    // The next report is that of another station.
+    let mut other = shared.station(at, 254).await;
+    other.say(&takeoff(1)).await;
+    let news = shared.news.recv().await.expect("reported");
+    assert_eq!(news.station.0.system, 254);
+}
+
+#[tokio::test]
 async fn a_read_only_forward_carries_nothing_back_and_filters_leave_answers_alone() {
     let mut shared = Shared::new();
     shared.add_vehicle();

@@ -12,7 +12,7 @@ use crate::mission::event::mover::{MoverKind, Spawn};
 use crate::mission::event::weather::{Change, Element, Target};
 use crate::mission::format::{
     Draft, FileShape, FileTable, FileValue, KindOf, flag, list, named, not_between, number, point,
-    seconds, text, time, whole, word,
+    seconds, text, text_by, time, whole, word,
 };
 use crate::scoring::AlertLevel;
 use crate::text;
@@ -154,6 +154,11 @@ const MOVERS: [(&str, MoverKind, f64, f64); 3] = [
     ("intruder", MoverKind::Intruder, 30.0, 15.0),
 ];
 
+/// Whether a callsign fits into the report of an ADS-B transmitter.
+fn is_callsign(callsign: &str) -> bool {
+    (1..=8).contains(&callsign.chars().count()) && !callsign.trim().is_empty()
+}
+
 fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
     let mover_form = named(
         "mover",
@@ -164,7 +169,7 @@ fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
     let id = table.may("id", text(""), "name for conditions (default its kind)");
     let callsign = table.may(
         "callsign",
-        text(""),
+        text_by("1 to 8 characters", is_callsign, "fault-callsign"),
         "callsign of an aircraft in the list of traffic (default its id in capital letters)",
     );
     let path = table.need("path", list(point(), 2, MOST_POINTS), "points of the path");

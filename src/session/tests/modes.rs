@@ -68,7 +68,7 @@ fn set_mode(scene: &mut Scene, entry: u32, name: &str) {
 }
 
 #[test]
-fn modes_are_asked_for_once_and_those_that_were_lost_again() {
+fn modes_are_asked_for_and_those_that_were_lost_again() {
     let mut scene = Scene::new();
     fly_on(&mut scene, 1);
     assert_eq!(asked(&scene), [0]);
@@ -80,13 +80,31 @@ fn modes_are_asked_for_once_and_those_that_were_lost_again() {
     fly_on(&mut scene, 20);
     assert_eq!(asked(&scene), [0, 2]);
     assert!(scene.session.vehicle().modes.is_complete());
-    // A vehicle that can change its modes says so by its monitor.
-    for (seq, expected) in [(1, 2), (1, 2), (2, 3)] {
+    // A vehicle that can change its modes says so by its monitor; without an answer, it is asked again after 4 s.
+    for (seq, expected) in [(1, 2), (1, 2), (2, 4)] {
         let monitor = AVAILABLE_MODES_MONITOR_DATA { seq };
         scene.hear(MavMessage::AVAILABLE_MODES_MONITOR(monitor));
         fly_on(&mut scene, 5);
         assert_eq!(asked(&scene).len(), expected, "{seq}");
     }
+}
+
+#[test]
+fn each_lost_mode_has_its_own_tries_and_a_new_list_starts_again() {
+    let mut scene = Scene::new();
+    fly_on(&mut scene, 1);
+    announce(&mut scene, 1);
+    fly_on(&mut scene, 40);
+    assert_eq!(asked(&scene), [0, 2, 2, 2]);
+    announce(&mut scene, 2);
+    fly_on(&mut scene, 40);
+    assert_eq!(asked(&scene), [0, 2, 2, 2, 3, 3, 3]);
+    for seq in [1, 2] {
+        let monitor = AVAILABLE_MODES_MONITOR_DATA { seq };
+        scene.hear(MavMessage::AVAILABLE_MODES_MONITOR(monitor));
+    }
+    fly_on(&mut scene, 40);
+    assert_eq!(asked(&scene)[7..], [0; 3]);
 }
 
 #[test]
@@ -96,7 +114,11 @@ fn a_vehicle_without_the_message_keeps_the_built_in_names() {
     // As ArduCopter 4.6-dev answers.
     scene.ack(REQUEST, MavResult::MAV_RESULT_FAILED);
     fly_on(&mut scene, 60);
-    assert_eq!(asked(&scene), [0]);
+    assert_eq!(
+        asked(&scene),
+        [0; 3],
+        "a few tries, since a request may be lost"
+    );
     set_mode(&mut scene, 1, "GUIDED");
     let sent = scene.longs(SET_MODE).last().map(|long| long.param2);
     assert_eq!(sent, Some(4.0));

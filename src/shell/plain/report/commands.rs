@@ -63,6 +63,10 @@ impl PrintedCommands {
         let news: Vec<&ForeignCommand> = foreign.filter(is_due).collect();
         let printed = news.iter().map(|command| (command.id, command.state));
         self.foreign.extend(printed.collect::<Vec<_>>());
+        // The ledger drops the oldest ones.
+        let oldest = state.session().ledger().foreign().next().map(|it| it.id);
+        self.foreign
+            .retain(|&id, _| oldest.is_some_and(|oldest| id >= oldest));
         news.into_iter().map(foreign_outcome).collect()
     }
 }
