@@ -24,7 +24,7 @@ mission-formation = { $count ->
    *[other] { $count } воріт, { $percent } %
 }
 mission-formation-of = { $passed }/{ $count } воріт, { $percent } %
-mission-formation-advice = Проведіть середину рою крізь { $gate }; увесь час тримайте від { $low } до { $high } m між кожним дроном і його найближчим сусідом.
+mission-formation-advice = Проведіть середину рою крізь { $gate }; увесь час тримайте між кожним дроном і його найближчим сусідом відстань від { $low } до { $high } m.
 mission-arm-within = { $time } s
 mission-armed-after = активовано за { $time } s
 mission-not-armed = не активовано

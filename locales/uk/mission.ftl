@@ -138,7 +138,7 @@ deed-no-load = на борту немає відповідного вантаж�
 deed-exam-hint = на іспиті підказок немає
 deed-workload-in-exam = під час іспиту про завантаженість не питають
 deed-no-hint = у цьому завданні більше немає підказок
-deed-no-mission = завдання не виконується
+deed-no-mission = зараз немає завдання
 
 mission-hint-given = { $percent ->
     [0] підказка рівня { $level } (безкоштовно): { $hint }
