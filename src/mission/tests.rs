@@ -319,7 +319,7 @@ fn hints_follow_the_flight() {
     let mut pilot = Pilot::new(1);
     let hint = |pilot: &Pilot| pilot.flight.progress().hint.unwrap_or_default();
     pilot.tick();
-    assert!(hint(&pilot).contains("arm it"));
+    assert!(hint(&pilot).contains("then arm the drone"));
     pilot.take_off(20.0);
     let said = hint(&pilot);
     assert!(
