@@ -48,7 +48,7 @@ outcome-not-sent = not sent: { $reason }
 outcome-too-late = not sent: expired after { $seconds } s in the queue
 outcome-queue-full = not sent: { $count } commands are already waiting for this vehicle
 outcome-forgotten = the vehicle was forgotten
-outcome-not-heard = not sent: no such vehicle in contact
+outcome-not-heard = not sent: no contact with this vehicle
 outcome-task-busy = not sent: the console cannot keep up with this vehicle
 
 # A list that has been kept since a transfer was interrupted.
@@ -147,7 +147,7 @@ rehearse-ends-in-air = the plan ends in the air after { $time }; uses { $used } 
 rehearse-battery = uses { $used } % of the battery: more than is left
 rehearse-meets = comes too close to another vehicle; flight time { $time }
 rehearse-fence = breaches its fence after { $time }
-rehearse-left-plan = leaves its plan for { $mode } and ends after { $time }
+rehearse-left-plan = leaves its plan for { $mode }; flight time { $time }
 rehearse-grounded = does not take off
 rehearse-crashed = collides after { $time }
 rehearse-replay = recorded: `replay rehearsal` plays it on the map

@@ -26,7 +26,7 @@ pub struct ForeignView {
     /// `superseded`.
     #[schema(value_type = String)]
     pub state: &'static str,
-    /// The reason of a refusal.
+    /// The reason for a refusal.
     pub remark: Option<String>,
 }
 

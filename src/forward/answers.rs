@@ -41,7 +41,7 @@ impl Answered {
         }
     }
 
-    /// The action that it alone shows; `None` if it says too little.
+    /// The action that can be inferred from the answer alone; `None` if the answer does not identify one.
     pub fn deed(&self) -> Option<Deed> {
         match self {
             Self::Command(command) => Some(Deed::Command(command.clone())),

@@ -44,7 +44,7 @@ pub struct ForeignCommand {
     pub count: u32,
     /// The vehicle's answer; [`RowState::Sent`] while there is none.
     pub state: RowState,
-    /// The reason of a refusal.
+    /// The reason for a refusal.
     pub explanation: Option<Text>,
 }
 

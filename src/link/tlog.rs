@@ -44,7 +44,7 @@ pub enum TlogError {
     },
     /// Reading the file failed.
     Read {
-        /// Where the record starts that could not be read.
+        /// Where the unreadable record starts, in bytes from the start of the file.
         offset: u64,
         source: io::Error,
     },

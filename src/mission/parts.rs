@@ -44,7 +44,8 @@ pub struct CareerTerms {
     pub rewards: Rewards,
 }
 
-/// The limits that vehicles must keep during a flight.
+/// The rules of a flight: the limits for its vehicles, and whether the trainee may pause it, speed it up and set
+/// protected parameters.
 #[derive(Debug)]
 pub struct FlightRules {
     pub time_limit: Duration,

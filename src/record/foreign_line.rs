@@ -23,7 +23,7 @@ pub struct ForeignLine {
     /// How many times it was noticed.
     pub count: u32,
     pub state: RowState,
-    /// The reason of a refusal, in English.
+    /// The reason for a refusal, in English.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
 }

@@ -260,7 +260,7 @@ fn goal_of(vehicle: &Vehicle, setpoint: &Setpoint) -> Option<DVec3> {
     }
 }
 
-/// Converts a vector of the body's frames to north and east.
+/// Rotates a vector to north and east if the setpoint is in a body frame; otherwise returns it unchanged.
 fn in_north_east(vehicle: &Vehicle, setpoint: &Setpoint, v: DVec3) -> DVec3 {
     if !is_body_frame(setpoint) {
         return v;

@@ -76,7 +76,7 @@ impl Field {
         self.holds(&work.points) && rim.all(|point| self.allows(point))
     }
 
-    /// The parts of a line that lie inside, at a distance from the fence.
+    /// The parts of a line that lie inside and keep `MARGIN_M` from the fence.
     pub(super) fn inside(&self, lane: Lane) -> Vec<Lane> {
         let Some(along) = (lane.to - lane.from).try_normalize() else {
             return Vec::new();

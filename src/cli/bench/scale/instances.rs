@@ -94,10 +94,10 @@ impl SitlBench {
 }
 
 impl Instances<'_> {
-    /// How many of the processes can be armed.
+    /// The number of processes whose vehicle can be armed.
     ///
     /// # Errors
-    /// The reason why one of them has ended.
+    /// One of the processes has ended; the error gives the reason.
     pub fn ready(&self) -> anyhow::Result<usize> {
         let channel = self.bench.hangars.instances();
         let seen = channel.borrow();

@@ -187,8 +187,9 @@ pub fn arrow(heading_deg: f32, symbols: Symbols) -> char {
     arrows[turn % arrows.len()]
 }
 
-/// Finds cells of a row with several vehicles, and writes a count there, which includes vehicles
-/// that the count covers. The other vehicles are added to `singles`, to be drawn individually.
+/// Finds the cells of a row that contain several vehicles, and writes their number there. The number includes the
+/// vehicles in the neighbouring cells that it is written over. The other vehicles are added to `singles`, to be drawn
+/// individually.
 fn gather<'a>(
     row: &'a [Marker],
     columns: Range<u16>,
