@@ -12,7 +12,7 @@ use std::process::Command;
 use anyhow::{Context as _, ensure};
 use serde::Deserialize;
 
-/// The prefixes of the names of licence files, in lower case.
+/// The name prefixes of licence files, in lower case.
 const LICENCE_FILES: [&str; 6] = [
     "license",
     "licence",
@@ -151,7 +151,8 @@ fn c_library(target: &str) -> &'static str {
     }
 }
 
-/// The licence texts of a package. If it contains none, the text of the MIT licence with the names of its authors.
+/// The licence texts of a package; if it contains none, the text of the MIT licence with the names
+/// of its authors.
 fn licences(package: &Package) -> anyhow::Result<Vec<String>> {
     let folder = Path::new(&package.manifest_path).parent();
     let folder = folder.context("a manifest is in a folder")?;

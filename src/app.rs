@@ -1,8 +1,10 @@
-//! The console without its shell: its state ([`state`]), events ([`event`]), the user's actions ([`action`]), effects
-//! for the shell ([`effect`]), and the one function that turns events and actions into state and effects.
+//! The console without its shell: its state ([`state`]), events ([`event`]), the user's actions
+//! ([`action`]), effects for the shell ([`effect`]), and the one function that turns events and
+//! actions into state and effects.
 //!
-//! Nothing here waits, reads a clock or touches a terminal: the shell feeds events to [`App::update`], carries the
-//! effects out and draws when [`State::revision`] has changed. It can read the state but not change it.
+//! Nothing here waits, reads a clock or touches a terminal: the shell feeds events to
+//! [`App::update`], carries the effects out and draws when [`State::revision`] has changed. The
+//! shell can read the state but not change it.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

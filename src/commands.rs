@@ -62,7 +62,8 @@ pub use setpoint::{Setpoint, ready_for};
 pub use speeds::{CHANGE_SPEED, asked_again};
 pub use task::PlanTask;
 
-/// A command to one vehicle, by subject. Every variant has one verb of the grammar.
+/// A command to one vehicle, grouped by subject. Every command in these groups has one verb of the
+/// grammar.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Command {
     Arming(ArmingCommand),
@@ -76,7 +77,7 @@ pub enum Command {
     Device(DeviceCommand),
     Query(QueryCommand),
     Parameter(ParameterCommand),
-    /// The logs that the vehicle stores of its flights.
+    /// The logs that the vehicle keeps of its flights.
     Log(LogCommand),
     /// The lists that the vehicle carries: plan, fence and rally points.
     Plan(PlanCommand),

@@ -137,8 +137,9 @@ impl ComparedFlight {
         left.min_by(f64::total_cmp)
     }
 
-    /// The times at which both flights are aligned; `None` if one of them lacks the event.
-    /// Bookmarks with the same text take precedence over the first bookmarks.
+    /// The times at which both flights are aligned; `None` if one of them lacks the event. An
+    /// alignment by bookmarks uses the first two with the same text; without such a pair, the first
+    /// bookmark of each flight.
     pub fn anchors(own: &Self, other: &Self, alignment: Alignment) -> Option<Anchors> {
         let same = || {
             own.bookmarks.iter().find_map(|mine| {

@@ -51,7 +51,7 @@ pub struct Config {
     pub alerts: AlertsConfig,
     /// Named sequences of lines of the command language.
     pub macros: BTreeMap<String, Vec<String>>,
-    /// The keymap file, if not the one in the folder of the configuration.
+    /// The path of the keymap file; by default, the one in the configuration folder.
     pub keymap: Option<String>,
     /// The question to trainees about their workload.
     pub workload: WorkloadConfig,
@@ -89,7 +89,7 @@ pub enum Readers {
 pub struct ConnectConfig {
     /// The vehicles that belong to the swarm, such as `1-4,7`; without it, all vehicles that are heard.
     pub expect: Option<VehicleIds>,
-    /// Forwards to other ground stations, such as `udp:127.0.0.1:14550 read-only`.
+    /// The forwards to other ground stations, such as `udp:127.0.0.1:14550 read-only`.
     pub forward: Vec<String>,
     /// Whether frames without a valid signature are ignored.
     pub require_signing: bool,
@@ -120,7 +120,8 @@ pub struct AlertsConfig {
     pub notify: bool,
     /// The kinds of alerts without a signal.
     pub mute: Vec<AlertKind>,
-    /// The horizontal distance below which two vehicles in the air are too close to each other, in metres; 0 for none.
+    /// The horizontal distance below which two vehicles in the air are too close to each other, in
+    /// metres; 0 for no alert.
     pub separation: u16,
     /// The vertical distance, in metres, below which such vehicles are too close to each other.
     pub separation_height: u16,
@@ -183,7 +184,8 @@ pub struct HangarConfig {
     pub restart: Restart,
     /// The folder for the instances' files; by default, a folder in the state folder.
     pub folder: Option<String>,
-    /// The services that start the vehicles; by default this program starts them itself.
+    /// The URLs of the services that start the vehicles; by default, the console starts them
+    /// itself.
     pub urls: Vec<String>,
     /// The file with the token of the services; by default, the file in the state folder.
     pub token_file: Option<String>,

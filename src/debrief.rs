@@ -28,9 +28,9 @@ pub use workload::{WorkloadStrips, workload_words};
 pub use layout::fit;
 use layout::{clock, pieces};
 
-/// Columns of the page.
+/// The width of the page in columns.
 pub const WIDTH: usize = 80;
-/// The debrief of a report, in a language.
+/// The debrief of a report, in the language of the locale.
 pub fn text(report: &Report, locale: &Locale) -> String {
     let page = lines_with(report, &DebriefCareer::default(), locale).into_iter();
     let lines: Vec<String> = page.map(|line| line.text).collect();
@@ -50,7 +50,8 @@ pub fn explanation(report: &Report, locale: &Locale, width: usize) -> Vec<Debrie
 /// A career's part of the page.
 #[derive(Debug, Clone, Default)]
 pub struct DebriefCareer {
-    /// The changes by the flight, most important first; shown before the explanation of the score.
+    /// The changes that the flight made to the career, most important first; shown before the
+    /// explanation of the score.
     pub changes: Vec<Text>,
     /// What to fly once nothing is left to improve; `None` without a career.
     pub next: Option<Text>,
@@ -79,7 +80,7 @@ struct DebriefPage<'a> {
     /// The tones of the lines written so far.
     tones: Vec<DebriefTone>,
     locale: &'a Locale,
-    /// The columns of the page.
+    /// The width of the page in columns.
     width: usize,
 }
 
@@ -195,8 +196,8 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// Writes the source of the commands (a person or a script), and whether the mission differs from that of the
-    /// course.
+    /// Writes the source of the commands (a person, a script or the bundled pilot), and whether the
+    /// mission differs from that of the course.
     fn origin(&mut self, report: &Report) {
         let flown_by = report.flown_by.map(|flown_by| match flown_by {
             FlownBy::Hand => text!("debrief-by-hand"),

@@ -198,8 +198,8 @@ pub fn near<'a>(written: &str, names: impl IntoIterator<Item = &'a str>) -> Vec<
     near
 }
 
-/// The names that the written word may be a typing error of, closest first: by insertions, deletions, substitutions and
-/// swaps of neighbours (optimal string alignment).
+/// The names that the written word may misspell, closest first. The distance counts insertions,
+/// deletions, substitutions and swaps of neighbours (optimal string alignment).
 fn typing_errors<'a>(
     written: &str,
     names: impl IntoIterator<Item = &'a str>,

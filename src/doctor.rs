@@ -112,7 +112,7 @@ pub struct SealCounts {
     pub foreign: u64,
     /// Signed with the sender's key, but with an old timestamp.
     pub old: u64,
-    /// How far the last of these was behind, in units of 10 microseconds.
+    /// How far the timestamp of the last of these frames was behind, in units of 10 microseconds.
     pub behind: u64,
 }
 

@@ -94,7 +94,7 @@ impl Draft {
         }
     }
 
-    /// The file that the draft was read from or last written to.
+    /// The file that the draft was read from or last written to, if any.
     pub fn file(&self) -> Option<&str> {
         self.file.as_deref()
     }
@@ -140,7 +140,8 @@ impl Draft {
         self.kept = other.kept;
     }
 
-    /// Changes the content of the draft, and returns the index of the item that the change affects.
+    /// Changes the content of the draft, and returns the index of the item that the change affects,
+    /// if any.
     ///
     /// # Errors
     /// The reason why the change is not possible; nothing changes.

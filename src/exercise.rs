@@ -182,7 +182,7 @@ impl<L> Exercise<L> {
         self.driver.flight()
     }
 
-    /// The flight, for its attempt and its record.
+    /// Mutable access to the flight, to set its attempt and its record.
     pub fn flight_mut(&mut self) -> &mut Flight {
         self.driver.flight_mut()
     }
@@ -207,7 +207,7 @@ impl<L> Exercise<L> {
         self.log = None;
     }
 
-    /// Recorded data that are not written yet, while the flight is recorded.
+    /// Recorded data that have not been written yet, while the flight is recorded.
     pub fn log_mut(&mut self) -> Option<&mut FlightLog> {
         self.log.as_mut()
     }
@@ -260,7 +260,7 @@ impl<L> Exercise<L> {
         }
     }
 
-    /// One tick of the mission, at a session time.
+    /// Runs one tick of the mission, at a session time.
     fn fly(&mut self, now: Duration, tick: Duration) {
         self.take_snapshots();
         let seen = Seen {

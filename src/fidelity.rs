@@ -31,7 +31,7 @@ use crate::wire::{Decoder, Frame, frame_len};
 /// A frame and its time, since the beginning of its recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Timed {
-    /// Since the beginning of the recording.
+    /// The time since the beginning of the recording.
     pub at: Duration,
     pub frame: Frame,
 }

@@ -109,7 +109,7 @@ impl Fleet {
         Self::spawn(WANTED_STREAMS, keeping, clock, cancel)
     }
 
-    /// Starts an empty fleet that requests different telemetry from the console's.
+    /// Starts an empty fleet that requests the given telemetry instead of the console's.
     pub fn start_wanting(
         streams: &'static [Stream],
         clock: FleetClock,
@@ -145,8 +145,8 @@ impl Fleet {
         self.ask(FleetRequest::Connect(transport))
     }
 
-    /// Shares the links with the ground stations at an address. It can be watched once [`FleetEvent::Forwarding`] has
-    /// arrived.
+    /// Shares the links with the ground stations at an address. The forward can be watched once
+    /// [`FleetEvent::Forwarding`] has arrived.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up.
@@ -154,7 +154,7 @@ impl Fleet {
         self.ask(FleetRequest::Forward(spec, address))
     }
 
-    /// Ends the forwards at an address, as it was written.
+    /// Ends the forwards at an address, spelled as it was when they were opened.
     ///
     /// # Errors
     /// The hub has ended or cannot keep up.

@@ -1,5 +1,5 @@
-//! Telemetry: the changes that each `MAVLink` message makes in the model of its vehicle, and its notices. One match
-//! chooses the handler; the handlers are in one file per subject.
+//! Telemetry: the changes that each `MAVLink` message makes to the model of its vehicle, and the
+//! resulting notices. One match chooses the handler; the handlers are in one file per subject.
 
 use std::sync::Arc;
 use std::time::Duration;

@@ -97,7 +97,7 @@ pub use stake::Stake;
 /// The step of missions and scoring.
 pub const TICK: Duration = Duration::from_millis(100);
 
-/// Whether an action that repeats every `every` is due at `now`; both are multiples of the step.
+/// Whether an action with the interval `every` is due at `now`; both are multiples of the step.
 pub(crate) fn is_due(now: Duration, every: Duration) -> bool {
     now.as_millis().is_multiple_of(every.as_millis())
 }
@@ -224,7 +224,7 @@ impl Mission {
         self
     }
 
-    /// Whether a flight that counts may set a parameter.
+    /// Whether a parameter may be set in a flight that counts.
     pub fn lets_set(&self, parameter: &str) -> bool {
         let is_same = |open: &String| open.eq_ignore_ascii_case(parameter);
         self.rules.open_parameters.iter().any(is_same)

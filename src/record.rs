@@ -145,7 +145,7 @@ pub struct Journal {
     pub lines: Vec<JournalLine>,
     /// The damage to the file after its readable part.
     pub damage: Option<Text>,
-    /// The numbers in the file of the lines of unknown kinds.
+    /// The line numbers of lines of unknown kinds.
     pub unknown: Vec<usize>,
 }
 

@@ -210,7 +210,7 @@ impl Replay {
         (goal > length).then(|| text!("seek-beyond", length = clock(length)))
     }
 
-    /// The time of a target; `None` if no moment matches.
+    /// The time of a target; `None` if no moment matches, or for mission time without a mission.
     fn target(&self, target: SeekTarget) -> Option<Duration> {
         let now = self.stage.now();
         match target {
@@ -254,7 +254,7 @@ impl Replay {
         }
     }
 
-    /// Why there is no stretch to repeat.
+    /// Why there is no section to repeat.
     fn no_stretch(&self, target: LoopTarget) -> Text {
         match target {
             LoopTarget::Times { .. } => text!("loop-beyond", length = clock(self.length())),
@@ -262,8 +262,8 @@ impl Replay {
         }
     }
 
-    /// The start and the end of a stretch to repeat; `None` if there are no moments of the kind on
-    /// both sides, or if the stretch would begin after the end.
+    /// The start and the end of a section to repeat; `None` if there are no moments of the kind on
+    /// both sides, or if the section would begin after the end of the recording.
     fn stretch(&self, target: LoopTarget) -> Option<(Duration, Duration)> {
         let length = self.length();
         let (from, to) = match target {

@@ -198,7 +198,7 @@ impl Score {
     }
 }
 
-/// The points of a flight in which nothing is left to gain.
+/// The points of a perfect flight.
 pub const ALL_POINTS: u16 = 1000;
 /// The maximum number of points of a flight that harmed people.
 pub const HARM_POINTS: u16 = 300;
@@ -241,7 +241,8 @@ fn gold_missing(
     missing.map(Gate::text).chain(others).collect()
 }
 
-/// Rounds an amount that may not look complete before it is: it reaches `all` only without a loss.
+/// Rounds an amount, but returns `all` only if nothing was lost, so that an incomplete amount never
+/// looks complete.
 fn rounded_below(amount: f64, all: f64) -> f64 {
     if amount < all - 1e-6 {
         amount.round().min(all - 1.0)

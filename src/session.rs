@@ -120,7 +120,7 @@ impl Session {
         }
     }
 
-    /// Requests different telemetry from that of the console.
+    /// Requests these streams instead of the console's usual telemetry.
     #[must_use]
     pub fn wanting(mut self, streams: &'static [Stream], now: Duration) -> Self {
         self.streams = Streams::new(streams, now);
@@ -141,8 +141,8 @@ impl Session {
         self
     }
 
-    /// Takes the keys for signing from `desk`, that of the link on which the vehicle is heard; without one, keys cannot
-    /// be changed.
+    /// Takes the keys for signing from `desk`, which belongs to the link on which the vehicle is
+    /// heard; without a desk, keys cannot be changed.
     pub fn sign_with(&mut self, desk: Option<Arc<dyn KeyDesk>>) {
         self.signing.use_desk(desk);
     }
@@ -299,7 +299,7 @@ impl Session {
     }
 
     /// Sends a vehicle's setpoint in a joint manoeuvre: it is not a command, has no answer, and
-    /// only ends earlier movements.
+    /// supersedes only earlier movements.
     ///
     /// # Errors
     /// The setpoint is in the ground or not a valid position; nothing is sent.

@@ -63,7 +63,7 @@ pub enum SigningChange {
     Remove,
 }
 
-/// The key that a vehicle is sent.
+/// The key to send to a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SentKey {
     /// The new key of a change that has not been proved yet.
@@ -110,7 +110,7 @@ enum KeyInUse {
     Next,
 }
 
-/// The frames of one component on one of its links, by the link id in their signatures.
+/// Identifies the frames of one component on one of its links, by the link id in their signatures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 struct SignedStream {
     component: ComponentId,
@@ -147,7 +147,8 @@ impl VehicleKeys {
         }
     }
 
-    /// How far a stamp is behind the first one that its stream may have; 0 if it is new.
+    /// How far a stamp is below the lowest one that its stream may have now; 0 if the stamp is
+    /// valid.
     fn behind(&self, stream: SignedStream, timestamp: u64) -> u64 {
         let least = if let Some(last) = self.heard.get(&stream) {
             last.saturating_add(1)
@@ -178,7 +179,7 @@ pub struct Keyring {
     has_changed: bool,
     /// Whether a write has been requested since it was last written.
     is_asked: bool,
-    /// The vehicles by the address of their link.
+    /// The keys of the vehicles, by the address of their link and by system id.
     links: BTreeMap<String, BTreeMap<SystemId, VehicleKeys>>,
 }
 
@@ -228,8 +229,9 @@ impl Keyring {
         fits
     }
 
-    /// The signatures for a message to these vehicles of a link, one for each key in use; none if it is sent unsigned.
-    /// `stamp` holds the console's number of the link and the time of this machine.
+    /// The signatures for a message to these vehicles of a link, one for each key in use; none if
+    /// it is sent unsigned. `stamp` holds the console's number for the link and this machine's
+    /// time.
     pub fn seal(
         &mut self,
         link: &str,

@@ -62,7 +62,7 @@ pub enum SitlKind {
 impl SitlKind {
     pub const ALL: &[Self] = <Self as VariantArray>::VARIANTS;
 
-    /// Its name as in JSON.
+    /// The kind's name in JSON.
     pub fn name(self) -> &'static str {
         self.into()
     }
@@ -82,8 +82,8 @@ impl SitlKind {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recipe {
     pub kind: SitlKind,
-    /// SITL's name of a model (`quad`, a plus frame, `x`, `hexa`); by default the one that suits the kind, the
-    /// airframe and the parameters.
+    /// SITL's name for a model (`quad`, a plus frame, `x`, `hexa`); by default the one that suits
+    /// the kind, the airframe and the parameters.
     pub model: Option<String>,
     /// A frame file in the JSON of `SIM_Frame`, for multicopters only; by default [`Airframe::standard`].
     pub airframe: Option<String>,

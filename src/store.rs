@@ -104,7 +104,7 @@ pub fn missions_with_id(id: &str) -> Vec<String> {
     same.map(|source| source.name).collect()
 }
 
-/// The drill for a mission, by the name of the drill's file, if there is one.
+/// The name of the drill for a mission, without folder and ending; `None` if there is none.
 pub fn drill_of(mission: &str) -> Option<String> {
     let all = missions().into_iter();
     let mut drills = all.filter(|source| {

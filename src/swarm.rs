@@ -165,7 +165,7 @@ impl Conductor {
     }
 
     /// Accepts an order that already has a ledger entry, and decides which vehicles carry it out by
-    /// themselves. An order to the mission changes nothing here.
+    /// themselves. Only commands and manoeuvres have an effect here.
     pub fn take(
         &mut self,
         entry: EntryId,
@@ -321,7 +321,7 @@ impl Conductor {
     }
 }
 
-/// Whether a command sets GUIDED, which a member already has.
+/// Whether a command sets GUIDED, the mode that every member already has.
 fn is_guided(command: &Command) -> bool {
     matches!(command, Command::Flight(FlightCommand::SetMode { name }) if name.eq_ignore_ascii_case("GUIDED"))
 }

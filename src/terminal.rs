@@ -135,7 +135,8 @@ impl Screen {
         })
     }
 
-    /// How long to wait before the next frame; `None` while that depends on the terminal.
+    /// How long to wait before the next frame; `None` until the operating system has accepted the
+    /// last one.
     pub fn next_frame_in(&mut self) -> Option<Duration> {
         let now = self.clock.elapsed();
         for written in self.traffic.take_written() {

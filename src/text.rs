@@ -143,7 +143,8 @@ impl Text {
         ))
     }
 
-    /// The text with `word` in place of each `mark`, in each of its languages.
+    /// The text with `word` in place of each `mark`, in each of its languages; messages and joined
+    /// texts are returned unchanged.
     #[must_use]
     pub fn filled(&self, mark: &str, word: &str) -> Self {
         let content = match &self.0 {
@@ -163,7 +164,7 @@ impl Text {
         Self(TextContent::Joined { separator, parts })
     }
 
-    /// Whether it is empty.
+    /// Whether the text is empty.
     pub fn is_empty(&self) -> bool {
         match &self.0 {
             TextContent::Verbatim(text) => text.is_empty(),

@@ -71,7 +71,7 @@ pub struct Vehicle {
     pub heartbeat: Option<Heartbeat>,
     /// The modes that it has announced.
     pub modes: AnnouncedModes,
-    /// The number of the mode that was set last (`CURRENT_MODE`), if it tells.
+    /// The number of the mode that was set last (`CURRENT_MODE`), if the vehicle reports it.
     pub intended_mode: Option<u32>,
     pub attitude: Option<Attitude>,
     pub global: Option<GlobalPosition>,
@@ -194,8 +194,8 @@ impl Vehicle {
         }
     }
 
-    /// The time since its boot, by its own clock; with a speed-up, this clock runs faster than that
-    /// of the console.
+    /// The time since its boot, by its own clock, if it has reported it; with a speed-up, this
+    /// clock runs faster than that of the console.
     pub fn clock(&self) -> Option<Duration> {
         self.boot_ms.map(|it| Duration::from_millis(it.into()))
     }

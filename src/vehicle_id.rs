@@ -59,7 +59,8 @@ pub fn ranges(ids: impl IntoIterator<Item = VehicleId>) -> String {
     parts.collect::<Vec<_>>().join(",")
 }
 
-/// Reads the notation of [`ranges`], in any order.
+/// Reads the notation of [`ranges`], with its parts in any order; the numbers returned are sorted,
+/// each once.
 ///
 /// # Errors
 /// A text if a part is neither a number from 1 to 9999 nor a range of them.

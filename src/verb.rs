@@ -83,7 +83,8 @@ pub enum Precedence {
     Awaited,
     /// It is sent at once and drops all orders that have not been answered.
     Urgent,
-    /// It depends on the flight mode: modes that land or stop a vehicle are urgent. Later orders wait for its effect.
+    /// The precedence depends on the flight mode: modes that land or stop a vehicle are urgent.
+    /// Later orders wait for the order's effect.
     ByMode,
 }
 
@@ -161,7 +162,7 @@ pub enum CountsAs {
 }
 
 impl CountsAs {
-    /// Whether it is a message to the mission instead of a command.
+    /// Whether it is a message to the mission or a self-assessment, instead of a command.
     pub fn is_said_to_mission(self) -> bool {
         match self {
             Self::Word | Self::Pledge | Self::SelfReport => true,

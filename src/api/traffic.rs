@@ -20,7 +20,7 @@ pub struct AircraftView {
     pub altitude_amsl_m: f64,
     pub course_deg: Option<f64>,
     pub speed_m_s: Option<f64>,
-    /// Upwards.
+    /// The rate of climb; negative in a descent.
     pub climb_m_s: Option<f64>,
     /// The age of its position.
     pub age_s: f64,
@@ -32,12 +32,12 @@ pub struct AircraftView {
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ApproachView {
     pub vehicle: VehicleId,
-    /// Horizontally, now.
+    /// The current horizontal distance.
     pub distance_m: f64,
     pub height_m: f64,
     /// The time until they are closest; 0 if they move apart.
     pub in_s: f64,
-    /// Horizontally, at the closest approach.
+    /// The horizontal distance at the closest approach.
     pub closest_m: f64,
     pub closest_height_m: f64,
     /// `critical` (100 m within 30 s), `warning` (300 m) or `none`.

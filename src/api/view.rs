@@ -166,7 +166,7 @@ impl EntryView {
 /// A notice; identical ones within a short time are merged.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct NoticeView {
-    /// When the first of them arrived, in seconds since the start of the program.
+    /// When the first of the merged notices arrived, in seconds since the start of the program.
     pub at_s: f64,
     pub vehicle: Option<VehicleId>,
     /// `MAV_SEVERITY`: 0 (emergency) to 7 (debug).

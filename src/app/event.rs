@@ -67,7 +67,7 @@ pub enum Event {
     NoticesDropped(u64),
     /// The shell's short answer, for the last line of the screen.
     Answer(Text),
-    /// A failure of the shell; the text says what failed, where, and what to do.
+    /// A failure of the shell; the text states what failed, where, and what to do.
     Failed(Text),
 }
 
@@ -91,10 +91,10 @@ pub enum TerminalEvent {
     },
     /// A line was entered at the prompt of the plain console.
     Line(String),
-    /// The plain console has printed the contents of the screen: messages and overlays close,
-    /// except a question.
+    /// The plain console has printed the contents of the screen: messages and overlays close, but a
+    /// question stays open.
     Told,
-    /// The throughput of the terminal's line in bytes per second while it is too slow for the
+    /// The throughput of the terminal's connection in bytes per second while it is too slow for the
     /// screen; otherwise `None`.
     SlowLine(Option<u32>),
 }
@@ -106,7 +106,7 @@ pub enum TerminalEvent {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProgramLine {
     pub line: String,
-    /// Whether the program confirms the line where a user would be asked to.
+    /// Whether the program has confirmed the line in advance, so the console does not ask.
     pub confirmed: bool,
 }
 
@@ -170,7 +170,7 @@ pub enum ProcessEvent {
     },
 }
 
-/// The course of a session.
+/// A change in the course of a session.
 #[derive(Debug, Clone)]
 pub enum SessionEvent {
     /// A session has begun; it replaces the previous session or replay.
@@ -189,7 +189,8 @@ pub enum SessionEvent {
     Ghost(Box<Ghost>),
 }
 
-/// The course of a replay. Recorded telemetry and occurrences arrive as their original events.
+/// A change in the course of a replay. Recorded telemetry and occurrences arrive as their original
+/// events.
 #[derive(Debug, Clone)]
 pub enum ReplayEvent {
     /// A recording was opened; its session replaces the previous one.
@@ -197,8 +198,8 @@ pub enum ReplayEvent {
         view: Box<ReplayView>,
         started: Box<Started>,
     },
-    /// More of the recording is known: its length, its moments or its report. The length is an estimate until all of it
-    /// has been indexed.
+    /// More of the recording is known: its length, its moments or its report. The length is an
+    /// estimate until the whole recording has been indexed.
     Known {
         length: Duration,
         /// The moments found so far, earliest first.
@@ -240,9 +241,9 @@ pub enum FileEvent {
     /// A folder was listed. Names of subfolders end with `/`; `names` is empty if the folder cannot
     /// be read.
     Listed { folder: String, names: Vec<String> },
-    /// The ground in those squares that have files in the folder.
+    /// The height of the ground in the squares for which the folder has files.
     Ground { folder: String, terrain: Terrain },
-    /// The drafts that an earlier session left unsaved.
+    /// The drafts that an earlier console left unsaved.
     Kept { text: String },
     /// A file was written.
     Written { path: String },
@@ -288,7 +289,7 @@ pub struct Started {
     pub places: BTreeMap<String, LatLon>,
     /// The areas of the mission that are known from the start.
     pub areas: Vec<Area>,
-    /// The number of processes started for it; `None` without any.
+    /// The number of processes started for the session; `None` without any.
     pub processes: Option<usize>,
     /// The speed-up of simulated time over the wall clock.
     pub speedup: f64,

@@ -99,7 +99,7 @@ pub struct Binding {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Keymap {
     bindings: Vec<Binding>,
-    /// Keys disabled in a place, even if they have a meaning in all other places.
+    /// Keys disabled in a place; in a room, this also disables their general meaning.
     silent: Vec<(Press, Place)>,
 }
 

@@ -17,7 +17,8 @@ pub fn name_key(state: &State, progress: &mut Progress) {
     }
 }
 
-/// The key for an action or a verb in flight, if one is bound.
+/// The label of the key that performs the named action, or opens the command line with the named
+/// verb, in flight; `None` if no key is bound.
 pub fn key_of(keymap: &Keymap, name: &str) -> Option<String> {
     let meaning = match Action::named(name) {
         Some(action) => Meaning::Do(action),

@@ -7,7 +7,8 @@ use crate::language::{self, Channel, Context, Groups, Listed, NameList, Named, N
 use crate::text;
 use crate::vehicle::VehicleClass;
 
-/// Names that a command in a file may use: themes are known; missions, macros and injects may have any name.
+/// The names that a command in a file may use: themes must exist; missions, macros and injects may
+/// have any name.
 #[derive(Debug)]
 struct NamesInFiles<'a> {
     themes: &'a [String],

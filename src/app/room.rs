@@ -68,7 +68,8 @@ pub trait RoomModel: Default {
         None
     }
 
-    /// Flies the mission under the cursor as a drill, as an exam, for practice or with the seed of the day.
+    /// Flies the mission under the cursor as an exam, for practice or with the seed of the day, or
+    /// flies its drill.
     fn start(_state: &mut State, _action: StartAction) -> Answer {
         None
     }
@@ -118,7 +119,7 @@ impl RoomBehaviour {
 
 macro_rules! declare_models {
     ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
-        /// The state of every room. It survives leaving the room.
+        /// The state of every room. It is kept when the user leaves the room.
         #[derive(Debug, Clone, Default)]
         pub struct Rooms {
             $($(#[$about])* pub(in crate::app) $module: $Model,)+

@@ -80,7 +80,7 @@ pub use typing::Typing;
 
 /// How long a message that needs attention stays on the last line of the screen.
 const MESSAGE_LIFE: Duration = Duration::from_secs(8);
-/// How long a confirmation stays there.
+/// How long a confirmation stays on the last line of the screen.
 const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 
 /// The console's state; `R` is the state of the rooms.

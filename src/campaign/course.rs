@@ -52,7 +52,7 @@ pub enum MissionStage {
 pub enum LockReason {
     /// Another mission must be passed.
     Pass(Text),
-    /// Another mission needs at least this medal.
+    /// At least this medal is required in another mission.
     Medal(Text, Medal),
     /// A skill needs the first probability, but has the second; both in percent.
     Skill(Skill, u8, u8),

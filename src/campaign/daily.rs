@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// The exclusive upper bound of the seeds of practice, graded flights and days; small enough to be
 /// typed.
 pub(super) const FRESH_SEEDS: u64 = 1_000_000;
-/// The seeds of exams. No other flight gets one of them unless it is typed.
+/// The seeds of exams. No other flight gets one of them unless the user types it.
 const EXAM_SEEDS: Range<u64> = 100_000_000..1_000_000_000;
 
 /// The key that makes a trainee's exams differ from those of all others.

@@ -11,7 +11,7 @@ const LICENCE_SHARE: f64 = 0.4;
 const FOR_PASSING: f64 = 0.5;
 /// The experience for a perfect flight, per tier; tier 0 counts as half a tier.
 const EXPERIENCE: f64 = 187.5;
-/// The factor for the first flight of a day that refreshes a due skill.
+/// The experience factor for the first flight of a day that refreshes a due skill.
 const DUE_SKILL: f64 = 1.2;
 /// Level n needs `LEVEL * n^1.5` experience.
 const LEVEL: f64 = 250.0;

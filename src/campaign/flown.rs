@@ -6,8 +6,8 @@ use crate::mission::Mission;
 use crate::scoring::Report;
 
 impl CareerFlight {
-    /// A flight of a mission that ended on a day, in days since 1970 (UTC). A daily flight with the seed of another day
-    /// is practice.
+    /// The career entry for a flight of a mission that ended on the day `ended`, in days since 1970
+    /// (UTC). A daily flight with the seed of another day is practice.
     pub fn of(mission: &Mission, report: &Report, stake: Stake, ended: i64) -> Self {
         let (day, stake) = day_and_stake(stake, report.seed, ended);
         Self {

@@ -11,7 +11,7 @@ use crate::text::Text;
 
 /// The probability before any evidence.
 const START: f64 = 0.20;
-/// The probability of a failure although the skill is mastered.
+/// The probability of a failure despite mastery of the skill.
 const SLIP: f64 = 0.08;
 /// The probability of a success by luck; lower in hard missions.
 const GUESS: f64 = 0.20;

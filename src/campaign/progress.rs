@@ -199,7 +199,7 @@ impl MissionProgress {
         }
     }
 
-    /// The progress in an open mission.
+    /// The progress in a mission, as if it were open.
     fn new(
         id: &str,
         title: Text,

@@ -184,7 +184,7 @@ impl SkillChange {
     }
 }
 
-/// What to fly next. Practice opens no mission, so that it may be the same one.
+/// What to fly next. After practice, this may be the same mission again, flown so that it counts.
 fn next_step(
     after: &CareerStanding,
     course: &MissionCourse,

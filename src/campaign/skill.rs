@@ -48,7 +48,7 @@ pub struct Evidence {
 
 /// The error of a prediction at which the outcome is zero, in points.
 const BLIND_POINTS: f64 = 250.0;
-/// Outcomes are rounded to thousandths, so that a career is unchanged by storage.
+/// Outcomes are rounded to thousandths, so storage does not change a career.
 const STEPS: f64 = 1000.0;
 /// An outcome below this counts against a skill in any flight, as `docs/career.md` says.
 const FAULT: f64 = 0.1;
@@ -255,7 +255,7 @@ mod tests {
         assert!(well(&shown(&report, mission)));
     }
 
-    /// A mission with many objectives reached can still fail; that changes nothing.
+    /// The good outcomes of a failed flight do not count, even if they are many.
     #[test]
     fn the_career_guide_names_the_outcomes_that_count_in_a_failed_flight() {
         let guide = include_str!("../../docs/career.md");

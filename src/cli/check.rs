@@ -196,7 +196,8 @@ fn missions_beside(files: &[PathBuf]) -> impl Iterator<Item = Source> {
         .flat_map(|folder| store::files(folder, "file-mission", "toml"))
 }
 
-/// Another file with a mission's id, which comes before it. A file of the same name replaces the other one.
+/// Another file with a mission's id: a checked one listed before `path`, otherwise one that is not
+/// checked. Files with the same name do not count, because one replaces the other.
 fn same_id<'a>(path: &Path, id: &str, missions: &'a KnownMissions) -> Option<&'a MissionFile> {
     let same = missions.get(id)?;
     let at = same
@@ -323,8 +324,9 @@ fn theme_faults(path: &Path, source: &Source) -> Option<Vec<Diagnostic>> {
     themes.read(source.stem(), &source.text).err()
 }
 
-/// The faults and the notes of a mission that can be read. An id that another checked file has already is a fault; that
-/// of a mission that is not checked is a note, as such a file may stand in for practice.
+/// The faults and the notes of a mission that can be read. An id that another checked file already
+/// has is a fault; an id of a mission that is not checked is only a note, because the checked file
+/// may replace that mission for practice.
 fn examined_mission(
     path: &Path,
     mission: Mission,

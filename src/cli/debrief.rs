@@ -99,7 +99,7 @@ fn doubts(stored: &Stored, path: &Path, again: &Rescored) -> Vec<Text> {
     doubts.into_iter().flatten().collect()
 }
 
-/// The file of a run: of the newest run, of a path, or of a record.
+/// The file of a run that is named by `last`, by its path, or by its record's number or name.
 fn file_of_run(run: &str, runs: Option<&Runs>, settings: &CliSettings) -> Result<PathBuf, Failure> {
     let locale = Locale::new(settings.language());
     match (run, runs) {

@@ -115,7 +115,7 @@ struct ListedRecord {
     /// The result of the mission, if it was flown to its end.
     #[serde(skip_serializing_if = "Option::is_none")]
     result: Option<ListedResult>,
-    /// Whether the console was killed during the flight, so that the journal has no end.
+    /// Whether the console was killed during the flight, so the journal has no end.
     cut_off: bool,
     duration_s: Option<f64>,
     bytes: u64,
@@ -162,7 +162,7 @@ pub(super) fn records(
 pub(super) struct RecordsCommands<'a> {
     pub(super) records: Records,
     pub(super) locale: Locale,
-    /// The user's settings, which decide for example which alerts a replay raises.
+    /// The user's settings; for example, they decide which alerts a replay raises.
     settings: &'a CliSettings,
 }
 
@@ -326,7 +326,8 @@ impl RecordsCommands<'_> {
     }
 }
 
-/// The result of a record for the list: that of its mission, or that the record was cut off.
+/// The result of a record for the list: that of its mission, or that the record was cut off; empty
+/// without either.
 fn result_of(record: &ListedRecord) -> Text {
     let Some(result) = record.result else {
         return if record.cut_off {

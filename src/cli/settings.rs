@@ -156,7 +156,7 @@ impl CliSettings {
     /// Checks that the data folder exists, if the user named it.
     ///
     /// # Errors
-    /// It does not exist.
+    /// The data folder does not exist.
     pub fn require_data(&self, locale: &Locale) -> Result<(), Failure> {
         let named = self.data.as_ref().filter(|_| self.is_data_named);
         // If the path cannot be checked for lack of permission, the later read reports the reason.

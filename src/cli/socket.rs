@@ -31,7 +31,7 @@ impl ConsoleLine {
     }
 }
 
-/// The direction from the console.
+/// The receiving half of a connection to a console.
 pub(super) struct ApiReader(BufReader<UnixStream>);
 
 pub(super) struct ApiConnection {
@@ -80,7 +80,7 @@ impl ApiConnection {
         self.reader.next()
     }
 
-    /// Both directions, to be used at the same time.
+    /// Splits the connection into its receiving and its sending half, to be used at the same time.
     pub fn split(self) -> (ApiReader, UnixStream) {
         (self.reader, self.write)
     }

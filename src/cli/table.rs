@@ -37,7 +37,7 @@ impl TextTable {
             .push(row.into_iter().map(|it| sanitised(&it)).collect());
     }
 
-    /// The same table with a new first column that has one value in every row.
+    /// The same table with a new first column that has the same value in every row.
     pub fn led_by(mut self, name: &Text, value: &str, locale: &Locale) -> Self {
         self.columns.insert(0, (locale.text(name), Side::Left));
         for row in &mut self.rows {

@@ -270,8 +270,8 @@ fn compare(
     Ok(ExitCode::SUCCESS)
 }
 
-/// Prints how well a design meets a mission's requirements; seats with equal ones are merged. Exit
-/// code 1 if the design cannot do the task of any seat.
+/// Prints how well a design meets a mission's requirements; seats with the same requirements are
+/// merged. Exit code 1 if the design cannot do the task of any seat.
 fn fit(design: &Design, mission: &Mission, locale: &Locale) -> Result<ExitCode, Failure> {
     let mut fits_somewhere = false;
     for need in mission.needs() {

@@ -82,8 +82,9 @@ impl PlanAim {
         }
     }
 
-    /// Whether the plan has reached the item. Commands that do not navigate are passed at once, so a later item counts
-    /// as well, up to the one that was current before.
+    /// Whether the plan has reached the item. Commands that do not navigate are passed at once, so
+    /// a later item counts as well; after a step back, only if it precedes the item that was
+    /// current before. If a jump decides, any other item counts.
     fn is_met(self, vehicle: &Vehicle) -> bool {
         let now = vehicle.plan.current;
         if self.jumps {
@@ -199,7 +200,8 @@ pub(super) fn mode_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// Landing in a mode that lands a multirotor. For other classes only the change of mode is checked.
+/// The effect of a mode in which a multirotor lands. For other classes, only the change of mode is
+/// checked.
 pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     match mode_named(before, name) {
         Some(mode) if mode.class == VehicleClass::Copter => {

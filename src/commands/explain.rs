@@ -61,7 +61,8 @@ impl AckResult {
         named.map_or(Self::Other(number), |(_, result)| *result)
     }
 
-    /// The reason for a refusal that the result alone gives; empty if it is none.
+    /// The reason for a refusal, as far as the result alone gives it; empty if the result is no
+    /// refusal.
     pub fn reason(self) -> Text {
         match self {
             Self::TemporarilyRejected => text!("reason-not-now"),

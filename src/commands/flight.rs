@@ -83,7 +83,7 @@ impl FlightCommand {
     }
 }
 
-/// The greatest number that is a plain one for PX4, whose modes are in the upper two bytes.
+/// The highest plain mode number for PX4, whose own mode numbers are in the upper two bytes.
 const MOST_PLAIN: u32 = 0xffff;
 
 pub(super) fn mode_fields(vehicle: &Vehicle, name: &str) -> Result<LongFields, Text> {

@@ -1,4 +1,4 @@
-//! Commands about the `DataFlash` logs that a vehicle stores of its flights.
+//! Commands about the `DataFlash` logs that a vehicle keeps of its flights.
 
 use strum::{EnumString, VariantNames};
 

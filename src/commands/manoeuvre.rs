@@ -13,8 +13,8 @@ pub enum Manoeuvre {
     /// Fly parallel lines over an area, each vehicle over a part of it.
     Survey {
         ground: Ground,
-        /// The line spacing in metres; `None` for the width of the sensor's strip at the height of the lines, and for 20 m
-        /// without a sensor, or with a strip below 0.3 m.
+        /// The line spacing in metres; `None` for the width of the sensor's strip at the height of
+        /// the lines, or for 20 m if there is no sensor or the strip is narrower than 0.3 m.
         spacing_m: Option<f64>,
         /// Height above home; `None` for that of the first vehicle.
         up_m: Option<f64>,

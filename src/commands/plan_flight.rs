@@ -179,7 +179,7 @@ fn set_item(item: u16, resets: bool) -> LongFields {
     LongFields::new(MavCmd::MAV_CMD_DO_SET_MISSION_CURRENT, &given)
 }
 
-/// Refuses a vehicle without a plan.
+/// Refuses a vehicle that is known to carry no plan.
 fn carries_plan(vehicle: &Vehicle) -> Result<(), Text> {
     if vehicle.last_item() == Some(0) {
         Err(text!("refused-plan-none"))

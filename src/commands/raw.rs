@@ -82,7 +82,8 @@ impl RawCommand {
         }
     }
 
-    /// What the command does, for the question before it is sent; `None` if its line says it all.
+    /// A description of a raw message, for the question before it is sent; `None` for a `MAV_CMD`,
+    /// whose line already shows everything.
     pub(super) fn hazard(&self) -> Option<Text> {
         match self {
             Self::Message(RawMessage { name, fields, .. }) => Some(if fields.is_empty() {

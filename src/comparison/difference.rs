@@ -54,7 +54,8 @@ fn time(at: Option<Duration>) -> Text {
     at.map_or_else(|| text!("compare-never"), |at| clock(at).into())
 }
 
-/// The difference between the two times of one event, if there is one.
+/// The difference between the times of an event in the two flights; `None` if there is no
+/// difference.
 fn times(what: Text, own: Option<Duration>, other: Option<Duration>) -> Option<Difference> {
     let is_same = match (own, other) {
         (Some(own), Some(other)) => own.abs_diff(other) < SAME_TIME,
@@ -150,7 +151,7 @@ fn is_same_command(mine: &LedgerReport, theirs: &LedgerReport) -> bool {
     mine.map(|word| word.text).eq(theirs.map(|word| word.text))
 }
 
-/// The mean time to answer alerts, and the number without an answer.
+/// The difference in the alerts: how many there were, and how many were not answered in time.
 fn alerts(own: &Report, other: &Report) -> Option<Difference> {
     let answered = |report: &Report| {
         let late = report.alerts.iter().filter(|it| !it.in_time).count();

@@ -204,7 +204,7 @@ impl Layers {
     }
 }
 
-/// The value of a setting in a whole table.
+/// The value of a setting in a table that contains all sections.
 fn found<'a>(table: &'a Table, setting: &Setting) -> Option<&'a Value> {
     match setting.name.split_once('.') {
         Some((section, key)) => table.get(section)?.get(key),

@@ -346,7 +346,7 @@ impl SettingKind {
         }
     }
 
-    /// Checks a word: the value itself, or one of its list.
+    /// Checks a word: the value itself, or an item of its list.
     ///
     /// # Errors
     /// The word is not valid; the span is the whole word.

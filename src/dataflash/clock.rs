@@ -1,9 +1,10 @@
 //! Aligns the clock of an autopilot with that of a record.
 //!
-//! Logs count microseconds since the autopilot booted. So does telemetry, in milliseconds (`SYSTEM_TIME`, `ATTITUDE`,
-//! `GLOBAL_POSITION_INT`), and a record contains the time at which each message arrived. This connects the two clocks,
-//! even if time passed faster in a simulator. GPS time, which is in both log and telemetry, shows whether they belong
-//! to the same boot. A record without boot times is aligned by the times at which the vehicle was armed.
+//! Logs count microseconds since the autopilot booted. Telemetry counts from the same time, but in
+//! milliseconds (`SYSTEM_TIME`, `ATTITUDE`, `GLOBAL_POSITION_INT`), and a record contains the time
+//! at which each message arrived. These times connect the two clocks, even if time passed faster in
+//! a simulator. GPS time, which is in both log and telemetry, shows whether they belong to the same
+//! boot. A record without boot times is aligned by the times at which the vehicle was armed.
 
 use std::time::Duration;
 
@@ -292,7 +293,8 @@ impl Alignment {
         to.checked_sub(from).filter(|common| *common > 0)
     }
 
-    /// Converts a time of the log to a time from the beginning of the record; `None` before it.
+    /// Converts a time of the log to a time from the beginning of the record; `None` if it is
+    /// before that beginning.
     pub fn place(&self, boot_us: u64) -> Option<Duration> {
         self.place_us(boot_us).map(Duration::from_micros)
     }

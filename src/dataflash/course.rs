@@ -6,7 +6,7 @@ use crate::geo::LatLon;
 /// How long a mode of the log counts before and after its time, since telemetry repeats the mode only every second and
 /// may lag.
 const LAG_US: u64 = 3_000_000;
-/// The time between the positions that are kept.
+/// The minimum time between the positions that are kept.
 const EVERY_US: u64 = 1_000_000;
 /// The maximum distance between the positions of one flight at the same time.
 const SAME_PLACE_M: f64 = 50.0;

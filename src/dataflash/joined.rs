@@ -37,7 +37,8 @@ struct JoinedEvent {
 }
 
 impl JoinedLog {
-    /// Converts a log to the timeline of a record of this length. Events before or after the record are left out.
+    /// Converts a log to the timeline of a record of the given length. Events before or after the
+    /// record are left out.
     pub fn new(
         vehicle: VehicleId,
         file: &str,

@@ -19,7 +19,7 @@ const SHAKEN_M_S2: f64 = 30.0;
 const REJECTED: f64 = 1.0;
 /// A lasting condition counts as one event until it has been over for this long.
 const OVER_US: u64 = 5_000_000;
-/// The number of records whose median time shows when the log was written.
+/// The number of first records whose median time is taken as a time within the log.
 const TIMED: usize = 999;
 /// The maximum time that a log covers.
 const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
@@ -43,7 +43,8 @@ struct LogReading {
     counts: HashMap<Discriminant<LoggedEvent>, usize>,
     parameters: BTreeMap<String, f32>,
     class: Option<VehicleClass>,
-    /// The lasting events, each with the time when its condition was last true.
+    /// The events of lasting conditions: the index of each, and the time when its condition was
+    /// last true.
     shaken: Option<(usize, u64)>,
     rejecting: BTreeMap<Measured, (usize, u64)>,
     clips: BTreeMap<u8, u32>,
@@ -124,7 +125,7 @@ impl LogReading {
         };
     }
 
-    /// Adds an event and returns its index; `None` if there are enough of its kind.
+    /// Adds an event and returns its index; `None` if the maximum for its kind has been reached.
     fn add(&mut self, time_us: u64, event: LoggedEvent) -> Option<usize> {
         let count = self.counts.entry(mem::discriminant(&event)).or_default();
         *count += 1;
@@ -136,7 +137,8 @@ impl LogReading {
         Some(self.flight.moments.len() - 1)
     }
 
-    /// The event of a lasting condition: that of `going`, or a new one if the condition has been over for a while.
+    /// The event of a lasting condition and its index: the event of `going`, or a new one if the
+    /// condition has been over for a while. `None` if no new event can be added.
     fn going_on(
         &mut self,
         going: Option<(usize, u64)>,

@@ -14,7 +14,8 @@ const FAINT: f64 = 0.03;
 /// The maximum number of objects named below the map.
 const NAMED: usize = 6;
 
-/// The meaning of the signs, by the id of the text; a later sign is drawn over an earlier one.
+/// The signs, each with the id of the text that explains it; a later sign is drawn over an earlier
+/// one.
 const SIGNS: [(char, &str); 10] = [
     ('?', "debrief-sign-gap"),
     ('=', "debrief-sign-wire"),

@@ -190,7 +190,8 @@ fn event_row(event: &EventReport) -> TimelineRow {
     }
 }
 
-/// A command that at least one vehicle accepted; a rejection has its own row.
+/// The row of a command that at least one vehicle neither refused nor left unanswered; `None`
+/// otherwise, since a rejection has its own row.
 fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
     let not_taken = |state| matches!(state, RowState::Refused | RowState::TimedOut);
     let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;

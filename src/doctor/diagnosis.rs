@@ -282,8 +282,8 @@ fn strangers(chart: &Chart) -> Cause {
     }
 }
 
-/// The number of consecutive queries that an answering vehicle almost never misses, if this share
-/// of the frames is lost in each direction.
+/// The number of consecutive unanswered queries that almost certainly show that a vehicle does not
+/// answer, if the share `lost` of the frames is lost in each direction.
 fn queries_without_doubt(lost: f64) -> u32 {
     let answered = (1.0 - lost) * (1.0 - lost);
     // The lower limit means no loss; the upper one keeps the logarithm below 0 at total loss.

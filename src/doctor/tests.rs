@@ -1,4 +1,4 @@
-//! Findings about signatures.
+//! Tests of the findings about signatures.
 
 use super::*;
 use crate::inspector::Direction;

@@ -5,7 +5,7 @@ use crate::text;
 use crate::text::Text;
 
 impl Cause {
-    /// A name of the cause without its figures.
+    /// The name of the cause, without its figures.
     pub fn name(&self) -> &'static str {
         match self {
             Self::NotOpen => "not-open",

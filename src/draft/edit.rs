@@ -89,7 +89,8 @@ impl PlanFrame {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NewItem {
     pub command: u16,
-    /// `None` means the cursor if the command needs a place, otherwise the place of the vehicle.
+    /// The place of the item; `None` means the cursor if the command needs a place, otherwise the
+    /// place of the vehicle.
     pub spot: Option<Spot>,
     pub height_m: Option<f32>,
     pub frame: Option<PlanFrame>,

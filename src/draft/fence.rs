@@ -81,7 +81,7 @@ fn item(command: u16, place: LatLon, first: f32) -> Item {
     }
 }
 
-/// Adds a polygon of these corners; more corners may follow. Returns its last item.
+/// Adds a polygon of these corners; more corners may follow. Returns the index of its last item.
 fn add_polygon(items: &mut Vec<Item>, keeps_in: bool, corners: &[LatLon]) -> usize {
     let command = if keeps_in {
         command::FENCE_POLYGON_INCLUSION
@@ -93,7 +93,7 @@ fn add_polygon(items: &mut Vec<Item>, keeps_in: bool, corners: &[LatLon]) -> usi
     items.len().saturating_sub(1)
 }
 
-/// Adds a circle; returns its item.
+/// Adds a circle; returns the index of its item.
 fn add_circle(items: &mut Vec<Item>, keeps_in: bool, centre: LatLon, radius_m: f32) -> usize {
     let command = if keeps_in {
         command::FENCE_CIRCLE_INCLUSION
@@ -104,8 +104,8 @@ fn add_circle(items: &mut Vec<Item>, keeps_in: bool, centre: LatLon, radius_m: f
     items.len() - 1
 }
 
-/// Adds a corner after an item of a polygon, or to the last polygon if the item belongs to none. Without a polygon, it
-/// begins an inclusion polygon. Returns the new item.
+/// Adds a corner after an item of a polygon, or to the last polygon if the item belongs to none.
+/// Without a polygon, it begins an inclusion polygon. Returns the index of the new item.
 fn add_corner(items: &mut Vec<Item>, after: Option<usize>, place: LatLon) -> usize {
     let all = areas(items);
     let is_polygon = |area: &&Range<usize>| command::is_corner(items[area.start].command);
@@ -128,7 +128,8 @@ fn add_corner(items: &mut Vec<Item>, after: Option<usize>, place: LatLon) -> usi
     at
 }
 
-/// Deletes items; polygons lose these corners.
+/// Deletes items. A polygon that loses corners stores its new number of corners in those that
+/// remain.
 pub(super) fn delete(items: &mut Vec<Item>, range: &Range<usize>) {
     let mut rest = Vec::new();
     for area in areas(items) {

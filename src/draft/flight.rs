@@ -1,4 +1,4 @@
-//! The figures of a trial: how each draft was flown, and how close they came to each other.
+//! The figures of a trial: how each draft was flown, and how close the vehicles came to each other.
 
 use crate::rehearsal::{Approach, Flown, Outcome};
 use crate::vehicle_id::VehicleId;

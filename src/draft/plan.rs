@@ -100,8 +100,9 @@ fn built(
     })
 }
 
-/// Whether a change of frame converts heights from or to terrain at a place whose ground is unknown, so that it counts as
-/// level with home. Items without a place are carried out elsewhere and do not count.
+/// Whether a change of frame converts heights from or to terrain at a place whose ground is unknown
+/// and therefore counts as level with home. Items without a place are carried out elsewhere and do
+/// not count.
 pub fn needs_ground(document: &Document, items: Items, frame: PlanFrame, ground: &Terrain) -> bool {
     let converted = document.plan.get(items.range()).unwrap_or_default();
     converted.iter().any(|item| {

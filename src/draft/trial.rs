@@ -40,7 +40,8 @@ pub struct Trial {
 pub struct TrialDraft {
     /// The name of the draft; if several vehicles fly it, the name of the draft that this vehicle would get.
     pub name: String,
-    /// The vehicle, if it flies a draft that is not meant for it alone: a change gives it a draft of its own.
+    /// The vehicle, if it flies a draft that is not meant for it alone: a change then gives the
+    /// vehicle a draft of its own.
     pub sharer: Option<VehicleId>,
     /// The content, with the home from which it is flown.
     pub document: Arc<Document>,
@@ -61,8 +62,8 @@ pub struct Tried {
     pub details: Vec<Text>,
     /// Whether all plans are flown to their ends, apart from each other and inside their fences.
     pub is_sound: bool,
-    /// The drafts to change, with their new content. If the draft of one sharer changes, those of all
-    /// sharers are here.
+    /// The drafts to change, with their new content. If any draft changes, those of all sharers are
+    /// here as well.
     pub changed: Vec<TrialDraft>,
     /// How each plan was flown without changes.
     pub verdicts: Vec<PlanVerdict>,
@@ -156,7 +157,7 @@ impl Trial {
         }
     }
 
-    /// Why the drafts cannot be flown.
+    /// The outcome for drafts that cannot be flown, with the reason.
     fn failed(&self, error: &RehearsalError) -> Tried {
         let name = |at: &usize| self.drafts.get(*at).map_or("", |draft| &draft.name);
         let text = match error {

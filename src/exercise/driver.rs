@@ -13,7 +13,7 @@ const HEARD_WITHIN: Duration = Duration::from_secs(10);
 pub enum FlightPace {
     /// The driver's time, which is the simulator's.
     Simulated,
-    /// The vehicles' own clocks: a slow machine slows the mission down with them.
+    /// The vehicles' own clocks: a slow computer slows the mission down with them.
     VehicleClocks(Clock),
 }
 
@@ -68,9 +68,9 @@ impl FlightDriver {
         self.time
     }
 
-    /// Begins the mission once all its vehicles are heard, since the payload of each depends on
-    /// their order. A silent vehicle delays it by at most 10 s. Must be called repeatedly from the
-    /// start of the vehicles on; returns true when the mission begins.
+    /// Begins the mission once all its vehicles are heard, since a vehicle's payload depends on its
+    /// place among them. A silent vehicle delays the mission by at most 10 s. Must be called
+    /// repeatedly from the time when the vehicles start; returns true when the mission begins.
     pub fn begin_when_heard(&mut self, now: Duration, are_all_heard: bool) -> bool {
         if self.has_begun() {
             return false;

@@ -17,7 +17,7 @@ use crate::workshop::part;
 
 /// The number of flights per day.
 const FLIGHTS_A_DAY: usize = 4;
-/// The missions of this many latest flights are avoided, if there is another one.
+/// The number of latest flights whose missions are avoided, if another mission is available.
 const TIRED_FOR: usize = 2;
 /// The minimum number of credits to keep when parts are bought.
 const RESERVE_CREDITS: u32 = 200;
@@ -61,7 +61,8 @@ pub struct PlaythroughFlight {
 }
 
 impl Playthrough {
-    /// A career on these missions, with a pilot for each; each flight has the next seed, counted from this one.
+    /// A career on these missions, with a pilot for each; the seeds of the flights count up from
+    /// `seed`.
     pub fn new(
         pilots: impl IntoIterator<Item = (Mission, Script)>,
         first_day: i64,

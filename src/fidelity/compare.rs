@@ -1,4 +1,4 @@
-//! Two flights of the same commands, manoeuvre by manoeuvre.
+//! Two flights with the same commands, manoeuvre by manoeuvre.
 
 use serde::Serialize;
 
@@ -21,7 +21,7 @@ const NEAR_HEIGHT_M: f64 = 0.5;
 const NEAR_DEG: f64 = 2.0;
 /// A velocity counts as reached within this share of the change.
 const NEAR_SHARE: f64 = 0.1;
-/// A smaller change of velocity is not counted, in m/s.
+/// Changes of velocity up to this, in m/s, are not counted.
 const CHANGE_M_S: f64 = 0.5;
 
 /// Root-mean-square and largest difference of one quantity.
@@ -56,22 +56,24 @@ pub struct Flight {
     pub pitch_deg: Difference,
     pub yaw_deg: Difference,
     pub voltage_v: Difference,
-    /// The time that the real vehicle took to reach the aim, if it reached it.
+    /// The time that the real vehicle took to reach the aim, in seconds; `None` if it never did, or
+    /// was there from the start.
     pub recorded_reach_s: Option<f64>,
-    /// The time that the simulated vehicle took to reach the aim, if it reached it.
+    /// The time that the simulated vehicle took to reach the aim, in seconds; `None` if it never
+    /// did, or was there from the start.
     pub simulated_reach_s: Option<f64>,
 }
 
 impl Flight {
     /// How much later the simulated vehicle reached the aim than the real one, in percent; `None`
-    /// if one of them did not reach it.
+    /// if one of them has no such time.
     pub fn later_percent(&self) -> Option<f64> {
         let (real, simulated) = self.recorded_reach_s.zip(self.simulated_reach_s)?;
         (real > 0.0).then(|| (simulated - real) / real * 100.0)
     }
 }
 
-/// Two flights of the same commands.
+/// Two flights with the same commands.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     /// The manoeuvres in order.
@@ -80,7 +82,7 @@ pub struct Comparison {
     pub answers: Vec<Answers>,
 }
 
-/// Compares two flights of the same commands.
+/// Compares two flights with the same commands.
 pub fn compare(manoeuvres: &[Manoeuvre], real: &Observed, simulated: &Observed) -> Comparison {
     let from_s = real.begin_s();
     let kinds = [

@@ -16,7 +16,7 @@ use crate::wire::{
 const SYSTEM: u8 = 1;
 /// How long the simulated vehicle is heard after the recording's end: its answers may come a little later.
 pub(super) const AFTERWARDS: Duration = Duration::from_secs(3);
-/// The longest payload of any message.
+/// The longest payload of any message, in bytes.
 const LONGEST: usize = 255;
 /// The offset of the target system in `COMMAND_LONG` (76) and `COMMAND_INT` (75), for commands with a number that the
 /// dialect lacks.

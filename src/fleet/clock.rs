@@ -90,8 +90,8 @@ impl FleetClock {
         stood
     }
 
-    /// Sets whether time also stands still while the whole program is stopped, as by Ctrl-Z. It
-    /// should if the program itself simulates the vehicles, which are then stopped with it.
+    /// Sets whether time also stands still while the whole program is stopped, as by Ctrl-Z. This
+    /// is right if the program itself simulates the vehicles, which are then stopped with it.
     pub fn stand_through_stops(&self, stands: bool) {
         self.pauses().seen = stands.then(Instant::now);
     }

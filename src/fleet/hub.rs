@@ -253,7 +253,7 @@ impl Hub {
         self.routes.values().any(|route| !route.wants.is_empty())
     }
 
-    /// Distributes frames to their vehicles, those of one vehicle together.
+    /// Distributes frames to their vehicles; the frames of one vehicle stay together.
     async fn distribute(&mut self, batch: Inbound) {
         let mut by_system: BTreeMap<SystemId, Vec<Frame>> = BTreeMap::new();
         for frame in batch.frames {

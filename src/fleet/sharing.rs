@@ -16,7 +16,8 @@ use crate::wire::{Content, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, MavA
 
 /// The maximum number of commands of other stations that wait for the hub; further ones pass without a row.
 const NEWS_KEPT: usize = 256;
-/// The maximum number of batches from forwards that wait for the hub, which ignores them: the relay has passed them on.
+/// The maximum number of batches from forwards that wait for the hub. The hub ignores them, since
+/// the relay has already passed them on.
 const INBOUND_KEPT: usize = 16;
 /// The console's address on every link.
 pub(super) const OWN: MavAddress = MavAddress {
@@ -46,7 +47,7 @@ pub(super) struct Sharing {
     forwards: BTreeMap<LinkId, (String, CancellationToken)>,
     opened: u16,
     inbound: mpsc::Sender<Inbound>,
-    /// What the stations command.
+    /// The watch over the stations' commands.
     stations: StationWatch,
     /// Whether a station with the console's own address has been reported; shared with the tasks of the vehicles.
     pub is_twin_said: Arc<AtomicBool>,

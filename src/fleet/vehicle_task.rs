@@ -148,8 +148,8 @@ impl VehicleTask {
         }
     }
 
-    /// Reports once that another ground station has the console's address: its commands cannot be told from those of
-    /// this console by their answers.
+    /// Reports once that another ground station has the console's address: answers to its commands
+    /// cannot be told from answers to this console's.
     fn look_for_twin(&mut self, frame: &Frame, now: Duration) {
         let vehicle = self.session.vehicle().id;
         let Some(command) = self.sent.stray(&frame.content, OWN, now) else {

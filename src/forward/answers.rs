@@ -21,7 +21,7 @@ pub(super) struct StationAnswer {
     pub ending: RowEnding,
 }
 
-/// What is answered.
+/// The subject of an answer.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Answered {
     Command(NamedCommand),
@@ -31,7 +31,7 @@ pub(super) enum Answered {
 }
 
 impl Answered {
-    /// Whether it answers an action.
+    /// Whether this is an answer to an action.
     pub fn fits(&self, deed: &Deed) -> bool {
         match (self, deed) {
             (Self::Command(command), _) => deed.is_answered_by(command.number),

@@ -17,7 +17,8 @@ const COMMAND_INT: u32 = 75;
 /// An action on a vehicle. Questions (requests for messages, parameters, lists) are not actions.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Deed {
-    /// Sets another mode, by its number. A PX4 has a main mode, and a sub-mode of it (0 if it has none), apart.
+    /// Sets another mode, by its number. For PX4, `number` is the main mode and `sub` its sub-mode
+    /// (0 if it has none).
     Mode {
         number: u32,
         sub: u8,

@@ -144,7 +144,7 @@ pub enum Route {
     },
 }
 
-/// Learns where senders are, and finds the route of each frame.
+/// Records where senders are heard, and finds the route of each frame.
 #[derive(Debug)]
 pub struct Router {
     own: MavAddress,

@@ -1,5 +1,5 @@
-//! Answers of a vehicle to commands that the console has not sent, although they are addressed to it: another ground
-//! station uses its system and component id.
+//! Answers of a vehicle that are addressed to the console, but to commands that the console has not
+//! sent: another ground station uses the console's system and component id.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

@@ -1,4 +1,5 @@
-//! Routes of frames, and texts of forwards. What stations command is in `tests/watched.rs`.
+//! Tests of the routes of frames, and of the texts of forwards. Tests of the stations' commands are
+//! in `tests/watched.rs`.
 
 use std::time::Duration;
 

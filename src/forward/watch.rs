@@ -18,10 +18,11 @@ const BURST_MOST: usize = 6;
 const BURST: Duration = Duration::from_secs(10);
 /// The minimum time between two reports of a row, except those of a new answer.
 const REPORT_EVERY: Duration = Duration::from_secs(1);
-/// The same for the row of a stream of setpoints, whose repetitions are no news.
+/// The minimum time between two reports of a row of setpoints, whose repetitions are not news.
 const STEERING_EVERY: Duration = Duration::from_secs(60);
-/// The number of stations and vehicles, in pairs, at which those without recent commands are forgotten, at most once in
-/// [`REPORT_EVERY`]; while there are as many, further pairs are left out.
+/// The number of pairs of station and vehicle at which the pairs without recent commands are
+/// forgotten, at most once in [`REPORT_EVERY`]; while there are as many, further pairs are left
+/// out.
 const MOST_EXCHANGES: usize = 512;
 
 /// A vehicle and a station that has commanded it.
@@ -45,7 +46,7 @@ struct WatchedRow {
     has_news: bool,
 }
 
-/// Watches what other stations command.
+/// Watches the commands of other stations.
 #[derive(Debug)]
 pub struct StationWatch {
     own: MavAddress,
@@ -155,8 +156,9 @@ impl StationWatch {
         rows.iter_mut().filter(fits).min_by_key(order)
     }
 
-    /// A parameter's value, which every station hears: it answers the station that has set this value, or else the one
-    /// that waits. A value that was on its way before makes a row refused; the true answer then accepts it.
+    /// The row that a parameter's value answers, since every station hears it: that of the station
+    /// that has set this value, otherwise one that still waits for an answer. A value sent before
+    /// the change marks a row as refused; the right value then marks it as accepted.
     fn heard_by_all(
         &mut self,
         answer: &StationAnswer,
@@ -186,9 +188,10 @@ impl StationWatch {
         due
     }
 
-    /// The row of an action: the newest one if it is of the same action, a new one, or the common one of a burst. Rows
-    /// are in the order of their commands, so that `RTL` between two `GUIDED` is not the newest one. Steering goes on
-    /// beside commands, and has one row.
+    /// The row of an action: the newest one if it is of the same action, a new one, or the common
+    /// one of a burst; `None` without room for another pair of vehicle and station. Rows are in the
+    /// order of their commands, so `RTL` between two `GUIDED` is not the newest one. Steering
+    /// continues beside commands, and has one row.
     fn row(
         &mut self,
         exchange: Exchange,
@@ -242,12 +245,13 @@ impl StationWatch {
     }
 }
 
-/// The place of the row that was commanded last, apart from steering.
+/// The index of the row that was commanded last, apart from steering; `None` without such a row.
 fn newest_command(rows: &[WatchedRow]) -> Option<usize> {
     rows.iter().rposition(|watched| !watched.is_steering())
 }
 
-/// The place of the row that repeats an action, or of the common one of a burst.
+/// The index of the row that an action repeats, or of the common row of a burst; `None` if the
+/// action needs a new row.
 fn known_row(rows: &[WatchedRow], deed: &Deed, is_burst: bool) -> Option<usize> {
     if *deed == Deed::Steering {
         return rows.iter().position(WatchedRow::is_steering);
@@ -296,7 +300,7 @@ impl WatchedRow {
         matches!(self.row.state, RowState::InProgress(_))
     }
 
-    /// The value that a parameter has instead of the one that was set.
+    /// The value of a parameter in an answer, if it differs from the value that was set.
     fn other_value(&self, answer: &StationAnswer) -> Option<f32> {
         match (&answer.to, &self.deed) {
             (Answered::Parameter(_, value), Some(Deed::Parameter(_, wanted))) => {
@@ -319,7 +323,7 @@ impl WatchedRow {
         };
     }
 
-    /// Reports the row, unless that was done a moment ago.
+    /// Reports the row, unless it was reported a moment ago.
     fn report(&mut self, now: Duration) -> Option<ForeignCommand> {
         self.has_news = true;
         let every = if self.is_steering() {
@@ -333,7 +337,8 @@ impl WatchedRow {
         is_due.then(|| self.tell(now))
     }
 
-    /// Reports an answer, the first one at once.
+    /// Reports an answer: the first one at once, later ones unless the row was reported a moment
+    /// ago.
     fn report_answer(&mut self, now: Duration) -> Option<ForeignCommand> {
         if std::mem::replace(&mut self.is_answered, true) {
             self.report(now)

@@ -28,7 +28,7 @@ pub use follow::HangarView;
 
 /// The maximum time to reach a hangar, and to wait for a simple answer.
 const ANSWER: Duration = Duration::from_secs(10);
-/// The buffer for a slow reader of a vehicle's bytes.
+/// The size of the buffer for a slow reader of a vehicle's bytes, in bytes.
 const PIPE_LEN: usize = 64 * 1024;
 
 /// Why a request to a remote hangar failed.
@@ -110,7 +110,8 @@ impl fmt::Display for RemoteHangar {
 }
 
 impl RemoteHangar {
-    /// A hangar at an address. Its token is needed unless it is on this host and runs as the same user.
+    /// A hangar at an address. A token is needed unless the hangar is on this host and runs as the
+    /// same user.
     pub fn new(address: HangarAddress, token: Option<HangarToken>) -> Self {
         Self {
             address,
@@ -195,8 +196,8 @@ impl RemoteHangar {
         view
     }
 
-    /// The bytes of an instance's serial 0, until cancelled or dropped. A lost connection is reopened at growing
-    /// intervals; bytes in between are lost, as on a radio.
+    /// The bytes of an instance's serial 0, until cancelled or dropped. A lost connection is
+    /// reopened at growing intervals; bytes in between are lost, as on a radio link.
     pub fn tunnel(&self, id: InstanceId, cancel: CancellationToken) -> DuplexStream {
         let (ours, theirs) = tokio::io::duplex(PIPE_LEN);
         tokio::spawn(pump::run(self.clone(), id, ours, cancel));

@@ -47,7 +47,7 @@ struct InstanceTask {
 }
 
 enum InstanceEvent {
-    /// End permanently, and notify the requester.
+    /// A request to end the instance permanently, with the channel that notifies the requester.
     Over(Option<oneshot::Sender<()>>),
     Restart,
     /// Bytes were passed on.

@@ -14,7 +14,7 @@ use crate::sitl::{Recipe, SitlKind};
 const SPEEDUPS: std::ops::RangeInclusive<f64> = 0.01..=1000.0;
 /// The valid altitudes: they include the whole surface of the earth, and are well within the range of messages.
 const ALTITUDES_M: std::ops::RangeInclusive<f64> = -1000.0..=20_000.0;
-/// The length of a parameter's name on the wire.
+/// The maximum length of a parameter's name, as in MAVLink.
 const NAME_LEN: usize = 16;
 /// Parameters that other fields of a launch set, with those fields.
 const OTHERWISE: [(&str, &str); 3] = [

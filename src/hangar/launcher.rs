@@ -1,13 +1,13 @@
 //! Starts processes that cannot outlive this one.
 //!
 //! The kernel signals a process when the *thread* that created it ends, so one thread lives as long
-//! as the hangar and creates them all. It starts this program again. That copy requests the signal,
-//! limits itself, and becomes the requested program. SITL's parent is then the hangar itself, which
-//! SITL also needs to stay alive.
+//! as the hangar and creates all processes. It starts this program again. That copy requests the
+//! signal, limits itself, and becomes the requested program. SITL's parent is then the hangar
+//! itself, which SITL also needs to stay alive.
 //!
-//! The two communicate over a socket, which is the child's standard input until the child becomes
-//! the program. The socket then closes; if there was a failure, it first carries the reason. So a
-//! started program is known to run.
+//! The hangar and the copy communicate over a socket, which is the copy's standard input until the
+//! copy becomes the program. The socket then closes; if there was a failure, it first carries the
+//! reason. A socket that closes without a reason therefore shows that the program runs.
 
 use std::ffi::{OsStr, OsString};
 use std::io;

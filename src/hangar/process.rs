@@ -37,7 +37,8 @@ pub(super) struct ProcessIdentity {
 }
 
 impl ProcessIdentity {
-    /// Whether the same number in both means the same process, which requires the same boot and namespace.
+    /// Whether equal process numbers mean the same process: both identities are of the same boot
+    /// and namespace.
     pub fn has_numbers_of(&self, other: &Self) -> bool {
         (&self.boot, &self.namespace) == (&other.boot, &other.namespace)
     }

@@ -38,7 +38,7 @@ pub struct Named {
     pub by: String,
 }
 
-/// The places to search for other programs.
+/// The places to search for programs that the user has not named.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Places {
     pub path: Option<OsString>,

@@ -1,5 +1,5 @@
-//! Carries bytes between an instance and the attached program. Neither side ever waits for the other: bytes that one
-//! does not read are dropped in whole pieces, as on a radio.
+//! Carries bytes between an instance and the attached program. Neither side ever waits for the
+//! other: bytes that one side does not read are dropped in whole pieces, as on a radio link.
 
 use std::future::poll_fn;
 use std::pin::Pin;
@@ -12,7 +12,8 @@ use tokio::net::TcpStream;
 const PIPE_LEN: usize = 64 * 1024;
 /// Bytes kept for an instance that does not read.
 const BACKLOG_LEN: usize = 64 * 1024;
-/// The capacity of a pipe: one write is read at once, so that the hangar's own frames do not split another frame.
+/// The maximum number of bytes per read. It is the capacity of a pipe, so a whole write is read at
+/// once, and the hangar's own frames do not split another frame.
 const READ_LEN: usize = PIPE_LEN;
 
 /// The result of a step of the relay.

@@ -16,7 +16,7 @@ struct RosterEntry {
     requests: mpsc::Sender<InstanceRequest>,
     system: u8,
     output: Option<ProcessOutput>,
-    /// Whether the instance has ended and is not restarted, and therefore takes no place.
+    /// Whether the instance has ended and is not restarted, and therefore takes up no place.
     is_down: bool,
 }
 
@@ -108,7 +108,7 @@ impl Roster {
         self.entries().get(&id)?.output.clone()
     }
 
-    /// The channel for requests to an instance.
+    /// The channel for requests to an instance; `None` if no instance has that number.
     pub fn task(&self, id: InstanceId) -> Option<mpsc::Sender<InstanceRequest>> {
         Some(self.entries().get(&id)?.requests.clone())
     }

@@ -52,7 +52,8 @@ const GRACE: Duration = Duration::from_secs(1);
 /// Finds the user id of the program at the other end of a connection on this host, from the addresses of both ends.
 pub type Owner = fn(SocketAddr, SocketAddr) -> Option<u32>;
 
-/// The owner according to the system's list of connections.
+/// The user id of the program at the other end, according to the system's list of connections;
+/// `None` if it is unknown.
 pub fn owner(peer: SocketAddr, local: SocketAddr) -> Option<u32> {
     Connection { peer, local }.user()
 }

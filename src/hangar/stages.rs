@@ -1,4 +1,5 @@
-//! The stages of an instance's start, from observation, and what is missing when it takes too long.
+//! The stages of an instance's start, derived from observation, and the missing condition if it
+//! takes too long.
 
 use std::time::Duration;
 

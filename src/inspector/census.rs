@@ -18,7 +18,8 @@ use crate::wire::{Anatomy, ComponentId, SenderLoss, SystemId};
 const MOST_KINDS: usize = 20_000;
 /// The maximum number of kinds with a checksum that cannot be verified, since noise may look like any of them.
 const MOST_UNVERIFIED: usize = 256;
-/// Noise seldom looks like the same message of the same sender this often.
+/// The number of messages of one kind from one sender that count as more than noise, which seldom
+/// looks alike this often.
 const KEEPS_COMING: u64 = 3;
 /// Entries silent for this long may be replaced if there is no room.
 const STALE: Duration = Duration::from_secs(60);
@@ -236,7 +237,7 @@ impl Census {
         self.sources.get(&source)?.answered_at
     }
 
-    /// The time since which a source has been received without a pause.
+    /// The time since which a source has been received without a pause; `None` if it is unknown.
     pub fn steady_since(&self, source: FrameSource) -> Option<Duration> {
         Some(self.sources.get(&source)?.steady_since)
     }
@@ -246,7 +247,7 @@ impl Census {
         Some(&self.sources.get(&source)?.loss)
     }
 
-    /// Begins new statistics if `resets`, the number of resets that were asked for so far, has changed.
+    /// Begins new statistics if `resets`, the number of resets requested so far, has changed.
     pub fn reset_statistics(&mut self, resets: u32, now: Duration) {
         if std::mem::replace(&mut self.resets, resets) == resets {
             return;

@@ -82,7 +82,7 @@ impl FieldType {
         }
     }
 
-    /// The least and the greatest whole number; `None` for fractions.
+    /// The smallest and the largest value of an integer type; `None` for floating-point types.
     pub fn range(self) -> Option<(i128, i128)> {
         Some(match self {
             Self::Char | Self::U8 => (0, u8::MAX.into()),
@@ -106,7 +106,8 @@ impl FieldDefinition {
 }
 
 impl EnumDefinition {
-    /// The name of a value, without the prefix that all names of its enum share.
+    /// The name of a value, without the prefix that all names of its enum share; `None` for a value
+    /// without a name.
     pub fn name(&self, value: u64) -> Option<&'static str> {
         self.entries.get(&value).copied()
     }

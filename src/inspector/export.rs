@@ -16,7 +16,7 @@ pub enum StatisticsFormat {
 }
 
 impl StatisticsFormat {
-    /// The format that a file's name asks for; `None` for another ending.
+    /// The format for the extension of a file's name; `None` for any other extension.
     pub fn of(path: &str) -> Option<Self> {
         let (_, ending) = path.rsplit_once('.')?;
         match ending.to_ascii_lowercase().as_str() {
@@ -119,7 +119,7 @@ fn milliseconds(time: Duration) -> f64 {
     rounded(time.as_secs_f64() * 1e3)
 }
 
-/// To three decimals.
+/// A value rounded to three decimals.
 fn rounded(value: f64) -> f64 {
     (value * 1e3).round() / 1e3
 }

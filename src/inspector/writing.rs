@@ -29,8 +29,8 @@ pub struct WrittenPayload {
 }
 
 impl WrittenPayload {
-    /// The payload for a receiver, which replaces the ids that the text omits. Extensions that are
-    /// zero are left out.
+    /// The payload for a receiver, with the receiver's ids in place of those that the text omits.
+    /// Extensions that are zero are left out.
     pub fn addressed(&self, system: u8, component: u8) -> Vec<u8> {
         let mut bytes = self.bytes.clone();
         for (at, id) in [(self.open_system, system), (self.open_component, component)] {

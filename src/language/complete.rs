@@ -85,10 +85,11 @@ pub fn file_begun<'a>(line: &'a str, cursor: usize, context: &Context) -> Option
     forms.any(|form| takes_file(&form)).then_some(written)
 }
 
-/// A hint for the next word. If the line fits one form of the verb, the hint is that form with the next argument
-/// between ‹ and › and its meaning: "takeoff ‹ALTITUDE›: height above home, 0.5 to 1000 m". If several forms fit, it
-/// lists the possible next arguments. If the line is complete, it is the meaning of the form, otherwise of the verb.
-/// `None` without a verb, and after a fault.
+/// A hint for the next word. If the line fits one form of the verb, the hint is that form with the
+/// next argument between ‹ and › and its meaning: "takeoff ‹ALTITUDE›: height above home, 0.5 to
+/// 1000 m". If several forms fit, it lists the possible next arguments. If the line is complete, it
+/// is the meaning of the form or, for a form without a word of its own, of the verb. `None` without
+/// a verb, and after a fault.
 pub fn hint(line: &str, context: &Context) -> Option<Text> {
     let words = words(line);
     let head = head(&words, context).ok()?;
@@ -141,7 +142,7 @@ pub fn begun(line: &str) -> Option<&'static VerbRow> {
     verb_of(&words(line)).map(|(_, row)| row)
 }
 
-/// The place and the row of the verb.
+/// The index and the table row of the verb.
 fn verb_of(words: &[Word]) -> Option<(usize, &'static VerbRow)> {
     let mut first = words.iter().enumerate().take(2);
     first.find_map(|(at, word)| Some((at, super::row(word.text)?)))

@@ -28,7 +28,7 @@ pub enum ConsoleLine {
     Group {
         /// The name, without `@`.
         name: String,
-        /// `None` for the selection.
+        /// The vehicles of the group; `None` for the selection.
         vehicles: Option<VehicleChoice>,
     },
     /// Delete the group with this name, given without `@`.
@@ -213,7 +213,8 @@ pub enum ParametersLine {
     Fetch,
     /// Saves the parameters to a file.
     Save(String),
-    /// Compares with a file or another vehicle, to set differences.
+    /// Compares the parameters with those of a file or of another vehicle, so that differences can
+    /// be set.
     Compare(String),
 }
 
@@ -243,7 +244,7 @@ pub enum ReplayLine {
     Open(Option<String>),
     /// Go to a moment.
     Seek(SeekTarget),
-    /// Repeat a stretch; `None` ends that.
+    /// Repeat a stretch; `None` ends the repetition.
     Loop(Option<LoopTarget>),
     /// Stop at moments of these kinds; empty for none.
     StopAt(Vec<MomentKind>),
@@ -332,7 +333,7 @@ pub enum DraftLine {
     /// Make the draft with this name the current one.
     Use(String),
     Close,
-    /// Make a plan for each of these vehicles, otherwise of the addressed ones, as drafts.
+    /// Make a plan for each of these vehicles, otherwise for each of the addressed ones, as drafts.
     Divide {
         work: DraftWork,
         vehicles: Option<VehicleChoice>,
@@ -343,7 +344,7 @@ pub enum DraftLine {
     UploadEach,
     Undo,
     Redo,
-    /// Count times at this speed in m/s; `None` for that of the vehicle.
+    /// Calculate times with this speed in m/s; `None` for the speed of the vehicle.
     Speed(Option<f64>),
     /// Fly the drafts together in simulation.
     Try {
@@ -363,7 +364,7 @@ pub enum DraftLine {
 pub enum DraftWork {
     /// Parallel lines over an area.
     Sweep {
-        /// `None` for the area of the current draft.
+        /// The area to cover; `None` for the area of the current draft.
         area: Option<Outline>,
         /// The line spacing in metres; `None` for the default.
         spacing_m: Option<f64>,

@@ -55,7 +55,7 @@ fn no_longitude(closest: &[&Fit], rest: &[Word]) -> Option<Text> {
     is_half.then(|| text!("grammar-no-longitude", latitude = latitude.text))
 }
 
-/// Why no name is valid where one is expected.
+/// Why no name is valid where one is expected; `None` if names are valid, or if none is expected.
 fn unavailable(expected: Expected, context: &Context) -> Option<Text> {
     let Kind::Name(list) = expected.argument().kind else {
         return None;

@@ -14,7 +14,7 @@ pub(super) struct FieldWords<'a> {
 }
 
 impl<'a> FieldWords<'a> {
-    /// The fields in the words of a line; `None` if fields cannot stand after them.
+    /// The fields in the words of a line; `None` if fields cannot follow these words.
     pub fn of(head: &Head, words: &'a [Word<'a>]) -> Option<Self> {
         let (message, words) = words.get(head.len..)?.split_first()?;
         let takes_fields = head.row.takes(Kind::Fields);

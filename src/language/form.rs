@@ -14,7 +14,7 @@ pub(super) struct Fit {
     pub expected: Vec<Expected>,
     /// The argument that is incomplete: only its first words are there.
     pub begun: Option<&'static Argument>,
-    /// Whether nothing is missing.
+    /// Whether every required argument is there.
     pub complete: bool,
     /// The first word that does not match.
     pub misfit: Option<Misfit>,
@@ -135,7 +135,8 @@ impl FormReader<'_> {
         }
     }
 
-    /// The arguments possible now: all up to the first one that must precede the rest.
+    /// The indices of the arguments that may come now: all up to and including the first one that
+    /// must precede the others.
     fn open(&self) -> Vec<usize> {
         let mut open = Vec::new();
         let arguments = self.form.arguments.iter().enumerate();

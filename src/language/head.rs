@@ -17,7 +17,8 @@ pub(super) struct Head {
     pub row: &'static VerbRow,
     /// The verb as typed: its name, or the name of a mode.
     pub said: String,
-    /// The number of words before the arguments; a mode in place of `mode MODE` is an argument.
+    /// The number of words before the arguments. A mode's name that stands in place of `mode MODE`
+    /// counts as an argument.
     pub len: usize,
 }
 

@@ -25,7 +25,7 @@ const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
 pub struct OfferedModes {
     /// Each name once.
     modes: Vec<AnnouncedMode>,
-    /// Whether a vehicle has announced none, so that the built-in names hold too.
+    /// Whether a vehicle has announced none, so the built-in names are valid, too.
     has_others: bool,
 }
 
@@ -72,7 +72,8 @@ fn is_one_of(name: &str, modes: &[&str]) -> bool {
     modes.iter().any(|mode| is_same_name(mode, name))
 }
 
-/// A warning for pilots without a stick before they enter a mode.
+/// A warning for pilots without a stick before they enter a mode; `None` if the mode needs no
+/// warning.
 pub(super) fn mode_warning(name: &str, context: &Context) -> Option<Text> {
     if !matches!(context.class, VehicleClass::Copter | VehicleClass::Other) {
         None

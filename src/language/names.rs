@@ -10,7 +10,7 @@ use crate::text::Text;
 pub enum NameList {
     /// The rooms of the console.
     Room,
-    /// Themes, including those of files.
+    /// The themes, including those from files.
     Theme,
     /// The missions, by id.
     Mission,

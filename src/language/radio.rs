@@ -54,7 +54,7 @@ const SETTINGS: [RadioSetting; 5] = [
     },
 ];
 
-/// The impairment that a preset and the settings after it ask for; `None` to end it.
+/// The impairment that a preset and the settings after it define; `None` to end the test.
 ///
 /// # Errors
 /// The first fault, with its place in the text of the settings.

@@ -31,7 +31,8 @@ pub(super) enum Misread {
     Wrong {
         /// The index of the word in the value.
         word: usize,
-        /// Whether the word is of the right kind and only its value is invalid, so that no other argument was meant.
+        /// Whether the word is of the right kind and only its value is invalid, so no other
+        /// argument was meant.
         specific: bool,
         message: Text,
     },
@@ -225,7 +226,8 @@ fn parameters(context: &Context) -> Vec<(String, Text)> {
         .collect()
 }
 
-/// A number in its range, without its unit.
+/// Parses a number that may have a unit, converts it to the first spelling of `unit`, and checks
+/// its range.
 fn number(text: &str, unit: Unit, least: f64, greatest: f64) -> Result<f64, Misread> {
     let (digits, suffix) = text.split_at(number_length(text));
     let Ok(written) = digits.parse::<f64>() else {

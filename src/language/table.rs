@@ -38,7 +38,7 @@ pub fn verbs() -> impl Iterator<Item = &'static Verb> {
     orders.flat_map(VerbRow::verbs)
 }
 
-/// The verb of an order, by its name in the ledger.
+/// The verb of an order, by its name in the ledger; `None` if there is none.
 pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }

@@ -37,7 +37,7 @@ impl Targets {
     /// The target vehicles.
     ///
     /// # Errors
-    /// A text without any target: an empty selection, or an unknown group or vehicle.
+    /// A text if there is no target: the selection is empty, or the group or a vehicle is unknown.
     pub fn resolve(
         &self,
         selection: &[VehicleId],

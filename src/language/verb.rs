@@ -25,7 +25,7 @@ pub struct VerbRow {
 /// Where a verb is allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
-    /// On the command line and in scripts, to vehicles.
+    /// On the command line and in scripts, for vehicles.
     Everywhere,
     /// Only in sequences of lines, which the verb delays: in scripts and through a pipe. Its targets may follow it.
     Scripts,
@@ -48,7 +48,7 @@ impl Scope {
         }
     }
 
-    /// Whether a verb of this scope is for vehicles, so that a line may have targets.
+    /// Whether a verb of this scope is for vehicles, so a line may have targets.
     pub fn takes_targets(self) -> bool {
         match self {
             Self::Everywhere | Self::Scripts => true,
@@ -75,7 +75,8 @@ pub struct Form {
     pub arguments: &'static [Argument],
     /// The verb that this form means, if it is not that of the row.
     pub(super) means: Option<&'static Verb>,
-    /// Whether another verb means the same, so that its lines need not be offered twice.
+    /// Whether another verb means the same, so that the lines of this form need not be offered,
+    /// too.
     pub(super) is_shortcut: bool,
     pub(super) build: fn(&Arguments) -> Result<Meaning, Problem>,
 }
@@ -155,7 +156,7 @@ impl Form {
         }
     }
 
-    /// The form, with a different verb from that of its row.
+    /// The form, with a verb other than that of its row.
     pub(super) const fn meaning(self, verb: &'static Verb) -> Self {
         Self {
             means: Some(verb),

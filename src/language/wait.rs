@@ -70,7 +70,8 @@ pub enum Situation {
     Armed,
     /// Its motors are disarmed.
     Disarmed,
-    /// The last movement order was carried out: it has reached its target, or completed its part of a joint manoeuvre.
+    /// The last movement order was carried out: the vehicle has reached its target, or completed
+    /// its part of a joint manoeuvre.
     Arrived,
     /// The vehicle is on the ground.
     Landed,
@@ -161,8 +162,8 @@ impl Relation {
 }
 
 impl Until {
-    /// Whether the condition concerns vehicles, so that a script must name them; a time, the
-    /// contacts and the alerts do not.
+    /// Whether the condition concerns vehicles, so a script must name them; a time, the contacts
+    /// and the alerts do not.
     pub(super) fn is_of_vehicles(&self) -> bool {
         !matches!(
             self,

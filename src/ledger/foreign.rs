@@ -24,7 +24,7 @@ impl fmt::Display for StationId {
     }
 }
 
-/// The number of a foreign command, in the order of their first appearance.
+/// The number of a foreign command, in the order of first appearance.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ForeignId(pub u32);
 
@@ -80,8 +80,8 @@ impl ForeignCommand {
 pub(super) struct ForeignLog(VecDeque<ForeignCommand>);
 
 impl ForeignLog {
-    /// Adds a command, or replaces its earlier state, which keeps its first time. News of one that was dropped is
-    /// ignored: its place is before all others.
+    /// Adds a command, or replaces its state but keeps the time of its first appearance. A change
+    /// to a command that was dropped is ignored, since its place would be before all others.
     pub fn note(&mut self, command: ForeignCommand) {
         let newest = self.0.back().map(|it| it.id);
         match self.0.iter_mut().rev().find(|it| it.id == command.id) {

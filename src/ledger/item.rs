@@ -1,4 +1,5 @@
-//! What the ledger lists: the operator's commands, and those of other stations, in the order of time.
+//! The items of the ledger: the operator's commands and those of other stations, in the order of
+//! time.
 
 use std::time::Duration;
 

@@ -1,4 +1,4 @@
-//! Rows of own commands, and those of other stations.
+//! Rows of the operator's own commands, and of those of other stations.
 
 use super::*;
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry};

@@ -23,7 +23,8 @@ pub(super) struct LinkBeat {
 }
 
 impl LinkBeat {
-    /// Due for the first time at once; with other work, only once [`BeatPace::handy`] has passed.
+    /// A new action: [`due`](Self::due) returns at once the first time;
+    /// [`is_handy`](Self::is_handy) is true only after [`BeatPace::handy`].
     pub fn new(pace: BeatPace) -> Self {
         let mut timer = interval(pace.latest);
         timer.set_missed_tick_behavior(MissedTickBehavior::Skip);

@@ -35,9 +35,10 @@ pub(super) struct LinkCore {
     inbound: mpsc::Sender<Inbound>,
     to_send: mpsc::Receiver<(To, Parcel)>,
     cancel: CancellationToken,
-    /// Received frames waiting for room in the channel. Reading stops until then.
+    /// Received frames waiting for room in the channel. Nothing more is read until they are
+    /// delivered.
     undelivered: Option<Inbound>,
-    /// Whether frames have arrived since the last request for work, so that the task is awake anyway.
+    /// Whether frames have arrived since the last request for work, so the task is awake anyway.
     has_heard: bool,
     heartbeat: LinkBeat,
     /// Whether heartbeats are suppressed, as by a radio out of range.

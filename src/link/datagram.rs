@@ -129,7 +129,8 @@ impl Peers {
         peers
     }
 
-    /// When the next sender will have paused, and its address.
+    /// The time at which the next sender counts as paused, and its address; `None` if no half frame
+    /// is waiting.
     fn next_pause(&self) -> Option<(Instant, SocketAddr)> {
         let pause = |(&from, &at): (&SocketAddr, &Instant)| (at + PAUSE, from);
         self.tails.iter().map(pause).min()

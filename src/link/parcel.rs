@@ -23,7 +23,7 @@ impl From<Outgoing> for Parcel {
     }
 }
 
-/// The entrance of a link's queue.
+/// The sending end of a link's queue.
 #[derive(Debug, Clone)]
 pub(super) struct Outlet {
     pub outbox: mpsc::Sender<(To, Parcel)>,

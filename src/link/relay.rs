@@ -16,7 +16,7 @@ use crate::forward::{Deed, ForwardSpec, FrameFacts, Port, Reach, Route, Router, 
 use crate::ledger::StationId;
 use crate::wire::{Frame, MavAddress, Outgoing, SystemId, is_secret};
 
-/// The maximum number of streams whose rate one forward limits; others pass.
+/// The maximum number of streams whose rate one forward limits; others pass without a limit.
 const MOST_STREAMS: usize = 4096;
 
 /// A command of another ground station to vehicles, over a forward.
@@ -249,8 +249,8 @@ impl RelayCore {
         }
     }
 
-    /// Reports a station's command. One with the console's own address cannot be told from the console: the answers to
-    /// it count as the console's own.
+    /// Reports a station's command, unless it comes from the console's own address: answers to such
+    /// a command cannot be told from answers to the console.
     fn report(&self, facts: &FrameFacts, frame: &Frame) {
         if facts.sender == self.own {
             return;

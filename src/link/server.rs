@@ -31,7 +31,8 @@ struct TcpClient {
     awaits_room: bool,
 }
 
-/// Carries data until the listener fails. Long, because a `select!` cannot be divided.
+/// Carries data until the listener fails. The function is long because a `select!` cannot be
+/// divided.
 pub(super) async fn session(link: &mut LinkCore, listener: TcpListener) -> ConnectionEnd {
     let mut clients = BTreeMap::new();
     let mut next = 0;

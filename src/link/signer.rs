@@ -37,7 +37,7 @@ impl fmt::Debug for Signer {
     }
 }
 
-/// The time of this machine in units of a timestamp.
+/// The time of this machine as a timestamp of a signature: units of 10 µs since 2015 (UTC).
 pub fn signing_clock() -> u64 {
     let since = SystemTime::now().duration_since(UNIX_EPOCH);
     let micros = since.map_or(0, |since| since.as_micros());

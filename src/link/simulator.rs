@@ -189,7 +189,8 @@ impl Simulator {
         Self::start_recorded(world, pace, endpoints, None, cancel).await
     }
 
-    /// [`start`](Self::start), with an optional sink that records the vehicles' inputs, after a head.
+    /// [`start`](Self::start), with an optional sink that records the vehicles' inputs after the
+    /// given head.
     ///
     /// # Errors
     /// As [`start`](Self::start).

@@ -16,8 +16,9 @@ pub(super) const READ_LEN: usize = 16 * 1024;
 /// After this long without a byte, an incomplete frame in the decoder is discarded as a false start.
 pub(super) const PAUSE: Duration = Duration::from_millis(200);
 
-/// Carries data until the stream ends. With `silence`, a peer that was heard and is then silent for this long counts as
-/// gone, because a pulled cable does not close a TCP connection. Long, because a `select!` cannot be divided.
+/// Carries data until the stream ends. With `silence`, a peer that was heard and is then silent for
+/// this long counts as gone, because a pulled cable does not close a TCP connection. The function
+/// is long because a `select!` cannot be divided.
 pub(super) async fn session<S>(
     link: &mut LinkCore,
     stream: S,

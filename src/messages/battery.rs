@@ -30,7 +30,8 @@ pub(super) fn apply(vehicle: &mut Vehicle, data: &BATTERY_STATUS_DATA, now: Dura
     *pack(vehicle, data.id, now) = battery;
 }
 
-/// Applies the battery fields of `SYS_STATUS` to pack 0, unless `BATTERY_STATUS` does.
+/// Applies the battery fields of `SYS_STATUS` to pack 0, unless `BATTERY_STATUS` has reported that
+/// pack recently.
 pub(super) fn apply_summary(
     vehicle: &mut Vehicle,
     data: &SYS_STATUS_DATA,

@@ -7,8 +7,8 @@ use crate::alert::AlertKind;
 use crate::text;
 use crate::vehicle::{FixType, Gps, GpsAccuracy, Severity, Vehicle};
 
-/// Applies `GPS_RAW_INT`, with a notice when the fix is lost or found. Its position is ignored: before the fix it is
-/// invented.
+/// Applies `GPS_RAW_INT`, with a notice when the fix is lost or found. Its position is ignored:
+/// before the fix, it is arbitrary.
 pub(super) fn apply(
     vehicle: &mut Vehicle,
     data: &GPS_RAW_INT_DATA,

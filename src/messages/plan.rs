@@ -88,7 +88,8 @@ impl PlanWatch {
     }
 }
 
-/// Whether a plan has gone from an item that ends it to its first one, as ArduPilot does when the motors stop.
+/// Whether a plan has gone from an item that ends the plan to its first item, as ArduPilot does
+/// when the motors stop.
 fn begins_anew(vehicle: &Vehicle, before: u16) -> bool {
     let plan = vehicle.plans.plan.content.as_ref();
     let last = plan.and_then(|plan| plan.items.get(usize::from(before)));
@@ -153,8 +154,8 @@ fn was_asked(before: PlanProgress, now: Duration) -> bool {
         .is_some_and(|asked| now.saturating_sub(asked) <= ASKED_WITHIN)
 }
 
-/// The number of items. 0 comes both from senders that do not set it and from `ArduPilot` without a plan; the mission
-/// state distinguishes them. 65535 means no plan.
+/// The number of items; `None` if the sender does not set it. 0 comes both from such senders and
+/// from `ArduPilot` without a plan; the mission state distinguishes them. 65535 means no plan.
 fn total(data: &MISSION_CURRENT_DATA) -> Option<u16> {
     match data.total {
         0 if data.mission_state == MissionState::MISSION_STATE_UNKNOWN => None,
@@ -220,7 +221,8 @@ pub(super) fn apply_text(vehicle: &mut Vehicle, text: &str, report: &mut Handler
     }
 }
 
-/// The item nearest to the current one that has this command.
+/// The number of the item with this command that is nearest to the current item; `None` without
+/// such an item.
 fn nearest(vehicle: &Vehicle, command: u16) -> Option<u16> {
     let plan = vehicle.plans.plan.content.as_ref()?;
     let numbered = plan.items.iter().enumerate();

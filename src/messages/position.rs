@@ -61,7 +61,7 @@ pub(super) fn apply_home(vehicle: &mut Vehicle, data: &HOME_POSITION_DATA) {
     vehicle.home = place(data.latitude, data.longitude, data.altitude);
 }
 
-/// The origin of local coordinates.
+/// The origin of local coordinates; `None` if its position is not valid.
 pub(super) fn origin(data: &GPS_GLOBAL_ORIGIN_DATA) -> Option<Place> {
     place(data.latitude, data.longitude, data.altitude)
 }

@@ -32,7 +32,7 @@ pub(super) struct Chunk {
     sequence: u8,
     severity: Severity,
     bytes: Vec<u8>,
-    /// Whether it ends its text, because it is not full.
+    /// Whether the chunk is the last one of its text: it is not full.
     is_last: bool,
 }
 

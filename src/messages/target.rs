@@ -17,8 +17,8 @@ use crate::vehicle::{Place, Target, Vehicle};
 /// known.
 const SILENT: Duration = Duration::from_millis(3500);
 
-/// Applies `POSITION_TARGET_GLOBAL_INT`. `ArduPilot` gives the height above mean sea level; it becomes height above
-/// home once home is known, or a position that gives it.
+/// Applies `POSITION_TARGET_GLOBAL_INT`. A height above mean sea level becomes a height above home
+/// if home's altitude is known, from home itself or from a position report.
 pub(super) fn apply_global(
     vehicle: &mut Vehicle,
     data: &POSITION_TARGET_GLOBAL_INT_DATA,

@@ -15,11 +15,13 @@ const SILENT_AFTER: Duration = Duration::from_millis(2500);
 /// The time between measurements of the rate.
 const RATE_EVERY: Duration = Duration::from_secs(1);
 
-/// Mission time, driven by the vehicles' own clocks: a simulator slower than requested slows the mission down with it.
+/// Mission time, driven by the vehicles' own clocks: a simulator slower than requested slows the
+/// mission down with it.
 ///
-/// It follows the clock that is furthest ahead. A clock that reboots, lags or falls silent does not hold it up, because
-/// the others drive it. When all are silent, it continues at the last rate. It never goes back, and never runs more
-/// than a [`TICK`] ahead of the requested rate.
+/// Mission time follows the clock that is furthest ahead. A clock that reboots, lags or falls
+/// silent does not delay it, because the others drive it. When all are silent, mission time
+/// continues at the last rate. It never goes back, and never runs more than a [`TICK`] ahead of the
+/// requested rate.
 #[derive(Debug, Clone)]
 pub struct Clock {
     speedup: f64,
@@ -45,7 +47,8 @@ struct ClockReading {
     boot_ms: u32,
     /// Mission time by this clock.
     claim_ms: i64,
-    /// How far the vehicle's clock has advanced since mission time last advanced.
+    /// How far the vehicle's clock has advanced since any vehicle's clock last advanced mission
+    /// time.
     behind_ms: i64,
 }
 

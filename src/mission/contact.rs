@@ -50,7 +50,7 @@ pub(crate) struct Sighting {
     pub merge_within_m: f64,
 }
 
-/// The change that a sighting causes, by the index of the contact.
+/// The change that a sighting causes, with the index of the contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Seen {
     New(usize),

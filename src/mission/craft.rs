@@ -15,7 +15,7 @@ use crate::vehicle::{GlobalPosition, Mode, Vehicle, VehicleId};
 
 /// Motors that stop above this height let a vehicle fall.
 const FALL_FROM_M: f64 = 2.0;
-/// Below this height, the descent rate counts towards judging a touchdown.
+/// Below this height, the descent rate is used to judge a touchdown.
 const NEAR_GROUND_M: f64 = 3.0;
 /// Touching down faster than this is a crash; `ArduCopter` lands at 0.5 m/s.
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
@@ -45,7 +45,7 @@ pub(crate) struct Craft {
     pub airborne: bool,
     /// Whether its mode is the one that flies plans.
     pub in_auto: bool,
-    /// Whether it returns or lands on its own, by its mode.
+    /// Whether its mode makes the vehicle return or land on its own.
     pub comes_down: bool,
     /// Whether it reports an active failsafe.
     pub in_failsafe: bool,

@@ -172,7 +172,7 @@ impl Pilot {
         }
     }
 
-    /// Looks at the air above the middle cell.
+    /// Flies above the middle cell and waits there, to look at the air.
     pub fn look_above(&mut self) {
         self.fly_to([60.0, 0.0, 36.0], 10.0);
         self.wait(7.0);
@@ -247,7 +247,7 @@ impl Pilot {
     }
 }
 
-/// A place, rounded as in a message, like the values below.
+/// A place, rounded as in a message.
 fn at_point(place: LatLon) -> LatLon {
     let (lat, lon) = place.to_e7();
     LatLon::from_e7(lat, lon)

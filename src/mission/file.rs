@@ -114,7 +114,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
     })
 }
 
-/// Site, fleet and rules.
+/// The sections for the site, the fleet and the rules.
 struct MissionSetting {
     origin: Origin,
     weather: Weather,
@@ -157,7 +157,7 @@ impl MissionSetting {
     }
 }
 
-/// Zones, places, plans on board, hazards and objectives.
+/// The sections for zones, places, plans on board, hazards and objectives.
 struct MissionContent {
     board: BoardSetup,
     places: Vec<(String, Point)>,
@@ -214,7 +214,7 @@ impl MissionContent {
     }
 }
 
-/// Events, advice and lesson.
+/// The sections for events, advice and the lesson.
 struct MissionCourse {
     radio: Option<Radio>,
     events: Vec<Event>,
@@ -255,7 +255,7 @@ impl MissionCourse {
     }
 }
 
-/// Scoring, rewards and requirements.
+/// The sections for scoring, rewards and requirements.
 struct MissionWorth {
     scoring: ScoreRules,
     career: CareerTerms,

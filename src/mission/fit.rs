@@ -11,7 +11,8 @@ use super::sensor::Sensor;
 pub(crate) struct Fit {
     /// Its sensors: those of the whole fleet, then its own.
     pub sensors: Vec<&'static Sensor>,
-    /// The loads that it starts with and that a pad restores; loads that are not listed here are never on board.
+    /// The loads that the vehicle starts with and that a pad restores; loads that are not listed
+    /// here are never on board.
     pub loads: BTreeMap<Load, u32>,
     /// Its own radio; `None` for that of the mission, if the mission models the radio.
     pub radio: Option<Set>,

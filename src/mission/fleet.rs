@@ -33,12 +33,13 @@ impl Mission {
         }
     }
 
-    /// The same mission flown with built drones: one design for all seats, or one per seat, where the last one also
-    /// fills the seats that follow. Without any design, the mission's own drones fly it.
+    /// The same mission flown with built drones: one design for all seats, or one per seat, where
+    /// the last one also fills the seats that follow. Without any design, the mission's own drones
+    /// fly it.
     ///
     /// # Errors
-    /// Texts: more designs than seats, a design that does not fly in this air, a fleet that costs more than the
-    /// budget.
+    /// A text for each fault: more designs than seats, a design that does not fly in this air, a
+    /// fleet that costs more than the budget.
     pub fn with_fleet(self, mut fleet: Vec<Design>) -> Result<Self, Vec<Text>> {
         let Some(last) = fleet.last().cloned() else {
             return Ok(self);

@@ -132,8 +132,9 @@ impl Flight {
         self.stake = stake;
     }
 
-    /// Why the mission refuses a command to a vehicle, if it does: in a flight that counts, the setup of the vehicles
-    /// is part of the task, except for the parameters that the mission opens.
+    /// Why the mission refuses a command to a vehicle; `None` if it does not. In a flight that
+    /// counts, it refuses all changes to the setup of vehicles, except for the parameters that the
+    /// mission opens.
     pub fn refusal(&self, command: &Command) -> Option<Text> {
         if self.stake == Stake::Practice {
             return None;
@@ -153,13 +154,14 @@ impl Flight {
         self.flown_by = flown_by;
     }
 
-    /// Sets the number of the trainee's attempt, from 1, before it begins: on the first one, most hints are free.
+    /// Sets the number of the trainee's attempt, from 1. Call it before the flight begins: on the
+    /// first attempt, most hints are free.
     pub fn set_attempt(&mut self, attempt: u32) {
         self.clues.set_attempt(attempt);
     }
 
     /// Advances by one [`TICK`]. `now` is mission time, 0 at the start. Returns the notices, in
-    /// mission time. Every entry of the ledger counts. After the end, nothing changes.
+    /// mission time. All entries of the ledger are evaluated. After the end, nothing changes.
     pub fn step(&mut self, now: Duration, vehicles: &Vehicles, ledger: &Ledger) -> Vec<Notice> {
         if self.is_over() {
             return Vec::new();
@@ -220,8 +222,8 @@ impl Flight {
         }
     }
 
-    /// Records a pause of this length by the wall clock; mission time stood still as well. Returns the notice, in
-    /// mission time; `None` once the flight is over.
+    /// Records a pause; `lasted` is its length by the wall clock, during which mission time did not
+    /// advance. Returns the notice, in mission time; `None` once the flight is over.
     pub fn note_pause(&mut self, lasted: Duration) -> Option<Notice> {
         if self.is_over() {
             return None;
@@ -267,7 +269,8 @@ impl Flight {
         result::report(self, ledger)
     }
 
-    /// The changes to make to vehicles, simulators and links since the last call.
+    /// Takes the changes to vehicles, simulators and links that the mission has demanded since the
+    /// last call.
     pub fn take_demands(&mut self) -> Vec<Demand> {
         let mut demands = std::mem::take(&mut self.board);
         demands.extend(self.threats.take_demands());

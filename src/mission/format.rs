@@ -1,9 +1,10 @@
 //! The format of mission files: one function per table both reads and describes it.
 //!
-//! A [reader](Reader) requests its keys from a [`FileTable`] by name, value and meaning, and builds a value from them.
-//! On a table of a file, it reads them. Under [`describe`], it gets no values, and its requests form the description.
-//! The JSON schema ([`schema`]) and the reference of the guide ([`reference`]) are generated from that description. A
-//! reader must therefore request all of its keys before it fails because of a missing one.
+//! A [reader](Reader) requests its keys from a [`FileTable`] by name, form and meaning, and builds
+//! a value from them. On a table of a file, it receives the keys' values. Under [`describe`], it
+//! receives none, and its requests form the description. The JSON schema ([`schema`]) and the
+//! reference of the guide ([`reference`]) are generated from that description. A reader must
+//! therefore request all of its keys before it fails because of a missing one.
 //!
 //! A section refers to earlier ones through the [`Draft`], which also collects the faults.
 

@@ -33,7 +33,7 @@ pub(crate) struct Object {
     pub height_m: f64,
     /// Whether it is still there: a fire may be out, or a person rescued.
     pub present: bool,
-    /// The share of it hidden from above, 0 to 1 (canopy, rubble).
+    /// The share of the object that is hidden from above (by canopy or rubble), 0 to 1.
     pub cover: f64,
     /// The direction of the line that it hangs on, for objects that must be seen from the side.
     pub axis_deg: Option<f64>,
@@ -98,7 +98,7 @@ pub(crate) enum Load {
     Ball,
     /// A second of spraying.
     Spray,
-    /// A kit: medicine, a life vest.
+    /// A kit, such as medicine or a life vest.
     Kit,
     Node,
 }
@@ -116,7 +116,7 @@ impl Load {
         }
     }
 
-    /// The part in the workshop's catalogue for this load, or the one that sprays it.
+    /// The id of this load's part in the workshop's catalogue; for spray, the id of the sprayer.
     pub fn part(self) -> &'static str {
         match self {
             Self::Ball => "s_ball",

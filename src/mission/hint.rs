@@ -1,4 +1,4 @@
-//! Hints: automatic ones for a phase of the flight, and ones that the trainee requests and that cost points.
+//! Hints: automatic ones for a phase of the flight, and ones on request, which may cost points.
 
 use super::event::expression::Expression;
 use crate::text::Text;
@@ -50,7 +50,7 @@ impl Phase {
 pub struct Clue {
     /// 1: a question or a principle; 2: where to look; 3: the steps.
     pub level: u8,
-    /// The only phase that it is for, if any.
+    /// The only phase in which the hint is suitable; `None` for any phase.
     pub phase: Option<Phase>,
     /// The id of the objective that it helps with, if any; it is not useful once that objective is met.
     pub objective: Option<String>,

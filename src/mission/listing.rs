@@ -66,7 +66,7 @@ pub struct Listing {
     pub pausable: bool,
     /// The maximum speed-up in flight.
     pub most_speedup: f64,
-    /// Requirements before the mission is offered.
+    /// The requirements for the mission to be offered.
     pub requires: Requires,
     /// Credits, experience and unlocks for passing the mission.
     pub rewards: Rewards,
@@ -116,7 +116,7 @@ pub struct ObjectiveListing {
 }
 
 impl Mission {
-    /// The information shown before the mission is flown, as a mission of the course.
+    /// The information shown before the mission is flown, listed as a mission of the course.
     pub fn listing(&self) -> Listing {
         let weight = |component: Component| {
             let weight = self.scoring.weights.of(component);

@@ -34,9 +34,10 @@ pub struct Need {
     pub sensors: Vec<&'static str>,
     /// Loads, and the parts that release or spray them, by id and count.
     pub loads: Vec<(&'static str, u32)>,
-    /// The range for the flight there and back: the farthest point of the task and 30 % more, in metres.
+    /// The required range of a flight out and back, as a one-way distance: that to the farthest
+    /// point of the task plus 30 %, in metres.
     pub reach_m: f64,
-    /// The radio range: the farthest point of the task, in metres.
+    /// The required radio range: the distance to the farthest point of the task, in metres.
     pub far_m: f64,
     /// The height for both ranges, above the ground, in metres.
     pub height_m: f64,
@@ -47,7 +48,7 @@ pub struct Need {
     pub reserve_percent: f64,
     /// The air at the site.
     pub air: Air,
-    /// A seat's share of the budget in credits, if there is one.
+    /// A seat's share of the budget in credits; `None` without a budget.
     pub credits: Option<u32>,
 }
 

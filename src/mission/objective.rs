@@ -156,7 +156,7 @@ pub(crate) struct ObjectiveScene<'a> {
     /// Each vehicle's link margin in dB; empty if the mission does not model the radio.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub releases: &'a [Release],
-    /// The actions on the plans on board.
+    /// The commands about the plans on board.
     pub plans: &'a PlanLog,
 }
 

@@ -1,4 +1,4 @@
-//! The parts of a mission; each owns its fields.
+//! The groups of fields that make up a mission.
 
 use std::time::Duration;
 
@@ -38,7 +38,7 @@ pub struct MissionSummary {
 /// The place of a mission in a career.
 #[derive(Debug)]
 pub struct CareerTerms {
-    /// Requirements before the mission is offered.
+    /// The requirements for the mission to be offered.
     pub requires: Requires,
     /// Credits, experience and unlocks for passing the mission.
     pub rewards: Rewards,
@@ -68,7 +68,7 @@ pub struct MissionAdvice {
     pub gives_hints: bool,
     /// Advice by phase of the flight.
     pub hints: Vec<Hint>,
-    /// Advice that the trainee can ask for; each costs points.
+    /// Advice that the trainee can ask for, which may cost points.
     pub clues: Vec<Clue>,
     /// The steps of a guided lesson.
     pub lesson: Vec<LessonStep>,
@@ -98,7 +98,7 @@ pub struct MissionSeats {
     pub(crate) sensors: Vec<&'static Sensor>,
     /// The equipment of each vehicle, in the order of the pads.
     pub(crate) fits: Vec<fit::Fit>,
-    /// The equipment of the mission's own drones, which is also what it requires of built drones.
+    /// The equipment of the mission's own drones, which built drones must also provide.
     pub(crate) asked: Vec<fit::Fit>,
     /// The drones that were built for it, in the order of the pads; empty if the mission's own drones fly.
     pub(crate) designs: Vec<Design>,

@@ -89,7 +89,8 @@ impl PlanLog {
         })
     }
 
-    /// The commands about a vehicle's plan; a refused one leaves the plan as it was.
+    /// The commands that change a vehicle's plan, without refused ones, which leave the plan as it
+    /// was.
     fn changes(&self, vehicle: VehicleId) -> impl Iterator<Item = &PlanRow> {
         let is_refused = |row: &PlanRow| matches!(row.ended, Some((_, RowState::Refused)));
         let rows = self.of(vehicle);

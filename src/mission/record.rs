@@ -74,7 +74,7 @@ pub struct Head {
 }
 
 impl Head {
-    /// The head of a flight that begins.
+    /// The head of the record of a flight that is about to begin.
     pub(super) fn of(mission: &Mission, seed: u64, attempt: u32, occasion: &Occasion) -> Self {
         Self {
             sortie_run: VERSION,

@@ -10,7 +10,8 @@ use super::{FlightRules, Mission, MissionAdvice};
 pub enum Stake {
     /// Counts for medals, credits and experience, with a random layout.
     Graded,
-    /// Practice with a seed of the trainee's choice. Records older than careers count as practice.
+    /// Practice with a seed of the trainee's choice. Records from before careers existed count as
+    /// practice.
     #[default]
     Practice,
     /// An exam, with the exam's seed, in real time, without hints or pauses.

@@ -144,7 +144,7 @@ impl Shape {
         }
     }
 
-    /// The distance of a point in metres; zero inside.
+    /// The distance from a point to the shape, in metres; zero inside.
     pub fn distance_m(&self, at: Point) -> f64 {
         match self {
             _ if self.contains(at) => 0.0,

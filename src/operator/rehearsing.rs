@@ -62,8 +62,8 @@ struct Member {
     is_read: bool,
 }
 
-/// The kinds of fences (`FENCE_TYPE`) whose limits are known. Without `FENCE_RADIUS`, the flight
-/// would be judged by the simulator's own circle.
+/// The bit mask of the fence types (`FENCE_TYPE`) whose limits are known. Without `FENCE_RADIUS`,
+/// the flight would be judged by the simulator's own circle.
 fn known_kinds(value: impl Fn(&str) -> Option<f32>) -> f32 {
     const AREAS: u8 = 4;
     const LIMITS: [(u8, &str); 3] = [
@@ -83,7 +83,7 @@ impl PartialEq for PlanRehearsal {
     }
 }
 
-/// The winds that are known without the vehicles: that of the user, and that of the mission.
+/// The winds known without the vehicles: the user's and the mission's.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Winds {
     pub(super) given: Option<Wind>,

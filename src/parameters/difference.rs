@@ -5,11 +5,11 @@ use std::collections::BTreeMap;
 /// How a parameter of one list differs from another list.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ParameterFinding {
-    /// Both have it with different values: this list's and the other's.
+    /// Both lists have the parameter, with different values: this list's and the other's.
     Changed(f32, f32),
-    /// Only the other list has it.
+    /// Only the other list has the parameter, with this value.
     Missing(f32),
-    /// Only this list has it.
+    /// Only this list has the parameter, with this value.
     Extra(f32),
 }
 

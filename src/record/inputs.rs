@@ -91,7 +91,7 @@ fn numbers(start: &Start) -> [String; 4] {
 /// A line after the head.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct InputLine {
-    /// The number of steps that the simulator had made before.
+    /// The number of steps that the simulator had made before the inputs of this line.
     pub s: u64,
     #[serde(flatten)]
     pub what: Entered,

@@ -80,7 +80,7 @@ impl Contents {
         true
     }
 
-    /// The frame that shows the next or the previous moment, of a kind or of any.
+    /// The time of the frame that shows the next or the previous moment, of a kind or of any.
     pub fn near(&self, now: Duration, forward: bool, kind: Option<MomentKind>) -> Option<Duration> {
         let is_meant = |it: &&Moment| kind.is_none_or(|kind| it.kind == kind);
         let mut moments = self.moments.iter().filter(is_meant);
@@ -98,7 +98,7 @@ impl Contents {
         self.moments.iter().any(|it| it.kind == kind)
     }
 
-    /// The frames that show the last moment of a kind and the next one.
+    /// The times of the frames that show the last moment of a kind and the next one.
     pub fn around(&self, now: Duration, kind: MomentKind) -> Option<(Duration, Duration)> {
         let times = self.moments.iter().filter(|it| it.kind == kind);
         let mut shown = times.map(|it| showing(it.at));
@@ -106,8 +106,8 @@ impl Contents {
         Some((last, shown.find(|at| *at > now)?))
     }
 
-    /// The frame that shows the first moment of these kinds between two times, in either direction;
-    /// `None` if there is none.
+    /// The time of the frame that shows the first moment of these kinds between two times, in
+    /// either direction; `None` if there is none.
     pub fn between(&self, from: Duration, to: Duration, kinds: &[MomentKind]) -> Option<Duration> {
         let stops = |it: &&Moment| kinds.contains(&it.kind);
         let times = self.moments.iter().filter(stops).map(|it| it.at);
@@ -123,7 +123,7 @@ impl Contents {
     }
 }
 
-/// The frame that shows a time; a frame contains the events before its end.
+/// The time of the frame that shows an event at `at`; a frame contains the events before its end.
 pub(super) fn showing(at: Duration) -> Duration {
     let frames = at.as_millis() / FRAME.as_millis() + 1;
     FRAME * u32::try_from(frames).unwrap_or(u32::MAX)

@@ -146,7 +146,7 @@ impl Film {
             .chain(faults)
     }
 
-    /// Why the review next to it could not be read.
+    /// Why the review next to it could not be read, if so.
     pub fn review_fault(&self) -> Option<&Text> {
         self.review_fault.as_ref()
     }

@@ -47,7 +47,7 @@ impl Player {
         self.position.is_playing
     }
 
-    /// The stretch that is repeated.
+    /// The section that is repeated.
     pub fn repeated(&self) -> Option<(Duration, Duration)> {
         self.position.looped
     }
@@ -64,7 +64,7 @@ impl Player {
         self.position.rate = rate;
     }
 
-    /// Repeats a stretch, beginning at its start; `None` ends the repetition.
+    /// Repeats a section, beginning at its start; `None` ends the repetition.
     pub fn repeat(&mut self, stretch: Option<(Duration, Duration)>) {
         self.position.looped = stretch;
         if let Some((from, _)) = stretch {
@@ -72,7 +72,7 @@ impl Player {
         }
     }
 
-    /// Stops at moments of these kinds.
+    /// Sets the kinds of moments at which playback stops.
     pub fn stop_at(&mut self, kinds: Vec<MomentKind>) {
         self.position.stops = kinds;
     }

@@ -57,7 +57,7 @@ pub(super) struct Cast {
     scene: Scene,
     /// The index of the journal's next line.
     next_line: usize,
-    /// The index of the line up to which the radio has been changed.
+    /// The index of the next journal line to check for a radio state.
     radio_line: usize,
     /// The mission time so far.
     elapsed: Duration,
@@ -78,7 +78,7 @@ pub(super) struct Cast {
 }
 
 impl Stage {
-    /// The beginning of a recording.
+    /// A stage at the beginning of a recording.
     ///
     /// # Errors
     /// The file is gone.
@@ -125,7 +125,7 @@ impl Stage {
         self.cast.gap.map(|lasts| from..from + lasts)
     }
 
-    /// The number of MAVLink frames so far.
+    /// The number of MAVLink frames received since the stage was built.
     pub fn heard(&self) -> u64 {
         self.heard
     }

@@ -15,7 +15,7 @@ const MERGED_WITHIN: Duration = Duration::from_secs(5);
 pub enum SafetyKind {
     /// Outside the geofence, or inside an excluded area of it.
     Geofence,
-    /// Above the highest height that the mission allows.
+    /// Above the maximum height that the mission allows.
     TooHigh,
     /// Crashed or fell, so that the vehicle is lost.
     Crash,
@@ -52,7 +52,7 @@ pub enum SafetyKind {
 }
 
 impl SafetyKind {
-    /// Whether the autopilot has taken over, to land or to return.
+    /// Whether it is a failsafe, in which the autopilot takes over to land or to return.
     pub fn is_failsafe(self) -> bool {
         matches!(
             self,
@@ -187,7 +187,7 @@ pub struct SafetyLog {
 }
 
 impl SafetyLog {
-    /// Notes a breach at this moment; repeated calls extend the event. Returns `true` for a new
+    /// Notes a breach at `now`; a repetition within 5 s extends the event. Returns `true` for a new
     /// event.
     pub fn note(
         &mut self,

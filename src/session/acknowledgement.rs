@@ -1,4 +1,4 @@
-//! `COMMAND_ACK`, including that of commands unknown to the dialect.
+//! `COMMAND_ACK`, including acknowledgements of commands unknown to the dialect.
 
 use std::time::Duration;
 

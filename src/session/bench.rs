@@ -24,7 +24,7 @@ pub(super) struct Bench {
     ruler: Encoder,
 }
 
-/// One direction.
+/// One direction of the radio.
 #[derive(Debug, Clone)]
 struct Lane<T> {
     /// The frames in transit, with the time of their arrival and their length.
@@ -60,8 +60,8 @@ impl<T> Lane<T> {
         Some(item)
     }
 
-    /// When a frame arrives; `None` if it is lost. Both random numbers are always drawn, so that a
-    /// change of one figure leaves the other losses alike.
+    /// The arrival time of a frame; `None` if it is lost. Both random numbers are always drawn, so
+    /// that changing the jitter does not change which frames are lost.
     fn due(
         &mut self,
         test: RadioTest,
@@ -80,7 +80,7 @@ impl<T> Lane<T> {
         Some(self.busy_until + test.delay + test.jitter.mul_f64(late))
     }
 
-    /// Accepts an item at its time of arrival; never before earlier ones.
+    /// Queues an item until `due`, but never before earlier items; `None` counts it as lost.
     fn push(&mut self, due: Option<Duration>, len: usize, item: T) {
         let Some(due) = due else {
             self.traffic.lost += 1;

@@ -1,11 +1,14 @@
-//! The files of a vehicle, by `MAVLink` FTP: one client per vehicle, without input and output of its own.
+//! The files of a vehicle, by `MAVLink` FTP: one client per vehicle, without input and output of
+//! its own.
 //!
-//! A user asks for an [`FtpTask`], keeps the [`FtpTicket`], and receives [`FtpEvent`]s with that ticket from
-//! [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one session for all clients.
+//! The caller queues an [`FtpTask`], keeps the [`FtpTicket`], and receives [`FtpEvent`]s with that
+//! ticket from [`FtpClient::step`]. Tasks are carried out one after the other: `ArduPilot` has one
+//! session for all clients.
 //!
-//! Servers differ: `ArduPilot` takes the client's session number, PX4 assigns its own. A burst ends after 500 packets,
-//! at the end of the file, or without notice. The client handles packets that are lost, duplicated or out of order.
-//! Source: <https://mavlink.io/en/services/ftp.html> and `GCS_FTP.cpp` of `ArduPilot`.
+//! Servers differ: `ArduPilot` takes the client's session number, PX4 assigns its own. A burst ends
+//! after 500 packets, at the end of the file, or without notice. The client handles packets that
+//! are lost, duplicated or out of order. Source: <https://mavlink.io/en/services/ftp.html> and
+//! `GCS_FTP.cpp` of `ArduPilot`.
 
 use std::collections::VecDeque;
 use std::time::Duration;
@@ -58,7 +61,8 @@ pub enum FtpTask {
     Read { path: String, gaps: Option<GapMap> },
     /// The checksum of a file of this size in bytes ([`FtpChecksum`](crate::wire::FtpChecksum)).
     Checksum { path: String, size: u32 },
-    /// Replace a file. It takes effect when it is closed, after the last byte.
+    /// A file to replace. The new content takes effect when the file is closed, after the last
+    /// byte.
     Write { path: String, bytes: Vec<u8> },
 }
 

@@ -199,7 +199,6 @@ mod tests {
     }
 
     proptest! {
-        /// The map gives the same answer for each byte as a list of all bytes.
         #[test]
         fn it_is_as_good_as_a_list_of_all_bytes(changes in proptest::collection::vec(change(), 0..60)) {
             const SIZE: usize = 250;

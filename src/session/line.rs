@@ -49,7 +49,7 @@ struct Holding {
     claim: Claim,
 }
 
-/// The inputs of orders at one moment, and the output.
+/// The inputs and the output of the line at one time.
 pub(super) struct Moment<'a> {
     pub vehicle: &'a mut Vehicle,
     pub parameters: &'a ParameterList,
@@ -253,7 +253,7 @@ impl Line {
         }
     }
 
-    /// Keeps an order that was carried out.
+    /// Keeps the claim of an order that was carried out, if it has one.
     fn hold(&mut self, order: &Transaction) {
         if order.is_done() && !order.claim().is_empty() {
             self.holding = Some(Holding {

@@ -390,7 +390,7 @@ fn failed(reason: Text) -> RowEnding {
     RowEnding::new(RowState::Refused, reason)
 }
 
-/// Ends a transfer, so that the vehicle may write its log again.
+/// A request to end a transfer, so that the vehicle may write its log again.
 fn request_end(vehicle: &Vehicle) -> Outgoing {
     MavMessage::LOG_REQUEST_END(LOG_REQUEST_END_DATA {
         target_system: vehicle.system,

@@ -83,7 +83,7 @@ pub(super) enum Searching {
     Wait,
     /// The order's deadline passed before enough requests were sent.
     TooLate,
-    /// The vehicle has neither name.
+    /// All requests were sent, and no answer came under either name.
     Over,
 }
 

@@ -31,7 +31,8 @@ const AFTER_FIRST_HEARD: Duration = Duration::from_secs(3);
 /// The delay between groups of a swarm's vehicles, by system id, and the number of groups.
 const STAGGER: Duration = Duration::from_millis(100);
 const STAGGER_GROUPS: u32 = 16;
-/// A vehicle that has not reported its capabilities by then is asked for its plan anyway, since every vehicle has one.
+/// A vehicle that has not reported its capabilities within this time is asked for its plan anyway,
+/// since every vehicle has one.
 const CAPABILITIES_WITHIN: Duration = Duration::from_secs(10);
 /// How long an upload counts as under way after its last sign.
 const SETTLED_AFTER: Duration = Duration::from_millis(1500);
@@ -233,7 +234,7 @@ impl PlanReader {
         }
     }
 
-    /// Whether a list has never been requested.
+    /// Whether a list has never been requested, and is neither due nor being read.
     fn is_fresh(&self, list: usize) -> bool {
         let is_coming = |download: &Download| download.kind as usize == list;
         self.due[list].is_none()
@@ -339,7 +340,8 @@ impl PlanReader {
         id.is_some_and(|id| id != 0)
     }
 
-    /// Compares announcements: the first one concerns the list being read anyway.
+    /// Compares the counts and ids of the lists with the last ones announced. The first
+    /// announcement changes nothing, since the lists are read anyway.
     fn compare(&mut self, data: &MISSION_CURRENT_DATA, now: Duration, out: &mut Vec<MavMessage>) {
         let [total, plan, fence, rally] = [
             u32::from(data.total),

@@ -24,13 +24,13 @@ use crate::wire::{Content, Frame, MavAddress, Outgoing, Seal, SystemId};
 const TRIES: u8 = 5;
 /// The time between two attempts.
 const SEND_EVERY: Duration = Duration::from_secs(1);
-/// The time between two questions, and the time for an answer to any of them.
+/// The time between two questions, and the time limit for an answer to any of them.
 const ASK_EVERY: Duration = Duration::from_millis(500);
 const ANSWER_WITHIN: Duration = Duration::from_secs(5);
 /// How many times the earlier key is sent.
 const TIMES_BACK: u8 = 3;
 
-/// The keys, as a session needs them.
+/// The interface through which a session manages signing keys.
 pub trait KeyDesk: Debug + Send + Sync {
     /// Prepares a change; its key is in the file afterwards.
     ///
@@ -319,7 +319,7 @@ fn question(vehicle: MavAddress, since: Duration) -> Outgoing {
     .into()
 }
 
-/// A negative number, so that no measurement of the round trip has the same one.
+/// A negative number, so that no measurement of the round trip uses the same number.
 fn nonce(since: Duration) -> i64 {
     -1 - i64::try_from(since.as_nanos()).unwrap_or(i64::MAX - 1)
 }

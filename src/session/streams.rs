@@ -1,7 +1,7 @@
 //! Requests the telemetry for display, without competing with other ground stations for the rates.
 //!
-//! The reader counts the messages that arrive. A message that arrives often enough is left alone,
-//! even if another station requested it. One that arrives too rarely is requested, a few times at
+//! The messages that arrive are counted. A message that arrives often enough is left alone, even if
+//! another station requested it. A message that arrives too rarely is requested, a few times at
 //! most: if another ground station keeps changing the rate back, that station wins.
 
 use std::collections::BTreeMap;
@@ -69,7 +69,7 @@ const HOME_EVERY: u32 = 16;
 /// The share of the wanted rate that is sufficient.
 const GOOD_ENOUGH: f64 = 0.7;
 
-/// Watches the rates of one vehicle.
+/// Monitors the message rates of one vehicle.
 #[derive(Debug, Clone)]
 pub(super) struct Streams {
     wanted: &'static [Stream],
@@ -146,8 +146,9 @@ impl Streams {
             .collect()
     }
 
-    /// The request for the vehicle's modes: a few times for all of them and for each one that was lost, and again when
-    /// they change. A vehicle that announces none refuses, and keeps the built-in names.
+    /// The request for the vehicle's modes: a few times for all of them and for each one that was
+    /// lost, and again when they change. A vehicle that announces no modes refuses the request, and
+    /// its modes keep the built-in names.
     fn modes_to_ask(&mut self, vehicle: &Vehicle) -> Option<QueryCommand> {
         let monitor = vehicle.modes.monitor();
         if self.modes_monitor != monitor {

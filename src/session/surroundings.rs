@@ -59,7 +59,7 @@ impl Surroundings {
         self.channel.is_cut()
     }
 
-    /// Whether nothing is in transit, and all parameters are set.
+    /// Whether the radio link is perfect, nothing is in transit, and all parameters are set.
     pub fn are_settled(&self) -> bool {
         self.channel.is_clear() && self.settings.are_settled()
     }

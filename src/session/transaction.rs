@@ -42,7 +42,7 @@ enum TransactionPhase {
         result: AckResult,
         until: Duration,
     },
-    /// Accepted, or sent where no answer exists.
+    /// Accepted, or sent as a message that has no answer; the effect is awaited.
     AwaitingEffect {
         since: Duration,
         /// How many times a setpoint, which has no answer, was repeated.
@@ -70,7 +70,7 @@ pub(super) struct Transaction {
     effect: Effect,
     /// Whether the effect was there before the command, so that only newer telemetry proves it.
     effect_was_there: bool,
-    /// Whether it was accepted, or sent where no acceptance exists.
+    /// Whether it was accepted, or sent as a message that has no answer.
     is_accepted: bool,
     /// The claim that holds while its effect lasts.
     claim: Claim,
@@ -151,7 +151,7 @@ impl Transaction {
         self.is_accepted && self.order.verb.movement.moves()
     }
 
-    /// Whether the vehicle has accepted it, or no acceptance exists.
+    /// Whether the vehicle has accepted it, or it has no answer.
     pub fn is_accepted(&self) -> bool {
         self.is_accepted
     }

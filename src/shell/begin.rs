@@ -144,7 +144,7 @@ impl Console {
         }
     }
 
-    /// Abandons a flight that counts if it is left after its clock has started. If the terminal
+    /// Abandons the flight if leaving it counts, because its clock has started. If the terminal
     /// disappears, the next start of the program counts the flight as left, with a notice.
     fn end_flight(&mut self) {
         let Some(running) = &mut self.running else {

@@ -16,7 +16,7 @@ use crate::scoring::TryReport;
 use crate::store::{self, Landing, RunEntry, day_of};
 use crate::text;
 
-/// Days since 1970 in UTC.
+/// The current day, as days since 1970 (UTC).
 pub(super) fn today() -> i64 {
     day_of(SystemTime::now())
 }

@@ -86,7 +86,7 @@ impl Console {
         })
     }
 
-    /// Shows the other flight once it is ready.
+    /// Shows the other flight once it is ready, or the reason if it could not be fetched.
     pub(super) fn take_ghost(&mut self) {
         let Some(work) = self.ghost.take_if(|it| it.is_finished()) else {
             return;

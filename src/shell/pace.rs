@@ -1,4 +1,4 @@
-//! The console's ticks: more frequent the faster simulated time runs.
+//! The console's ticks: the faster simulated time runs, the more frequent they are.
 
 use std::time::Duration;
 

@@ -44,7 +44,8 @@ impl Console {
         }
     }
 
-    /// Notes that the whole program was stopped, as by Ctrl-Z: with the embedded simulator, that was a pause.
+    /// Notes that the whole program was stopped, as by Ctrl-Z: with the embedded simulator, the
+    /// stop counts as a pause.
     pub(super) fn note_stop(&mut self) {
         let Some(lasted) = self.clock.take_stopped() else {
             return;
@@ -89,8 +90,8 @@ impl Console {
         running.map_or(self.options.speedup, RunningSession::speedup)
     }
 
-    /// On the first reading of a brief, stops a mission in the embedded simulator once its vehicles are there. Resumes
-    /// it when the brief is left.
+    /// When a brief is first read, stops a mission in the embedded simulator once its vehicles are
+    /// there. Resumes it when the brief is left.
     pub(super) fn wait_for_reader(&mut self) {
         let session = self.app.state().session();
         let is_reading = session.is_reading();
@@ -131,7 +132,7 @@ impl Console {
     }
 }
 
-/// The journal's entry of a pause.
+/// The journal's entry for a pause.
 fn paused_for(lasted: Duration) -> Happening {
     let ms = u64::try_from(lasted.as_millis()).unwrap_or(u64::MAX);
     Happening::Paused { ms }

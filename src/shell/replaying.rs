@@ -18,8 +18,8 @@ use crate::text::Text;
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 
 impl Console {
-    /// Replays a recording in place of the current session, or starts with its review. The
-    /// recording is the one at `path`, otherwise that of the current session, otherwise the
+    /// Replays a recording in place of the current session; with `review`, begins with its review.
+    /// The recording is the one at `path`, otherwise that of the current session, otherwise the
     /// trainee's newest.
     pub(super) fn replay(&mut self, path: Option<&str>, review: bool) -> Result<(), Text> {
         if let Some(path) = path {
@@ -72,7 +72,7 @@ impl Console {
         Ok(())
     }
 
-    /// Carries out the user's control of a replay.
+    /// Applies the user's action to the replay.
     pub(super) fn steer_replay(&mut self, effect: ReplayEffect) {
         let is_review = matches!(effect, ReplayEffect::Keep(_));
         let events = self.replaying.as_mut().map(|it| it.steer(effect));

@@ -70,7 +70,7 @@ pub(super) struct RunningSession {
     vehicle_time: PacedClock,
     /// The processes of its vehicles.
     processes: Option<Processes>,
-    /// Its recorder, if it is recorded.
+    /// The recorder, if the session is recorded.
     recorder: Option<FlightRecorder>,
     cancel: CancellationToken,
 }
@@ -200,7 +200,7 @@ impl RunningSession {
         collected
     }
 
-    /// The path of its recorded frames, if recorded.
+    /// The path of the session's recorded frames; `None` if the session is not recorded.
     pub fn record(&self) -> Option<&std::path::Path> {
         self.recorder.as_ref()?.frames()
     }

@@ -36,8 +36,8 @@ impl Sight {
         self.drawn = None;
     }
 
-    /// How long to wait before the next frame; `None` if no frame is needed or only the terminal
-    /// decides.
+    /// How long to wait before the next frame; `None` if no frame is needed, or if it must wait for
+    /// the terminal.
     pub fn next_frame_in(&self, state: &State, screen: &mut Screen) -> Option<Duration> {
         let wanted = self.bell || !self.notes.is_empty() || self.drawn != Some(state.revision());
         wanted.then(|| screen.next_frame_in()).flatten()

@@ -1,4 +1,4 @@
-//! Drafts flown in simulation, in a thread beside the console's own work.
+//! Drafts flown in simulation, in a background thread.
 
 use std::thread::JoinHandle;
 

@@ -69,7 +69,7 @@ impl std::fmt::Debug for VehicleRow {
 }
 
 impl Keyring {
-    /// Reads a keyring; an empty text is an empty one.
+    /// Reads a keyring; an empty text gives an empty keyring.
     ///
     /// # Errors
     /// The line of the first fault.
@@ -94,8 +94,8 @@ impl Keyring {
         Ok(ring)
     }
 
-    /// The text of the file at a time of this machine, with the last stamp that may be used once it is written: pass
-    /// it to [`Self::written`].
+    /// The text of the file at this machine's time `wall`, with the last stamp that may be used
+    /// once it is written: pass it to [`Self::written`].
     pub fn write(&mut self, wall: u64) -> (String, u64) {
         self.has_changed = false;
         self.is_asked = false;

@@ -264,7 +264,7 @@ fn a_row_by_hand_needs_system_link_and_key() {
 /// An event that affects the timestamps of a console.
 #[derive(Debug, Clone)]
 enum Turn {
-    /// A message at a time of this machine, whose clock may be set.
+    /// A message at this time of the machine's clock, which may be changed.
     Say(u64),
     /// A frame of the vehicle with this stamp.
     Hear(u64),

@@ -19,8 +19,8 @@ const COMPENSATED: (f64, f64) = (9.6 / 12.6, 12.8 / 12.6);
 /// Lever arm times hover throttle of the default quad, whose gains are the autopilot's defaults.
 const USUAL_AUTHORITY: f64 = 0.35 * 0.39;
 
-/// The start parameters of every vehicle of a kind: calibrations that are not all zero, and for a copter the settings
-/// of the embedded simulator.
+/// The start parameters of every vehicle of a kind: calibrations that are not all zero, and
+/// settings of the kind, which for a copter match the embedded simulator.
 pub(super) fn of(kind: SitlKind) -> Vec<(String, f64)> {
     let mut all = vec![("BATT_MONITOR".to_owned(), 4.0)];
     for compass in ["", "2", "3"] {

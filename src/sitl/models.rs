@@ -93,7 +93,8 @@ fn of(kind: SitlKind) -> impl Iterator<Item = &'static SitlModel> {
 /// requested parameters.
 ///
 /// # Errors
-/// No model fits, or the named one does not; the error lists the models that fit.
+/// No model fits; or the named one is unknown or does not fit, and the error lists the
+/// alternatives.
 pub(super) fn choose(
     kind: SitlKind,
     name: Option<&str>,

@@ -38,7 +38,7 @@ pub enum SitlStage {
 }
 
 impl SitlStage {
-    /// Its name as in JSON.
+    /// The stage's name in JSON.
     pub fn word(self) -> &'static str {
         self.into()
     }

@@ -30,7 +30,8 @@ impl AppendFile {
         }
     }
 
-    /// Appends bytes completely. On failure the earlier content stays; an empty file is removed.
+    /// Appends all the bytes or none. On failure the earlier content stays; a file that is still
+    /// empty is removed.
     ///
     /// # Errors
     /// The disk is full or unavailable.

@@ -60,10 +60,10 @@ impl History {
         Ok(lines)
     }
 
-    /// Adds a line.
+    /// Adds a line, unless it is blank or contains control characters.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The line cannot be written.
     pub fn add(&self, line: &str) -> io::Result<()> {
         if !is_plain(line) {
             return Ok(());

@@ -77,13 +77,13 @@ impl From<&KeyFileFault> for Text {
 }
 
 impl KeyFile {
-    /// The path of the file in a folder of data.
+    /// The path of the key file in a data folder.
     pub fn path_within(data: &Path) -> PathBuf {
         data.join(KEY_FILE)
     }
 
-    /// Reads the keys in a folder of data, and keeps other consoles from using them. Without a
-    /// file, the keyring is empty.
+    /// Reads the keys in a data folder, and keeps other consoles from using them. Without a file,
+    /// the keyring is empty.
     ///
     /// # Errors
     /// Others could read the file, another console uses it, or it cannot be read.

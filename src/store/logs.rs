@@ -45,7 +45,7 @@ impl LogFolder {
         }
     }
 
-    /// Creates the folder of a log. If the user has named the folder, its mode is the user's choice.
+    /// Creates the folder of a log; one that the user named gets the usual mode of a new folder.
     fn make_folder(&self, log: &VehicleLog) -> Result<(), StoreError> {
         let folder = self.folder_of(log);
         let made = if log.folder.is_some() {
@@ -63,7 +63,7 @@ impl LogFolder {
         LogPart::new(&self.folder_of(log), &name)
     }
 
-    /// The possible paths of the complete file, the best first.
+    /// The possible paths of the complete file, in order of preference.
     fn paths(&self, log: &VehicleLog) -> impl Iterator<Item = PathBuf> + use<> {
         let mut name = format!("v{}-log{}", log.vehicle, log.log.number);
         let time = u64::from(log.log.time_utc_s);

@@ -7,11 +7,13 @@ use std::path::Path;
 /// Creates a hard link; file systems without them refuse it.
 pub(super) type LinkFile = fn(&Path, &Path) -> io::Result<()>;
 
-/// Renames a finished draft. Unlike [`fs::rename`], it never replaces a file that has that name, even one that appears
-/// in the meantime. Where hard links exist, the draft also keeps its own name, and the caller removes it.
+/// Renames a finished draft. Unlike [`fs::rename`], it never replaces a file that has that name,
+/// even one that appears in the meantime. Where hard links exist, the draft also keeps its own
+/// name, and the caller removes it.
 ///
 /// # Errors
-/// [`io::ErrorKind::AlreadyExists`] if the name is taken; or the folder cannot be written.
+/// [`io::ErrorKind::AlreadyExists`] if the name is taken, or another error if the folder cannot be
+/// written.
 pub fn give_new_name(draft: &Path, name: &Path) -> io::Result<()> {
     give_new_name_by(|from, to| fs::hard_link(from, to), draft, name)
 }

@@ -48,11 +48,11 @@ fn write_with_mode(path: &Path, text: &str, replace: bool, mode: u32) -> Result<
     })
 }
 
-/// Writes results of a trainee: `-` is standard output, an existing file is replaced. `readers` are
-/// those who may read a new file.
+/// Writes results of a trainee: `-` is standard output, an existing file is replaced. `readers`
+/// determines who may read a new file.
 ///
 /// # Errors
-/// It cannot be written.
+/// The output cannot be written.
 pub fn write_output(path: &Path, text: &str, readers: Readers) -> Result<(), StoreError> {
     if !is_standard_output(path) {
         let mode = match readers {
@@ -102,7 +102,7 @@ fn is_standard_output(path: &Path) -> bool {
     path == Path::new(STANDARD_OUTPUT)
 }
 
-/// Whether an existing path is not a regular file, or names an open one.
+/// Whether an existing path is not a regular file, or names an open file.
 fn leads_on(path: &Path, found: &Metadata) -> bool {
     !found.is_file() || links::is_open_file(path)
 }

@@ -12,7 +12,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The maximum size of a file, in bytes: a hundred times that of a plan with all the items that a vehicle can carry.
+/// The maximum size of the file of a kept list, in bytes: a hundred times that of a plan with all
+/// the items that a vehicle can carry.
 const LONGEST: u64 = 16 * 1024 * 1024;
 
 /// Reads the text of a plan file of at most 1 MiB; of an archive (KMZ), the KML in it.

@@ -33,7 +33,7 @@ use opening::private;
 pub use rescue::Rescue;
 pub use transfer::ProfileFile;
 
-/// The file in the program's data folder.
+/// The name of the database file in the program's data folder.
 const FILE: &str = "profiles.sqlite";
 /// How long a console waits while another one writes.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -85,7 +85,7 @@ impl Profile {
 }
 
 impl Profiles {
-    /// Whether it was opened read-only.
+    /// Whether the profiles were opened read-only.
     pub fn is_read_only(&self) -> bool {
         self.is_read_only
     }
@@ -93,7 +93,7 @@ impl Profiles {
     /// Checks that changes can be stored.
     ///
     /// # Errors
-    /// It was opened read-only.
+    /// The profiles were opened read-only.
     pub fn require_writable(&self) -> Result<(), ProfileError> {
         if self.is_read_only {
             let path = self.path.clone();

@@ -180,7 +180,7 @@ impl Records {
         numbered(self.list(), number)
     }
 
-    /// The frames of the newest record that has any.
+    /// The frames of the newest record that has any, if there is one.
     pub fn newest(&self) -> Option<PathBuf> {
         let mut newest_first = self.list().into_iter().rev();
         newest_first.find_map(|it| it.frames.filter(|path| has_content(path)))
@@ -215,7 +215,7 @@ impl Records {
     }
 
     /// Creates the files of a record, after making room. Its stem is that of a run, or consists of
-    /// the time of day `when` (in the format of [`utc`](super::utc)) and the subject.
+    /// the date and time `when` (in the format of [`utc`](super::utc)) and the subject.
     ///
     /// # Errors
     /// The files cannot be created.
@@ -264,7 +264,8 @@ impl Records {
         ))
     }
 
-    /// Removes the oldest records above the limits, except those being written.
+    /// Removes the oldest records until one more fits within the limits; records being written
+    /// stay.
     fn make_room(&self) {
         let mut bytes = 0;
         for (newer, files) in self.list().into_iter().rev().enumerate() {

@@ -21,7 +21,7 @@ use crate::campaign::is_practice;
 use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
 
-/// The format of a time of day in UTC: `2026-11-20T14:03:22Z`.
+/// The format of a date and time in UTC: `2026-11-20T14:03:22Z`.
 const MOMENT: &str = "%Y-%m-%dT%H:%M:%SZ";
 /// The suffix of a run's file.
 pub(super) const ENDING: &str = ".run.jsonl";
@@ -71,7 +71,7 @@ impl Runs {
         &self.folder
     }
 
-    /// Creates the file of a run, after making room. `when` is the time of day in UTC, in the
+    /// Creates the file of a run, after making room. `when` is the date and time in UTC, in the
     /// format of [`utc`].
     ///
     /// # Errors
@@ -277,7 +277,7 @@ pub fn read_run(path: &Path) -> io::Result<String> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// A time of day in UTC: `2026-11-20T14:03:22Z`. Times before 1970 become the start of 1970.
+/// A date and time in UTC: `2026-11-20T14:03:22Z`. Times before 1970 become the start of 1970.
 pub fn utc(time: SystemTime) -> String {
     let since = time.duration_since(UNIX_EPOCH).unwrap_or_default();
     let seconds = i64::try_from(since.as_secs()).ok();
@@ -285,12 +285,12 @@ pub fn utc(time: SystemTime) -> String {
     moment.unwrap_or_default().format(MOMENT).to_string()
 }
 
-/// Whether a text is a time of day in the format of [`utc`].
+/// Whether a text is a date and time in the format of [`utc`].
 pub(super) fn is_moment(text: &str) -> bool {
     moment(text).is_some()
 }
 
-/// Parses a time of day in the format of [`utc`]; `None` for anything else.
+/// Parses a date and time in the format of [`utc`]; `None` for anything else.
 pub(super) fn moment(text: &str) -> Option<SystemTime> {
     let time = NaiveDateTime::parse_from_str(text, MOMENT).ok()?;
     let is_ours = time.format(MOMENT).to_string() == text;

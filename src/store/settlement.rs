@@ -69,7 +69,7 @@ impl RunEntry {
     }
 }
 
-/// A run that was finished and recorded, but not stored.
+/// A recorded run that was missing from its profile, and was recovered.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recovery {
     pub profile: String,
@@ -204,8 +204,8 @@ struct LeftRun<'a> {
 }
 
 impl<'a> LeftRun<'a> {
-    /// Reads a record; `None` if it belongs to none of these profiles, or is still being written.
-    /// If the profile was created after the record, it merely has the same name.
+    /// Reads a record; `None` if it belongs to none of these profiles, or is still being written. A
+    /// profile created after the record does not count, although it has the same name.
     fn read(path: &Path, everybody: &'a [Profile]) -> Option<Self> {
         let (head, end) = outline(path).ok()?;
         let left = match end {

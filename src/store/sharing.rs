@@ -39,19 +39,19 @@ pub fn share_with_group(data: &Path) -> io::Result<()> {
     Ok(())
 }
 
-/// A difference between the readers that are set and those that a data folder has.
+/// A difference between the configured readers and those that the modes of a data folder allow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SharingFault {
     /// The group may read, but the folder lacks the mode for it. The kernel drops a set-group-ID bit silently if the
     /// folder's owner is not in its group.
     NotShared,
-    /// The group may read, but so many files and folders belong to another group.
+    /// The group may read, but this many files and folders belong to another group.
     OtherGroup(usize),
     /// Only the owner may read, but the group still can.
     StillShared,
 }
 
-/// Compares the readers that are set with the modes of an existing data folder; `None` if they agree.
+/// Compares the configured readers with the modes of an existing data folder; `None` if they agree.
 pub fn sharing_fault(data: &Path, readers: Readers) -> Option<SharingFault> {
     let facts = fs::metadata(data).ok()?;
     let mode = facts.permissions().mode();
@@ -123,7 +123,7 @@ fn is_shared(folder: &Path) -> bool {
     facts.is_ok_and(|facts| facts.permissions().mode() & SHARED_FOLDER == SHARED_FOLDER)
 }
 
-/// Adds missing bits to a mode.
+/// Adds missing bits to the mode of a path.
 fn allow(path: &Path, bits: u32) -> io::Result<()> {
     let mode = fs::metadata(path)?.permissions().mode();
     if mode & bits == bits {

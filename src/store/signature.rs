@@ -190,7 +190,7 @@ pub enum SignatureFault {
     OtherKey { key: String },
     /// The file or the signature's comment was changed after signing.
     Changed,
-    /// Its comment names another file, or none because another program made it.
+    /// The comment names another file, or no file because another program made the signature.
     OtherFile,
     /// Its key or its comment differs from those of the record's other files.
     Mixed,

@@ -41,7 +41,7 @@ const REACHED_ABOVE_M: f64 = 0.7;
 /// The distance at which a vehicle of a moving formation counts as in its place.
 const IN_PLACE_M: f64 = 2.0;
 
-/// The state of the vehicles for one step of a manoeuvre.
+/// The time, the vehicles and the rules for one step of a manoeuvre.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WorldView<'a> {
     pub now: Duration,

@@ -1,4 +1,4 @@
-//! From an order to a plan for each vehicle.
+//! Makes a plan for each vehicle from an order.
 
 use std::time::Duration;
 
@@ -22,7 +22,8 @@ const FORMATION_SPACING_M: f64 = 10.0;
 /// The default extent of an expanding square, in multiples of the spacing.
 pub(super) const SQUARE_TURNS: f64 = 5.0;
 
-/// The vehicles called to a manoeuvre.
+/// The planning of one manoeuvre: its order, the vehicles that can take part, and the resulting
+/// rows.
 pub(super) struct Planner<'a> {
     rules: Rules,
     vehicles: &'a Vehicles,

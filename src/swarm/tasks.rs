@@ -269,7 +269,8 @@ pub fn outermost_places(
     }
 }
 
-/// Where a vehicle's flight begins and ends: where it stands, or home if it is in the air.
+/// Where a vehicle's flight begins and ends: where it stands, or home if it is in the air; `None`
+/// if that place is unknown.
 pub fn base(vehicle: &Vehicle) -> Option<Home> {
     let (at, amsl_m) = if vehicle.airborne() {
         let home = vehicle.home?;

@@ -1,4 +1,4 @@
-//! The terminal's capabilities, by the environment.
+//! The terminal's capabilities, as its environment variables describe them.
 
 use crate::config::Symbols;
 use crate::text::{Text, text};
@@ -10,7 +10,7 @@ pub struct Environment {
     pub term: String,
     pub colorterm: String,
     pub no_color: String,
-    /// The locale of characters: the first one set of `LC_ALL`, `LC_CTYPE` and `LANG`.
+    /// The character locale: the first one set of `LC_ALL`, `LC_CTYPE` and `LANG`.
     pub locale: String,
 }
 

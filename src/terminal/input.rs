@@ -1,4 +1,4 @@
-//! From the bytes of a terminal to keys, pastes and answers.
+//! Parses the bytes of a terminal into keys, pastes and answers.
 //!
 //! The terminal library does not pass answers on, but they show the speed of the line (see `pace`).
 //! Only sequences that real terminals send are recognised; all others are skipped and never taken
@@ -77,8 +77,8 @@ impl Parser {
         !self.bytes.is_empty() && self.paste.is_none()
     }
 
-    /// Handles a time-out: a lone Esc character was the Esc key, and a longer incomplete sequence
-    /// is dropped.
+    /// Handles a time-out: returns the Esc key if a lone Esc character is waiting; a longer
+    /// incomplete sequence is dropped.
     pub fn give_up(&mut self) -> Option<Input> {
         let is_escape = self.bytes.first() == Some(&0x1b);
         let alone = self.bytes.len() == 1;

@@ -15,11 +15,13 @@ const SEQUENCE_PATIENCE: Duration = Duration::from_millis(50);
 /// The maximum number of pieces of input in the queue; faster input is held back.
 const PIECES: usize = 16;
 
-/// The input of the terminal. Dropping it leaves its thread in its last read, which ends with the program.
+/// The input of the terminal. Dropping it does not end its thread, which stays in its last read
+/// until the program ends.
 pub struct Keyboard {
     pieces: mpsc::Receiver<Vec<u8>>,
     parser: Parser,
-    /// The time since which an incomplete sequence has been waiting for its end.
+    /// When the parser began to wait for the end of an incomplete sequence; `None` if none is
+    /// incomplete.
     waiting_since: Option<Instant>,
 }
 

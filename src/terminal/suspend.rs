@@ -21,7 +21,7 @@ fn session(process: Pid) -> Option<Pid> {
     getsid(Some(process)).ok().filter(visible)
 }
 
-/// Stops every process of the job, including this one, as Ctrl-Z does where it is not a key.
+/// Stops every process of the job, including this one, as Ctrl-Z does outside raw mode.
 pub fn suspend_group() {
     // A process id of 0 stands for the program's own process group.
     let _ = kill(Pid::from_raw(0), Signal::SIGTSTP);

@@ -49,7 +49,7 @@ pub fn rounded(value: f64, decimals: i32) -> f64 {
     }
 }
 
-/// A time of day, given in microseconds since 1970 (UTC): `2026-11-20 14:03:22`.
+/// A date and time, given in microseconds since 1970 (UTC): `2026-11-20 14:03:22`.
 pub fn utc_of(unix_us: u64) -> String {
     let signed_us = i64::try_from(unix_us).ok();
     let time = signed_us.and_then(DateTime::from_timestamp_micros);
@@ -74,7 +74,7 @@ pub fn clock_s(seconds: f64) -> String {
     clock(Duration::try_from_secs_f64(seconds.max(0.0)).unwrap_or(Duration::MAX))
 }
 
-/// A duration in words: `90 s`, beyond 120 s `2:05`.
+/// A duration as text: `90 s` up to 120 s, beyond that `2:05`.
 pub fn lasting(time: Duration) -> String {
     let seconds = time.as_secs();
     if seconds <= LONGEST_IN_SECONDS {

@@ -18,7 +18,8 @@ pub struct Locale {
 
 type Bundle = FluentBundle<FluentResource>;
 
-/// The messages are parsed only once: parsing a language takes as long as drawing many screens.
+/// The English messages, parsed only once: parsing a language takes as long as drawing many
+/// screens.
 static ENGLISH: LazyLock<Bundle> = LazyLock::new(|| bundle(Language::English));
 static UKRAINIAN: LazyLock<Bundle> = LazyLock::new(|| bundle(Language::Ukrainian));
 

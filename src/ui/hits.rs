@@ -27,7 +27,7 @@ impl Hits {
         self.all().push(HitArea { place, action });
     }
 
-    /// The action at a cell; the area drawn last is on top.
+    /// The action at a cell, if any; the area drawn last is on top.
     pub fn at(&self, column: u16, row: u16) -> Option<Action> {
         let at = Position::new(column, row);
         let all = self.all();

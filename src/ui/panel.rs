@@ -153,7 +153,7 @@ impl<'a> Panel<'a> {
         buffer.set_style(self.area, self.style(Role::Text));
     }
 
-    /// Clears a centred box, draws its frame and returns its inside.
+    /// Clears the panel, draws a frame with a title along its edge, and returns the area inside.
     pub fn boxed(self, title: &str, role: Role, buffer: &mut Buffer) -> Rect {
         self.clear(buffer);
         let block = Block::bordered()

@@ -115,8 +115,8 @@ impl Role {
         Self::Drone6,
     ];
 
-    /// The role that replaces this one in a theme that neither inherits nor defines it. A theme therefore needs only
-    /// the roles of the first version.
+    /// The role that replaces this one in a theme that neither inherits nor defines it. A theme
+    /// therefore needs to define only the roles of the program's first version.
     fn stand_in(self) -> Option<Self> {
         match self {
             Self::Armed | Self::Alert => Some(Self::Danger),

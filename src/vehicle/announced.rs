@@ -1,4 +1,5 @@
-//! The modes that a vehicle announces (`AVAILABLE_MODES`). Where it announces none, the built-in names hold.
+//! The modes that a vehicle announces (`AVAILABLE_MODES`). If it announces none, the built-in names
+//! are used.
 
 use std::sync::Arc;
 
@@ -22,7 +23,7 @@ pub struct AnnouncedMode {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct AnnouncedModes {
     list: Arc<Vec<AnnouncedMode>>,
-    /// How many there are; 0 while none was announced.
+    /// The number of modes in the vehicle's list; 0 while none was announced.
     total: u8,
     /// The last number of `AVAILABLE_MODES_MONITOR`, which changes with the list.
     monitor: Option<u8>,
@@ -42,7 +43,7 @@ impl AnnouncedModes {
         }
     }
 
-    /// Notes the monitor's number; another one than before makes the list stale.
+    /// Notes the monitor's number; a number other than the last one makes the list stale.
     pub fn note_monitor(&mut self, number: u8) {
         if self.monitor.is_some_and(|known| known != number) {
             *self = Self::default();
@@ -50,22 +51,22 @@ impl AnnouncedModes {
         self.monitor = Some(number);
     }
 
-    /// The monitor's number, if it sends one.
+    /// The monitor's number, if the vehicle sends one.
     pub fn monitor(&self) -> Option<u8> {
         self.monitor
     }
 
-    /// Whether none was announced.
+    /// Whether no mode has been announced.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty()
     }
 
-    /// Whether all have arrived.
+    /// Whether all modes of the list have arrived.
     pub fn is_complete(&self) -> bool {
         self.total > 0 && self.list.len() == usize::from(self.total)
     }
 
-    /// The index of the first mode of the list that has not arrived.
+    /// The index of the first mode of the list that has not arrived; `None` if none is missing.
     pub fn missing(&self) -> Option<u8> {
         let has = |index: &u8| self.list.iter().any(|mode| mode.index == *index);
         (1..=self.total).find(|index| !has(index))
@@ -76,12 +77,13 @@ impl AnnouncedModes {
         self.list.iter()
     }
 
-    /// The mode of this number.
+    /// The mode of this number, if it was announced.
     pub fn numbered(&self, number: u32) -> Option<&AnnouncedMode> {
         self.list.iter().find(|mode| mode.number == number)
     }
 
-    /// The mode of this name; case does not matter and underscores are optional.
+    /// The mode of this name, if it was announced; case does not matter and underscores are
+    /// optional.
     pub fn named(&self, name: &str) -> Option<&AnnouncedMode> {
         self.list.iter().find(|mode| is_same_name(&mode.name, name))
     }

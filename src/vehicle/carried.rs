@@ -70,7 +70,7 @@ impl CarriedLists {
         }
     }
 
-    /// Whether all of them carry the same list.
+    /// Whether all the vehicles carry the same list.
     pub fn are_same(&self) -> bool {
         self.groups.len() == 1 && self.unread.is_empty() && self.without.is_empty()
     }

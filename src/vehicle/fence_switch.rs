@@ -28,8 +28,9 @@ pub struct FenceSwitch {
 }
 
 impl FenceSwitch {
-    /// The switch by the vehicle's report ([`Health::fence_on`](super::Health::fence_on)) and by its parameters as they
-    /// were read. A command that switches the fence changes `FENCE_ENABLE` without reporting it.
+    /// The switch according to the vehicle's report ([`Health::fence_on`](super::Health::fence_on))
+    /// and to its parameters as last read. A command that switches the fence changes `FENCE_ENABLE`
+    /// without reporting it.
     pub fn of(reported: Option<bool>, parameter: impl Fn(&str) -> Option<f32>) -> Self {
         let stored = parameter("FENCE_ENABLE").map(|value| value > 0.0);
         // A fence that only reports breaches is always reported as off.

@@ -24,6 +24,7 @@ pub struct LegSpeed {
 
 impl LegSpeed {
     /// The mean speed after another measurement; measurements at a standstill leave it unchanged.
+    /// `None` until the vehicle has moved.
     pub fn after(before: Option<Self>, speed_m_s: f32, now: Duration) -> Option<Self> {
         if speed_m_s < STAYING_M_S {
             return before.map(|before| Self { at: now, ..before });

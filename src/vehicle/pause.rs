@@ -25,8 +25,8 @@ impl PlanPause {
         slowest_m_s: f32::INFINITY,
     };
 
-    /// The pause after a report of the phase; `is_news` means that another item or another plan has
-    /// become current.
+    /// The pause after a report of the phase; `phases` are the phases before and after it, and
+    /// `is_news` means that another item or another plan has become current.
     pub(crate) fn reported(
         before: Option<Self>,
         phases: [Option<PlanPhase>; 2],
@@ -56,7 +56,7 @@ impl Vehicle {
         self.flies_plan() && (reports_it || self.plan.pause.is_some())
     }
 
-    /// Notes that it accepted a command that begins or ends a pause.
+    /// Notes that the vehicle accepted a command that begins or ends a pause.
     pub fn note_pause(&mut self, change: PauseChange) {
         self.plan.pause = match change {
             PauseChange::Begins => self.plan.pause.or(Some(PlanPause::BEGUN)),

@@ -99,7 +99,7 @@ impl Plan {
         decisive.next().is_some_and(|it| is_jump(it.command))
     }
 
-    /// Whether it begins with a takeoff without a place, so that the path starts at home.
+    /// Whether the plan begins with a takeoff without a place, so the path starts at home.
     pub fn takes_off_in_place(&self) -> bool {
         let mut flown = self.flown().iter();
         let first = flown.find(|item| is_flown_to(item.command));
@@ -116,7 +116,8 @@ impl Plan {
     }
 }
 
-/// A fence of areas. The simple fence by parameters (`FENCE_RADIUS`, `FENCE_ALT_MAX`) is not in it.
+/// A fence of areas. The simple fence by parameters (`FENCE_RADIUS`, `FENCE_ALT_MAX`) is not part
+/// of it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FencePlan {
     /// The items, as they are on board.

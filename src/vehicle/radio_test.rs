@@ -1,4 +1,4 @@
-//! An impaired radio, as the user asks for it to test a link, and what it does.
+//! An impaired radio, simulated on request to test a link, and its measured traffic.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ pub struct RadioTest {
     pub loss: f64,
     /// The delay in each direction.
     pub delay: Duration,
-    /// The maximum of a random delay on top.
+    /// The maximum random delay added to `delay`.
     pub jitter: Duration,
     /// The bytes per second in each direction; `None` for no limit.
     pub rate: Option<f64>,
@@ -22,7 +22,7 @@ pub struct RadioTest {
     pub seed: u64,
 }
 
-/// A usual kind of bad radio.
+/// A typical radio, as a preset for a test.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
 #[strum(serialize_all = "kebab-case", ascii_case_insensitive)]
 pub enum RadioPreset {
@@ -39,7 +39,7 @@ pub enum RadioPreset {
 }
 
 impl RadioPreset {
-    /// The impairment.
+    /// The test with the impairment of this radio.
     pub fn test(self) -> RadioTest {
         let ms = Duration::from_millis;
         let of = |loss: f64, delay_ms, jitter_ms, rate| RadioTest {
@@ -80,17 +80,17 @@ fn percent(share: f64) -> String {
     text.trim_end_matches(".0").to_owned()
 }
 
-/// What has become of the frames in one direction.
+/// The frames passed and lost in one direction.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct RadioTraffic {
     pub passed: u64,
     pub lost: u64,
-    /// The size of those that passed.
+    /// The size of the frames that passed, in bytes.
     pub bytes: u64,
 }
 
 impl RadioTraffic {
-    /// The share that was lost, 0 to 1.
+    /// The share of frames lost, 0 to 1.
     pub fn loss(&self) -> f64 {
         self.lost as f64 / (self.passed + self.lost).max(1) as f64
     }
@@ -107,7 +107,7 @@ pub struct TestedRadio {
 }
 
 impl TestedRadio {
-    /// What was asked for, and what was measured.
+    /// The requested impairment and the measured traffic, as text.
     pub fn text(&self, round_trip: Option<Duration>) -> Text {
         text!(
             "radio-line",

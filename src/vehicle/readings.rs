@@ -279,7 +279,7 @@ pub enum PlanPhase {
 /// The state of the fence (`FENCE_STATUS`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Fence {
-    /// Whether the vehicle is outside.
+    /// Whether the vehicle is in breach of the fence.
     pub breached: bool,
     /// The number of breaches so far.
     pub breaches: u16,

@@ -71,7 +71,8 @@ impl<'a> Route<'a> {
         Some(off_m.abs() < ARRIVED_M)
     }
 
-    /// The seconds until the next item begins, including the stay at the current place.
+    /// The seconds until the next item begins, including the stay at the current place; `None` if
+    /// they cannot be estimated.
     pub fn current_s(&self, number: u16) -> Option<f64> {
         let mut way = self.start(number)?;
         self.whole_s(self.item(number)?, &mut way, true)
@@ -152,7 +153,7 @@ impl<'a> Route<'a> {
         Some(way_s + stay_s)
     }
 
-    /// The seconds since a moment of the vehicle's clock.
+    /// The seconds since a time of the vehicle's clock.
     fn passed_s(&self, since: Duration) -> Option<f64> {
         let now = self.vehicle.clock()?;
         Some(now.saturating_sub(since).as_secs_f64())

@@ -50,14 +50,15 @@ impl Aircraft {
         now.saturating_sub(self.at)
     }
 
-    /// Its course over ground, 0 to 360 degrees; `None` if unknown or if it stands.
+    /// Its course over ground, 0 to 360 degrees; `None` if it is unknown, or the aircraft is
+    /// stationary.
     pub fn course_deg(&self) -> Option<f64> {
         let [north, east] = self.velocity_m_s?;
         let moves = north != 0.0 || east != 0.0;
         moves.then(|| maths::atan2(east, north).to_degrees().rem_euclid(360.0))
     }
 
-    /// Its speed over ground in m/s.
+    /// Its speed over ground in m/s; `None` if it is unknown.
     pub fn speed_m_s(&self) -> Option<f64> {
         self.velocity_m_s
             .map(|[north, east]| maths::hypot(north, east))
@@ -127,7 +128,7 @@ pub struct Approach {
     pub threat: TrafficThreat,
 }
 
-/// The closest point of an approach within the next 30 s, which is what the threat is about.
+/// The closest point of an approach within the next 30 s, which determines the threat.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PredictedPass {
     /// The time until then, in seconds.
@@ -188,7 +189,7 @@ fn least(height_m: f64, rise_m_s: f64) -> f64 {
     }
 }
 
-/// The lower of the threats across and in height.
+/// The lower of the horizontal and the vertical threat.
 fn threat(across_m: f64, height_m: f64) -> TrafficThreat {
     if across_m < FAIL_M && height_m <= FAIL_M {
         TrafficThreat::Critical

@@ -61,7 +61,8 @@ impl MeanCurrent {
 }
 
 impl WayHome {
-    /// The result for a vehicle that is not on its way home yet, and has to land with a reserve.
+    /// Compares the remaining charge with that needed to land at home with this reserve, for a
+    /// vehicle that is not on its way home yet.
     pub fn reach(&self, reserve_percent: f64) -> HomeReach {
         if self.left_percent < self.needed_percent {
             HomeReach::OutOfReach
@@ -74,8 +75,8 @@ impl WayHome {
 }
 
 impl Vehicle {
-    /// The way home, compared with the remaining charge; `None` for a vehicle that is not a copter,
-    /// on the ground, or without the necessary data.
+    /// The way home, compared with the remaining charge; `None` on the ground, without the
+    /// necessary data, or if the vehicle is not a copter.
     pub fn way_home(&self) -> Option<WayHome> {
         let class = self.heartbeat?.class;
         let (global, home, load) = (self.global?, self.home?, self.load?);

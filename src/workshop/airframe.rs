@@ -20,7 +20,7 @@ const RATE_GAIN: f64 = 0.135;
 const RATE_DAMPING: f64 = 0.0036;
 const DEFAULT_AUTHORITY: f64 = 7.31;
 
-/// The parameters of a design for a simulator.
+/// A design as the simulators need it: a frame file, a motor layout and parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Airframe {
     /// The frame file (`SIM_Frame` JSON).

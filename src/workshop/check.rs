@@ -6,7 +6,7 @@ use super::part::{Esc, Motor, PartSlot, Spec};
 use crate::text;
 use crate::text::Text;
 
-/// The required margin of a speed controller over the motor's peak current.
+/// The required current rating of a speed controller, as a multiple of the motor's peak current.
 const ESC_ROOM: f64 = 1.2;
 /// The largest share of the battery's current that a hover should draw.
 const HOVER_SHARE: f64 = 0.5;

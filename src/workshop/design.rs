@@ -83,8 +83,9 @@ impl Design {
         self.slots.values().flatten().any(|part| part.id == id)
     }
 
-    /// This design with one more part. In a slot for one part it replaces the current one, and so does a battery of
-    /// another kind. Any other part that is already on board is not added again, unless it is a load.
+    /// This design with one more part. In a slot for one part it replaces the current one, and so
+    /// does a battery of another kind. Any other part that is already on board is not added again,
+    /// unless it is a load. A full slot takes no further part.
     #[must_use]
     pub fn with(&self, part: &'static Part) -> Self {
         let slot = part.slot();

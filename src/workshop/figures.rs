@@ -279,8 +279,8 @@ impl<'a> FigureInputs<'a> {
 }
 
 impl Figures {
-    /// The maximum distance out and back along a wind, in metres: `t (v^2 - w^2) / 2 v` at the speed of the longest
-    /// range; zero if the wind is as fast.
+    /// The maximum distance out and back along a wind, in metres: `t (v^2 - w^2) / 2 v` at the
+    /// speed of the longest range; zero if the wind is at least as fast.
     pub fn radius_m(&self, wind_m_s: f64) -> f64 {
         let speed = self.range_speed_m_s;
         let time_s = self.range_m / speed.max(SPEED_STEP_M_S);

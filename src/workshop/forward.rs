@@ -7,8 +7,8 @@ use crate::sim::GRAVITY_M_S2;
 
 /// The induced power of a real rotor relative to the ideal one.
 const INDUCED: f64 = 1.15;
-/// The share of the theoretical saving at speed that is assumed. One half gives a known folding drone its best
-/// endurance at 9 m/s with 0.87 of its hover power, as its maker states.
+/// The assumed share of the power that theory saves at speed. One half gives a known folding drone
+/// its best endurance at 9 m/s with 0.87 of its hover power, as its maker states.
 const SAVED: f64 = 0.5;
 /// Profile power grows with the square of the advance ratio (Glauert).
 const PROFILE: f64 = 4.65;
@@ -26,7 +26,7 @@ pub(super) struct Level {
     pub lean_deg: f64,
 }
 
-/// The quantities that do not depend on speed.
+/// The quantities of forward flight that do not depend on speed.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forward<'a> {
     pub drive: &'a Drive<'a>,

@@ -20,9 +20,9 @@ const POLYMER: [(f64, f64); 14] = [
     (95.0, 4.13),
     (100.0, 4.2),
 ];
-/// Resting voltage of a lithium ion cell, by charge in percent. `ArduPilot`'s `SIM_Battery` has one curve for all
-/// cells, so the simulators' voltage differs slightly between the ends; the energy, which decides the endurance,
-/// differs by less than 4 %.
+/// Resting voltage of a lithium ion cell, by charge in percent. `ArduPilot`'s `SIM_Battery` has one
+/// curve for all cells, so the simulators' voltage differs slightly from this one between full and
+/// empty; the energy, which decides the endurance, differs by less than 4 %.
 const ION: [(f64, f64); 12] = [
     (0.0, 2.5),
     (5.0, 3.0),

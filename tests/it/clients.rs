@@ -35,8 +35,9 @@ fn has_modules(python: &Path, modules: &[&str]) -> bool {
         .success()
 }
 
-/// The path of the interpreter. A relative path is relative to the current folder, not to that of the scripts; a bare
-/// name is searched on PATH. Links are not followed, because an interpreter finds its virtual environment by its link.
+/// The path of the interpreter. A relative path is relative to the current folder, not to that of
+/// the scripts; a bare name is searched for on PATH. Links are not followed, because an interpreter
+/// finds its virtual environment by its link.
 fn interpreter() -> PathBuf {
     let named = std::env::var_os("SORTIE_PYTHON").expect("SORTIE_PYTHON names a Python");
     let path = PathBuf::from(named);

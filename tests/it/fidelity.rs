@@ -44,7 +44,7 @@ const EXCEPTIONS: &[(&str, &str, f64, f64, f64)] = &[
     ("g_gps", "LAND", 225.4, 111.0, 5.0),
 ];
 
-/// Answers and events in another order: the recording, and the kind.
+/// Answers and events whose order differs from the real one: the recording, and the kind.
 const NOT_IN_ORDER: &[(&str, &str)] = &[
     // A climb at 2 m/s slowly passes the ceiling after 19.0 s instead of 17.8: too late for this recording.
     ("e_fence_rally", "modes"),

@@ -177,7 +177,7 @@ impl Attached {
 
 impl Attached {
     /// Checks that an instance runs in real time: it sends a heartbeat once a simulated second, so
-    /// three intervals take that long. It runs ten times as fast until it is ready.
+    /// three intervals take about three seconds. It runs ten times as fast until it is ready.
     async fn assert_real_time(&mut self) {
         self.forget().await;
         self.heartbeat().await;

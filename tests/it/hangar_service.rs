@@ -28,7 +28,7 @@ mod requests;
 /// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(90);
 
-/// The user of a connection: always this one.
+/// The user of a connection: always that of this process.
 #[expect(clippy::unnecessary_wraps, reason = "one of several of its type")]
 fn ours(_: SocketAddr, _: SocketAddr) -> Option<u32> {
     Some(nix::unistd::geteuid().as_raw())

@@ -153,7 +153,7 @@ fn recordings() -> Vec<PathBuf> {
     found
 }
 
-/// Whether two values are equal; floats as far as the facts state their digits.
+/// Whether two values are equal; floats are compared to the digits that the facts state.
 fn same(fact: &Value, ours: &Value) -> bool {
     match (fact, ours) {
         (Value::Float(fact), Value::Float(ours)) => (fact - ours).abs() < 2e-3,

@@ -278,7 +278,7 @@ fn a_pipe_flies_line_by_line_and_its_end_ends_the_flight() {
     );
 }
 
-/// The lines of the example of a pipe in the documents, and the arguments of its program.
+/// The lines of the pipe example in the documents, and the arguments of its program.
 fn documented_example() -> (Vec<String>, String) {
     let document = include_str!("../../docs/console.md");
     let example = document.split("<<'END'\n").nth(1).expect("an example");

@@ -209,7 +209,7 @@ fn faults() -> Vec<Text> {
         .collect()
 }
 
-/// All hints of the command line on the way to each example.
+/// All hints that the command line shows while each example is typed.
 fn hints() -> Vec<Text> {
     let context = Context::default();
     let mut said = Vec::new();

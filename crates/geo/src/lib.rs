@@ -35,7 +35,7 @@ pub struct LatLon {
 }
 
 impl LatLon {
-    /// A point from degrees.
+    /// A point from its latitude and longitude in degrees.
     pub const fn new(lat_deg: f64, lon_deg: f64) -> Self {
         Self { lat_deg, lon_deg }
     }

@@ -1,9 +1,9 @@
 //! Maths functions with the same results, to the last bit, on every machine.
 //!
-//! `+ - * /` and the square root are exact everywhere; the other functions of `std` come from the
-//! platform's library and differ between machines. Scores must not depend on the machine, so the
-//! whole workspace uses these functions: those of musl, ported to Rust ([`libm`]). Clippy forbids
-//! the others (`.clippy.toml`).
+//! `+ - * /` and the square root give the same results everywhere; the other functions of `std`
+//! come from the platform's library and differ between machines. Scores must not depend on the
+//! machine, so the whole workspace uses these functions: those of musl, ported to Rust ([`libm`]).
+//! Clippy forbids the ones of `std` (`.clippy.toml`).
 
 /// Sine of an angle in radians.
 #[must_use]

@@ -72,10 +72,10 @@ impl GridSize {
     }
 }
 
-/// A point of a view, in dots to the right and down from its upper left corner; it may lie outside.
+/// The point at a share of the way to another point: 0 gives `self`, 1 gives `to`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dot {
-    /// Dots to the right.
+    /// Dots from the left edge, to the right.
     pub x: f64,
     /// Dots from the top, downwards.
     pub y: f64,
@@ -132,7 +132,7 @@ impl Viewport {
         self.zoom.metres_per_column() / f64::from(DOTS_ACROSS)
     }
 
-    /// The dot after the last one, at the lower right corner.
+    /// The lower right corner: one dot beyond the last column and the last row.
     pub fn end(&self) -> Dot {
         Dot {
             x: f64::from(self.columns) * f64::from(DOTS_ACROSS),
@@ -187,7 +187,7 @@ impl Viewport {
     }
 }
 
-/// An upright rectangle on the earth, in metres around a place.
+/// A rectangle on the earth with sides that run north and east, in metres around a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
     origin: LatLon,

@@ -12,7 +12,7 @@ pub use place::FAR_M;
 pub(crate) use place::is_crossed;
 pub use terrain::{Leg, USUAL_CLEARANCE_M, check_terrain, legs};
 
-/// The kind of vehicle, which decides the commands that it carries out.
+/// The kind of vehicle, which determines the commands that it carries out.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum VehicleKind {
     /// A multicopter or a helicopter.

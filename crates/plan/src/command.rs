@@ -58,7 +58,7 @@ pub const DO_JUMP_TAG: u16 = 601;
 pub const FENCE_RETURN_POINT: u16 = 5000;
 /// A corner of an inclusion polygon; parameter 1 is the number of the polygon's corners.
 pub const FENCE_POLYGON_INCLUSION: u16 = 5001;
-/// A corner of an exclusion polygon.
+/// A corner of an exclusion polygon; parameter 1 is the number of the polygon's corners.
 pub const FENCE_POLYGON_EXCLUSION: u16 = 5002;
 /// An inclusion circle; parameter 1 is its radius in metres.
 pub const FENCE_CIRCLE_INCLUSION: u16 = 5003;

@@ -23,13 +23,14 @@ const RETURN_HEIGHT_M: f64 = 15.0;
 const CONE_SLOPE: f64 = 3.0;
 /// The time that acceleration and braking add to a return, in seconds.
 const RETURN_CHANGES_S: f64 = 5.0;
-/// `RTL_LOIT_TIME`, in seconds.
+/// The default of `RTL_LOIT_TIME`, in seconds.
 const RETURN_WAIT_S: f64 = 5.0;
-/// The time from the touchdown until the motors stop.
+/// The time from the touchdown until the motors stop, in seconds.
 const STOP_S: f64 = 2.0;
-/// The highest airspeed of a return: a headwind stronger than the difference from its usual speed slows it down.
+/// The highest airspeed of a return, in m/s: a headwind stronger than the difference from its usual
+/// speed slows it down.
 const FASTEST_RETURN_M_S: f64 = 15.0;
-/// The minimum ground speed assumed in any wind.
+/// The minimum ground speed assumed in any wind, in m/s.
 const SLOWEST_RETURN_M_S: f64 = 1.0;
 /// The default of `LAND_ALT_LOW`, in metres.
 const LANDING_HEIGHT_M: f64 = 10.0;

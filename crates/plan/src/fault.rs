@@ -150,7 +150,8 @@ pub enum Unwritable {
     /// The format cannot store a list that is not empty.
     #[error("the format has no {0:?} list")]
     List(ListKind),
-    /// A rally point, counted from 0, whose height is not above home, as `.plan` files require.
+    /// A rally point, counted from 0, whose height is not measured from home: `.plan` files require
+    /// heights above home.
     #[error("rally point {0} is not above home")]
     RallyFrame(usize),
     /// The fence does not consist of complete polygons and circles; contains the first such item, counted from 0.

@@ -247,7 +247,7 @@ struct Work {
     vehicle: usize,
     points: Vec<DVec2>,
     height_m: f64,
-    /// The height at which the vehicle crosses.
+    /// The height at which the vehicle crosses, in metres.
     layer_m: f64,
     circle: Option<Circle>,
 }

@@ -5,7 +5,7 @@ use sortie_geo::{LatLon, wrap_180};
 use crate::effort::Pace;
 use crate::{Item, command};
 
-/// Legs shorter than this have no direction, in metres.
+/// The length below which a leg has no direction, in metres.
 const SAME_PLACE_M: f64 = 1.0;
 /// The values of the first parameter of `DO_CHANGE_SPEED` for a horizontal speed: 0 is airspeed, 1
 /// is ground speed.
@@ -14,7 +14,7 @@ const GROUND_SPEEDS: std::ops::RangeInclusive<f32> = 0.0..=1.0;
 /// How a vehicle arrives at the start of a leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LegMotion {
-    /// It is on the leg already, in any direction.
+    /// It is already on the leg; its direction is not considered, and it loses no time in a turn.
     Unknown,
     /// It stands still, or hovers.
     Rest,
@@ -27,7 +27,7 @@ pub enum LegMotion {
 pub struct LegStart {
     /// The place over the ground.
     pub place: LatLon,
-    /// Above home, in metres.
+    /// The height above home, in metres.
     pub height_m: f64,
     /// How the vehicle arrives there.
     pub motion: LegMotion,

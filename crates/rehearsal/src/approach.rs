@@ -62,7 +62,8 @@ impl Approach {
     }
 }
 
-/// The limits of a conflict: two vehicles are in conflict if they are below both.
+/// The limits of a conflict: two vehicles are in conflict if both distances between them are below
+/// these.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SeparationLimits {
     /// The horizontal distance, in metres.

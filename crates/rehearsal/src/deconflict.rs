@@ -18,7 +18,8 @@ const LONGEST_DELAY_S: u32 = 1800;
 /// The margins tried in the search, as multiples of the conflict limits: tracks have gaps between
 /// their points, and a vehicle that starts later meets different gusts.
 const MARGINS: [f64; 3] = [1.4, 2.0, 3.0];
-/// The time from arming until a vehicle takes off without a wait, in seconds: a wait of that length changes nothing.
+/// The time from arming to the takeoff of a plan without a wait, in seconds: a wait of that length
+/// changes nothing.
 const LIFTS_AFTER_ARMING_S: u32 = 2;
 /// The maximum number of times that layers are rehearsed and then extended.
 const LAYER_ROUNDS: usize = 6;
@@ -354,7 +355,7 @@ fn layers(vehicles: usize, near: &[(usize, usize)]) -> Vec<usize> {
     found.map(|(_, layers)| layers).unwrap_or_default()
 }
 
-/// The lowest layer for each vehicle that is not taken by an earlier vehicle that comes near it.
+/// For each vehicle, the lowest layer not taken by an earlier vehicle that comes near it.
 fn layers_in(order: &[usize], near: &[(usize, usize)]) -> Vec<usize> {
     let mut layers = vec![0; order.len()];
     for (place, &vehicle) in order.iter().enumerate() {

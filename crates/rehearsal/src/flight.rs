@@ -242,7 +242,8 @@ impl Flight {
         self.areas.iter().any(|area| area.is_broken_at(point))
     }
 
-    /// Switches the fence as a command has done, and notes whether it is on.
+    /// Switches the fence on or off by a command, unless `switch` is `None`, and records whether it
+    /// is on.
     pub(crate) fn switch_fence(&mut self, switch: Option<bool>, world: &mut World) {
         if let Some(on) = switch {
             let on = f32::from(u8::from(on));
@@ -252,7 +253,7 @@ impl Flight {
         self.flown.has_fence |= self.is_fence_on;
     }
 
-    /// Lets the vehicle wait on the ground with its motors running.
+    /// Sets `DISARM_DELAY` to 0, so the vehicle waits on the ground with its motors running.
     pub(crate) fn keep_armed(&mut self, world: &mut World) {
         self.set_parameter(world, DISARM_DELAY, 0.0);
         self.flown.was_kept_armed = true;

@@ -167,7 +167,7 @@ fn a_partly_used_battery_fails_where_a_full_one_does_not() {
     assert!(matches!(ending(Some(40.0)), FlightEnding::LeftPlan(_)));
 }
 
-/// Without the failsafes of the battery, the vehicle sinks to the ground with its motors on.
+/// Without battery failsafes, the vehicle sinks to the ground with its motors on.
 #[test]
 fn a_plan_that_empties_the_battery_does_not_fly_on_for_ever() {
     let mut long = vehicle((0.0, 0.0), &[(30.0, 0.0)]);

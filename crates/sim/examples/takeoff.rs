@@ -70,7 +70,7 @@ impl GroundStation {
     }
 }
 
-/// The world, and the ground station on its first vehicle.
+/// The world, and the ground station of its first vehicle.
 struct Flight {
     world: World,
     port: PortId,

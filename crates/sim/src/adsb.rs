@@ -17,7 +17,7 @@ use super::Serial;
 use super::parameters::Parameters;
 use super::place::{LocalDatum, Place};
 
-/// The number of steps between two moves of the sky, which are 0.1 s.
+/// The number of steps between two moves of the sky; together they take 0.1 s.
 pub(super) const EVERY_STEPS: u64 = 10;
 /// `ADSB_TYPE` of the receiver that SITL simulates.
 const SIMULATED_TYPE: f64 = 1.0;
@@ -27,7 +27,7 @@ const SIMULATED_TYPE: f64 = 1.0;
 pub(super) struct Adsb {
     sky: Sky,
     receiver: Receiver,
-    /// Whether a receiver that is not there has been reported.
+    /// Whether the missing receiver has been reported.
     has_failed: bool,
 }
 
@@ -43,13 +43,13 @@ impl Adsb {
         })
     }
 
-    /// Moves the aircraft by 0.1 s; the vehicle is at this point.
+    /// Moves the aircraft by 0.1 s; `here_m` is the position of the vehicle.
     pub(super) fn fly(&mut self, parameters: &Parameters, here_m: DVec3) {
         self.sky.step(parameters, here_m);
     }
 
-    /// Lets the receiver hear all aircraft; `own` is the place of the vehicle, if it knows one. Returns `false` once if
-    /// the receiver of this `ADSB_TYPE` is not there.
+    /// Passes the reports of all aircraft to the receiver; `own` is the vehicle's position, if
+    /// known. Returns `false`, once, if no receiver of this `ADSB_TYPE` exists.
     pub(super) fn hear(
         &mut self,
         datum: &LocalDatum,

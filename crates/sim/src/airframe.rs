@@ -22,8 +22,9 @@ use sortie_geo::maths;
 
 /// Density of the standard atmosphere at sea level, in kilograms per cubic metre.
 pub const SEA_LEVEL_DENSITY: f64 = 1.225;
-/// The share of the required throttle that remains after the autopilot's compensation of density and voltage: fitted
-/// to 36 % in the hover of the default quad, whose `hoverThrOut` is 39 % at 593 m.
+/// The share of the required throttle that remains after the autopilot's compensation for density
+/// and voltage: fitted to 36 % in the hover of the default quad, whose `hoverThrOut` is 39 % at 593
+/// m.
 const COMPENSATED: f64 = 0.9777;
 /// The decay rate of rotation is this value divided by the frame's `refRotRate`, as in `SIM_Frame`.
 const ROTATION_DRAG_DEG_S: f64 = 400.0;
@@ -38,8 +39,8 @@ pub struct Airframe {
     file: Option<Value>,
     /// Initial parameters of its vehicles, besides those that follow from the figures.
     parameters: Vec<(&'static str, f64)>,
-    /// Drag per mass and density: of the body by the square of the speed, of the rotors' inflow by the root of the
-    /// thrust.
+    /// Drag coefficients per mass and density: the body's, multiplied by the square of the speed,
+    /// and that of the rotors' inflow, multiplied by the root of the thrust.
     form_drag: f64,
     momentum_drag: f64,
     reference_density: f64,
@@ -52,7 +53,7 @@ pub struct Airframe {
 /// The state of the air and of the battery that affects thrust and drag.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Conditions {
-    /// Velocity of the air, north, east, down.
+    /// Velocity of the air, north, east and down, in m/s.
     pub(super) wind_m_s: DVec3,
     /// Kilograms per cubic metre.
     pub(super) air_density: f64,
@@ -61,8 +62,8 @@ pub(super) struct Conditions {
 }
 
 impl Default for Airframe {
-    /// The quadcopter of a SITL without a frame file, whose battery never runs down. It serves for comparison with
-    /// recordings; flights use [`Airframe::standard`].
+    /// The quadcopter of SITL without a frame file; its battery never runs down. It serves for
+    /// comparison with recordings; flights use [`Airframe::standard`].
     fn default() -> Self {
         Self::derived(Figures::default())
     }
@@ -110,7 +111,7 @@ impl Airframe {
         self.figures.motors.len()
     }
 
-    /// Take-off mass in kilograms (`mass` of the frame file).
+    /// Takeoff mass in kilograms (`mass` of the frame file).
     pub fn mass_kg(&self) -> f64 {
         self.figures.mass_kg
     }
@@ -216,9 +217,9 @@ impl Airframe {
         GRAVITY_M_S2 * conditions.air_density / self.reference_density * (out - inflow * inflow)
     }
 
-    /// The throttle, 0 to 1, at which the autopilot gets a thrust per mass. The autopilot
-    /// compensates thin air fully, and a sagging voltage by half (37 % at 12.0 V, 41 % at 11.0 V
-    /// and 45 % at 10.24 V were measured).
+    /// The throttle, 0 to 1, with which the autopilot produces a thrust per mass. The autopilot
+    /// compensates for thin air fully, and for a sagging voltage by half (37 % at 12.0 V, 41 % at
+    /// 11.0 V and 45 % at 10.24 V were measured).
     pub(super) fn throttle_for(
         &self,
         thrust: f64,
@@ -270,7 +271,8 @@ impl Airframe {
         0.05 * self.figures.diagonal_m
     }
 
-    /// Moments of inertia per mass, square metres. If the file has no figure, half the mass is assumed to be on a ring.
+    /// Moments of inertia per mass, in square metres. If the file has no figure, half the mass is
+    /// assumed to be on a ring.
     pub(super) fn inertia_m2(&self) -> DVec3 {
         let given = self.figures.inertia_kg_m2;
         if given.min_element() > 0.0 {

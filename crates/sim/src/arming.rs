@@ -15,7 +15,8 @@ pub(super) use reason::Reason;
 const MOTORS_WAIT: Duration = Duration::from_secs(2);
 /// The minimum time from arming to a takeoff (ArduCopter's 2 s of delay, and the loops' reaction).
 const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2200);
-/// After each arming, each core of the EKF aligns its yaw once more at this height, clear of magnetic disturbance.
+/// The height, in metres, at which each core of the EKF aligns its yaw once more after each arming,
+/// clear of magnetic disturbance.
 const ALIGNS_ABOVE_GROUND_M: f64 = 2.5;
 /// A vehicle that rests for this long with idle motors counts as landed.
 const LANDED_AFTER: Duration = Duration::from_secs(1);
@@ -43,7 +44,7 @@ pub(super) enum ArmingMethod {
 )]
 pub(super) struct Safety {
     pub(super) armed: bool,
-    /// Whether the autopilot believes that the vehicle has landed; the body has the true state.
+    /// Whether the autopilot considers the vehicle landed; the body has the true state.
     pub(super) landed: bool,
     /// Whether a switch has stopped the motors (`MotorEStop`).
     pub(super) emergency_stop: bool,

@@ -48,7 +48,7 @@ const CELL: [(f64, f64); 40] = [
     (0.001, 0.001),
 ];
 const CELL_FULL_V: f64 = CELL[0].0;
-/// The voltage is filtered at this frequency, in hertz.
+/// The cutoff frequency of the voltage filter, in hertz.
 const FILTER_HZ: f64 = 10.0;
 
 /// Charge, voltage and current.

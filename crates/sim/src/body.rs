@@ -8,13 +8,14 @@ use super::kinematics::{GRAVITY_M_S2, STEP_S};
 use super::upset::{Drive, Upset, WantedTurn};
 use sortie_geo::maths;
 
-/// Lag of the lean behind its demand (`ArduPilot`'s `ATC_INPUT_TC`).
+/// Lag of the lean behind its demand (`ArduPilot`'s `ATC_INPUT_TC`), in seconds.
 const LEAN_LAG_S: f64 = 0.15;
-/// Lag of the vertical acceleration behind its demand.
+/// Lag of the vertical acceleration behind its demand, in seconds.
 const THRUST_LAG_S: f64 = 0.08;
-/// The time constant of the autopilot's compensation of vertical drag.
+/// The time constant of the autopilot's compensation for vertical drag, in seconds.
 const DRAG_LAG_S: f64 = 0.2;
-/// The minimum cosine of the lean that raises the throttle.
+/// The smallest cosine of the lean for which the throttle is raised; a greater lean raises it no
+/// further.
 const BOOST_LEAST: f64 = 0.5;
 /// The throttle of idling motors.
 const IDLE_THROTTLE: f64 = 0.01;
@@ -30,8 +31,8 @@ pub(super) enum Demand {
     Off,
     /// An acceleration (north, east, down) by leaning and by thrust; gravity is not part of it.
     Acceleration(DVec3),
-    /// A share of the full throttle, 0 to 1, with a lean as the horizontal acceleration while the thrust carries the
-    /// weight: a pilot's sticks in a manual mode.
+    /// A share of the full throttle, 0 to 1, with a lean, given as the horizontal acceleration that
+    /// it causes while the thrust carries the weight: a pilot's sticks in a manual mode.
     Throttle { share: f64, lean_m_s2: DVec2 },
 }
 
@@ -42,7 +43,7 @@ struct RotorStream {
     drag_down_m_s2: f64,
     /// The downward part of the thrust's direction: -1 if the body is level.
     axis_down: f64,
-    /// The speed of the inflow along the rotors' axis.
+    /// The speed of the inflow along the rotors' axis, in m/s.
     inflow_m_s: f64,
 }
 
@@ -54,11 +55,12 @@ pub(super) struct Body {
     pub(super) velocity_m_s: DVec3,
     /// The actual acceleration in the last step, in metres per second squared.
     pub(super) accel_m_s2: DVec3,
-    /// The horizontal acceleration from the current lean while the thrust carries the weight.
+    /// The horizontal acceleration that the current lean causes while the thrust carries the
+    /// weight.
     pub(super) lean_m_s2: DVec2,
     lift_m_s2: f64,
     known_drag_m_s2: f64,
-    /// Thrust of all motors per mass, in the last step.
+    /// Thrust of all motors per mass in the last step, in m/s².
     pub(super) thrust_m_s2: f64,
     /// Whether the motors could not provide the demanded thrust.
     pub(super) saturated: bool,

@@ -128,7 +128,7 @@ impl Boot {
         self.over
     }
 
-    /// Whether the boot waits for the first ground station, as a SITL does.
+    /// Whether the boot waits for the first ground station, as SITL does.
     pub(super) fn awaits_client(&self) -> bool {
         self.realistic && self.clock == 0
     }
@@ -182,8 +182,8 @@ impl Boot {
         }
     }
 
-    /// The reasons why the boot forbids arming, in the order of `ArduCopter`'s checks. `is_blind` means that the GPS
-    /// has no position, and is checked.
+    /// The reasons why the boot forbids arming, in the order of `ArduCopter`'s checks. `is_blind`
+    /// means that the GPS is checked and has no position.
     pub(super) fn obstacles(
         &self,
         mode: &Mode,

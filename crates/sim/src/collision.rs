@@ -27,7 +27,7 @@ const FEW: usize = 16;
 const RADIUS_MAX_M: f64 = 5.0;
 /// The coefficient of restitution.
 const RESTITUTION: f64 = 0.3;
-/// A vehicle that descends on an obstacle below this speed lands on it undamaged.
+/// A vehicle that descends on an obstacle at less than this speed, in m/s, lands on it undamaged.
 const LANDING_M_S: f64 = 1.0;
 /// The minimum vertical component of the surface normal for such a landing.
 const LANDING_SLOPE: f64 = 0.7;
@@ -63,7 +63,7 @@ pub enum Met {
 pub(super) struct Hit {
     pub(super) vehicle: usize,
     pub(super) change_m_s: DVec3,
-    /// The shift out of the obstacle.
+    /// The shift out of the obstacle, in metres.
     pub(super) shift_m: DVec3,
     pub(super) breaks: bool,
 }

@@ -28,15 +28,15 @@ pub(super) struct Command {
     /// Parameters 5 and 6: whole numbers, or a place in degrees times 1e7.
     pub(super) x: i32,
     pub(super) y: i32,
-    /// Altitude in metres of the frame, or parameter 7.
+    /// Altitude in metres above the reference of the frame, or parameter 7.
     pub(super) z: f32,
     /// The frame of a `COMMAND_INT`; a `COMMAND_LONG` has none.
     pub(super) frame: Option<u8>,
 }
 
 impl Command {
-    /// A `COMMAND_LONG`: the vehicle turns its fifth and sixth parameter into whole numbers, in degrees times 1e7
-    /// if the command has a place.
+    /// A `COMMAND_LONG`: the vehicle converts its fifth and sixth parameters to whole numbers, in
+    /// degrees times 1e7 if the command has a place.
     pub(super) fn from_long(number: u16, p: [f32; 4], [x, y, z]: [f32; 3]) -> Self {
         let whole = |value: f32| {
             if WITH_PLACE.contains(&number) {

@@ -6,7 +6,7 @@ use super::airframe::Airframe;
 use super::collision::Obstacle;
 use sortie_geo::LatLon;
 
-/// The distance between vehicles in a row.
+/// The distance between vehicles in a row, in metres.
 const ROW_SPACING_M: f64 = 5.0;
 
 /// The content of a world.

@@ -21,7 +21,7 @@ const INTEGRAL_MAX_M_S2: f64 = 10.0;
 /// The increase of vertical acceleration for a speed beyond its limit, per share of the limit.
 const OVERSPEED_GAIN_Z: f64 = 2.0;
 
-/// The maximum downward acceleration of a path, whatever its [`Limits`].
+/// The maximum downward acceleration of a path, in m/s², regardless of its [`Limits`].
 const FALL_MAX_M_S2: f64 = 7.5;
 
 /// The limits of a path.
@@ -60,7 +60,7 @@ impl Limits {
 /// The path and the state of the feedback control.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct PositionControl {
-    /// The position on the path (north, east, down).
+    /// The position on the path, in metres north, east and down.
     pub(super) path_m: DVec3,
     /// The velocity on the path.
     pub(super) velocity_m_s: DVec3,

@@ -9,7 +9,8 @@ use super::parameters::Parameters;
 const COUNTED_EVERY: Duration = Duration::from_secs(30);
 /// The time between counts.
 const LOOK: Duration = Duration::from_millis(100);
-/// The vertical speed below which the vehicle hovers; the time constant of learning its throttle.
+/// The vertical speed below which the vehicle counts as hovering, and the time constant of learning
+/// its throttle.
 const HOVER_CLIMB_M_S: f64 = 0.6;
 const HOVER_LEARNT_S: f64 = 10.0;
 /// The minimum change of the hover throttle that is reported after a flight.

@@ -23,7 +23,7 @@ const LOSS_STEPS: u32 = 100;
 const SOME_MOTOR: usize = 2;
 /// The minimum time between two reports of a touchdown, in steps.
 const CONTACT_STEPS: u32 = 100;
-/// The acceleration is filtered at 1 Hz.
+/// The share of a new value in the filtered acceleration in each step: a filter of 1 Hz.
 const ACCEL_BLEND: f64 = STEP_S / (STEP_S + 1.0 / std::f64::consts::TAU);
 
 /// The state of the checks.

@@ -42,18 +42,18 @@ const FUSION_DELAY: Duration = Duration::from_millis(60);
 /// without an accepted position.
 const GATE_M: f64 = 3.73;
 const GATE_GROWTH_PER_S: f64 = 0.0265;
-/// The greatest velocity innovation that passes the test.
+/// The greatest velocity innovation that passes the test, in m/s.
 const GATE_M_S: f64 = 1.5;
-/// The time constant with which the position follows accepted reports.
+/// The time constant with which the position follows accepted reports, in seconds.
 const FOLLOWS_S: f64 = 1.5;
 /// The drift of an uncorrected estimate: 0.4 m in 7 s.
 const BLIND_ACCEL_M_S2: f64 = 0.014;
 /// The lean error of a vehicle without a position: it drifts at 0.19 m/s.
 const LEVEL_ERROR_M_S2: f64 = 0.05;
-/// Errors below this count as none.
+/// Errors below this, in metres, count as none.
 const NEGLIGIBLE_M: f64 = 1e-3;
 
-/// The surroundings of one step of the estimator.
+/// The inputs of one step of the estimator.
 pub(super) struct Surroundings<'a> {
     pub(super) now: Duration,
     pub(super) truth: &'a Body,

@@ -24,7 +24,7 @@ use super::reaction::Reaction;
 /// The time between checks, in steps.
 pub(super) const EVERY_STEPS: u64 = 10;
 
-/// Exceptions from the failsafes: the bits of `FS_OPTIONS`.
+/// Exceptions to the failsafes: the bits of `FS_OPTIONS`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Options(u32);
 

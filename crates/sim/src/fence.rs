@@ -24,7 +24,7 @@ const CEILING: u8 = 1;
 const CIRCLE: u8 = 2;
 const AREAS: u8 = 4;
 const FLOOR: u8 = 8;
-/// A broken limit counts as broken again each time the vehicle is this much further out.
+/// A broken limit counts as broken again each time the vehicle is this much farther out, in metres.
 const BACKUP_M: f64 = 20.0;
 /// How long the checks pause after a change of mode, because the pilot is bringing the vehicle back.
 const RECOVERY: Duration = Duration::from_secs(10);
@@ -69,8 +69,8 @@ impl FenceRules {
     }
 }
 
-/// A numeric limit: how far the vehicle is beyond it, and the distance at which it counts as broken
-/// again.
+/// A numeric limit: how far the vehicle is beyond it, and the distance beyond at which the limit
+/// counts as broken again, in metres.
 #[derive(Debug, Clone, PartialEq, Default)]
 struct Limit {
     beyond_m: f64,
@@ -99,7 +99,7 @@ pub(super) struct Geofence {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 struct FencePosition {
-    /// North and east from the start.
+    /// The position in metres north and east of the start.
     here_m: DVec2,
     from_home_m: DVec2,
     above_home_m: f64,
@@ -155,7 +155,7 @@ impl Geofence {
         fresh
     }
 
-    /// Notes how far the vehicle is beyond a limit; returns whether that breaks it again.
+    /// Stores how far the vehicle is beyond a limit; returns whether this counts as a new breach.
     fn cross(&mut self, kind: u8, beyond_m: f64, now: Duration) -> bool {
         let was_broken = self.broken & kind != 0;
         let limit = match kind {

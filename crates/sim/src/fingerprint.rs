@@ -27,9 +27,9 @@ impl fmt::Write for Fingerprint {
 }
 
 impl VehicleSlot {
-    /// The fingerprint of all state that decides how the flight continues. It leaves out values
-    /// derived from it (the tuning), constants (the airframe), reports (logs, buffers of the
-    /// ports), and the signing key, which must not enter a record.
+    /// The fingerprint of all state that determines how the flight continues. It leaves out values
+    /// derived from that state (the tuning), constants (the airframe), reports (logs, buffers of
+    /// the ports), and the signing key, which must not enter a record.
     pub(super) fn fingerprint(&self) -> u64 {
         let mut print = Fingerprint(0xcbf2_9ce4_8422_2325);
         let Self {

@@ -38,7 +38,7 @@ const SENSIBLE_MAX: f64 = 1e8;
 pub(super) enum TargetPoint {
     /// Metres along the axes of the frame.
     Local(DVec3),
-    /// A place on the earth, and a height above the frame's reference.
+    /// A place on the earth, and a height in metres above the frame's reference.
     Global { at: LatLon, height_m: f64 },
 }
 
@@ -64,8 +64,8 @@ pub(super) struct AttitudeTarget {
 }
 
 /// Carries out a setpoint. Outside GUIDED, while disarmed and before a takeoff, a setpoint is
-/// silently ignored; so is a point outside the fence. An invalid setpoint (an unknown frame, no
-/// field in use, not a number) stops the vehicle where it is.
+/// silently ignored; so are forces and points outside the fence. An invalid setpoint (an unknown
+/// frame, no field in use, a value that is not a number) stops the vehicle where it is.
 pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
     let plan_is_guided = autopilot.auto_plan.is_guided();
     let vehicle = &mut autopilot.vehicle;

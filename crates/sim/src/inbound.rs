@@ -157,7 +157,8 @@ fn set_up_signing(autopilot: &Autopilot, link: &mut Link, data: &SETUP_SIGNING_D
     link.key = Some((data.secret_key, data.initial_timestamp));
 }
 
-/// Handles messages that count only from the vehicle's own ground station: its heartbeat, and its sticks.
+/// Handles messages that are accepted only from the vehicle's own ground station: its heartbeat,
+/// and its sticks.
 fn hear_pilot(autopilot: &mut Autopilot, message: &MavMessage) {
     match message {
         MavMessage::HEARTBEAT(_) => {}

@@ -30,7 +30,7 @@ pub struct Inventory {
     pub switches: Vec<String>,
     /// Numbers of functions without an effect.
     pub idle_switches: Vec<String>,
-    /// The prefixes of the names of listed parameters, up to the first underscore.
+    /// The name prefixes of the listed parameters, up to the first underscore.
     pub parameters: Vec<String>,
     /// Parameters (an `ENABLE` or a `TYPE`) that add others to the list.
     pub sub_trees: Vec<String>,

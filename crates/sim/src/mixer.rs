@@ -9,11 +9,11 @@ use super::airframe::Motor;
 pub(super) const MOTORS_MAX: usize = 12;
 /// Share of the range that yaw may always use (`MOT_YAW_HEADROOM`).
 const YAW_HEADROOM: f64 = 0.2;
-/// The time constant of the thrust boost after the loss of a motor (`MOT_SPOOL_TIME`).
+/// The time constant of the thrust boost after the loss of a motor (`MOT_SPOOL_TIME`), in seconds.
 const BOOST_S: f64 = 0.5;
 /// The approximate share of the thrust range in the hover.
 const HOVER_SHARE: f64 = 0.4;
-/// The filter time of the check for a lost motor.
+/// The filter time of the check for a lost motor, in seconds.
 const WATCH_S: f64 = 0.5;
 
 #[derive(Debug, Clone, PartialEq, Default)]

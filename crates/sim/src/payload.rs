@@ -24,7 +24,7 @@ impl Payload {
         Some(Self(bytes))
     }
 
-    /// A payload from bytes in the same layout, such as a file's.
+    /// A payload from bytes in the same layout, such as those of a file.
     pub(super) fn new(payload: &[u8]) -> Self {
         let mut bytes = [0; LONGEST];
         let len = payload.len().min(LONGEST);

@@ -7,7 +7,7 @@ use super::Start;
 use super::frame::HeightOrigin;
 use sortie_geo::LatLon;
 
-/// Home lies at most this far above or below the origin.
+/// Home lies at most this far above or below the origin, in metres.
 const HOME_HEIGHT_MAX_M: f64 = 50_000.0;
 
 /// A place with its altitude.
@@ -33,7 +33,7 @@ pub(super) fn altitude_amsl_m(
     })
 }
 
-/// The origin of a vehicle's north, east and down, and its home.
+/// The origin of a vehicle's north-east-down frame, and its home.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LocalDatum {
     pub(super) start: Start,

@@ -25,7 +25,8 @@ const GIVEN_BACK: u16 = u16::MAX - 1;
 const PULSE_MAX_US: u16 = 2500;
 /// The duration of an override that has no time limit.
 const FOR_EVER: Duration = Duration::from_secs(1 << 40);
-/// Upper limits of the pulse width for the first five positions of the mode switch.
+/// Upper limits of the pulse width for the first five positions of the mode switch, in
+/// microseconds.
 const SWITCH_US: [u16; 5] = [1230, 1360, 1490, 1620, 1749];
 /// The number of further identical readings, at ten per second, before the switch counts.
 const STEADY_LOOKS: u8 = 2;
@@ -54,7 +55,7 @@ impl RadioRules {
         self.functions.contains(&function)
     }
 
-    /// Whether the motors turn only while a switch lets them.
+    /// Whether the motors turn only while a switch allows it.
     pub(super) fn has_interlock(&self) -> bool {
         self.has_switch(MOTOR_INTERLOCK)
     }
@@ -374,7 +375,8 @@ impl Radio {
         self.was_heard = true;
     }
 
-    /// Whether there is anything to obey: a receiver that sends, or a ground station that overrides it.
+    /// Whether there is any input: from a receiver that sends, or from a ground station that
+    /// overrides it.
     pub(super) fn hears(&self, fault: RadioFault, now: Duration) -> bool {
         fault != RadioFault::Silent || now < self.until
     }

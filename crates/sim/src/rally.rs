@@ -12,7 +12,7 @@ use sortie_geo::LatLon;
 /// The rules from the `RALLY_*` parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RallyRules {
-    /// Rally points farther away than this do not count; zero means that all count.
+    /// Rally points farther away than this, in metres, do not count; zero means that all count.
     limit_m: f64,
     /// Whether home counts as a rally point.
     with_home: bool,
@@ -31,7 +31,7 @@ impl RallyRules {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rally<'a> {
     pub(super) items: &'a [Item],
-    /// The origin of the vehicle's north, east and down.
+    /// The origin of the vehicle's north-east-down frame.
     pub(super) start: &'a Start,
 }
 

@@ -16,7 +16,7 @@ pub(super) enum Reaction {
     LeavePosition {
         holds_height: bool,
     },
-    /// Compensates a lost motor with more thrust than usual.
+    /// Compensates for a lost motor with more thrust than usual.
     BoostThrust,
     /// Enters the first of these modes that can be entered.
     EnterFirst(&'static [u8]),

@@ -27,14 +27,15 @@ use super::parameters::Parameters;
 /// `TERRAIN_REQUEST` and `TERRAIN_REPORT` are sent together.
 pub(super) const TERRAIN_REQUEST: u32 = TERRAIN_REQUEST_DATA::ID;
 pub(super) const TERRAIN_REPORT: u32 = TERRAIN_REPORT_DATA::ID;
-/// The shortest and the longest interval.
+/// The shortest and the longest interval, in milliseconds.
 const SHORTEST_MS: i64 = 3;
 const LONGEST_MS: i64 = 60_000;
 /// The default stream of a new link: HEARTBEAT once per second.
 const HEARTBEAT: u32 = HEARTBEAT_DATA::ID;
 const HEARTBEAT_MS: u64 = 1000;
 const TERRAIN_MS: u64 = 2000;
-/// The vehicle looks for due messages several times in a step, at these times before its end.
+/// The vehicle looks for due messages several times in a step, at these times before its end, in
+/// milliseconds.
 const LOOKS_MS: [u64; 4] = [7, 5, 2, 0];
 
 /// The stream groups of `REQUEST_DATA_STREAM`: for each, the suffix of its parameter's name, and its messages.

@@ -7,7 +7,7 @@
 use super::Serial;
 use sortie_wire::{Frame, SigningKey, Stamp, is_signed_with};
 
-/// Timestamps count tens of microseconds.
+/// One second in timestamps, which count tens of microseconds.
 const SECOND: u64 = 100_000;
 /// A new sender may be this far behind the vehicle's clock. After a boot the clock begins this far after the stored
 /// timestamp, so that old packets cannot be replayed.

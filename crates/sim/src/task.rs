@@ -32,7 +32,7 @@ use sortie_geo::maths;
 /// The widest circle in metres, and the fastest in degrees per second.
 const CIRCLE_MAX_M: f64 = 2000.0;
 const CIRCLE_MAX_DEG_S: f64 = 90.0;
-/// The deceleration of BRAKE mode (`BRAKE_MODE_DECEL_RATE`).
+/// The deceleration of BRAKE mode (`BRAKE_MODE_DECEL_RATE`), in m/s².
 const BRAKE_ACCEL_M_S2: f64 = 7.5;
 
 /// The parts of the vehicle that a task works with.
@@ -72,8 +72,8 @@ pub(super) enum Act {
     Idle,
     /// An acceleration (north, east, down) by lean and thrust; gravity is not part of it.
     Accelerate(DVec3),
-    /// A throttle from 0 to 1 with a lean, as the horizontal acceleration north and east while the thrust carries the
-    /// weight.
+    /// A throttle from 0 to 1 with a lean, given as the horizontal acceleration, north and east,
+    /// that it causes while the thrust carries the weight.
     Throttle { share: f64, lean_m_s2: DVec2 },
 }
 
@@ -84,7 +84,7 @@ pub(super) enum Task {
     Wait,
     /// Climbs from the ground.
     Takeoff(Takeoff),
-    /// Flies to a point and holds it; the point itself moves while `drift_until` is ahead.
+    /// Flies to a point and holds it; the point itself moves until `drift_until`.
     Goto {
         goal_m: DVec3,
         drift_m_s: DVec3,

@@ -1,6 +1,6 @@
-//! Rotation as a rigid body, for a vehicle that has lost the full use of its motors: the force of each motor, and the
-//! attitude control that tries to keep the vehicle upright. A healthy vehicle does not need it. In aviation, an upset
-//! is an unintended attitude.
+//! Rotation as a rigid body, for a vehicle that has lost the full use of its motors: the force of
+//! each motor, and the attitude control that tries to keep the vehicle upright. Vehicles in normal
+//! flight do not use this model. In aviation, an upset is an unintended attitude.
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -22,7 +22,8 @@ const RATE_I: DVec3 = DVec3::new(0.135, 0.135, 0.02);
 const RATE_D: DVec3 = DVec3::new(0.0036, 0.0036, 0.0);
 const INTEGRAL_MAX: f64 = 0.5;
 const SLOPE_FILTER_HZ: f64 = 20.0;
-/// Above this lean error, heading control is reduced; above twice this error, it is off.
+/// Above this lean error, in radians, heading control is reduced; above twice this error, it is
+/// off.
 const YAW_FREE_RAD: f64 = std::f64::consts::FRAC_PI_6;
 /// Near full throttle, less lean is allowed: the share of the full throttle that may be spent on it, the minimum lean,
 /// and the time this takes (`ATC_ANG_LIM_TC`).
@@ -35,7 +36,7 @@ const CLIMB_I_PER_S: f64 = 2.7;
 const HOVER_SHARE: f64 = 0.4;
 /// The greatest rotation rate (as in `SIM_Aircraft`), in radians per second.
 const TURN_MAX_RAD_S: f64 = 34.9;
-/// A vehicle this close to its wanted lean and this calm has recovered.
+/// The lean error and the rotation rate below which a vehicle has recovered.
 const CALM_RAD: f64 = 0.1;
 const CALM_RAD_S: f64 = 0.4;
 
@@ -78,7 +79,7 @@ pub(super) struct WantedTurn {
     /// The direction of the thrust in the world, of length 1.
     pub(super) up: DVec3,
     pub(super) yaw_rate_rad_s: f64,
-    /// Thrust per mass, upwards; `None`: motors off.
+    /// Thrust per mass, upwards; `None` with the motors off.
     pub(super) lift_m_s2: Option<f64>,
 }
 

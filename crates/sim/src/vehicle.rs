@@ -313,7 +313,7 @@ impl Vehicle {
         }
     }
 
-    /// Takes over the uploaded fence.
+    /// Applies the uploaded fence.
     pub(super) fn fence_changed(&mut self) {
         let from = self.datum.start.at;
         if let Err(error) = self.fence.take(&self.plans.fence, from) {

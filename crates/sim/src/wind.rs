@@ -8,8 +8,8 @@ use super::kinematics::STEP_S;
 use super::parameters::Parameters;
 use sortie_geo::maths;
 
-/// The minimum speed at which gusts drift past a vehicle, in metres per second: even one that hovers in a calm meets
-/// them.
+/// The minimum speed at which gusts drift past a vehicle, in metres per second, so gusts also reach
+/// a vehicle that hovers in calm air.
 const DRIFT_MIN_M_S: f64 = 5.0;
 /// Standard deviation in m/s per unit of `SIM_WIND_TURB`: with 3, gusts move a hovering quad by about 0.1 m, as
 /// measured. The real simulator's gusts are larger but last hundredths of a second.
@@ -29,7 +29,8 @@ pub(super) struct WindRules {
 /// The profile of the mean wind with height (`SIM_WIND_T`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Profile {
-    /// Grows with the square root of the height, up to a full height.
+    /// Grows with the square root of the height, up to the height at which it reaches the full
+    /// speed.
     Root {
         full_height_m: f64,
     },
@@ -45,14 +46,14 @@ enum Profile {
 #[derive(Debug, Clone)]
 pub(super) struct Wind {
     rng: ChaCha8Rng,
-    /// Along the mean wind.
+    /// The gust along the mean wind, in m/s.
     along_m_s: f64,
     /// Filters for the gusts across the mean wind, and vertically.
     across: Filter,
     vertical: Filter,
 }
 
-/// Second-order noise: two equal lags in a row.
+/// A second-order filter for noise: two equal lags in series.
 #[derive(Debug, Clone, Copy, Default)]
 struct Filter {
     first: f64,
@@ -161,7 +162,8 @@ impl Wind {
 }
 
 impl Filter {
-    /// Dryden's filter for the gusts across, `(1 + √3 T s) / (1 + T s)²`, with a variance of 1.
+    /// Dryden's filter for the gusts across the mean wind, `(1 + √3 T s) / (1 + T s)²`, with a
+    /// variance of 1.
     fn step(&mut self, noise: f64, lag_s: f64) -> f64 {
         let blend = STEP_S / lag_s.max(2.0 * STEP_S);
         let root = 3.0_f64.sqrt();

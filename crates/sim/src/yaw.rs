@@ -6,13 +6,14 @@ use super::kinematics::STEP_S;
 use sortie_geo::maths;
 use sortie_geo::wrap_180;
 
-/// The lag with which the nose follows its setpoint when a pilot turns it, or when the vehicle tumbles.
+/// The lag with which the nose follows its setpoint when a pilot turns it, or when the vehicle
+/// tumbles, in seconds.
 const LAG_S: f64 = 0.3;
 /// The autopilot's own turns swing: the natural frequency in radians per second and the damping, from a turn at 60
 /// degrees per second that comes to 68 after 0.75 s, trails by 12 degrees and overshoots by 5.
 const SWING_RAD_S: f64 = 4.6;
 const SWING_DAMPING: f64 = 0.5;
-/// The path must move faster than this before the nose follows it.
+/// The speed of the path above which the nose follows it, in m/s.
 const COURSE_MIN_M_S: f64 = 0.5;
 
 /// The demand on the heading.
@@ -26,9 +27,10 @@ pub(super) enum YawDemand {
         left_deg: f64,
         rate_deg_s: f64,
     },
-    /// Turns forever, degrees per second, clockwise positive.
+    /// Turns without end at a rate in degrees per second, clockwise positive.
     Rate(f64),
-    /// Turns by a pilot's stick, degrees per second; the limit of the autopilot's own turns does not apply.
+    /// Turns at the rate set by a pilot's stick, in degrees per second; the limit of the
+    /// autopilot's own turns does not apply.
     Stick(f64),
     /// Looks at a point (north, east).
     Towards(DVec2),
@@ -37,7 +39,7 @@ pub(super) enum YawDemand {
 /// The limits of turning.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Turning {
-    /// The greatest rate of the autopilot's own turns (`ATC_SLEW_YAW`).
+    /// The greatest rate of the autopilot's own turns (`ATC_SLEW_YAW`), in degrees per second.
     pub(super) fastest_deg_s: f64,
     /// The acceleration at the beginning and end of a pilot's turn.
     pub(super) accel_deg_s2: f64,
@@ -51,7 +53,7 @@ pub(super) struct YawControl {
     pub(super) demand: YawDemand,
     setpoint_deg: f64,
     stick_deg_s: f64,
-    /// The current turn rate.
+    /// The current turn rate, in degrees per second.
     rate_deg_s: f64,
 }
 

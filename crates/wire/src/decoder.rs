@@ -44,7 +44,7 @@ pub struct Counters {
 #[derive(Debug, Default)]
 pub struct Decoder {
     buffer: Vec<u8>,
-    /// The position of the search.
+    /// The position in the buffer at which the search continues.
     position: usize,
     /// The end of the last frame that was dropped for its checksum: its bytes are not counted as noise too.
     dropped_until: usize,

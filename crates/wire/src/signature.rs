@@ -7,7 +7,7 @@ use super::decoder::SIGNATURE_LEN;
 /// The secret that a vehicle and its ground stations share.
 pub type SigningKey = [u8; 32];
 
-/// Timestamps have 48 bits.
+/// The length of a timestamp (48 bits), in bytes.
 const TIMESTAMP_LEN: usize = 6;
 
 /// The part of a signature that is unique per sender.

@@ -137,7 +137,8 @@ pub enum DrawAction {
     Higher,
     /// Lower the marked items, or narrow circles.
     Lower,
-    /// Measure heights from the next reference, or reverse an area of a fence.
+    /// Measure heights from the next reference, or switch an area of a fence between inclusion and
+    /// exclusion.
     NextFrame,
     AddTakeoff,
     /// Add a landing at the map's cursor.

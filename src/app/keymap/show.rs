@@ -46,8 +46,8 @@ impl Keymap {
     }
 }
 
-/// A meaning in the syntax of a keymap file; `None` for the typing of a vehicle list, which has a
-/// family of keys.
+/// A meaning in the syntax of a keymap file; `None` for [`Meaning::Type`], which is bound to a
+/// family of keys rather than to one.
 fn written(meaning: &Meaning) -> Option<String> {
     match meaning {
         Meaning::Do(action) => Some(action.name().to_owned()),

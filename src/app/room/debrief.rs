@@ -44,7 +44,7 @@ pub struct Debrief {
     pub(in crate::app) scroll: usize,
     /// Whether the map of the truth replaces the text, on a screen too narrow for both.
     pub(in crate::app) map: bool,
-    /// When the debrief opened; keys are ignored for a moment after that.
+    /// When the debrief opened; keys are ignored for a short time after that.
     pub(in crate::app) since: Duration,
     /// The greatest height of any vehicle in metres, at equal intervals.
     pub(in crate::app) heights: Heights,
@@ -242,7 +242,8 @@ pub(super) fn act(state: &mut State, action: DebriefAction) -> Vec<RoomRequest> 
     Vec::new()
 }
 
-/// Scrolls: `to` gets the current first line, the first lines of the sections, and the number of possible first lines.
+/// Scrolls to the line that `to` computes from the current first line, the first lines of the
+/// sections, and the number of possible first lines.
 fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
     let height = state.display.size.1;
     if let Some(debrief) = &mut state.rooms.debrief {

@@ -174,7 +174,7 @@ impl RoomModel for Fly {
         Some(Vec::new())
     }
 
-    /// Clears the filter, but only if no typed list and no selection is left to undo.
+    /// Clears the filter, unless a typed list or a selection must be cleared first.
     fn escape(state: &mut State) -> Answer {
         let is_all_else_taken_back =
             state.typing.targets.is_empty() && state.session.choice.selection.is_empty();

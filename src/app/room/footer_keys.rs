@@ -16,8 +16,8 @@ pub const GHOST: KeyHint = hint_words("ghost", "hint-ghost");
 pub const PREDICT: KeyHint = hint_words("predict ", "hint-predict");
 pub const GOAL: KeyHint = hint_words("goal ", "hint-goal");
 
-/// Whether a hint's keys are useful now: pause, if the mission allows it; hint, if one is left; prediction and goal,
-/// before launch; export and ghost, with a flight to review.
+/// Whether a hint's keys are useful now: pause, if the mission allows it; a mission's hint, if one
+/// is left; prediction and goal, before launch; export and ghost, during a replay.
 pub fn is_of_use(state: &State, hint: KeyHint) -> bool {
     let mission = state.session.task.progress.as_ref();
     match hint {

@@ -19,12 +19,12 @@ pub use facts::{Fact, facts, unlocked};
 /// The state of the home screen.
 #[derive(Debug, Clone, Default)]
 pub struct Home {
-    /// The line under the cursor: the missions first, then the other [`HomeItem`]s.
+    /// The index of the entry under the cursor: the missions first, then the other [`HomeItem`]s.
     pub(in crate::app) cursor: usize,
 }
 
 impl Home {
-    /// The line under the cursor: the missions first, then the other [`HomeItem`]s.
+    /// The index of the entry under the cursor: the missions first, then the other [`HomeItem`]s.
     pub fn cursor(&self) -> usize {
         self.cursor
     }
@@ -35,9 +35,9 @@ impl Home {
 pub enum HomeItem {
     /// The mission with this index in [`Training::missions`](crate::app::state::Training::missions).
     Mission(usize),
-    /// Fly without a task.
+    /// Free flight, without a mission.
     Free,
-    /// Fly without a task, with ArduPilot's SITL.
+    /// Free flight with ArduPilot's SITL.
     ArduPilot,
     /// Connect to real vehicles or to a running simulator.
     Connect,
@@ -154,7 +154,7 @@ pub fn point_at(state: &mut State, mission: Option<&str>) {
     state.rooms.mission.scroll = 0;
 }
 
-/// Flies the mission's drill, daily, exam or practice.
+/// Flies the mission's drill, its exam, its seed of the day, or a practice flight.
 fn fly_otherwise(state: &mut State, how: StartAction, mission: String) -> Vec<RoomRequest> {
     match how {
         StartAction::Drill => fly_drill(state, &mission),

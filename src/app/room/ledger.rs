@@ -15,7 +15,7 @@ use crate::vehicle_id::{parse_ranges, ranges};
 pub struct Ledger {
     /// The filter as typed.
     pub(in crate::app) filter: String,
-    /// The outcome to show.
+    /// The filter by outcome.
     pub(in crate::app) outcome: Outcome,
     /// The command under the cursor; `None` follows the newest.
     pub(in crate::app) cursor: Option<LedgerKey>,
@@ -89,7 +89,7 @@ impl Ledger {
         &self.filter
     }
 
-    /// The outcome to show.
+    /// The filter by outcome.
     pub fn outcome(&self) -> Outcome {
         self.outcome
     }
@@ -269,7 +269,7 @@ fn fits(outcome: Outcome, terms: &[Term], item: LedgerItem<'_>) -> bool {
     }
 }
 
-/// Closes the open rows; otherwise clears the filter; otherwise leaves the room.
+/// Closes the open rows; otherwise clears the filters; otherwise leaves the room.
 fn escape(state: &mut State) {
     state.hush();
     let room = &mut state.rooms.ledger;

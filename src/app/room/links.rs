@@ -74,7 +74,7 @@ impl Links {
         &self.history
     }
 
-    /// Adds the links' current values; called once a second.
+    /// Adds the current traffic of the links; called once a second.
     pub fn note(&mut self, links: &[LinkSummary]) {
         self.history.resize(links.len(), History::default());
         for (history, link) in self.history.iter_mut().zip(links) {

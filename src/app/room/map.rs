@@ -18,8 +18,8 @@ pub use scene::{PAUSED, PYLON, Sketch, SketchKind, planned, shows_leg, sketches,
 pub use trail::Trail;
 pub use watch::{began, heard, leg, measured, refit, tick};
 
-/// The distance from the centre that a followed vehicle may reach before the map moves, in columns
-/// and in rows.
+/// The distances from the centre, in columns and in rows, that a followed vehicle may reach before
+/// the map moves.
 const LEASH_COLUMNS: f64 = 12.0;
 const LEASH_ROWS: f64 = 4.0;
 /// How far ahead of the vehicle the map is then centred, as a fraction of the distance that the
@@ -38,7 +38,7 @@ const OTHER_ROWS: u16 = ROWS_ABOVE + 2;
 /// The map's own state.
 #[derive(Debug, Clone, Default)]
 pub struct Map {
-    /// The target on which the view is centred.
+    /// Where the view is centred.
     pub(in crate::app) aim: Aim,
     /// The position of the cursor; `None` for the centre of the view.
     pub(in crate::app) cursor: Option<LatLon>,
@@ -56,7 +56,7 @@ pub struct Map {
     pub(in crate::app) overview: Overview,
 }
 
-/// The target on which the view is centred: everything, a place or a vehicle.
+/// Where the view is centred: on everything, a place or a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Aim {
     /// Everything, at the scale that fits.
@@ -64,12 +64,12 @@ pub enum Aim {
     All,
     /// A place, at a scale.
     Place(LatLon, Zoom),
-    /// The vehicle under the cursor, at a scale; the place is the centre of the view while the vehicle is near it.
+    /// At or near the vehicle under the cursor, at a scale; the place is the centre of the view.
     Vehicle(LatLon, Zoom),
 }
 
 impl Map {
-    /// The target on which the view is centred.
+    /// Where the view is centred.
     pub fn aim(&self) -> Aim {
         self.aim
     }
@@ -224,8 +224,8 @@ impl Map {
         }
     }
 
-    /// Updates the followed vehicle's place. The view moves only once the vehicle has moved some cells, and then to a
-    /// point ahead of it.
+    /// Updates the followed vehicle's place. The view moves only once the vehicle is some cells
+    /// away from its centre, and then to a point ahead of the vehicle.
     pub fn followed(&mut self, place: LatLon) {
         let Aim::Vehicle(stand, zoom) = self.aim else {
             return;
@@ -269,8 +269,8 @@ impl Map {
     }
 }
 
-/// The cells by which the view must scroll for a cursor at or beyond its edge: a third of the view, or as far as the
-/// cursor moved.
+/// The cells by which the view must scroll for a cursor at or beyond its edge: at least a third of
+/// the view, and enough to bring the cursor back into it; otherwise 0.
 fn beyond(at: i32, count: u16) -> i32 {
     let last = i32::from(count) - 1;
     let jump = (i32::from(count) / 3).max(1);

@@ -30,7 +30,7 @@ pub struct Messages {
     pub(in crate::app) traffic: Vec<LinkTraffic>,
     /// Whether the display is paused.
     pub(in crate::app) paused: bool,
-    /// The filter: only messages whose name or number contains it are shown.
+    /// The filter: only messages whose name contains it, or whose number equals it, are shown.
     pub(in crate::app) filter: String,
     /// The order of a component's messages.
     pub(in crate::app) sort: Sort,
@@ -63,9 +63,9 @@ pub struct LinkTraffic {
 pub struct TrafficRequest {
     /// Whether the counts of all messages are needed.
     pub census: bool,
-    /// The number of resets of the statistics that were asked for in this session.
+    /// The number of times that a reset of the statistics was requested in this session.
     pub resets: u32,
-    /// Messages of which every frame is needed, with the number of the link.
+    /// The messages of which every frame is needed, each with the number of its link.
     pub watched: BTreeSet<(usize, TallyKey)>,
 }
 
@@ -148,7 +148,7 @@ impl Messages {
         self.paused
     }
 
-    /// The filter: only messages whose name or number contains it are shown.
+    /// The filter: only messages whose name contains it, or whose number equals it, are shown.
     pub fn filter_text(&self) -> &str {
         &self.filter
     }

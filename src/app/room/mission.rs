@@ -168,7 +168,8 @@ pub fn show_asked_hint(state: &mut State) {
     }
 }
 
-/// Rows for lines on a screen of `rows`: if not all fit, the last row shows which ones are visible.
+/// The rows available for lines on a screen of `rows`: if not all lines fit, the last row shows
+/// which ones are visible.
 pub fn visible(lines: usize, rows: u16) -> usize {
     let rows = usize::from(rows);
     if lines > rows {

@@ -13,7 +13,7 @@ pub enum Tone {
     Muted,
     /// An objective that is met.
     Met,
-    /// An objective that was not reached.
+    /// An objective that was not met.
     Missed,
     /// A condition that blocks or restricts the mission.
     Warning,

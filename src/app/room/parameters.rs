@@ -1,7 +1,7 @@
 //! The vehicles' parameters: list, search, edit, files, differences.
 //!
-//! The list is that of the vehicle under the cursor. A new value goes to the targets of any command: the selection if
-//! there is one, otherwise the vehicle under the cursor.
+//! The room lists the parameters of the vehicle under the cursor. A new value goes to the targets
+//! of any command: the selection if there is one, otherwise the vehicle under the cursor.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
@@ -316,7 +316,7 @@ pub(super) fn act(state: &mut State, action: ParametersAction) -> Vec<RoomReques
     Vec::new()
 }
 
-/// The row under the cursor.
+/// The index of the row under the cursor.
 pub fn cursor_row(state: &State, rows: &[Row<'_>]) -> usize {
     let name = state.rooms.parameters.cursor.as_str();
     let at = rows.partition_point(|row| row.name < name);
@@ -344,7 +344,7 @@ pub fn arrived(state: &mut State, vehicle: VehicleId, snapshot: ParameterSnapsho
     }
 }
 
-/// The state of a command in the ledger for one vehicle.
+/// The ledger row of a command for one vehicle; `None` if the ledger has no such row.
 pub fn outcome(
     state: &State,
     entry: EntryId,

@@ -50,7 +50,7 @@ pub struct Drawing {
     drafts: Drafts,
     /// The list whose items the keys change.
     list: ListKind,
-    /// The item under the cursor, from 0; if there are fewer, the last one counts.
+    /// The item under the cursor, from 0; if the list is shorter, its last item counts.
     row: usize,
     /// The index of the item where marking began; `None` if only the item under the cursor is
     /// marked.

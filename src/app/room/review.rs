@@ -21,7 +21,7 @@ mod page;
 
 /// Rows of the screen outside a page: header, tabs, keys, footer.
 const OTHER_ROWS: u16 = 4;
-/// The divisor of a page's rows that gives the rows for the curves of two flights.
+/// The rows for the curves of two flights are a page's rows divided by this.
 const CURVE_SHARE: u16 = 3;
 /// The greatest width of a page.
 const WIDEST: u16 = 100;
@@ -29,7 +29,7 @@ const WIDEST: u16 = 100;
 /// The pages of a review, in order.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum ReviewPage {
-    /// The task: objectives, prediction, goal.
+    /// The plan: objectives, prediction, goal.
     #[default]
     Planned,
     /// The moments of the flight, and the map at each.
@@ -120,7 +120,8 @@ pub fn key_of(state: &State, words: &'static str) -> Text {
     state.keymap.key(meaning, Place::In(Room::Review))
 }
 
-/// Rows of both flights' curves, on a page of this height.
+/// The rows for both flights' curves on a page of this height; 0 if the current page does not show
+/// them.
 pub fn curve_rows(state: &State, rows: u16) -> u16 {
     let has_both = state.ghost.as_ref().is_some_and(|it| it.own.is_some());
     let is_shown = has_both && state.rooms.review.page == ReviewPage::Compared;
@@ -204,7 +205,7 @@ impl RoomModel for Review {
         })
     }
 
-    /// Submits the page's answer, or shows the moment under the cursor again.
+    /// Opens the command line with the page's answer, or shows the moment under the cursor again.
     fn submit(state: &mut State) -> Answer {
         let review = state.replay.as_ref().map(|it| &it.review)?;
         let line = match state.rooms.review.page {
@@ -242,7 +243,8 @@ impl RoomModel for Review {
     }
 }
 
-/// Shows another page. The replay stays where it is; the cursor of the moments is on the one shown.
+/// Shows another page. The replay stays where it is; on the page of the moments, the cursor starts
+/// on the moment shown.
 fn turn(state: &mut State, page: ReviewPage) -> Vec<RoomRequest> {
     let room = &mut state.rooms.review;
     if room.page == page {

@@ -41,7 +41,7 @@ pub struct Workshop {
     pub(in crate::app) shelf: usize,
     /// The index of the seat under the cursor.
     pub(in crate::app) seat: usize,
-    /// The first line of the comparison.
+    /// The first line shown of the comparison.
     pub(in crate::app) scroll: usize,
     /// The design that the bench is compared with.
     pub(in crate::app) compared: Option<(Design, Sheet)>,
@@ -87,7 +87,7 @@ impl Workshop {
         self.seat
     }
 
-    /// The first line of the comparison.
+    /// The first line shown of the comparison.
     pub fn scroll(&self) -> usize {
         self.scroll
     }
@@ -152,8 +152,8 @@ pub fn air() -> Air {
     Air::default()
 }
 
-/// The mission to build for: the one in flight; after it, and without one, the mission under the
-/// home screen's cursor.
+/// The mission to build for: the one in flight, otherwise the mission under the home screen's
+/// cursor.
 pub fn mission(state: &State) -> Option<&Listing> {
     // After a finished flight, the bench is for the next one.
     let chosen = super::home::under_cursor(state).filter(|_| state.session.is_over());

@@ -34,7 +34,7 @@ pub struct Pressing<'a> {
     pub vehicles: Vec<VehicleId>,
     /// Whether all alerts have the same text.
     pub alike: bool,
-    /// The number of alerts of other kinds.
+    /// The number of unacknowledged alerts of other kinds.
     pub others: usize,
 }
 
@@ -48,7 +48,7 @@ pub struct ActiveAlerts {
     muted: Vec<AlertKind>,
     /// For each vehicle that is too close to others, the closest of them.
     close: BTreeMap<VehicleId, CloseVehicle>,
-    /// The aircraft that come too close to vehicles.
+    /// For each vehicle that other aircraft come too close to, the greatest threat.
     traffic: BTreeMap<VehicleId, TrafficConflict>,
     /// Alerts that have begun and need a notice.
     begun: Vec<(VehicleId, Alert)>,
@@ -70,7 +70,7 @@ impl ActiveAlerts {
         self.close.get(&vehicle).map(separation)
     }
 
-    /// Notes which aircraft come too close to vehicles.
+    /// Replaces the set of aircraft that come too close to vehicles.
     pub fn note_traffic(&mut self, traffic: BTreeMap<VehicleId, TrafficConflict>) {
         self.traffic = traffic;
     }
@@ -121,7 +121,8 @@ impl ActiveAlerts {
         self.traffic.remove(&vehicle);
     }
 
-    /// Rings for a serious text, unless its alert has already done so.
+    /// Rings for a serious text, unless its kind is muted or the vehicle already has an alert of
+    /// that kind.
     pub fn hear(&mut self, now: Duration, call: BellCall) {
         let stands = |id| self.of(id).any(|one| one.alert.kind == call.kind);
         if self.is_muted(call.kind) || call.vehicle.is_some_and(stands) {
@@ -146,8 +147,8 @@ impl ActiveAlerts {
         all.filter(|one| one.ended.is_none())
     }
 
-    /// The alert for a vehicle's row, if it has any: unacknowledged before acknowledged, then the
-    /// worst.
+    /// The alert for a vehicle's row, if it has any: the worst of those that are neither
+    /// acknowledged nor muted, otherwise the worst of all.
     pub fn worst(&self, vehicle: VehicleId) -> Option<&Standing> {
         self.of(vehicle)
             .min_by_key(|one| (self.is_calm(one), one.alert.severity))
@@ -164,7 +165,7 @@ impl ActiveAlerts {
     }
 
     /// The worst unacknowledged alert, and the vehicles with the same kind; `None` without one.
-    /// Minor alerts and failed pre-arm checks do not count.
+    /// Minor or muted alerts and failed pre-arm checks do not count.
     pub fn pressing(&self) -> Option<Pressing<'_>> {
         let open = || self.open();
         let (_, first) = open().min_by_key(|(_, one)| (one.alert.severity, one.since))?;

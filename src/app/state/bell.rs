@@ -64,7 +64,8 @@ pub struct Bell {
 }
 
 impl Bell {
-    /// Queues a signal for an alert; minor or repeated ones are ignored.
+    /// Queues a signal for an alert. Minor alerts are ignored, and so are repeated ones that have
+    /// not become more serious.
     pub fn call(&mut self, now: Duration, call: BellCall) {
         let is_minor = call.severity > LEAST || call.kind == AlertKind::Prearm;
         if is_minor {

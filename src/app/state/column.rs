@@ -140,7 +140,7 @@ fn heard(vehicle: &Vehicle) -> f64 {
     }
 }
 
-/// A number by which armed vehicles come first, then those ready to arm.
+/// A number that sorts armed vehicles first, then those ready to arm.
 fn armed(vehicle: &Vehicle) -> f64 {
     match (vehicle.armed(), vehicle.ready_to_arm()) {
         (true, _) => 0.0,
@@ -149,7 +149,8 @@ fn armed(vehicle: &Vehicle) -> f64 {
     }
 }
 
-/// A number by which the most serious alerts come first, and acknowledged ones after the others.
+/// A number that sorts the most serious alerts first, and acknowledged or muted ones after all
+/// others.
 fn seriousness(session: &FlightView, one: &Standing) -> f64 {
     let calm = if session.alerts.is_calm(one) {
         10.0

@@ -2,7 +2,7 @@
 
 use crate::geo::GridSize;
 
-/// The smallest terminal that the console fits into: columns and rows.
+/// The size of the smallest terminal that can show the console: columns and rows.
 pub const SMALLEST: (u16, u16) = (80, 24);
 
 /// Whether a terminal of this size, in columns and rows, is too small to show anything.
@@ -15,7 +15,7 @@ pub fn is_too_small((columns, rows): (u16, u16)) -> bool {
 pub struct Display {
     /// The size of the terminal: columns and rows.
     pub(in crate::app) size: (u16, u16),
-    /// The throughput of the terminal's line in bytes per second while it is too slow for the
+    /// The throughput of the terminal's connection in bytes per second while it is too slow for the
     /// screen; otherwise `None`.
     pub(in crate::app) slow_line: Option<u32>,
     /// Whether rooms are drawn; the plain console has none.
@@ -43,7 +43,7 @@ impl Display {
         is_too_small(self.size)
     }
 
-    /// The throughput of the terminal's line in bytes per second while it is too slow for the
+    /// The throughput of the terminal's connection in bytes per second while it is too slow for the
     /// screen; otherwise `None`.
     pub fn slow_line(&self) -> Option<u32> {
         self.slow_line

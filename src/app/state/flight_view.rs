@@ -61,7 +61,7 @@ pub enum Activity {
         /// How the flight counts in a career.
         stake: Stake,
     },
-    /// Simulated vehicles without a task.
+    /// Simulated vehicles without a mission.
     Free,
     /// Running vehicles at these addresses.
     Connected { addresses: Vec<String> },
@@ -114,7 +114,7 @@ impl FlightView {
         }
     }
 
-    /// Converts a time of the program's clock to session time; in a mission, to mission time.
+    /// Converts a time on the program's clock to session time; in a mission, to mission time.
     pub fn time(&self, at: Duration) -> Duration {
         self.timing.at(at)
     }
@@ -163,8 +163,8 @@ impl FlightView {
         Text::new(format!("class-{}", Self::class(vehicle)), Vec::new())
     }
 
-    /// The doctor's explanation why no vehicle is heard; `None` for a closed link, which shows its
-    /// own error.
+    /// The doctor's explanation of why no vehicle is heard; `None` for a closed link, which shows
+    /// its own error.
     pub fn worst_finding(&self) -> Option<&LinkFinding> {
         self.connections.worst_finding()
     }

@@ -86,7 +86,7 @@ pub struct Hangar {
     pub(in crate::app) fault: Option<Text>,
     /// The output of the process shown on the screen, oldest line first.
     pub(in crate::app) printed: Option<(VehicleId, Vec<String>)>,
-    /// Whether all processes have been ready at the same time; then the flight begins.
+    /// Whether the flight has begun, which it does once all processes are ready at the same time.
     pub(in crate::app) begun: bool,
 }
 
@@ -106,7 +106,7 @@ impl Hangar {
         self.fault.as_ref()
     }
 
-    /// Whether all processes have been ready at the same time; then the flight begins.
+    /// Whether the flight has begun, which it does once all processes are ready at the same time.
     pub fn has_begun(&self) -> bool {
         self.begun
     }

@@ -16,7 +16,7 @@ pub struct Connections {
     pub(in crate::app) forwards: Vec<ForwardSummary>,
     /// The findings of the link doctor, worst first.
     pub(in crate::app) findings: Vec<LinkFinding>,
-    /// The number of resets of the statistics of messages that were asked for.
+    /// The number of times that a reset of the message statistics was requested.
     pub(in crate::app) statistics_resets: u32,
     /// The file that the next count of the messages is exported to.
     pub(in crate::app) export_to: Option<String>,
@@ -30,8 +30,8 @@ impl Connections {
         self.told.insert((finding.link, finding.cause.name()))
     }
 
-    /// The doctor's explanation why no vehicle is heard; `None` for a closed link, which shows its
-    /// own error.
+    /// The doctor's explanation of why no vehicle is heard; `None` for a closed link, which shows
+    /// its own error.
     pub(super) fn worst_finding(&self) -> Option<&LinkFinding> {
         let worst = self.findings.first()?;
         let is_reported = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;

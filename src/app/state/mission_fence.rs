@@ -10,7 +10,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{FenceArea, FencePlan, FenceShape};
 
-/// The end of a way: a place, and the height above home in metres, if the order sets one.
+/// A place to which an order leads, and the height above home in metres, if the order sets one.
 type WayEnd = (LatLon, Option<f64>);
 
 impl FlightView {
@@ -47,7 +47,8 @@ impl FlightView {
         }
     }
 
-    /// The fence on board that the plans of a task keep: that of the first target.
+    /// The fence in force on board the first target, inside which the plans of a task stay; `None`
+    /// for other orders.
     fn kept_fence(&self, order: &Order) -> Option<&FencePlan> {
         let is_task = matches!(order.act, Act::Plans(_));
         let first = order.targets.first().filter(|_| is_task)?;

@@ -72,7 +72,8 @@ impl PlanFailures {
         failed.or_else(|| same_plan(order, vehicles))
     }
 
-    /// The targets whose plans have failed, by the reason, and the pairs that came too close to each other.
+    /// The targets whose plans have failed, grouped by reason, and the pairs that came too close to
+    /// each other.
     fn failed_plans(&self, order: &Order, vehicles: &Vehicles) -> Option<Text> {
         let mut failed: Vec<(&Text, Vec<VehicleId>)> = Vec::new();
         for id in &order.targets {

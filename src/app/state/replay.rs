@@ -12,7 +12,7 @@ use crate::review::Review;
 use crate::scoring::Report;
 use crate::vehicle::VehicleId;
 
-/// How long after a moment's time the moment counts as shown: two frames.
+/// How long a moment counts as shown after its time: two frames.
 const SAME_MOMENT: Duration = Duration::from_millis(200);
 
 /// A replayed recording and the position in it.
@@ -59,7 +59,7 @@ pub struct ReplayPosition {
     pub stops: Vec<MomentKind>,
     /// The length of the gap in the recording at this position, if there is one.
     pub gap: Option<Duration>,
-    /// The target of the jump under way; `None` without a jump.
+    /// The time to which the jump under way leads; `None` without a jump.
     pub goal: Option<Duration>,
 }
 

@@ -96,8 +96,8 @@ impl CellGrid {
         others.filter(|other| other.vehicle != flyer.vehicle)
     }
 
-    /// The distance of two vehicles relative to the limits, by the rules of a rehearsal; less than
-    /// 1 is too close.
+    /// The distance between two vehicles relative to the limits, by the rules of a rehearsal; less
+    /// than 1 is too close.
     fn nearness(&self, flyer: &Flyer, other: &Flyer) -> f64 {
         let starts = flyer.start.zip(other.start);
         let rule = Separation::new(starts.map(<[_; 2]>::from), self.limits);

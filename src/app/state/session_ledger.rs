@@ -12,8 +12,8 @@ use crate::vehicle::VehicleId;
 pub struct SessionLedger {
     /// All commands of the session.
     pub(in crate::app) ledger: Ledger,
-    /// For each vehicle, its newest ledger entry, and the entries that were under way when that was
-    /// opened.
+    /// For each vehicle, its newest ledger entry, and the entries that were under way when the
+    /// newest was opened.
     recent: BTreeMap<VehicleId, Vec<EntryId>>,
 }
 

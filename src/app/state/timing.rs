@@ -29,7 +29,7 @@ pub struct Timing {
 }
 
 impl Timing {
-    /// Converts a time of the program's clock to session time; in a mission, to mission time.
+    /// Converts a time on the program's clock to session time; in a mission, to mission time.
     pub(super) fn at(&self, then: Duration) -> Duration {
         let clock = self.clock.at(then);
         clock.unwrap_or_else(|| then.saturating_sub(self.began_at))

@@ -156,7 +156,8 @@ impl TrafficPicture {
     }
 }
 
-/// The aircraft that receivers hear. Several receivers hear the same one, by its ICAO address: the newest report counts.
+/// The aircraft that receivers hear. If several receivers hear the same one, by its ICAO address,
+/// the newest report counts.
 fn heard(vehicles: &Vehicles) -> impl Iterator<Item = Aircraft> {
     let mut newest: BTreeMap<u32, Aircraft> = BTreeMap::new();
     let mut nameless = Vec::new();
@@ -173,7 +174,8 @@ fn heard(vehicles: &Vehicles) -> impl Iterator<Item = Aircraft> {
     newest.into_values().chain(nameless)
 }
 
-/// The manned aircraft of a mission: its task force receives their reports. Several may have one callsign.
+/// The manned aircraft of a mission: its task force receives their reports. Several aircraft may
+/// share a callsign.
 fn of_mission(mission: Option<&Progress>, now: Duration) -> impl Iterator<Item = Aircraft> + '_ {
     let movers = mission.into_iter().flat_map(|progress| &progress.movers);
     let manned = movers.filter(|mover| mover.kind == MoverKind::Aircraft);
@@ -226,7 +228,7 @@ mod tests {
 
     const HERE: LatLon = LatLon::new(50.45, 30.52);
 
-    /// A vehicle this far in the north, with this velocity to the north.
+    /// A vehicle this far north, with this velocity to the north.
     fn vehicle(id: u8, north_m: f64, north_m_s: f32) -> Vehicle {
         let mut vehicle = Vehicle::new(id, 1);
         vehicle.global = Some(GlobalPosition {

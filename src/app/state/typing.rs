@@ -60,7 +60,7 @@ impl Typing {
         self.history.back().map(String::as_str)
     }
 
-    /// The plan files in the folder that is being typed, and its subfolders.
+    /// The plan files and the subfolders of the folder that is being typed.
     pub(in crate::app) fn plan_files(&self) -> Vec<Named> {
         let Some(folder) = &self.folder else {
             return Vec::new();

@@ -191,7 +191,7 @@ impl FlightView {
         mission.is_some_and(|progress| !progress.elapsed.is_zero())
     }
 
-    /// Starts the mission if it is waiting for the brief to be left.
+    /// Starts the mission if it is waiting for the user to leave the brief.
     pub(in crate::app) fn leave_brief(&mut self) {
         if self.is_reading() {
             self.timing.flow = TimeFlow::Passes;

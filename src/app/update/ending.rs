@@ -40,7 +40,7 @@ pub fn leave(state: &mut State) -> Effects {
     )
 }
 
-/// The text of the loss if the session ended now; `None` if nothing would be lost.
+/// A text that describes the loss if the session ended now; `None` if nothing would be lost.
 pub fn loss(state: &State) -> Option<Text> {
     let session = &state.session;
     // A mission that has not begun is only cancelled.
@@ -74,7 +74,7 @@ pub fn loss(state: &State) -> Option<Text> {
     }
 }
 
-/// Asks before an effect.
+/// Asks for a confirmation of an effect.
 pub fn ask(state: &mut State, question: Text, reason: Text, effect: Effect) -> Effects {
     state.ask(question, reason, Consequence::Effect(effect));
     Effects::none()

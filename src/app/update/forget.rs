@@ -13,8 +13,8 @@ use crate::vehicle_id::ranges;
 /// Forgets vehicles whose link is lost: the chosen ones, or all.
 ///
 /// # Errors
-/// A chosen vehicle is still heard, none of them is known, no link is lost, or the session has no
-/// running vehicles: simulated vehicles would appear again.
+/// The session is not connected to running vehicles (simulated ones would appear again), no chosen
+/// vehicle is known, one is still heard, or no link is lost.
 pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effects, Text> {
     if !matches!(state.session.activity, Some(Activity::Connected { .. })) {
         return Err(text!("forget-not-here"));

@@ -33,7 +33,7 @@ pub fn findings(state: &mut State, findings: Vec<LinkFinding>) {
     }
 }
 
-/// Stores a count of the messages, and exports it if it was asked for.
+/// Stores a count of the messages, and exports it if the user has requested that.
 pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) -> Effects {
     if state.session.activity.is_none() || state.rooms.messages.paused {
         return Effects::none();
@@ -50,7 +50,8 @@ pub fn traffic(state: &mut State, traffic: Vec<LinkTraffic>) -> Effects {
 /// Carries out a line about the messages on the links.
 ///
 /// # Errors
-/// Nothing is counted, or the file has another ending.
+/// There is no session, the statistics are paused and cannot be reset, or the file's extension is
+/// unknown.
 pub fn messages_line(state: &mut State, line: MessagesLine) -> Result<Effects, Text> {
     if state.session.activity.is_none() {
         return Err(text!("messages-no-links"));

@@ -25,7 +25,7 @@ pub fn leave_brief(state: &mut State) {
     state.session.leave_brief();
 }
 
-/// Pauses or resumes the session.
+/// Pauses or resumes the session or the replay.
 pub fn turn(state: &mut State) -> Effects {
     if let Some(view) = &state.replay {
         return replay::play(!view.position.is_playing);
@@ -37,7 +37,7 @@ pub fn turn(state: &mut State) -> Effects {
     }
 }
 
-/// Pauses the session, or shows why that is not possible.
+/// Pauses the session, or shows why that is not possible; in a replay, pauses the replay.
 pub fn pause(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::play(false);
@@ -145,7 +145,7 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
     guarded(state, text!("ask-restart"), effect)
 }
 
-/// Ends the mission, after a question.
+/// Ends the mission, after a question; leaves it if the flight has not begun.
 pub fn abandon(state: &mut State) -> Effects {
     if state.flown_mission().is_none() || state.session.task.over || state.replay.is_some() {
         state.say(Severity::Notice, text!("mission-none"));

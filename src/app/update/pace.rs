@@ -40,7 +40,7 @@ pub fn faster(state: &mut State) -> Effects {
     set(state, (pace.now * KEY_FACTOR).min(most))
 }
 
-/// Returns to the speed-up at the start of the session.
+/// Returns to the speed-up at the start of the session; in a replay, lowers the rate.
 pub fn usual(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::change_rate(state, false);
@@ -48,7 +48,8 @@ pub fn usual(state: &mut State) -> Effects {
     set(state, state.session.timing.pace.usual)
 }
 
-/// Sets the speed-up over the wall clock, or shows why that is not possible.
+/// Sets the speed-up over the wall clock, or shows why that is not possible; in a replay, sets the
+/// rate.
 pub fn set(state: &mut State, speedup: f64) -> Effects {
     if state.replay.is_some() {
         return replay::set_rate(state, speedup);

@@ -12,8 +12,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Opens the list. During a mission it is refused, because the result belongs to the mission's
-/// trainee.
+/// Opens the list of profiles; refused during a mission, because the result belongs to the
+/// mission's trainee.
 pub fn open(state: &mut State) {
     let is_mission = matches!(state.session.activity, Some(Activity::Mission { .. }));
     if is_mission && !state.session.task.over && state.replay.is_none() {

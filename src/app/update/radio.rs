@@ -12,7 +12,8 @@ use crate::vehicle_id::ranges;
 /// Begins or ends a test of the radios of vehicles.
 ///
 /// # Errors
-/// A mission is flown, the link is unknown, or no vehicle is meant.
+/// There is no session, a mission is being flown, a link or a group is unknown, or no vehicle is
+/// addressed.
 pub fn carry_out(
     state: &mut State,
     choice: &RadioChoice,

@@ -66,7 +66,8 @@ fn invert(state: &mut State) {
     state.session.choice.selection = others;
 }
 
-/// Adds a character to the vehicle list, which begins with a digit.
+/// Adds a character to the vehicle list, unless the list would not begin with a digit or would be
+/// too long.
 pub fn type_ids(state: &mut State, c: char) {
     if (c.is_ascii_digit() || !state.typing.targets.is_empty())
         && state.typing.targets.len() < LONGEST_LIST

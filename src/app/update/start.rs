@@ -76,8 +76,8 @@ fn session(state: &State, started: Started) -> FlightView {
     session
 }
 
-/// The first room of a session: the review if the recording was opened for it, the brief at a first
-/// attempt at a mission, otherwise the flight.
+/// The first room of a session: the review if the recording was opened for it, the brief of a
+/// mission that was not restarted, otherwise the flight.
 fn first_room(session: &FlightView, is_again: bool, replay: Option<&ReplayView>) -> Room {
     if replay.is_some_and(|it| it.is_review) {
         Room::Review

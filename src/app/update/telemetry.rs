@@ -25,7 +25,8 @@ use crate::vehicle::{Severity, Vehicle};
 /// If a notice reported an alert's condition within this time before the alert begins, the alert
 /// gets no notice of its own.
 const ANNOUNCED_WITHIN: Duration = Duration::from_secs(5);
-/// How often distances to vehicles and to other aircraft are checked, in milliseconds.
+/// The interval between checks of the distances between vehicles and to other aircraft, in
+/// milliseconds.
 const SEPARATION_MS: u128 = 500;
 
 /// Advances wall time and, except in a replay, flight time.

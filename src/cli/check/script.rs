@@ -21,8 +21,8 @@ pub(super) fn faults(script: &Path, text: &str, named: &[PathBuf]) -> Option<Vec
     Script::parse(text, &context).err()
 }
 
-/// The mission with the script's id or number in the same folder; otherwise the only mission named on the command
-/// line.
+/// The mission with the script's id or number in the same folder, its parent folder or `../drills`;
+/// otherwise the only mission named on the command line.
 fn mission_of(script: &Path, named: &[PathBuf]) -> Option<Mission> {
     let stem = script.file_stem()?.to_str()?;
     let number = stem.split('-').next()?;

@@ -104,7 +104,7 @@ fn purpose(socket: &ListeningSocket) -> String {
     }
 }
 
-/// The programs that hold the ports of a SITL started by hand.
+/// Whether the ports of a SITL started by hand are free, and which users hold them.
 pub(super) fn ports() -> Vec<HostFinding> {
     let own = nix::unistd::geteuid().as_raw();
     let all = sockets::open();

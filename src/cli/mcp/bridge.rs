@@ -224,7 +224,7 @@ fn welcome(asked: &str) -> Value {
     })
 }
 
-/// A request as a line for the console; `None` if the console would not accept its length.
+/// A request as a line for the console; `None` if the line is longer than the console accepts.
 fn console_line(number: u64, request: &Request) -> Option<String> {
     let mut value = serde_json::to_value(request).ok()?;
     value["id"] = number.into();

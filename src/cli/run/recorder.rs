@@ -122,7 +122,7 @@ impl<'a> RunRecorder<'a> {
     }
 
     /// The data about the end of the run: its name, whether it is recorded, the time, and its
-    /// purpose.
+    /// stake.
     pub fn landing(&self) -> Landing {
         Landing {
             id: self.id.clone(),

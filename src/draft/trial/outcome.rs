@@ -31,7 +31,7 @@ impl TrialOutcome<'_> {
     }
 
     /// The flights, with a text: their figures, their conflicts, or the first plan that is not
-    /// flown as planned and the number of others.
+    /// flown as planned and the number of further failures.
     pub fn tried(&self) -> Tried {
         Tried {
             flight: Some(TrialFlight::of(self.drafts, self.outcome)),
@@ -110,7 +110,7 @@ impl TrialOutcome<'_> {
         Some(text!("draft-trial-meeting", a = a, b = b, time = at_s))
     }
 
-    /// All pairs that come too close to each other.
+    /// The outcome for drafts in conflict: all pairs that come too close to each other.
     fn in_conflict(&self, conflicts: &[&Approach]) -> Tried {
         let pair = |conflict: &&Approach| -> Text {
             let [a, b] = self.names(conflict);

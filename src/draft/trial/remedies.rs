@@ -30,7 +30,7 @@ impl TrialRemedies<'_> {
         }
     }
 
-    /// The drafts whose content changes, and all drafts with sharers.
+    /// The drafts whose content changes, and every draft with a sharer.
     fn changed(&self) -> Vec<TrialDraft> {
         let changed = self.all().filter_map(|(remedy, draft)| {
             let is_other = is_needed(remedy) || draft.sharer.is_some();

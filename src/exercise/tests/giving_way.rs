@@ -1,4 +1,4 @@
-//! A manned aircraft crosses the area of the task: drones give way.
+//! A manned aircraft crosses the area of the mission: drones give way.
 
 use std::sync::Arc;
 use std::time::Duration;

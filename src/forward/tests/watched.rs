@@ -1,4 +1,4 @@
-//! The rows of what other stations command.
+//! Tests of the rows for other stations' commands.
 
 use mavlink::dialects::ardupilotmega::{
     MISSION_ACK_DATA, MISSION_COUNT_DATA, MavMissionResult, MavMissionType, PARAM_SET_DATA,

@@ -52,7 +52,7 @@ impl Record {
     }
 
     /// Processes that the recorded one started and left behind: those in its session whose working
-    /// folder is still its folder.
+    /// folder is `folder` or lies below it.
     fn orphans(self, folder: &Path) -> impl Iterator<Item = Self> {
         let folder = folder.canonicalize().ok();
         let is_here = move |pid: u32| {

@@ -39,7 +39,7 @@ pub(in crate::hangar) fn shell(script: &str) -> LaunchOrder {
     order("/bin/sh", &["-c", script])
 }
 
-/// Also returns the launcher, because its processes end with it.
+/// Starts a process. Also returns the launcher, because the process ends with it.
 pub(in crate::hangar) async fn start(order: LaunchOrder) -> (Launcher, RunningProcess) {
     let launcher = launcher(HangarLimits::default());
     let running = launcher.launch(order).await.expect("it starts");

@@ -41,7 +41,7 @@ struct Ours {
     life: String,
     /// Whether the service has listed the vehicle: before that, a missing one may still appear.
     is_known: bool,
-    /// Whether the vehicle is gone, so that its number may be reused.
+    /// Whether the vehicle is gone, so its number may be reused.
     is_gone: bool,
     tunnel: CancellationToken,
 }

@@ -22,7 +22,8 @@ use crate::sitl::SitlKind;
 pub const PATIENCE: Duration = Duration::from_secs(10);
 /// The maximum number of bytes read from serial 0; SITL sends about a hundred before its name is complete.
 const GREETING_LEN: usize = 4096;
-/// The maximum number of bytes of output read; SITL prints about a kilobyte until then.
+/// The maximum number of bytes of output read; SITL prints about a kilobyte before it announces
+/// itself.
 const OUTPUT_MAX: usize = 1024 * 1024;
 const TAIL_LEN: usize = 400;
 
@@ -257,7 +258,7 @@ impl IdentityTrial {
     }
 }
 
-/// Reads from a pipe; a closed one stays pending forever.
+/// Reads from a pipe; on a closed one, stays pending forever.
 async fn read(pipe: &mut Option<impl AsyncRead + Unpin>, bytes: &mut [u8]) -> usize {
     if let Some(open) = pipe {
         match open.read(bytes).await {

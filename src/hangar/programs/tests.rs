@@ -102,7 +102,7 @@ async fn identify(program: &Path, patience: Duration) -> Result<ProgramIdentity,
     identify_by(&launcher(HangarLimits::default()), program, patience).await
 }
 
-/// Why a script is not a SITL.
+/// Why a script is not identified as SITL.
 async fn refused(home: &Home, script: &str, patience: Duration) -> String {
     let file = home.file("program", script, 0o755);
     let unknown = identify(&file, patience).await.expect_err(script);

@@ -1,4 +1,4 @@
-//! Accepts connections and closes those that are too many or too slow.
+//! Accepts connections, and closes those beyond the limit and those that are too slow.
 
 use std::convert::Infallible;
 use std::net::SocketAddr;

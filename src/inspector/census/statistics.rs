@@ -50,7 +50,7 @@ impl MessageStatistics {
         now.saturating_sub(self.since)
     }
 
-    /// The mean rate over the window, of at least one second.
+    /// The mean rate over the window, which counts as at least one second long.
     pub fn rate(&self, now: Duration) -> Rate {
         let seconds = self.window(now).as_secs_f64().max(1.0);
         Rate {

@@ -1,4 +1,4 @@
-//! Fields by name, there and back.
+//! Tests that fields written by name are read back unchanged.
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 use proptest::prelude::*;

@@ -7,7 +7,7 @@ use crate::language::names::NameList;
 use crate::text;
 use crate::text::Text;
 
-/// The maximum number of choices listed in a usage.
+/// The maximum number of choices listed in a usage line.
 const CHOICES_IN_USAGE: usize = 10;
 
 /// The words of a switch.
@@ -67,7 +67,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Whether the kind is a choice short enough to be listed in a usage.
+    /// Whether the kind is a choice short enough to be listed in a usage line.
     pub(in crate::language) fn fits_a_usage(self) -> bool {
         !matches!(self, Self::Choice(words) if words.len() > CHOICES_IN_USAGE)
     }

@@ -15,7 +15,7 @@ pub(super) static ROWS: &[VerbRow] = &[SURVEY, SEARCH, FORMATION, FOLLOW, SPREAD
 pub(super) const HEIGHT: Kind = Kind::Number(Unit::Metres, 0.5, 10_000.0);
 pub(super) const WAY: Kind = Kind::Number(Unit::Metres, -100_000.0, 100_000.0);
 pub(super) const HEADING: Kind = Kind::Number(Unit::Degrees, 0.0, 360.0);
-/// The gap between lines; that of a mine detector is below a metre.
+/// The gap between lines; for a mine detector, it is below a metre.
 const LINE_GAP: Kind = Kind::Number(Unit::Metres, 0.3, 1000.0);
 /// The gap between vehicles.
 pub(super) const GAP: Kind = Kind::Number(Unit::Metres, 1.0, 1000.0);
@@ -261,7 +261,8 @@ const DISBAND: Verb = Verb {
     counts_as: CountsAs::Task,
 };
 
-/// The forms of `relay` that form a chain of vehicles; those that switch a relay are in the table of devices.
+/// The forms of `relay` that build a chain of vehicles; those that switch a relay are in the table
+/// of devices.
 pub(super) const CHAIN_TO_PLACE: Form = Form::new(&[TO, NORTH, EAST, UP], |given| {
     chain(given, FarEnd::Place(local(given, "north", "east")?))
 })

@@ -3,7 +3,7 @@
 use super::*;
 use crate::vehicle::{AnnouncedMode, Vehicle};
 
-/// A vehicle with its own modes: one for users, one that only it sets.
+/// A vehicle with its own modes: one for users, and one that only the vehicle itself sets.
 fn own(id: u8) -> Vehicle {
     let mut vehicle = Vehicle::new(id, 1);
     for (index, number, name, is_selectable) in

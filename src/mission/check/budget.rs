@@ -6,7 +6,8 @@ use crate::mission::needs;
 use crate::text;
 use crate::workshop::{self, Design, Part, PartSlot};
 
-/// Reports a budget below the cheapest fleet that carries what the file lists. Lent vehicles may cost more.
+/// Reports a budget below the cheapest fleet that carries the equipment listed in the file. Lent
+/// vehicles may cost more.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let mission = examined.mission;
     let fleet = examined.section("fleet");

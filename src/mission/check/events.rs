@@ -4,7 +4,7 @@ use super::Examined;
 use crate::mission::event::{Action, Event, Trigger};
 use crate::text;
 
-/// Reports events that wait for one another in a circle, so that none can occur.
+/// Reports events that wait for one another in a circle, so none can occur.
 pub(super) fn check(examined: &mut Examined<'_>) {
     let events = &examined.mission.events;
     let tables = examined.tables("events");
@@ -27,7 +27,8 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The chain of events that one waits for; it contains the event itself if that event waits for itself indirectly.
+/// The chain of events by which the event `first` waits for itself, beginning with that event;
+/// `None` if it does not.
 fn circle(events: &[Event], first: usize) -> Option<Vec<usize>> {
     let mut chain = vec![first];
     loop {

@@ -25,8 +25,8 @@ impl Mission {
         root.get("id")?.get_ref().as_str().map(str::to_owned)
     }
 
-    /// References to missions that are not among the known ones, by their ids: the mission that this one is a drill of,
-    /// those that it requires, and those that it unlocks.
+    /// References to missions whose ids are not among the known ones: the mission that this one is
+    /// a drill of, those that it requires, and those that it unlocks.
     pub fn unknown_missions(&self, known: &BTreeSet<String>) -> Vec<Diagnostic> {
         let named = self.named_missions().into_iter();
         let unknown = named.filter(|named| !known.contains(named.id));

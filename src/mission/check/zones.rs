@@ -53,7 +53,8 @@ fn shape(examined: &mut Examined<'_>, zone: &Zone, written: &WrittenValue) {
     examined.add(place, fault);
 }
 
-/// The first two sides that cross, each given by the index of its first corner.
+/// The first two sides that cross, each given by the index of its first corner; `None` if no sides
+/// cross.
 fn crossing(corners: &[Point]) -> Option<(usize, usize)> {
     let side = |from: usize| {
         Some((

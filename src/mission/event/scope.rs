@@ -53,7 +53,7 @@ pub(crate) struct Scope<'a> {
     pub chance: (u64, u64),
 }
 
-/// The area to keep away from.
+/// The zone or the movers to keep away from.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Spot {
     /// The zone with this index in the file.
@@ -97,14 +97,16 @@ impl<'a> Scope<'a> {
         charges.fold(100.0, f64::min)
     }
 
-    /// The highest speed of the vehicles in the air that carry a sensor.
+    /// The highest speed of the vehicles in the air that carry a sensor, in m/s; 0 if there are
+    /// none.
     pub fn speed_m_s(&self, sensor: &str) -> f64 {
         let carries = |craft: &&Craft| craft.carries(sensor);
         let speeds = self.flying().filter(carries).map(|craft| craft.speed_m_s);
         speeds.fold(0.0, f64::max)
     }
 
-    /// The minimum distance between two vehicles in the air; infinite with fewer than two.
+    /// The minimum distance between two vehicles in the air, in metres; infinite with fewer than
+    /// two.
     pub fn separation_m(&self) -> f64 {
         let flying: Vec<_> = self.flying().filter_map(Craft::place_m).collect();
         let pairs = flying.iter().enumerate().flat_map(|(index, a)| {
@@ -135,7 +137,7 @@ impl<'a> Scope<'a> {
             .saturating_sub(self.sight.last_command.unwrap_or(Duration::ZERO))
     }
 
-    /// A vehicle's mode by name.
+    /// The name of a vehicle's mode; `None` if it is unknown.
     pub fn mode(&self, id: VehicleId) -> Option<&'static str> {
         self.sight
             .vehicles
@@ -151,7 +153,8 @@ impl<'a> Scope<'a> {
         self.flying().filter_map(|craft| self.mode(craft.id))
     }
 
-    /// Whether every vehicle in the air either hovers or keeps this distance.
+    /// Whether every vehicle in the air either hovers or is farther than this from the spot, in
+    /// metres.
     pub fn is_paused_or_clear(&self, spot: &Spot, metres: f64) -> bool {
         self.flying().all(|craft| {
             let near = craft.truly_at().is_some_and(|at| match spot {
@@ -168,8 +171,9 @@ impl<'a> Scope<'a> {
         })
     }
 
-    /// The distance of the nearest vehicle in the air, in metres: horizontally from a zone, in three dimensions from an
-    /// aircraft or a drone; infinite without either of them.
+    /// The distance of the nearest vehicle in the air, in metres: horizontal from a zone or a
+    /// person, in three dimensions from an aircraft or a drone; infinite without a vehicle in the
+    /// air or without the spot.
     pub fn clearance_m(&self, spot: &Spot) -> f64 {
         let places = self.flying().filter_map(Craft::place_m);
         let distances = places.map(|place| match spot {

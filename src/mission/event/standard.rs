@@ -63,7 +63,7 @@ impl Standard {
         found.map_or("", |(name, _)| name)
     }
 
-    /// The inject with this name.
+    /// The inject with this name; `None` if there is none.
     pub fn named(name: &str) -> Option<Self> {
         let found = Self::ALL.iter().find(|(known, _)| *known == name);
         found.map(|(_, standard)| *standard)

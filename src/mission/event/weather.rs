@@ -26,7 +26,7 @@ impl Element {
         Self::ALL.iter().map(|(name, ..)| *name).collect()
     }
 
-    /// The element with this name, with its valid range.
+    /// The element with this name, with its valid range; `None` if there is none.
     pub fn named(name: &str) -> Option<(Self, std::ops::RangeInclusive<f64>)> {
         let mut all = Self::ALL.into_iter();
         let (_, element, range) = all.find(|(known, ..)| *known == name)?;

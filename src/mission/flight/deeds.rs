@@ -20,7 +20,7 @@ pub struct Pledge {
     pub goal: Option<Goal>,
 }
 
-/// The outcome of a deed for one vehicle: a remark, or the reason why it failed.
+/// The outcome of a deed for one vehicle: an optional remark, or the reason why it failed.
 pub(super) type Done = Result<Option<Text>, Text>;
 
 impl Flight {

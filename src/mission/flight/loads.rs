@@ -32,9 +32,9 @@ const SAMPLE_UP_TO_M_S: f64 = 1.0;
 struct CraftLoads {
     full: BTreeMap<Load, u32>,
     left: BTreeMap<Load, u32>,
-    /// How long the sprayer has been open in the current second of the load; `None` while it is shut.
+    /// How much of the current second of spray has been used; `None` while the sprayer is shut.
     spraying: Option<Duration>,
-    /// How long it has been serviced on a pad.
+    /// How long the vehicle has been serviced on a pad.
     served: Duration,
 }
 
@@ -58,7 +58,8 @@ impl CraftLoads {
         left.map(|left| *left -= 1).is_some()
     }
 
-    /// The kind of piece that the vehicle carries, even if none is left.
+    /// The kind of piece that the vehicle releases: one with pieces left, otherwise any that it was
+    /// loaded with; `None` without pieces.
     fn piece(&self) -> Option<Load> {
         let mut pieces = self.full.keys().filter(|load| **load != Load::Spray);
         let with_some = pieces.clone().find(|load| self.left(**load) > 0);
@@ -232,7 +233,8 @@ impl Loads {
 }
 
 impl LoadsScene<'_> {
-    /// Reports the readings of a vehicle's sensors at the place where it hovers.
+    /// Takes a sample: records and returns the readings of a vehicle's sensors. The vehicle must be
+    /// in the air, and no faster than 1 m/s.
     pub fn take_sample(&mut self, vehicle: VehicleId) -> Done {
         let able = self.able(vehicle, f64::INFINITY)?;
         let craft = &self.crafts[able.seat];

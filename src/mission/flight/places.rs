@@ -15,8 +15,9 @@ const NAMED_CONTACTS: usize = 200;
 const PEAK: &str = "peak";
 
 impl Flight {
-    /// The places known so far: contacts (`c1`, `fire1`), the highest reading of all (`peak`) and of vehicle 1
-    /// (`peak1`), and those that the seed decides (`gate1`, and `next` for the next gate or cell).
+    /// The places known so far: contacts (`c1`, `fire1`), the highest reading of all vehicles
+    /// (`peak`) and of each vehicle (such as `peak1`), and those that the seed decides (`gate1`,
+    /// and `next` for the next gate or cell).
     pub fn places(&self) -> BTreeMap<String, LatLon> {
         let place = |point| self.mission.site.origin.place(point);
         let contacts = self

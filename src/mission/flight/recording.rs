@@ -28,7 +28,7 @@ impl Flight {
         recorder.map_or_else(String::new, |recorder| recorder.take())
     }
 
-    /// Stops recording because the record cannot be written.
+    /// Stops recording; called when the record cannot be written.
     pub fn stop_record(&mut self) {
         self.recorder = None;
     }

@@ -59,7 +59,7 @@ impl SwarmAccount {
         }
     }
 
-    /// Records the trainee's answer on the workload, from 1 to 5.
+    /// Records the trainee's answer to the workload question, from 1 to 5.
     pub fn answer(&mut self, now: Duration, level: u8) {
         self.course.answer(now, level);
     }

@@ -108,7 +108,8 @@ impl Threats {
         self.failed
     }
 
-    /// The changes to make to simulators and links since the last call.
+    /// Takes the changes to simulators and links that the threats have demanded since the last
+    /// call.
     pub fn take_demands(&mut self) -> Vec<Demand> {
         self.engine.take_demands()
     }

@@ -104,8 +104,8 @@ impl Flight {
         flown.map(report).collect()
     }
 
-    /// The kind of report that the objectives require for a hazard; the least strict one counts.
-    /// `None` if they require none.
+    /// The least strict report that the objectives require for a hazard, by its distance from the
+    /// object; `None` if they require none.
     fn sought(&self, hazard: usize) -> Option<Sought> {
         let sought = self
             .mission

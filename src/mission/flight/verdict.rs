@@ -45,8 +45,9 @@ impl Flight {
         }
     }
 
-    /// Whether the flight ends without any further command: all vehicles are down, and the mandatory objectives are
-    /// settled, or only wait until the reports are final.
+    /// Whether the flight ends without any further command: all vehicles are down, and each
+    /// mandatory objective is settled, concerns the landing, or will be settled once the reports
+    /// are final.
     pub(super) fn ends_itself(&self, standings: &[ObjectiveStanding]) -> bool {
         if !self.is_down_again() {
             return false;

@@ -147,13 +147,13 @@ impl Flight {
         self.crafts.iter().any(|craft| craft.flown) && self.crafts.iter().all(is_down)
     }
 
-    /// Whether vehicles are in the air, and all of them return or land on their own.
+    /// Whether vehicles are in the air, and all of them are returning or landing on their own.
     fn all_come_down(&self) -> bool {
         let mut flying = self.crafts.iter().filter(|it| it.flies()).peekable();
         flying.peek().is_some() && flying.all(|craft| craft.comes_down)
     }
 
-    /// The failsafe that ended the last flight, once no vehicle is in the air or about to take off.
+    /// The newest failsafe of a vehicle that is down, once no vehicle is armed or in the air.
     fn grounding(&self) -> Option<&SafetyEvent> {
         let is_active = |craft: &Craft| !craft.lost && (craft.armed || craft.airborne);
         if self.crafts.iter().any(is_active) {

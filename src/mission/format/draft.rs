@@ -158,7 +158,7 @@ impl Draft {
 }
 
 impl Declared {
-    /// The names in a file that can be read.
+    /// The names declared in a file; tables that cannot be read are skipped.
     pub fn of(root: &DeTable<'_>) -> Self {
         let value = |key: &str| root.get(key).map(Spanned::get_ref);
         let sections = ["zones", "places", "hazards", "objectives"];

@@ -9,7 +9,7 @@ use super::value::spaced;
 /// The maximum number of names that are listed in a row; longer lists have their own table in the guide.
 const FEW: usize = 4;
 
-/// The reference of a file: its head, then each section with its keys, then their kinds.
+/// The reference of a file: its head, then each section with its keys and kinds.
 pub(in crate::mission) fn reference(file: &FileTableDescription) -> String {
     let (sections, head): (Vec<&FileKey>, Vec<&FileKey>) = file
         .keys

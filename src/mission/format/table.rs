@@ -59,7 +59,7 @@ pub(super) struct AskedKey {
 enum TableContent<'a> {
     /// The keys not read yet.
     Written(DeTable<'a>),
-    /// The rest is ignored, because it cannot be understood.
+    /// The remaining keys are ignored, because the table cannot be understood.
     Abandoned,
     Described(FileTableDescription),
 }
@@ -146,7 +146,7 @@ impl FileTable<'_> {
         self.id.clone()
     }
 
-    /// A required key; `None` if it is missing or invalid, which is a fault.
+    /// The value of a required key; `None` if it is missing or invalid, which is a fault.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "a form is written where its key is asked for"
@@ -160,7 +160,8 @@ impl FileTable<'_> {
         self.ask(name, &value, Presence::Needed, about)
     }
 
-    /// An optional key; `None` if it is missing, or if it is invalid, which is a fault.
+    /// The value of an optional key; `None` if it is missing, or if it is invalid, which is a
+    /// fault.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "a form is written where its key is asked for"
@@ -174,7 +175,8 @@ impl FileTable<'_> {
         self.ask(name, &value, Presence::Optional, about)
     }
 
-    /// An optional key with a default.
+    /// The value of an optional key; the default if it is missing, or if it is invalid, which is a
+    /// fault.
     #[expect(
         clippy::needless_pass_by_value,
         reason = "a form is written where its key is asked for"
@@ -236,7 +238,7 @@ impl FileTable<'_> {
         Some(())
     }
 
-    /// A text, with its translation under the same name with the suffix `_uk`.
+    /// A required text, with its translation under the same key with the suffix `_uk`.
     pub fn need_text(&mut self, name: &str, about: &'static str) -> Option<Text> {
         let english = self.need(name, value::text(""), about);
         self.translated(name, english)
@@ -342,7 +344,7 @@ impl FileTable<'_> {
         place.unwrap_or_else(|| self.place.clone())
     }
 
-    /// Suppresses further faults, because the rest cannot be understood.
+    /// Suppresses further faults, because the rest of the table cannot be understood.
     fn abandon(&mut self) {
         self.content = TableContent::Abandoned;
     }

@@ -1,4 +1,4 @@
-//! The spread of clouds in the air, by its stability class.
+//! The spread of clouds, by the stability class of the air.
 
 /// Wind below this counts as calm, because the formulas for wind divide by its speed.
 pub(super) const CALM_BELOW_M_S: f64 = 0.5;
@@ -36,7 +36,8 @@ impl Terrain {
     pub const WORDS: [(&str, Self); 2] = [("open", Self::Open), ("urban", Self::Urban)];
 }
 
-/// Horizontal and vertical spread at a distance downwind (Briggs 1973; x in metres, 100 m to 10 km).
+/// Horizontal and vertical spread, in metres, `x` metres downwind (Briggs 1973; valid from 100 m to
+/// 10 km).
 pub(super) fn spreads_m(stability: Stability, terrain: Terrain, x: f64) -> (f64, f64) {
     use Stability::{A, B, C, D, E, F};
     let fall = |factor: f64, per_m: f64| factor * x / (1.0 + per_m * x).sqrt();

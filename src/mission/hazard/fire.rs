@@ -1,4 +1,5 @@
-//! A fire that spreads over a grid of cells with the wind, until roads, water or people stop it.
+//! A fire that spreads over a grid of cells with the wind, until roads, water or extinguishing
+//! loads stop it.
 
 use std::time::Duration;
 
@@ -342,7 +343,7 @@ impl Fire {
         }
     }
 
-    /// Updates the view from above, and the sources of smoke.
+    /// Updates the objects that detectors see from above, and the sources of smoke.
     fn look(&mut self) {
         let grid = &self.blaze.grid;
         let (across, up) = (grid.columns.div_ceil(BLOCK), grid.rows.div_ceil(BLOCK));

@@ -21,7 +21,7 @@ pub(crate) struct Plume {
     pub terrain: Terrain,
 }
 
-/// A point's distance downwind of a source, and across the wind.
+/// How far a point lies downwind of a source, and how far across the wind, in metres.
 pub(super) fn along_and_across(wind: Wind, source: Point, at: Point) -> (f64, f64) {
     let (east, north) = (at[0] - source[0], at[1] - source[1]);
     let (sin, cos) = maths::sin_cos(wind.from_deg.to_radians());

@@ -117,7 +117,8 @@ impl Wire {
         spans.map(|pair| distance_m(pair[0], pair[1])).sum()
     }
 
-    /// The wire's position, height and direction at a distance along the line.
+    /// The wire's position, its height in metres and its direction in degrees, at a distance along
+    /// the line.
     fn at(&self, along_m: f64) -> (Point, f64, f64) {
         let (mut left_m, mut last) = (along_m, ([0.0; 2], self.height_m, 0.0));
         for pair in self.pylons.windows(2) {

@@ -12,7 +12,7 @@ use crate::text;
 
 /// The greatest distance at which a person can reach a kit.
 const KIT_WITHIN_M: f64 = 8.0;
-/// The greatest distance of a node from its place.
+/// The greatest distance from its place at which a node counts as placed.
 const NODE_WITHIN_M: f64 = 6.0;
 
 /// The objects of a hazard with people: the people, the animals among them, and the places for nodes.

@@ -36,7 +36,7 @@ const FAINTEST: f64 = 0.1;
 #[derive(Debug)]
 struct PlumeHazard {
     leak: LeakPlan,
-    /// The standard deviation of the axis, in degrees.
+    /// The standard deviation of the axis's direction, in degrees.
     meander_deg: f64,
     /// The standard deviation of the logarithm of the concentration.
     intermittency: f64,

@@ -29,7 +29,6 @@ struct PuffsHazard {
     every_s: f64,
 }
 
-/// One puff of a leak.
 #[derive(Debug, Clone, Copy)]
 struct Puff {
     at: Point,

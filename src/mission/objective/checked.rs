@@ -1,8 +1,9 @@
 //! `checked`: look at each place closely before it is reported.
 //!
-//! A vehicle looks closely while it is near the place, slow enough and at the right height. The looks of all vehicles
-//! together must last for `dwell`, and have `crossings` straight ways across the place, in different directions. Only
-//! looks before the report count. Whether the report is correct plays no role, so the state is no secret in flight.
+//! A vehicle looks closely while it is near the place, slow enough and at the right height. The
+//! looks of all vehicles together must last for `dwell`, and include `crossings` straight passes
+//! across the place, in different directions. Only looks before the report count. Whether the
+//! report is correct plays no role, so the state is no secret in flight.
 
 use std::collections::BTreeMap;
 
@@ -22,18 +23,19 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The least length of a straight way across a place, as a multiple of the radius: the line between its ends misses the
-/// place by at most four fifths of the radius.
+/// The minimum length of a straight pass across a place, as a multiple of the radius: the line
+/// between its ends misses the place by at most four fifths of the radius.
 const ACROSS: f64 = 1.25;
-/// How far the points of a straight way may lie from the line between its ends, as a share of the radius. An arc of
-/// this width within the radius is too short to lead across.
+/// How far the points of a straight pass may lie from the line between its ends, as a share of the
+/// radius. An arc with this bend that stays within the radius is too short to count as a crossing.
 const BEND: f64 = 0.125;
-/// The distance of the points by which a path is judged, as a share of the radius; it keeps long stops cheap.
+/// The minimum spacing of the points by which a path is judged, as a share of the radius; it keeps
+/// long stops cheap to compute.
 const GRAIN: f64 = 0.03;
 /// The sine of the least angle between two crossings, 60 degrees.
 const APART: f64 = 0.866;
 
-/// What a look must be like to count.
+/// The conditions that a look must meet to count.
 #[derive(Debug, Clone)]
 struct Checked {
     radius_m: f64,
@@ -44,7 +46,7 @@ struct Checked {
     crossings: u32,
 }
 
-/// A moment at which a vehicle was slow enough and at the right height.
+/// A step in which a vehicle was slow enough and at the right height.
 #[derive(Debug, Clone, Copy)]
 struct SlowMoment {
     step: u32,
@@ -140,7 +142,8 @@ impl Checked {
         craft.at.filter(|_| is_slow && is_at_height)
     }
 
-    /// Whether these looks show a place: uninterrupted paths within the radius of it, one position a step.
+    /// Whether these looks together are long enough and cross the place as required. Each look is
+    /// an uninterrupted path within the radius, with one position per step.
     fn is_shown_by(&self, looks: &[Vec<Point>]) -> bool {
         let steps: usize = looks.iter().map(Vec::len).sum();
         let ways = looks
@@ -182,7 +185,7 @@ impl Checked {
     }
 }
 
-/// The straight parts of a path, each as the way from its beginning to its end.
+/// The straight parts of a path, each as the vector from its beginning to its end.
 fn straight_ways(path: &[Point], radius_m: f64) -> Vec<Point> {
     let points = thinned(path, GRAIN * radius_m);
     let mut ways = Vec::new();
@@ -203,7 +206,7 @@ fn straight_ways(path: &[Point], radius_m: f64) -> Vec<Point> {
     ways
 }
 
-/// The points of a path without those that are too near the one before.
+/// The points of a path, without those closer than `apart_m` to the last point kept.
 fn thinned(path: &[Point], apart_m: f64) -> Vec<Point> {
     let mut points: Vec<Point> = Vec::new();
     for &at in path {
@@ -225,7 +228,7 @@ fn length_m([east_m, north_m]: Point) -> f64 {
     maths::hypot(east_m, north_m)
 }
 
-/// Whether two ways differ enough in direction; there and back are the same.
+/// Whether two passes differ enough in direction; opposite directions count as the same.
 fn are_apart(one: Point, other: Point) -> bool {
     let aside_m2 = (one[0] * other[1] - one[1] * other[0]).abs();
     aside_m2 >= APART * length_m(one) * length_m(other)

@@ -1,4 +1,4 @@
-//! The objectives' demands on their mission, for the check whether it can be flown.
+//! The objectives' demands on their mission, for checking whether it can be flown.
 
 use std::time::Duration;
 
@@ -30,7 +30,7 @@ pub(crate) struct Demands<'o> {
     pub staying: Duration,
 }
 
-/// Equipment that a key requires.
+/// Equipment required by a key of the mission file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DemandedEquipment {
     pub key: &'static str,
@@ -47,14 +47,14 @@ pub(crate) enum Equipment {
     Detector,
 }
 
-/// Places that a key lists.
+/// Places listed under a key of the mission file.
 #[derive(Debug)]
 pub(crate) struct DemandedPlaces<'o> {
     pub key: &'static str,
     pub all: &'o [NamedPlace],
 }
 
-/// A time that a key sets.
+/// A time set by a key of the mission file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DemandedTime {
     pub key: &'static str,

@@ -25,7 +25,7 @@ use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
 
-/// The number of reports that count, for each object.
+/// How many reports count, as a multiple of the number of objects.
 const BUDGET: f64 = 3.0;
 
 #[derive(Debug, Clone)]
@@ -216,7 +216,8 @@ impl Detect {
                 .all(|craft| craft.lost || craft.is_down())
     }
 
-    /// Matches each report, in order, with the nearest unreported object.
+    /// Matches each report, in order, with the nearest unreported object of its kind within the
+    /// radius.
     fn tally(&self, objects: &[Object], marks: &[Mark]) -> DetectTally {
         let sought: Vec<&Object> = objects
             .iter()
@@ -279,7 +280,8 @@ impl DetectTally {
         }
     }
 
-    /// The cost of the wrong reports: `false_cost` finds each.
+    /// The cost of the false alarms, as a share of the objects: each costs as much as `false_cost`
+    /// finds.
     fn cost(self, false_cost: f64) -> f64 {
         false_cost * self.false_alarms as f64 / self.there.max(1) as f64
     }

@@ -11,7 +11,7 @@ use crate::mission::world::World;
 use crate::text;
 use crate::vehicle::VehicleId;
 
-/// The multiple of the limit that earns nothing.
+/// The multiple of the limit at which the objective earns nothing.
 const WORTHLESS: f64 = 2.0;
 
 #[derive(Debug)]

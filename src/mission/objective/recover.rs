@@ -8,7 +8,8 @@ use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
 
-/// The battery is shown instead of the distance when it is less than this many percent above the requirement.
+/// The battery is shown instead of the distance when it is less than this many percentage points
+/// above the requirement.
 const RUNNING_SHORT: f64 = 10.0;
 
 #[derive(Debug, Clone)]
@@ -102,8 +103,9 @@ impl Recover {
         distance_m.filter(|&distance_m| distance_m > self.radius_m)
     }
 
-    /// The most urgent need of one vehicle while it flies: the battery when it runs low, otherwise the distance
-    /// home. Short, since it is shown beside the title.
+    /// The most urgent need of a mission's only vehicle while it flies: the battery when it runs
+    /// low, otherwise the distance home; `None` with several vehicles. Short, since it is shown
+    /// beside the title.
     fn outlook(&self, vehicles: &[Craft]) -> Option<Text> {
         let [craft] = vehicles else { return None };
         if craft.lost || !craft.flown || craft.is_down() {
@@ -130,7 +132,7 @@ impl Recover {
         }
     }
 
-    /// Advice on the fault of the first vehicle that is not home.
+    /// Advice about the first vehicle that is not home.
     fn advice(&self, vehicles: &[Craft]) -> Text {
         let radius = format!("{:.0}", self.radius_m);
         let least = format!("{:.0}", self.battery_percent);

@@ -48,7 +48,7 @@ impl GateRoute {
         self.radius_m + self.jitter_m
     }
 
-    /// The name of a gate.
+    /// The name of a gate by its index from 0: the first is `gate1`.
     pub fn name(index: usize) -> String {
         format!("gate{}", index + 1)
     }

@@ -95,8 +95,8 @@ impl Standoff {
         }
     }
 
-    /// The share of time at the right distance; if the required time is not reached, the missing part counts as spent
-    /// elsewhere.
+    /// The share of time at the right distance; if the required time is not reached, the missing
+    /// part counts as spent at a wrong distance.
     fn share(&self) -> f64 {
         self.kept.as_secs_f64() / self.near.max(self.least).as_secs_f64()
     }

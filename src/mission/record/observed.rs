@@ -250,7 +250,7 @@ impl ObservedVehicle {
     }
 }
 
-/// A field that is present was reported, even if its value is unknown.
+/// Reads a present field as reported, even if its value is unknown.
 #[expect(
     clippy::option_option,
     reason = "absent differs from reported as unknown"

@@ -292,8 +292,8 @@ impl Reenactment {
             .map(|demand| (demand.vehicle, demand.want))
     }
 
-    /// The number of transmissions of the commands to a vehicle that are in a state accepted by
-    /// `is_wanted`.
+    /// How often the commands to a vehicle were sent, counting only those in a state that
+    /// `is_wanted` accepts.
     pub(super) fn tries_of(&self, vehicle: VehicleId, is_wanted: impl Fn(RowState) -> bool) -> u32 {
         let rows = self.ledger.entries().flat_map(|entry| &entry.rows);
         let counted = rows.filter(|row| row.vehicle == vehicle && is_wanted(row.state));
@@ -331,8 +331,8 @@ impl Reenactment {
         }
     }
 
-    /// Runs the steps without a line before `until`, while the flight lasts: a damaged time may be
-    /// years ahead.
+    /// Runs the steps before `until` that have no line, while the flight lasts: a damaged time may
+    /// be years ahead.
     fn pass(&mut self, until: Duration) {
         while let Some(next) = self.now.map(|now| now + TICK).filter(|next| *next < until)
             && !self.flight.is_over()

@@ -42,16 +42,17 @@ pub enum RecordExtent {
     Part {
         /// The mission time up to which record and flight were compared.
         to: Duration,
-        /// Whether the vehicles went on after the record's last line, so that it lacks more than the last second.
+        /// Whether the vehicles flew on after the record's last line, so that the record lacks more
+        /// than the last second.
         went_on: bool,
     },
 }
 
 impl Stored {
-    /// A sign that the record was changed after the flight, without flying it again: its checksum,
-    /// an input log of the embedded simulator beside a flight of a different simulator, or a
-    /// mission, program or profile that the journal beside it names differently; `None` if there is
-    /// no such sign.
+    /// Looks for a sign that the record was changed after the flight, without flying it again: a
+    /// wrong checksum, an input log of the embedded simulator beside a flight of a different
+    /// simulator, or a mission, program or profile that the journal beside it names differently;
+    /// `None` if there is no such sign.
     pub fn misstatement(
         &self,
         journal: Option<&JournalHead>,

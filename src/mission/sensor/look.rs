@@ -166,13 +166,14 @@ impl MineSpec {
         })
     }
 
-    /// The share of its probabilities that remains at a height and a speed.
+    /// The share of the probabilities that remains at a height in metres and a speed in m/s, 0 to
+    /// 1.
     pub(super) fn left(&self, height_m: f64, speed_m_s: f64) -> f64 {
         let over = (speed_m_s - self.speed_m_s) / (0.15 * self.speed_m_s);
         self.nearness(height_m) / (1.0 + maths::exp(over))
     }
 
-    /// The share that remains at a height.
+    /// The share of the probabilities that remains at a height, 0 to 1.
     fn nearness(&self, height_m: f64) -> f64 {
         let above = (height_m - self.height_m).max(0.0);
         maths::exp(-maths::powi(above / self.height_scale_m, 2))

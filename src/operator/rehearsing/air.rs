@@ -73,7 +73,8 @@ enum AirSource {
 }
 
 impl KnownAir {
-    /// The wind given, otherwise that of the first vehicle that estimates one, otherwise the mission's.
+    /// The wind given, otherwise that of the first vehicle that estimates one, otherwise the
+    /// mission's, otherwise calm air.
     pub(super) fn of<'a>(
         given: Option<Wind>,
         of_mission: Option<Wind>,

@@ -88,7 +88,7 @@ impl RehearsalQueue {
         }
     }
 
-    /// The rehearsals whose plans are known now, or have been waited for long enough.
+    /// The rehearsals whose plans are known now, or that have waited long enough.
     pub(in crate::operator) fn step(
         &mut self,
         vehicles: &Vehicles,

@@ -169,8 +169,8 @@ fn words(seats: &[Seat], approach: &Approach) -> Text {
     )
 }
 
-/// The outcome for a vehicle: done if it flew as planned, far enough from the others, on the charge
-/// that it has.
+/// The outcome for a vehicle: done if it flew as planned, kept its distance from the others, and
+/// had enough charge.
 fn verdict(seat: &Seat, flown: &Flown, meets: bool) -> RowEnding {
     let used = flown.energy_used_percent;
     let left = seat.charge_percent - used;

@@ -239,7 +239,6 @@ fn a_fence_that_was_switched_on_after_its_parameter_was_read_counts() {
     assert_eq!((failed.vehicle, broken.findings.passed.len()), (1, 0));
 }
 
-/// Only limits that have been read are judged.
 #[test]
 fn only_the_known_limits_of_a_fence_count() {
     let rehearsed = |read: &[(&str, f32)]| {

@@ -21,7 +21,7 @@ const LOCATION_SCHEMA: &str = r#"{"title":"foxglove.LocationFix","type":"object"
 "frame_id":{"type":"string"},"latitude":{"type":"number"},"longitude":{"type":"number"},"altitude":{"type":"number"},
 "position_covariance":{"type":"array","items":{"type":"number"}},"position_covariance_type":{"type":"integer"}}}"#;
 
-/// The reason for a failure, in the system's words if a disk is full or gone.
+/// Converts an error; if the disk is full or gone, the system's own error is returned.
 fn failed(error: McapError) -> io::Error {
     if let McapError::Io(error) = error {
         error

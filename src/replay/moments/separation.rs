@@ -33,7 +33,7 @@ pub(super) struct Approach {
 }
 
 impl Lookout {
-    /// Handles the end of the recording: vehicles that are still close do not come closer. The smallest distance of the
+    /// Handles the end of the recording, which ends all approaches. The smallest distance of the
     /// flight becomes a moment, even if it was large enough.
     pub fn end(&mut self) {
         self.part(&BTreeSet::new());

@@ -1,4 +1,4 @@
-//! How a recording is played: rate, direction, stretches, stops.
+//! How a recording is played: rate, direction, repeated sections, stops.
 
 use super::*;
 

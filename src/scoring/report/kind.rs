@@ -1,4 +1,4 @@
-//! The kinds in a report, with their names in JSON.
+//! The enumerations in a report, with their names in JSON.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ use crate::text::Text;
 pub enum EventKind {
     /// An objective was reached, or is open again.
     Objective,
-    /// A danger, or the end of time approaching.
+    /// A danger, or a time limit that is near.
     Alert,
     /// An alert was answered.
     Answer,

@@ -65,7 +65,7 @@ impl FileReading {
         self.session
     }
 
-    /// The size of the file, once all of it is there.
+    /// The size of the file in bytes, once all of it has been received.
     pub fn complete(&self) -> Option<u32> {
         match &self.stage {
             FileStage::Flowing(flow) => flow.gaps().is_complete().then(|| flow.gaps().size()),

@@ -1,4 +1,4 @@
-//! The storage of logs, as a session needs it.
+//! The interface through which a session stores logs.
 
 use std::fmt::Debug;
 

@@ -1,4 +1,5 @@
-//! The download of one list: its length, then item by item, each repeated when it is missing.
+//! The download of one list: its length, then item by item. Requests without an answer are
+//! repeated.
 
 use std::time::Duration;
 
@@ -42,7 +43,7 @@ pub(in crate::session) struct Download {
 #[derive(Debug, PartialEq)]
 pub(in crate::session) enum Step {
     Going,
-    /// All items are here.
+    /// All items have arrived.
     Done(Vec<Item>),
     /// The vehicle has no such list.
     Unsupported,

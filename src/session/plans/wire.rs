@@ -75,7 +75,7 @@ pub(in crate::session) fn answer(frame: &Frame) -> Option<(ListKind, Answer)> {
     (target == 0 || target == GROUND_STATION_SYSTEM).then_some((kind, answer))
 }
 
-/// The list of another program's upload that the vehicle has just accepted.
+/// The kind of the list if a frame shows that the vehicle has accepted another program's upload.
 pub(in crate::session) fn others_upload(frame: &Frame) -> Option<ListKind> {
     match &frame.content {
         Content::Message(MavMessage::MISSION_ACK(data))

@@ -18,7 +18,8 @@ fn asked(scene: &Scene) -> Vec<u32> {
     modes.map(|long| long.param2 as u32).collect()
 }
 
-/// The modes of the scripted vehicle: its own, one that only it sets, and a standard one without a name.
+/// Announces a mode of the scripted vehicle: 1 is its own, 2 cannot be set by users, and any other
+/// is a standard mode without a name.
 fn announce(scene: &mut Scene, index: u8) {
     let (number, name, standard_mode, properties) = match index {
         1 => (
@@ -50,7 +51,7 @@ fn announce(scene: &mut Scene, index: u8) {
     }));
 }
 
-/// Lets a vehicle that beats once a second fly on.
+/// Flies a vehicle on for this many seconds, with a heartbeat each second.
 fn fly_on(scene: &mut Scene, seconds: u32) {
     for _ in 0..seconds {
         scene.heartbeat(STABILIZE, false);

@@ -125,8 +125,8 @@ impl Careers {
         self.profiles.back_up().map(drop)
     }
 
-    /// Stores the waiting flights in their careers, and returns the rewards. Flights that cannot be
-    /// stored now keep waiting.
+    /// Stores the waiting flights in their careers, and returns the rewards. A flight of a deleted
+    /// profile is dropped; other flights that cannot be stored now keep waiting.
     pub fn enter(&mut self) -> (Vec<Reward>, Result<(), ProfileError>) {
         let mut rewards = Vec::new();
         while let Some((whose, run)) = self.waiting.front() {
@@ -144,7 +144,8 @@ impl Careers {
         (rewards, Ok(()))
     }
 
-    /// The trainee's attempts at a revision of a mission, oldest first; `None` without a trainee.
+    /// The trainee's attempts at a revision of a mission, oldest first; `None` without a trainee,
+    /// or if they cannot be read.
     pub fn tries_at(&self, mission: &str, revision: u32) -> Option<Vec<TryReport>> {
         let tries = self
             .profiles
@@ -152,7 +153,7 @@ impl Careers {
         tries.ok()
     }
 
-    /// All attempts, by mission.
+    /// All attempts of the trainee, by mission; `None` without a trainee.
     pub fn tries(&self) -> Result<Option<Tries>, ProfileError> {
         let Some(profile) = &self.current else {
             return Ok(None);

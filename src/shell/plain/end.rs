@@ -82,7 +82,7 @@ fn expected(options: &ConsoleOptions) -> usize {
     }
 }
 
-/// Whether the vehicles' processes fail to start.
+/// Whether the vehicles' processes have failed to start.
 pub(super) fn cannot_start(state: &State) -> bool {
     let hangar = state.session().hangar();
     hangar

@@ -11,7 +11,7 @@ use crate::ui::{Look, ascii};
 
 /// The maximum number of waiting lines; further ones are dropped and counted.
 const LINES_WAITING: usize = 2000;
-/// How long a program that a signal ends waits for its reader.
+/// How long a program ended by a signal waits for the reader of its output.
 const LAST_PATIENCE: Duration = Duration::from_millis(500);
 
 pub struct PlainOutput {

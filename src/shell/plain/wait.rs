@@ -16,7 +16,7 @@ impl PlainWait {
         self.pilot.is_none()
     }
 
-    /// Runs a line that delays the following ones.
+    /// Starts a line as a script; the lines after it wait until the script ends.
     ///
     /// # Errors
     /// The faults of the line.
@@ -26,7 +26,7 @@ impl PlainWait {
         Ok(())
     }
 
-    /// Advances the wait; returns the lines that have waited too long.
+    /// Advances the wait; returns the text of each wait that has timed out.
     pub fn look(&mut self, state: &State) -> Vec<String> {
         let Some(pilot) = &mut self.pilot else {
             return Vec::new();

@@ -84,7 +84,7 @@ impl SessionEnding {
 }
 
 impl Processes {
-    /// Starts to launch vehicles, once earlier processes are gone.
+    /// Starts to launch vehicles once earlier processes are gone, or `ENDING_PATIENCE` has passed.
     pub fn launch(
         source: SitlSource,
         launches: Vec<Launch>,
@@ -275,7 +275,8 @@ impl RunningSession {
         }
     }
 
-    /// Reads the output of a vehicle's process, if one is on the screen.
+    /// Requests the output of the process of `wanted`, the vehicle whose output is on the screen,
+    /// if any.
     pub fn look_at_output(&mut self, wanted: Option<VehicleId>, now: Duration) {
         if let Some(processes) = &mut self.processes {
             processes.look(wanted, now);

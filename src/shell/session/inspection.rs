@@ -19,7 +19,7 @@ const LOOK_EVERY: Duration = Duration::from_millis(250);
 const LOOK_AT_MANY_EVERY: Duration = Duration::from_secs(1);
 const MANY: usize = 4000;
 
-/// The taps of a session's links, in their order.
+/// Examines the links of a session, through a tap on each.
 #[derive(Default)]
 pub(super) struct Inspection {
     taps: Vec<Tap>,

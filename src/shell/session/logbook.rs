@@ -17,7 +17,7 @@ const WRITE_EVERY: Duration = Duration::from_secs(1);
 pub(super) struct Logbook {
     occasion: Occasion,
     run_id: String,
-    /// The trainee's attempts before it, oldest first.
+    /// The trainee's attempts before this flight, oldest first.
     earlier: Vec<TryReport>,
     /// The file, or the error that prevents writing until it is reported.
     file: Result<RunFile, Option<Text>>,

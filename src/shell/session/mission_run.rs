@@ -28,7 +28,8 @@ pub(super) struct MissionRun {
     logbook: Option<Logbook>,
     /// The simulator of its vehicles.
     backend: FlightBackend,
-    /// The number of steps of the embedded simulator, whose time is the mission's.
+    /// The embedded simulator's step counter, from which mission time is derived; `None` for
+    /// processes.
     steps: Option<watch::Receiver<u64>>,
     /// The mission's demands on vehicles that have not been sent yet, oldest first.
     wanted: VecDeque<Demand>,
@@ -116,7 +117,7 @@ impl MissionRun {
     }
 
     /// Steps the mission up to now and returns the events. The mission does not start until its
-    /// vehicles are there.
+    /// vehicles are heard.
     pub fn fly(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
         if self.ended {
             return Vec::new();
@@ -187,7 +188,8 @@ impl MissionRun {
         events
     }
 
-    /// Mission time, which starts once the vehicles are heard; `now` is the simulator's time if the mission follows it.
+    /// Mission time, which starts once the vehicles are heard. With the embedded simulator, `now`
+    /// is simulator time.
     fn time(&mut self, now: Duration, shown: &FlightView) -> Duration {
         if !shown.is_starting() && !shown.is_reading() {
             let wanted = self.driver.flight().mission().seats.count;
@@ -277,12 +279,12 @@ impl RunningSession {
         self.mission_run.as_mut()?.finished.take()
     }
 
-    /// The trainee's prediction and goal, while nothing has flown.
+    /// The trainee's prediction and goal; `None` once a vehicle has flown, or without a mission.
     pub fn open_pledge(&self) -> Option<Pledge> {
         self.mission_run.as_ref()?.driver.flight().open_pledge()
     }
 
-    /// Copies the prediction and the goal of the previous attempt, in which nothing flew.
+    /// Sets the prediction and the goal, taken from a previous attempt in which nothing flew.
     pub fn renew(&mut self, pledge: Pledge) {
         if let Some(mission_run) = &mut self.mission_run {
             mission_run.driver.flight_mut().renew(pledge);

@@ -14,7 +14,7 @@ use crate::shell::orders::not_sent;
 use crate::vehicle::{Severity, VehicleId, Vehicles};
 
 impl RunningSession {
-    /// Carries out an order that already has an entry; returns its immediate events.
+    /// Carries out an order that already has a ledger entry; returns its immediate events.
     pub fn carry_out(
         &mut self,
         entry: EntryId,
@@ -43,7 +43,8 @@ impl RunningSession {
         events
     }
 
-    /// Carries out the operator's work; its times are converted to the program's clock.
+    /// Carries out the operator's dispatches, with times converted to the program's clock; returns
+    /// the resulting events.
     fn dispatch(&mut self, work: Vec<Dispatch>, now: Duration) -> Vec<Event> {
         let events = work.into_iter().filter_map(|work| match work.at(now) {
             Dispatch::Row(row) => Some(VehicleEvent::Row(row).into()),

@@ -21,7 +21,7 @@ const AFTER_MISSION: Duration = Duration::from_secs(2);
 /// Records a session by the session's clock, which stops in a pause.
 pub(super) struct FlightRecorder {
     sink: FrameSink,
-    /// Waiting inputs of simulated vehicles.
+    /// Inputs of simulated vehicles that wait to be recorded.
     inputs: InputSink,
     began_unix_us: u64,
     /// When the recording began, on the program's clock.
@@ -68,7 +68,7 @@ impl FlightRecorder {
         self.inputs.clone()
     }
 
-    /// Passes on the inputs of simulated vehicles.
+    /// Passes the waiting inputs of simulated vehicles to the recording.
     pub fn pass_inputs(&self) {
         if let Some(recording) = &self.recording {
             recording.note_inputs(&self.inputs.take());

@@ -1,4 +1,4 @@
-//! Rehearsals of plans, flown beside the console's own work.
+//! Rehearsals of plans, which run in the background.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -15,7 +15,7 @@ use crate::sim::Airframe;
 use crate::store::Records;
 use crate::vehicle::VehicleId;
 
-/// The rehearsals under way.
+/// Starts rehearsals, and collects their results.
 #[derive(Debug)]
 pub(super) struct Rehearsals {
     sender: mpsc::UnboundedSender<Rehearsed>,

@@ -56,7 +56,7 @@ pub(in crate::shell) enum SessionPlan {
     Connect(Vec<Address>),
 }
 
-/// The services that sessions need.
+/// The settings and services that a session needs.
 #[derive(Debug, Clone)]
 pub(in crate::shell) struct SessionBackend {
     pub simulation: Simulation,
@@ -68,7 +68,7 @@ pub(in crate::shell) struct SessionBackend {
     pub runs: Option<Runs>,
     /// The folder for records of flights.
     pub records: Option<Records>,
-    /// The folder of data, where downloaded logs are kept.
+    /// The data folder, where downloaded logs are kept.
     pub data: Option<PathBuf>,
     /// The keys of signed links.
     pub signer: Option<Signer>,
@@ -103,8 +103,8 @@ impl SessionPlan {
 }
 
 impl SessionPlan {
-    /// The access to plan files for its vehicles. In a flight that counts, a plan must not move
-    /// home or switch the fence.
+    /// Access to plan files for the session's vehicles. In a flight that counts, a plan must not
+    /// move home or switch the fence.
     fn shelf(&self, stake: Stake, data: Option<&Path>) -> Arc<dyn PlanShelf> {
         let files = PlanFiles::keeping_in(data);
         let counts = matches!(self, Self::Mission(_)) && stake != Stake::Practice;

@@ -27,7 +27,7 @@ pub enum ProfileError {
     },
     /// An older version of the program wrote the file, and the file is read-only.
     Older { path: PathBuf },
-    /// It is read-only, and beside it is a log without the index that is needed to read it.
+    /// The file is read-only, and beside it is a log without the index that is needed to read it.
     LogAlone { path: PathBuf, log: PathBuf },
     /// The database reports an error.
     Database {

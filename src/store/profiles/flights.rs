@@ -1,4 +1,4 @@
-//! Flights: the history of a career, and the runs that it came from.
+//! Flights: the history of a career, and its runs.
 
 use std::collections::BTreeSet;
 
@@ -133,8 +133,7 @@ impl Profiles {
         Ok(runs)
     }
 
-    /// A profile's attempts at one revision of a mission, so that they are comparable, oldest
-    /// first.
+    /// A profile's attempts at one revision of a mission, which are comparable, oldest first.
     ///
     /// # Errors
     /// The database cannot be read.

@@ -121,7 +121,7 @@ fn kept(copy: &Path, column: &DocumentColumn, row: &RottenRow) -> Option<String>
     readable(text.as_bytes(), *notation).map(str::to_owned)
 }
 
-/// The text of a document; `None` if the program could not have written it.
+/// The text of a document; `None` if it is not UTF-8 or does not have this notation.
 fn readable(document: &[u8], notation: Notation) -> Option<&str> {
     let text = std::str::from_utf8(document).ok()?;
     let is_sound = match notation {

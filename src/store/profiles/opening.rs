@@ -145,7 +145,8 @@ fn connect(path: &Path) -> Result<Connection, ProfileError> {
     Ok(connection)
 }
 
-/// Creates a file that is private, or readable for its folder's readers, before `SQLite` would create a public one.
+/// Creates a file that is private, or readable by those who can read its folder, before `SQLite`
+/// would create a public one.
 pub(super) fn private(path: &Path) -> io::Result<File> {
     let mut file = OpenOptions::new();
     sharing::open(file.create(true).truncate(false).write(true), path)
@@ -156,7 +157,8 @@ fn beside(path: &Path, name: &str) -> PathBuf {
     PathBuf::from(format!("{}-{name}", path.display()))
 }
 
-/// Why a database cannot be read: the log needs an index, which only a writer of the folder can create.
+/// Why a database cannot be read: the log needs an index, which only a process that may write to
+/// the folder can create.
 fn unread(path: &Path, error: rusqlite::Error) -> ProfileError {
     let log = beside(path, "wal");
     let path = path.to_owned();

@@ -50,7 +50,7 @@ impl RecordFiles {
     /// The frames of its links.
     ///
     /// # Errors
-    /// They are missing; as text.
+    /// A text if they are missing.
     pub fn frames(&self) -> Result<&Path, Text> {
         let frames = self.frames.as_deref();
         frames.ok_or_else(|| text!("replay-no-frames", file = self.stem.as_str()))
@@ -116,7 +116,7 @@ impl RecordFiles {
     /// Its journal, if it has one.
     ///
     /// # Errors
-    /// It cannot be read, or is not a journal; as text.
+    /// A text if it cannot be read, or is not a journal.
     pub fn read_journal(&self) -> Result<Option<Journal>, Text> {
         use std::io::Read as _;
 

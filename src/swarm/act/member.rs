@@ -25,7 +25,7 @@ pub(in crate::swarm) struct Member {
     pub standing: Standing,
 }
 
-/// The state of a member's row, and its last setpoint.
+/// The state of a member: its row, its last setpoint, and whether it is lost or waits.
 #[derive(Debug, Clone, Default)]
 pub(in crate::swarm) struct Standing {
     /// The longest remaining distance so far.

@@ -14,7 +14,7 @@ use crate::vehicle::VehicleId;
 pub(in crate::swarm) struct Tail {
     pub leader: VehicleId,
     pub distance_m: f64,
-    /// Heights above home; `None` for heights above the leader.
+    /// The height of the first follower above home; `None` if heights are relative to the leader.
     pub up_m: Option<f64>,
     /// The difference in height between one follower and the next.
     pub step_m: f64,

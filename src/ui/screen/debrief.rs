@@ -16,7 +16,7 @@ mod summary;
 /// The number of rows outside the room: header and footer.
 const HEADER_AND_FOOTER: u16 = 2;
 
-/// Draws the text from its first visible line; the last page stays full.
+/// Draws the text from its first visible line; scrolling ends when the last line is at the bottom.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(debrief) = state.rooms().debrief() else {
         return draw_nothing(panel, buffer);

@@ -19,7 +19,7 @@ use crate::ui::widget::{aligned, below, clip, put, row_of, wrap};
 const BAR: usize = 12;
 const SHORT_BAR: usize = 5;
 const WORDS: usize = 22;
-/// The width of all figures after them, in columns.
+/// The width of all figures after the state, in columns.
 const FIGURES: usize = 32;
 /// The maximum width of a host name, in columns.
 const HOST: usize = 24;

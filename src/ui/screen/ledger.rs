@@ -193,8 +193,8 @@ fn entry_line(
     ])
 }
 
-/// A command of another station: its line begins with the station, and stands in the colour of what is not the
-/// operator's.
+/// A command of another station: its line begins with the station, and is drawn in the colour of
+/// entries that are not the operator's.
 fn foreign_line(
     command: &ForeignCommand,
     state: &State,

@@ -238,7 +238,7 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
     lines
 }
 
-/// The tests of radios of the vehicles on a link: what was asked for, and what was measured.
+/// The radio tests of the vehicles on a link: what was requested, and what was measured.
 fn radios(state: &State, at: usize, look: &Look) -> Vec<(Text, String)> {
     let vehicles = state.session().vehicles().values();
     let mine = vehicles.filter(|vehicle| vehicle.link.via.map(usize::from) == Some(at));

@@ -16,7 +16,7 @@ use crate::ui::screen::site::{self, SITE_ROWS};
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, clip, columns, put, row_of, upper, urgent};
 
-/// Draws the page from its first visible line; the last page stays full.
+/// Draws the page from its first visible line; scrolling ends when the last line is at the bottom.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(question) = urgent::workload_question(state) else {
         return draw_pages(state, panel, buffer);

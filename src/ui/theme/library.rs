@@ -100,7 +100,7 @@ impl Themes {
         })
     }
 
-    /// The theme file with this name, not the embedded theme.
+    /// The theme file with this name, if any; not the embedded theme.
     pub(super) fn own(&self, name: &str) -> Option<&ThemeFile> {
         self.own.get(name)
     }

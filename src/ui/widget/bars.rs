@@ -68,7 +68,7 @@ pub fn draw(chart: &Bars<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 impl Bars<'_> {
-    /// The height of a value in eighths of a row; at least one if it is above zero.
+    /// The height of a value in eighths of a row; at least one, so every bar is visible.
     fn eighths(&self, value: f64, rows: u16) -> usize {
         let share = (value / self.most).clamp(0.0, 1.0);
         ((share * f64::from(rows) * 8.0).round() as usize).max(1)

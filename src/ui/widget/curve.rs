@@ -16,7 +16,7 @@ const BARS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█']
 /// A curve. The values are spread over the whole width; `None` is a gap.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve<'a> {
-    /// Values from the left, one per column: [`steps`] returns the number of columns.
+    /// Values from the left, one per step: [`steps`] returns the number of steps.
     pub values: &'a [Option<f64>],
     /// The value at the bottom.
     pub low: f64,

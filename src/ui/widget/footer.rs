@@ -60,7 +60,7 @@ fn rows(text: &str, width: usize) -> Vec<String> {
     rows
 }
 
-/// The lines of the message, unless the footer shows something else.
+/// The lines of the message; `None` if there is none, or the footer shows something else.
 fn message(state: &State, panel: Panel<'_>) -> Option<Vec<Line<'static>>> {
     if !state.typing().targets().is_empty() || state.is_deaf() {
         return None;

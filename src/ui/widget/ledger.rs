@@ -175,7 +175,8 @@ fn head_lines<'a>(
     lines
 }
 
-/// A command of another station, which its line names, and the answer to it.
+/// The lines of a command of another station: the command, which names the station, and its
+/// outcome.
 fn foreign_lines<'a>(
     command: &ForeignCommand,
     session: &FlightView,
@@ -322,7 +323,8 @@ mod tests {
         assert_eq!(told(sentences), None);
     }
 
-    /// A ledger with one command, which has been done for both its vehicles and has ended for the first `ended`.
+    /// A ledger with one command, done for both its vehicles; for the first `ended` of them, its
+    /// effect is over.
     fn done_and_ended(line: &str, ended: VehicleId) -> Ledger {
         let mut ledger = Ledger::new();
         let given = Given {

@@ -50,7 +50,7 @@ pub fn badge(view: &ReplayView, look: &Look) -> String {
     }
 }
 
-/// The time of day of the recording: `2026-11-20 14:03:22 UTC`.
+/// The date and time of the recording: `2026-11-20 14:03:22 UTC`.
 pub fn time_of_day(view: &ReplayView, is_short: bool) -> String {
     let unix_us = view.day.unix_us(view.began_unix_us, view.position.at);
     let time = i64::try_from(unix_us)
@@ -285,7 +285,8 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
         .collect()
 }
 
-/// The sign of a moment on the timeline; the same as in the debrief, where that shows the event.
+/// The sign of a moment on the timeline; the same as on the debrief's timeline, if the event is
+/// shown there.
 fn sign(kind: MomentKind) -> (&'static str, Role) {
     match kind {
         MomentKind::Bookmark => ("◆", Role::Selected),

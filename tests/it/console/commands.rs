@@ -177,7 +177,7 @@ fn the_mark_of_a_longer_list_leaves_the_tries_in_sight() {
     assert!(listed.all(shows_tries), "{screen}");
 }
 
-/// What station 254/230 has commanded.
+/// A command given by station 254/230.
 fn foreign(id: u32, at_s: u64) -> ForeignCommand {
     let at = std::time::Duration::from_secs(at_s);
     ForeignCommand {

@@ -1,6 +1,7 @@
 //! The bytes that a serial port receives at a wrong baud rate.
 
-/// The signal of the sender: a start bit, eight bits from the lowest, a stop bit, and now and then a pause of one bit.
+/// The sender's signal: a start bit, eight bits from the least significant one, a stop bit, and a
+/// pause of seven bits after every 30 bytes.
 fn line(bytes: &[u8]) -> Vec<bool> {
     let mut line = vec![true; 20];
     for (at, byte) in bytes.iter().enumerate() {

@@ -13,7 +13,7 @@ use sortie::store::LogFolder;
 use super::{Console, serve, world};
 
 impl Console {
-    /// A console that keeps the logs of vehicles in a folder of data.
+    /// A console that keeps the logs of vehicles in a data folder.
     pub(crate) fn keeping_logs(data: &Path) -> Self {
         let folder: Arc<dyn LogKeeper> = Arc::new(LogFolder::within(data));
         Self::start_kept(Keeping {

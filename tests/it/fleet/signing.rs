@@ -70,7 +70,7 @@ impl Console {
         self.explanation(entry, vehicle)
     }
 
-    /// The final state of a line that does not succeed.
+    /// Gives a line; returns the final state of the vehicle's row.
     async fn failure(&mut self, line: &str, vehicle: u16) -> RowState {
         let entry = self.give(line, &[vehicle]);
         self.until("the line has ended", |console| {
@@ -95,7 +95,7 @@ impl Console {
         .await;
     }
 
-    /// The last frame that the console sent with a message.
+    /// The last frame with this message that the console sent.
     fn last_sent(&self, message: u32) -> Option<Vec<u8>> {
         self.taps[0].look(|census, _| {
             let mut sent = census.tallies().filter(|(key, _)| {

@@ -160,7 +160,8 @@ fn the_schema_refuses_what_does_not_fit() {
     }
 }
 
-/// The violations of a schema, for the keywords that ours uses; an unknown keyword is a fault, too.
+/// The violations of a schema, for the keywords that the mission schema uses; an unknown keyword is
+/// a fault, too.
 fn faults(value: &Value, schema: &Value, place: &str) -> Vec<String> {
     let rules = schema.as_object().expect("a schema is an object");
     let found = rules.iter().flat_map(|(rule, wanted)| {

@@ -6,7 +6,7 @@ use toml::{Table, Value};
 
 use super::{Reading, Seen};
 
-/// Converts the state of the model to the names of the facts.
+/// Collects the state of the model under the names of the facts.
 struct Observed(Table);
 
 impl Observed {

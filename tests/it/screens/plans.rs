@@ -157,7 +157,8 @@ fn six_flights() -> TrialFlight {
     }
 }
 
-/// The figures of a rehearsal replace the items until a key brings these back; the map has a sign for each conflict.
+/// The figures of a rehearsal replace the items until a key shows the items again; the map has a
+/// sign for each conflict.
 #[test]
 fn the_figures_of_a_rehearsal_are_shown() {
     let mut console = drawing(Language::English);

@@ -12,9 +12,9 @@ pub const USUAL_CLEARANCE_M: f64 = 10.0;
 /// The largest difference between the height of home and the ground there that is not reported, in
 /// metres.
 const HOME_SLACK_M: f64 = 30.0;
-/// `RTL_ALT`, in metres above home.
+/// The default of `RTL_ALT`, in metres above home.
 const RETURN_HEIGHT_M: f64 = 15.0;
-/// Legs shorter than this are climbs and descents in place, in metres.
+/// The length below which a leg counts as a climb or descent in place, in metres.
 const IN_PLACE_M: f64 = 1.0;
 
 /// A leg above the ground.
@@ -39,7 +39,7 @@ enum Level {
     AboveGround(f64),
 }
 
-/// Where a vehicle is between two items.
+/// The vehicle's position and height after an item.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Point {
     at: LatLon,
@@ -230,7 +230,7 @@ mod tests {
         }
     }
 
-    /// Ground at 100 m with a ridge of 60 m, 500 m north of home, 400 m wide.
+    /// Ground at 100 m with a ridge, 60 m high and 400 m wide, 500 m north of home.
     fn ridge_m(place: LatLon) -> f64 {
         let (north_m, _) = HOME.offset_to(place);
         100.0 + 60.0 * (1.0 - (north_m - 500.0).abs() / 200.0).max(0.0)

@@ -36,7 +36,7 @@ fn plans() -> impl Strategy<Value = Vec<Item>> {
     })
 }
 
-/// For each item that is not changed: the height of the item that it jumps to, and its own height.
+/// For each item: the height of the item that it jumps to, if any, and its own height.
 fn aims(items: &[Item]) -> Vec<(Option<f32>, f32)> {
     let aim = |item: &Item| (target_of(item).map(|to| items[to].z), item.z);
     items.iter().map(aim).collect()

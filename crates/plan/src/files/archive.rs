@@ -9,7 +9,7 @@ const LARGEST: usize = 16 * 1024 * 1024;
 const END: [u8; 4] = *b"PK\x05\x06";
 const ENTRY: [u8; 4] = *b"PK\x01\x02";
 const FILE: [u8; 4] = *b"PK\x03\x04";
-/// The length of the end record without its comment, and the longest comment.
+/// The length of the end record without its comment, and that of the longest comment, in bytes.
 const END_LENGTH: usize = 22;
 const LONGEST_COMMENT: usize = 65_535;
 

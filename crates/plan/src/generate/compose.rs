@@ -8,7 +8,7 @@ use crate::effort::{Effort, Pace};
 use crate::legs::circles_m;
 use crate::{Document, Home, Item, command, frame};
 
-/// `CIRCLE_RATE`: degrees per second.
+/// The default of `CIRCLE_RATE`, in degrees per second.
 const CIRCLE_RATE_DEG_S: f64 = 20.0;
 
 /// The paths from home to the work and back, over the ground.
@@ -55,7 +55,8 @@ pub(super) fn effort(scene: &Scene, work: &Work) -> Option<Effort> {
     Some(parts.into_iter().sum())
 }
 
-/// Circles at the vehicle's own rate, or as fast as half the acceleration allows (`AC_Circle`).
+/// The effort of circles at the vehicle's own rate, or as fast as half the acceleration allows
+/// (`AC_Circle`).
 fn turns(circle: Circle, pace: &Pace) -> Effort {
     let way_m = std::f64::consts::TAU * circle.radius_m * f64::from(circle.turns);
     let fastest = (0.5 * pace.accel_m_s2 * circle.radius_m).sqrt();

@@ -11,7 +11,7 @@ use crate::pattern::{Lane, course};
 
 /// The distance from the fence at which paths bend around it and lines end, in metres.
 const MARGIN_M: f64 = 2.0;
-/// Pieces of lines shorter than this are left out.
+/// Pieces of lines shorter than this, in metres, are left out.
 const SHORTEST_M: f64 = 1.0;
 /// The distance kept from an exclusion area, in metres: a vehicle does not follow a line exactly.
 const ASIDE_M: f64 = 1.0;

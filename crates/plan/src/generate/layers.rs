@@ -10,8 +10,8 @@ use crate::pattern::distance_to_segment;
 /// margin.
 pub(super) const ASIDE_M: f64 = 6.0;
 
-/// How much closer to a place than its vehicle's own climb or descent a path must come to count as
-/// too close, in metres.
+/// By how much a path must come closer to a place than its vehicle's own climb or descent does, to
+/// count as too close, in metres.
 const BESIDE_M: f64 = 0.5;
 
 /// Where a vehicle crosses, and where it climbs and descends.

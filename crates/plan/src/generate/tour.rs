@@ -39,7 +39,7 @@ impl Way {
         self.ends.last().copied().unwrap_or_default()
     }
 
-    /// The points between two places, given as lengths of strokes.
+    /// The points between two places, each given as the length of the strokes up to it, in metres.
     pub(super) fn part(&self, from_m: f64, to_m: f64) -> Vec<DVec2> {
         let mut points = Vec::new();
         let first = self.ends.partition_point(|end| *end <= from_m + 1e-6);
@@ -75,7 +75,7 @@ impl Way {
     }
 }
 
-/// The part of a stroke between two lengths.
+/// Appends the part of a stroke between two distances along it, in metres.
 fn cut(stroke: &[DVec2], from_m: f64, to_m: f64, points: &mut Vec<DVec2>) {
     let mut start_m = 0.0;
     for leg in stroke.windows(2) {

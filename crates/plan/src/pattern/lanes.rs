@@ -8,7 +8,7 @@ use super::course;
 
 /// The maximum number of lines; a larger number is probably a typing error.
 const MOST_LANES: usize = 1000;
-/// Areas narrower than this in every direction cannot be covered.
+/// Areas narrower than this in every direction, in metres, cannot be covered.
 const LEAST_EXTENT_M: f64 = 0.5;
 /// The tolerance that keeps rounding from adding a line.
 const SLACK: f64 = 1e-6;
@@ -88,7 +88,7 @@ impl Strips {
         })
     }
 
-    /// The number of lanes.
+    /// The number of strips.
     pub const fn count(&self) -> usize {
         self.count
     }

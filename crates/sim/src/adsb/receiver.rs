@@ -42,7 +42,7 @@ impl Receiver {
             .retain(|one| now.saturating_sub(one.at) <= KEPT_FOR);
     }
 
-    /// Takes in a report; `own` is the place of the vehicle, if it knows one.
+    /// Processes a report; `own` is the vehicle's position, if known.
     pub(super) fn hear(
         &mut self,
         report: ADSB_VEHICLE_DATA,
@@ -83,7 +83,8 @@ impl Receiver {
         }
     }
 
-    /// The next aircraft for a serial port; none while the list was begun less than a second ago.
+    /// The next aircraft for a serial port; `None` at the end of the list until a second after it
+    /// was begun.
     pub(super) fn next(&mut self, serial: Serial, now: Duration) -> Option<ADSB_VEHICLE_DATA> {
         let cursor = &mut self.cursors[serial.index()];
         if cursor.next >= self.heard.len() {
@@ -104,7 +105,7 @@ impl Receiver {
     }
 }
 
-/// Whether a report is outside of `ADSB_LIST_RADIUS` or `ADSB_LIST_ALT`, where 0 means no limit.
+/// Whether a report is outside `ADSB_LIST_RADIUS` or `ADSB_LIST_ALT`, where 0 means no limit.
 fn is_ignored(report: &ADSB_VEHICLE_DATA, own: Place, parameters: &Parameters) -> bool {
     let special = parameters.value("ADSB_ICAO_SPECL") as u32;
     if special != 0 && special == report.ICAO_address {

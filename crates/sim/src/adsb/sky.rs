@@ -13,19 +13,20 @@ use crate::kinematics::STEP_S;
 use crate::parameters::Parameters;
 use crate::place::LocalDatum;
 
-/// From this number of aircraft on, SITL switches them off.
+/// SITL switches the aircraft off if there are to be this many or more.
 const TOO_MANY: usize = 200;
-/// The seed of the sky differs from that of the wind.
+/// Makes the seed of the sky differ from that of the wind.
 const SALT: u64 = 0x4144_5342;
 /// Mean and standard deviation of a velocity component in m/s, near the origin and farther away.
 const NEAR_M_S: [f64; 2] = [5.0, 20.0];
 const FAR_M_S: [f64; 2] = [15.0, 60.0];
 const FAR_M: f64 = 500.0;
-/// Mean and standard deviation of the vertical speed, downwards.
+/// Mean and standard deviation of the vertical speed, downwards, in m/s.
 const SINK_M_S: [f64; 2] = [-3.0, 3.0];
-/// A standing object is replaced after an hour.
+/// The time after which a stationary object is replaced, in seconds.
 const STANDS_FOR_S: f64 = 3600.0;
-/// The kinds of emitters, by number. From the 17th on they keep their height, and the last one stands.
+/// The kinds of emitters, by number. From the 17th on they keep their height, and the last one is
+/// stationary.
 const EMITTERS: [AdsbEmitterType; 20] = [
     AdsbEmitterType::ADSB_EMITTER_TYPE_NO_INFO,
     AdsbEmitterType::ADSB_EMITTER_TYPE_LIGHT,
@@ -71,7 +72,7 @@ struct SimAircraft {
 }
 
 impl Sky {
-    /// A sky that is the same for the same board.
+    /// A sky that depends only on the board id.
     pub(super) fn new(board_id: u64) -> Self {
         Self {
             rng: ChaCha8Rng::seed_from_u64(board_id ^ SALT),

@@ -10,7 +10,8 @@ pub(crate) struct Motor {
     /// Unit vector of its thrust in the same axes; straight up unless the file sets another
     /// direction.
     pub(crate) thrust: DVec3,
-    /// +1 for a propeller that turns counterclockwise and thus the body clockwise.
+    /// +1 for a propeller that turns counterclockwise and so turns the body clockwise, -1 for the
+    /// opposite.
     pub(crate) spin: f64,
     /// Its factors in the autopilot's mixer: for a roll to the right, a pitch up and a turn to the right, each at most
     /// one half.

@@ -20,7 +20,8 @@ pub(super) const REPORT_EVERY: Duration = Duration::from_secs(30);
 pub(super) const REPORT_SOON: Duration = Duration::from_secs(4);
 /// The time between checks, in steps.
 pub(crate) const LOOK_STEPS: u64 = 100;
-/// The margin required between the lowest throttle of a calibrated remote control and `FS_THR_VALUE`.
+/// The margin required between the lowest throttle of a calibrated remote control and
+/// `FS_THR_VALUE`, in microseconds.
 const THROTTLE_MARGIN_US: f64 = 10.0;
 const LOSS_OF_SIGNAL_US: f64 = 910.0;
 /// A throttle stick above this would lift a vehicle in a piloted mode, in microseconds.
@@ -28,7 +29,7 @@ const CLIMB_US: u16 = 1600;
 
 /// The dilution of precision that the receiver reports, times 100.
 pub(crate) const HDOP: f64 = 121.0;
-/// Bits of `ARMING_MIS_ITEMS`, and the items they demand.
+/// Bits of `ARMING_MIS_ITEMS`, and the items they require.
 const MISSION_ITEMS: &[(i32, u16, &str)] = &[
     (1, cmd::NAV_LAND, "land"),
     (1 << 1, cmd::NAV_VTOL_LAND, "vtol land"),
@@ -136,7 +137,7 @@ pub(crate) struct ArmingChecks<'a> {
     pub(crate) mission: &'a [Item],
     /// Whether there is a rally point.
     pub(crate) has_rally_point: bool,
-    /// The reasons not to arm from the battery, the bench and the fence.
+    /// The reasons not to arm that come from the battery, the tests on the ground and the fence.
     pub(crate) battery: Option<&'static str>,
     pub(crate) workbench: Vec<&'static str>,
     pub(crate) fence: Option<&'static str>,

@@ -10,7 +10,7 @@ const TRICOPTER: i32 = 7;
 /// The `SERVOn_FUNCTION` of the first motor.
 const MOTOR_1: i32 = 33;
 const SERVOS: usize = 16;
-/// The greatest throttle of a motor that turns without flying (`MOT_SPIN_MIN`).
+/// The maximum of `MOT_SPIN_MIN`, the throttle at which thrust begins.
 const SPIN_MIN_MAX: f64 = 0.3;
 /// A calibrated stick reaches beyond these, in microseconds.
 const STICK_MIN_US: f64 = 1300.0;

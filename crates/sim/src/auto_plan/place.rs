@@ -116,8 +116,8 @@ fn distance_to_leg(here_m: DVec3, from_m: DVec3, to_m: DVec3) -> f64 {
     (from_m + leg_m * along.clamp(0.0, 1.0)).distance(here_m)
 }
 
-/// The point of an item (north, east, down from the start). A missing place (0, 0) or height (0) is taken from
-/// `otherwise`.
+/// The point of an item, in metres north, east and down from the start. A missing place (0, 0) or
+/// height (0) is taken from `otherwise`.
 pub(super) fn item_point(vehicle: &Vehicle, item: &Item, otherwise: DVec3) -> DVec3 {
     let flat = item_place(vehicle, item).unwrap_or_else(|| otherwise.truncate());
     let down_m = if item.z == 0.0 {
@@ -138,7 +138,8 @@ pub(super) fn item_place(vehicle: &Vehicle, item: &Item) -> Option<glam::DVec2> 
     Some(glam::DVec2::new(north, east))
 }
 
-/// The height of an item as metres down from the start; in an unsupported frame it counts from home.
+/// The height of an item, in metres down from the start; in an unsupported frame it counts from
+/// home.
 pub(super) fn item_down_m(vehicle: &Vehicle, item: &Item) -> f64 {
     let height = if item.z.is_finite() { item.z } else { 0.0 };
     let height_m = f64::from(height.clamp(-HEIGHT_MAX_M, HEIGHT_MAX_M));

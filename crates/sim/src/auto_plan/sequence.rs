@@ -25,7 +25,7 @@ pub(super) fn is_navigation(command: u16) -> bool {
 }
 
 /// The first item at or after `from` that is not a jump. Jumps on the way are counted, and reported
-/// in `texts`, except the first time that an unlimited jump is taken.
+/// in `texts`; the first time that an unlimited jump is taken, it is not reported.
 pub(super) fn next_counting(
     items: &[Item],
     from: u16,

@@ -15,11 +15,11 @@ use crate::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
 use crate::vehicle::Vehicle;
 use crate::yaw::YawDemand;
 use sortie_geo::LatLon;
-/// The minimum climb of a takeoff from the ground.
+/// The minimum climb of a takeoff from the ground, in metres.
 const LEAST_CLIMB_M: f64 = 1.0;
-/// The distance from its edge within which a circle begins at once.
+/// The distance from its edge within which a circle begins at once, in metres.
 const AT_EDGE_M: f64 = 3.0;
-/// Radii above this are stored in steps of 10 m.
+/// Radii above this, in metres, are stored in steps of 10 m.
 const COARSE_RADIUS_M: f64 = 255.0;
 
 impl AutoPlan {

@@ -29,7 +29,7 @@ fn act(command: u16, p: [f32; 4], height_m: f32) -> Item {
     }
 }
 
-/// An item of frame 3 at metres north and east of the start.
+/// An item of frame 3 (above home); its place is given in metres north and east of the start.
 fn at(command: u16, north_m: f64, east_m: f64, height_m: f32) -> Item {
     let (x, y) = start().at.moved(north_m, east_m).to_e7();
     Item {

@@ -14,7 +14,7 @@ use crate::vehicle::Vehicle;
 
 /// The gain of the final approach to a height: fitted to 4 m in 3.8 s.
 const HEIGHT_GAIN_PER_S: f64 = 1.5;
-/// A height is reached within this distance.
+/// The distance within which a height counts as reached, in metres.
 const HEIGHT_REACHED_M: f64 = 0.05;
 
 impl AutoPlan {

@@ -259,7 +259,8 @@ impl Autopilot {
         }
     }
 
-    /// High enters a mode; any other position leaves it for the mode of the mode switch.
+    /// The high position enters a mode; any other position leaves it for the mode of the mode
+    /// switch.
     fn switch_mode(&mut self, number: u8, position: SwitchPosition) {
         if position == High {
             self.set_mode(number);

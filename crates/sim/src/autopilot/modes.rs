@@ -57,7 +57,7 @@ impl Autopilot {
         true
     }
 
-    /// Ends the pause button's BRAKE.
+    /// Enters LOITER, or else `ALT_HOLD`, when the time of the pause button's BRAKE is up.
     pub(super) fn watch_brake(&mut self) {
         let now = self.vehicle.uptime();
         if self

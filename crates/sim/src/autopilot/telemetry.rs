@@ -68,7 +68,8 @@ const SILENT: &[u32] = &[
     UAVIONIX_ADSB_OUT_STATUS_DATA::ID,
     AOA_SSA_DATA::ID,
 ];
-/// The message about traffic, one aircraft at a time: the progress is that of the serial port.
+/// The message about traffic, one aircraft at a time: each serial port has its own progress through
+/// the list.
 pub(crate) const TRAFFIC: u32 = ADSB_VEHICLE_DATA::ID;
 /// The message that cannot be requested, because the vehicle sends it together with another one.
 const UNASKABLE: u32 = TERRAIN_REPORT;
@@ -192,7 +193,7 @@ pub(crate) fn silent() -> impl Iterator<Item = u32> {
     SILENT.iter().copied()
 }
 
-/// Whether the firmware supports the message, so it can be requested.
+/// Whether the message can be requested.
 pub(crate) fn is_known(id: u32) -> bool {
     id != UNASKABLE && (id == TRAFFIC || builder(id).is_some() || SILENT.contains(&id))
 }

@@ -8,7 +8,8 @@ fn small() -> Airframe {
         .0
 }
 
-/// Volts and amperes of a SITL with 1.2 Ah that hovers, at the charge drawn (recording `k2_battery`).
+/// Volts and amperes of a hovering SITL vehicle with a 1.2 Ah battery, by the charge drawn
+/// (recording `k2_battery`).
 #[test]
 fn a_small_battery_empties_like_the_real_one() {
     let airframe = small();

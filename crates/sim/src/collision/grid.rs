@@ -2,7 +2,8 @@
 
 use glam::DVec3;
 
-/// The side of a cell: several times the reach of a search, so that most searches need only one cell.
+/// The side of a cell, in metres: several times the reach of a search, so most searches need only
+/// one cell.
 const CELL_M: f64 = 4.0;
 /// The end of a chain.
 const NONE: u32 = u32::MAX;

@@ -7,7 +7,7 @@ use crate::Start;
 use sortie_geo::LatLon;
 use sortie_geo::maths;
 
-/// The side of the cells in which obstacles are looked up.
+/// The side of the cells in which obstacles are looked up, in metres.
 const CELL_M: f64 = 16.0;
 /// An obstacle that covers more cells than this is checked everywhere.
 const CELLS_MAX: f64 = 4096.0;
@@ -186,7 +186,8 @@ impl Solid {
         })
     }
 
-    /// The shortest way out from inside, and its length. Never downwards.
+    /// The direction of the shortest way out from inside, never downwards, and its length in
+    /// metres.
     fn way_out(&self, own: DVec2, up_m: f64) -> (DVec3, f64) {
         let side = match self.outline {
             ObstacleOutline::Cylinder(radius_m) => {

@@ -13,9 +13,9 @@ use crate::place::Place;
 use crate::vehicle::AskedSpeeds;
 use crate::yaw::YawDemand;
 
-/// Heights beyond this cannot be stored in a location.
+/// Heights beyond this, in metres, cannot be stored in a location.
 const HEIGHT_MAX_M: f64 = 83_000.0;
-/// The flag of `DO_REPOSITION` that lets it enter GUIDED.
+/// The flag of `DO_REPOSITION` that allows it to enter GUIDED.
 const CHANGE_MODE: i32 = MavDoRepositionFlags::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE.bits() as i32;
 
 pub(super) fn yaw(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {

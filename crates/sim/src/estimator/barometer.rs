@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::faults::{BarometerFault, Faults};
 use crate::kinematics::STEP_S;
 
-/// The time constant with which the estimate follows the barometer.
+/// The time constant with which the estimate follows the barometer, in seconds.
 const FOLLOWS_S: f64 = 4.0;
 /// The greatest difference that passes the innovation test (10 m gave a ratio of 0.96).
 const GATE_M: f64 = 10.4;

@@ -8,7 +8,7 @@ use crate::parameters::Parameters;
 
 /// The default hard-iron offset of each simulated compass (`SIM_MAGn_OFS_*`), in milligauss.
 const COMPASS_OFFSET_MGAUSS: DVec3 = DVec3::new(5.0, 13.0, -18.0);
-/// Gyros that differ by more than this are inconsistent.
+/// Gyros that differ by more than this, in radians per second, are inconsistent.
 const GYROS_AGREE_RAD_S: f64 = 5.0 * std::f64::consts::PI / 180.0;
 /// Bits of `SIM_ACC_FAIL_MSK` and `SIM_GYR_FAIL_MSK`: the first sensor.
 const FIRST: u8 = 1;
@@ -49,7 +49,7 @@ pub(crate) struct BarometerFault {
     /// Its error, in metres up.
     pub(crate) glitch_m: f64,
     pub(crate) drift_m_s: f64,
-    /// The greatest random error of one reading.
+    /// The greatest random error of one reading, in metres.
     pub(crate) noise_m: f64,
 }
 
@@ -118,7 +118,7 @@ impl Faults {
         faults
     }
 
-    /// Turns the GPS off if a switch of the remote control demands it (`off`).
+    /// Disables the GPS if `off`, the setting of a switch of the remote control, is true.
     pub(crate) fn switch_gps(&mut self, off: bool) {
         if off && !self.gps.disabled {
             self.gps.unused = Some(GpsUnused::SwitchedOff);

@@ -58,7 +58,7 @@ impl BatteryWatch {
         self.fallen > Fallen::Not
     }
 
-    /// Whether the most urgent action so far was a landing or a more urgent one.
+    /// Whether the most urgent action so far was at least as urgent as a landing.
     pub(super) fn wants_to_land(&self) -> bool {
         self.acted
             .is_some_and(|action| action.priority() <= FailsafeAction::Land.priority())

@@ -12,7 +12,7 @@ use crate::kinematics::STEP_S;
 use crate::kinematics::square_root;
 use crate::parameters::Parameters;
 
-/// The greatest deceleration that is planned for a stop before a fence.
+/// The greatest deceleration that is planned for a stop before a fence, in m/s².
 const ACCEL_MAX_M_S2: f64 = 1.0;
 /// The share of the allowed acceleration that is used for backing away.
 const BACKING_SHARE: f64 = 0.4;
@@ -58,9 +58,9 @@ pub(super) struct Edges<'a> {
     /// home.
     pub(super) around_home: Option<(f64, DVec2)>,
     pub(super) areas: &'a [FenceArea<DVec2>],
-    /// The room below the ceiling; `None` without a ceiling.
+    /// The room below the ceiling, in metres; `None` without a ceiling.
     pub(super) headroom_m: Option<f64>,
-    /// North and east from the start.
+    /// The vehicle's position in metres north and east of the start.
     pub(super) here_m: DVec2,
     /// The limits of the position control, horizontal and vertical.
     pub(super) accel_m_s2: (f64, f64),

@@ -18,7 +18,8 @@ const RTL: u8 = 6;
 const LAND: u8 = 9;
 const BRAKE: u8 = 17;
 
-/// The polygon that was flown with the real vehicle, with its northern corner at N 90.
+/// The polygon that was flown with the real vehicle, with its northern corner 90 m north of the
+/// start.
 const PENTAGON: [(f64, f64); 5] = [
     (-60.0, -60.0),
     (-60.0, 60.0),

@@ -15,7 +15,7 @@ use crate::plan::Item;
 use crate::reaction::Reaction;
 use sortie_geo::LatLon;
 
-/// A vehicle this far outside lands where it is.
+/// A vehicle this far outside, in metres, lands where it is.
 const GIVE_UP_M: f64 = 100.0;
 /// The minimum time between unrequested reports of a breach.
 const TELL_EVERY: Duration = Duration::from_secs(1);

@@ -62,7 +62,7 @@ const POSITION: u8 = 69;
 const BATTERY: u8 = 70;
 const EVENT: u8 = 71;
 const ESTIMATOR: u8 = 72;
-/// `EV.Id` of arming and disarming.
+/// `EV.Id` of arming, and of disarming.
 pub(super) const ARMED: u8 = 10;
 pub(super) const DISARMED: u8 = 11;
 const TEXT_BYTES: usize = 64;

@@ -3,9 +3,9 @@
 
 use sortie_geo::wrap_180;
 
-/// SUPER SIMPLE keeps its heading within this distance of home.
+/// SUPER SIMPLE keeps its heading within this distance of home, in metres.
 const NEAR_HOME_M: f64 = 10.0;
-/// The heading of SUPER SIMPLE changes once the direction to home differs by this much.
+/// The heading of SUPER SIMPLE changes once the direction to home differs by this many degrees.
 const TURNS_BY_DEG: f64 = 5.0;
 
 /// The reference of the sticks.

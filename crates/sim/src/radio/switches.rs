@@ -13,8 +13,8 @@ const STEADY_LOOKS: u8 = 2;
 pub(crate) const MOTOR_EMERGENCY_STOP: u16 = 31;
 pub(crate) const MOTOR_INTERLOCK: u16 = 32;
 pub(crate) const ARM_OR_EMERGENCY_STOP: u16 = 165;
-/// Functions that act at the boot in the position in which their switch is found: the reference of the sticks, the
-/// fence, the trainer of ACRO, the motors, overrides, the GPS, stand-by.
+/// Functions that act at boot, by the position in which their switch is found: the reference of the
+/// sticks, the fence, the trainer of ACRO, the motors, overrides, the GPS, stand-by.
 const ACTING_AT_BOOT: &[u16] = &[
     3,
     11,

@@ -6,7 +6,7 @@ const BUCKETS: usize = 10;
 /// Messages that are sent together, one interval after the last time.
 #[derive(Debug, Clone)]
 struct Bucket {
-    /// 0 for a bucket that is free.
+    /// The interval in milliseconds; 0 for a free bucket.
     interval_ms: u64,
     last_ms: u64,
     ids: Vec<u32>,

@@ -151,7 +151,7 @@ pub(crate) struct Route {
     /// Whether the waypoint has been reached: a corner at its apex, any other within `WPNAV_RADIUS`.
     pub(crate) reached: bool,
     planned_for: Limits,
-    /// The share of the speed that a vehicle that lags behind can keep up with.
+    /// The share of the speed at which a vehicle that lags behind can keep up.
     keeping_up: f64,
     /// The share of the speed that remains during a pause, and how fast it changes.
     pace: f64,

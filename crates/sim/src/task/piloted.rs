@@ -21,11 +21,11 @@ use crate::kinematics::{GRAVITY_M_S2, STEP_S};
 use crate::mode;
 use sortie_geo::maths;
 
-/// The pilot's lean follows the stick with this lag in LOITER (`ATC_INPUT_TC`).
+/// The lag of the pilot's lean behind the stick in LOITER (`ATC_INPUT_TC`), in seconds.
 const STICK_LAG_S: f64 = 0.15;
-/// The climb with which a takeoff leaves the ground.
+/// The rate of climb with which a takeoff leaves the ground, in m/s.
 const LEAST_LIFT_M_S: f64 = 0.3;
-/// The loiter target leads the vehicle by at most this much.
+/// The greatest distance by which the loiter target leads the vehicle, in metres.
 const LEAD_MAX_M: f64 = 2.0;
 /// POSHOLD: the decay rate of the lean with the stick released, when braking begins, and when it is over.
 const RELEASE_PER_S: f64 = 5.0;

@@ -10,19 +10,19 @@ use crate::control::FlatMotion;
 /// The flight home begins this long after the vehicle is near its stopping point: even a tiny climb is a separate
 /// leg on the real vehicle.
 const PLAN_TIME: Duration = Duration::from_millis(700);
-/// A leg home that is shorter than this takes a fixed time, because the real vehicle is never exactly at its
-/// destination.
+/// A leg home that is shorter than this, in metres, takes a fixed time, because the real vehicle is
+/// never exactly at its destination.
 const TINY_LEG_M: f64 = 0.1;
 const TINY_LEG_TIME: Duration = Duration::from_millis(900);
-/// The climb is over within this distance.
+/// The distance from its height within which the climb is over, in metres.
 const HEIGHT_REACHED_M: f64 = 0.2;
-/// The stopping point is reached within this distance (`WPNAV_RADIUS`).
+/// The distance within which the stopping point counts as reached, in metres (`WPNAV_RADIUS`).
 const HOME_REACHED_M: f64 = 2.0;
-/// A return is never lower than this (`RTL_ALT_MIN`).
+/// The minimum height of a return, in metres (`RTL_ALT_MIN`).
 const LEAST_HEIGHT_M: f64 = 2.0;
 /// A cone that is flatter than this does not count (`RTL_MIN_CONE_SLOPE`).
 const CONE_SLOPE_MIN: f64 = 0.5;
-/// A retraced path ends this far above its first point.
+/// A retraced path ends this far above its first point, in metres.
 const ABOVE_FIRST_M: f64 = 2.0;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +48,7 @@ pub(crate) struct Returning {
     stage: ReturnStage,
     /// The destination, in metres north and east.
     goal_m: DVec2,
-    /// The height to fly at, as metres down from the start.
+    /// The height to fly at, in metres down from the start.
     down_m: f64,
     /// The point over which to climb, decided in the first step.
     over_m: Option<DVec2>,

@@ -9,9 +9,10 @@ use super::{Act, Cockpit};
 /// The times from the command until the vehicle counts as taking off, and until it leaves the ground.
 const SPOOLED: Duration = Duration::from_millis(1100);
 const LIFTS: Duration = Duration::from_millis(1600);
-/// The climb rate at the beginning of the path: the thrust overshoots while the vehicle is still on the ground.
+/// The climb rate at the beginning of the path, in m/s: the thrust overshoots while the vehicle is
+/// still on the ground.
 const FIRST_CLIMB_M_S: f64 = 0.5;
-/// The takeoff is over within this distance of its goal.
+/// The distance from its goal within which the takeoff is over, in metres.
 const REACHED_M: f64 = 0.05;
 
 /// A takeoff under way.

@@ -154,7 +154,7 @@ fn a_turn_of_180_degrees_takes_as_long_as_the_real_one() {
     );
 }
 
-/// The flight from N 168 E -140 at 17.9 m takes 64.5 s until disarmed.
+/// The flight from 168 m north and 140 m west at 17.9 m takes 64.5 s until the vehicle disarms.
 #[test]
 fn a_return_takes_as_long_as_the_real_one() {
     let mut ground = Ground::hovering(17.86);

@@ -27,7 +27,7 @@ pub(crate) struct Ground {
 }
 
 impl Ground {
-    /// A ground station connected to a SITL's default quadcopter in a world that has just begun.
+    /// A ground station connected to SITL's default quadcopter in a world that has just begun.
     pub(crate) fn new() -> Self {
         Self::flying(Airframe::shared_default())
     }
@@ -60,7 +60,7 @@ impl Ground {
         ground
     }
 
-    /// Gets ready, enters GUIDED and arms.
+    /// Waits for the boot, enters GUIDED and arms.
     pub(crate) fn arm(&mut self) {
         self.run(2.0);
         assert_eq!(

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::{ADSB_VEHICLE_DATA, MavCmd, MavMessage};
 use super::arming::rebooted;
 use super::*;
 
-/// A ground station that wants traffic, after a reboot with these parameters.
+/// A ground station that receives traffic, after a reboot with these parameters.
 fn watching(seed: u64, parameters: &[(&str, f32)]) -> Ground {
     let config = WorldConfig {
         seed,

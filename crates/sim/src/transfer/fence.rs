@@ -1,5 +1,5 @@
-//! The reported length of a fence.
-//! [`Fence::check`](crate::fence::Fence::check) checks whether it is valid.
+//! The reported length of a fence. [`Fence::check`](crate::fence::Fence::check) checks whether the
+//! fence is valid.
 
 use crate::plan::Item;
 

@@ -50,7 +50,7 @@ pub(super) struct Lists([ListState; 3]);
 #[derive(Debug, Clone, Default)]
 struct ListState {
     upload: Option<Upload>,
-    /// Whether the sender was warned of its old dialect.
+    /// Whether the sender was warned about its old dialect.
     warned_item: bool,
     warned_request: bool,
 }

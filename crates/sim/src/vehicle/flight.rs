@@ -85,9 +85,9 @@ impl FlightState {
         };
     }
 
-    /// Takes over speed parameters that have changed in flight: cruise, climb, descent. Modes that
-    /// fly along waypoints use the new speeds at once, even after a command for another speed;
-    /// other modes keep the cruise speed with which they were entered.
+    /// Applies speed parameters that have changed in flight: cruise, climb, descent. Modes that fly
+    /// along waypoints use the new speeds at once, even after a command for another speed; other
+    /// modes keep the cruise speed with which they were entered.
     pub(super) fn speeds_changed(&mut self, before: [f64; 3], now: [f64; 3]) {
         let changed = |place: usize| before[place].to_bits() != now[place].to_bits();
         let asked = &mut self.speeds;

@@ -1,4 +1,5 @@
-//! The physical vehicle, whatever the autopilot believes: body, battery and the air around it.
+//! The physical vehicle, independent of the autopilot's estimate: body, battery and the air around
+//! it.
 
 use std::sync::Arc;
 
@@ -71,7 +72,7 @@ impl Plant {
         self.airframe.power_w(self.body.thrust_m_s2)
     }
 
-    /// A motor's pulse in microseconds: the minimum while the motors stand still.
+    /// A motor's pulse in microseconds: the minimum while the motors are stopped.
     pub(crate) fn motor_pulse_us(&self, motor: usize) -> u16 {
         if self.body.throttle <= 0.0 {
             return 1000;

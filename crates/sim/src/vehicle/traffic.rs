@@ -7,13 +7,13 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavSeverity};
 use super::Vehicle;
 use crate::Serial;
 
-/// The number of steps between two reports of each aircraft, which are 1 s.
+/// The number of steps between two reports of each aircraft; together they take 1 s.
 const REPORT_STEPS: u64 = 100;
 /// Nothing is reported before this time.
 const SILENT_FOR: Duration = Duration::from_secs(10);
 
 impl Vehicle {
-    /// Moves the aircraft around, and reports them once a second.
+    /// Moves the surrounding aircraft, and reports them once a second.
     pub(crate) fn watch_traffic(&mut self) {
         let Some(adsb) = &mut self.adsb else {
             return;
@@ -26,7 +26,8 @@ impl Vehicle {
         }
     }
 
-    /// Lets the receiver hear the aircraft; `false` once if it is not there.
+    /// Passes the aircraft's reports to the receiver; `false`, once, if the configured receiver
+    /// does not exist.
     fn hear_traffic(&mut self) -> bool {
         let now = self.uptime();
         let own = self.is_ready().then(|| self.here());

@@ -236,7 +236,8 @@ fn name_of<'a>(state: &'a State, view: &Viewport, point: LatLon) -> Option<&'a s
     nearest.map(|(name, _)| name.as_str())
 }
 
-/// Moves the cursor to the next vehicle by number.
+/// Moves the swarm's cursor by this many rows of the table, wrapping at the ends, and the map's
+/// cursor to that vehicle.
 fn turn_to(state: &mut State, size: GridSize, by: i32) {
     let rows = state.rooms.fly.rows();
     if rows.is_empty() {

@@ -55,7 +55,7 @@ impl Overview {
         }
     }
 
-    /// Whether the check for a smaller frame is due.
+    /// Whether the check for a smaller frame is due; if so, the next interval begins now.
     pub fn is_due(&mut self, now: Duration) -> bool {
         let due = now.saturating_sub(self.looked_at) >= LOOK_EVERY;
         if due {
@@ -82,7 +82,8 @@ impl Overview {
         loose
     }
 
-    /// Fits the frame to the places now.
+    /// Fits the frame to the places at once, whatever its present size; without places, the frame
+    /// stays.
     pub fn fit(&mut self, places: impl Iterator<Item = LatLon>) {
         let places: Vec<LatLon> = places.collect();
         let Some(&first) = places.first() else {

@@ -152,7 +152,8 @@ fn strung(wire: &KnownWire) -> impl Iterator<Item = Sketch> {
     std::iter::once(between).chain(pylons)
 }
 
-/// A vehicle's path in a manoeuvre, or its place in a formation until it is there.
+/// A vehicle's path in a manoeuvre, or its place in a formation while the vehicle is away from that
+/// place.
 fn course(state: &State, path: &Path) -> Option<Sketch> {
     let vehicle = state.session.vehicles.get(&path.vehicle);
     let here = vehicle.and_then(|vehicle| vehicle.global);
@@ -198,7 +199,7 @@ fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
     ids.filter_map(|id| session.vehicles.get(&id).map(Arc::as_ref))
 }
 
-/// Whether the map shows the leg of a vehicle's plan, which ends at its target.
+/// Whether the map shows the current leg of a vehicle's plan.
 pub fn shows_leg(state: &State, vehicle: &Vehicle) -> bool {
     let is_shown = shown(state).any(|it| it.id == vehicle.id);
     is_shown && vehicle.plan_leg().is_some_and(|leg| leg.to.is_some())

@@ -6,7 +6,8 @@ use crate::geo::LatLon;
 const MOST_POINTS: usize = 256;
 /// The initial distance between two points, in metres.
 const SPACING_M: f64 = 1.0;
-/// A longer step, in metres, means that the position was reset: the trail starts again.
+/// A step longer than this, in metres, and than four times the spacing means that the position was
+/// reset: the trail starts again.
 const JUMP_M: f64 = 500.0;
 
 /// The path of one vehicle. A trail keeps its start: when it is full, every second point is dropped and the spacing

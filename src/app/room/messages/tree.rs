@@ -16,7 +16,7 @@ const FEW_SYSTEMS: usize = 3;
 pub enum Node {
     /// A link, by its number.
     Link(usize),
-    /// A system, at one end of the link or in this program.
+    /// A system at the other end of the link, or of this program.
     System(usize, Direction, u32, SystemId),
     /// A component of the system.
     Component(usize, FrameSource),
@@ -187,8 +187,8 @@ impl Messages {
         systems
     }
 
-    /// Adds a line that can be closed, and returns whether it is open. Branches that match a filter are always
-    /// shown.
+    /// Adds a line that can be closed, and returns whether it is open. With a filter, every line is
+    /// open.
     fn push(&self, branch: Branch, by_default: bool, lines: &mut Vec<Branch>) -> bool {
         let is_turned = self.turned.contains(&branch.node);
         let is_open = !self.filter.is_empty() || by_default != is_turned;

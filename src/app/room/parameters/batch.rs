@@ -1,4 +1,4 @@
-//! Setting many values in sequence: a vehicle takes a few commands at a time.
+//! Setting many values in sequence: a vehicle accepts only a few commands at a time.
 
 use std::collections::VecDeque;
 
@@ -118,8 +118,8 @@ impl Batch {
     }
 }
 
-/// The vehicles to which a value must be sent again: those whose command expired before it was
-/// sent, and those that did not answer although they have the parameter.
+/// The vehicles to which a value must be sent again: first those whose command expired before it
+/// was sent, then those that have the parameter but did not answer, while repeats are left.
 fn to_give_again(
     rows: &[LedgerRow],
     setting: &ParameterSetting,

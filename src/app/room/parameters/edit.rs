@@ -16,7 +16,7 @@ use crate::vehicle_id::ranges;
 /// The maximum number of edits kept; beyond that, all are dropped. The ledger keeps its entries.
 const EDITS_KEPT: usize = 50_000;
 
-/// A value commanded for a vehicle.
+/// A value that a command set, or tried to set, on a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Edit {
     /// The command's entry of the ledger, with its outcome.

@@ -96,7 +96,8 @@ pub fn extra(state: &State, comparison: &Comparison) -> usize {
     found.iter().filter(is_extra).count()
 }
 
-/// The differences between a vehicle and the other side.
+/// The differences between a vehicle and the other side; while a list may still arrive, without the
+/// parameters that one side lacks.
 fn difference<'a>(
     state: &'a State,
     vehicle: VehicleId,
@@ -124,7 +125,7 @@ fn difference<'a>(
     pairs.filter(|(_, finding)| is_sure(*finding)).collect()
 }
 
-/// The first vehicle of a comparison whose list is still being downloaded, if any.
+/// The first vehicle of a comparison whose list is incomplete and may still arrive, if any.
 pub fn coming(state: &State, vehicle: VehicleId, with: &Other) -> Option<VehicleId> {
     let other = match with {
         Other::Vehicle(other) => Some(*other),

@@ -305,8 +305,8 @@ fn inserted(list: ListKind, number: Option<usize>) -> Edit {
     }
 }
 
-/// The edit that sets the next frame for the marked items; in a fence, the edit that reverses
-/// whether the border keeps vehicles in or out; `None` for rally points.
+/// The edit that sets the next frame for the marked items; in a fence, the edit that swaps keep-in
+/// and keep-out borders; `None` for rally points.
 fn frame(state: &State, items: Items) -> Option<Edit> {
     let room = &state.rooms.plans;
     match room.list {

@@ -11,7 +11,7 @@ use crate::plan::{Document, Home, ListKind};
 use crate::text;
 use crate::vehicle::{Place, Severity};
 
-/// The name of a draft that begins with its first item.
+/// The name of a draft that is begun by adding its first item.
 const FIRST_NAME: &str = "plan";
 
 /// The home of the vehicle under the cursor, otherwise that of any vehicle.
@@ -121,7 +121,7 @@ pub(super) fn edit(state: &mut State, edit: &Edit) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// Whether a change depends on the height of the ground where that is unknown.
+/// Whether a change depends on the height of ground that is unknown.
 fn is_over_unknown_ground(document: &Document, edit: &Edit, ground: &Terrain) -> bool {
     match edit {
         Edit::Plan(PlanEdit::Frame { items, frame }) => {

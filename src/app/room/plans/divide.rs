@@ -18,7 +18,8 @@ use crate::vehicle::{Severity, VehicleId};
 use crate::vehicle_id::ranges;
 
 impl Drawing {
-    /// The areas of the current draft, and the index of the area under the list's cursor.
+    /// The areas drawn in the current draft, and the index of the area under the list's cursor; 0
+    /// if the cursor is on none of them.
     pub fn drawn(&self) -> (Vec<Outline>, usize) {
         let Some(draft) = self.drafts.current() else {
             return (Vec::new(), 0);
@@ -44,7 +45,8 @@ impl Drawing {
 /// Makes a plan for each vehicle with a part of the work, and opens these plans as drafts.
 ///
 /// # Errors
-/// No area is drawn, a vehicle has no position, or no plans can be made for the work.
+/// The work lacks its area, line or place, a vehicle has no position, or no plans can be made for
+/// the work.
 pub(super) fn divide(
     state: &mut State,
     work: DraftWork,
@@ -155,7 +157,10 @@ fn task(state: &State, work: DraftWork) -> Result<PlanTask, Text> {
     })
 }
 
-/// A place, otherwise the cursor of the map.
+/// The given place, otherwise the place under the map's cursor.
+///
+/// # Errors
+/// No place is given, and the map has no cursor.
 fn pointed(state: &State, place: Option<LatLon>) -> Result<Datum, Text> {
     let place = place.or_else(|| change::cursor(state));
     place
@@ -163,10 +168,10 @@ fn pointed(state: &State, place: Option<LatLon>) -> Result<Datum, Text> {
         .ok_or_else(|| text!("draft-no-cursor"))
 }
 
-/// The places of a line, otherwise those of the current draft's plan in order.
+/// The given places of a line, otherwise those of the current draft's plan in order.
 ///
 /// # Errors
-/// There are fewer than two.
+/// No places are given, and the plan has fewer than two.
 fn line(state: &State, places: Vec<LatLon>) -> Result<Vec<LatLon>, Text> {
     if !places.is_empty() {
         return Ok(places);

@@ -90,7 +90,7 @@ pub fn read(state: &mut State, path: &str, content: &str) {
     }
 }
 
-/// Opens drafts and shows the first of them: also used for several documents, one for each vehicle.
+/// Opens drafts, such as one for each vehicle, and shows the first of them.
 pub fn fill(state: &mut State, drafts: impl IntoIterator<Item = Draft>) {
     state.rooms.plans.drafts.put(drafts);
     state.rooms.plans.tried = None;

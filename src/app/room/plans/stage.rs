@@ -153,7 +153,8 @@ impl NextStep {
     }
 }
 
-/// What to do after a failed rehearsal: look at its figures, unless they are shown, and change the drafts.
+/// The next step after a failed rehearsal: look at its figures, unless they are shown, and change
+/// the drafts.
 fn after_failure(state: &State) -> Text {
     let key = |action| state.key(Action::Plans(action));
     let again = key(PlansAction::TryDrafts);

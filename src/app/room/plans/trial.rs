@@ -94,7 +94,11 @@ impl<'a> Casting<'a> {
             .or(self.shared)
     }
 
-    /// The draft that each of these vehicles would fly: its own, otherwise the shared one from where it stands.
+    /// The draft that each of these vehicles would fly: its own, otherwise the shared one from the
+    /// vehicle's position.
+    ///
+    /// # Errors
+    /// A vehicle that would fly the shared draft has no position.
     fn flown_by(&self, vehicles: &[VehicleId]) -> Result<Vec<TrialDraft>, Text> {
         let mut flown = Vec::new();
         for &id in vehicles {
@@ -136,7 +140,7 @@ impl<'a> Casting<'a> {
         (!idle.is_empty()).then(|| text!("draft-trial-idle", vehicles = idle))
     }
 
-    /// The drafts without a vehicle, if other drafts have one.
+    /// The drafts without a vehicle, as text; `None` if there are none.
     fn unassigned(&self) -> Option<Text> {
         let first = self.others.first()?.name();
         let names = names(self.others.iter().copied());

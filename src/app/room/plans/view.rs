@@ -24,8 +24,8 @@ const TALL: u16 = 36;
 const LISTS: &[(u16, u16)] = &[(150, 92), (110, 58)];
 const NARROW: u16 = 40;
 
-/// The minimum side of the area that the map shows, in metres, before there are items. The next
-/// constant applies once there are.
+/// The minimum side of the area that the map shows, in metres, before there are items;
+/// `LEAST_DRAWN_M` applies once there are.
 const LEAST_SIDE_M: f64 = 300.0;
 const LEAST_DRAWN_M: f64 = 100.0;
 /// Rows of the screen above the map: the header, the drafts.
@@ -67,7 +67,7 @@ fn places(document: &Document) -> Vec<LatLon> {
     home.into_iter().chain(items).collect()
 }
 
-/// Fits the view to all drafts, the vehicles and the areas of the task.
+/// Fits the view to all drafts, the vehicles, the mission's task areas and the named places.
 pub fn fit(state: &mut State) {
     let room = &state.rooms.plans;
     let drawn = room.drafts.all().iter().map(Draft::document);

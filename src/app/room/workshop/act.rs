@@ -249,7 +249,7 @@ fn other_mission(state: &mut State, step: Step) {
     }
 }
 
-/// Returns to the bench, or from there to the previous room.
+/// Returns to the bench, or from there to the flight; without a session, to the home screen.
 fn escape(state: &mut State) -> Vec<RoomRequest> {
     state.hush();
     if state.rooms.workshop.page != Page::Bench {

@@ -326,7 +326,8 @@ impl Bench {
     }
 }
 
-/// The lines of a design's list of slots: one for each kind of part, and one for a further payload.
+/// The lines of a design's list of slots: one for each kind of part in a slot, one for each empty
+/// slot, and one for a further payload.
 pub fn rows(design: &Design) -> Vec<SlotRow> {
     let mut rows: Vec<SlotRow> = Vec::new();
     for slot in PartSlot::ALL {

@@ -1,4 +1,4 @@
-//! How the design on the bench meets a mission's needs, computed when either changes.
+//! How well the design on the bench meets a mission's needs, computed when either changes.
 
 use super::{Pane, mission};
 use crate::app::State;

@@ -7,7 +7,7 @@ use crate::language::{self, Channel, Context, LineNeeds, VerbRow, rows, words};
 /// The effect of a key in a replay.
 pub(super) enum ReplayUse {
     Same,
-    /// The key controls the replay; contains the id of its description.
+    /// A key that controls the replay, with the id of its description.
     Control(&'static str),
     None,
 }

@@ -4,7 +4,8 @@
 use super::row::ScaleRow;
 use crate::geo::maths;
 
-/// The paper's figures for a vehicle, in percent of a core: minimum and maximum.
+/// The paper's figures for the simulation of one vehicle, in percent of a core: minimum and
+/// maximum.
 pub(super) const PAPER_SIM: [f64; 2] = [0.8, 1.0];
 /// The paper's figures for the console's model update of a vehicle, in percent of a core: minimum
 /// and maximum.

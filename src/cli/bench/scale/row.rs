@@ -22,7 +22,8 @@ pub(super) struct ScaleRow {
     pub us_per_message: Option<f64>,
     pub messages_per_s: f64,
     pub messages_lost: u64,
-    /// Share of a core of the hangar; neither the simulator's nor the model update's figures include it.
+    /// The share of a core that the hangar used, in percent; neither the simulator's nor the model
+    /// update's figures include it.
     pub relay_percent: Option<f64>,
     pub machine_busy_percent: f64,
     /// The number of repeats behind the figures.

@@ -26,7 +26,7 @@ const MOVED_M: f64 = 2.0;
 const OBEYED_WITHIN: Duration = Duration::from_secs(20);
 /// How long vehicles may take until they can be armed.
 const READY_WITHIN: Duration = Duration::from_secs(90);
-/// The extra time for each vehicle.
+/// The time that each vehicle adds to [`READY_WITHIN`].
 const READY_WITHIN_EACH: Duration = Duration::from_secs(3);
 
 /// The plan of a repeat.

@@ -45,7 +45,7 @@ pub(super) fn parse_places(text: &str) -> Result<Places, String> {
     Ok(Places(places?))
 }
 
-/// A shape, by a file or by its places.
+/// A shape, given by a file or by its places.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ShapeSource<'a> {
     pub(super) file: Option<&'a Path>,

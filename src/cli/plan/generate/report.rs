@@ -18,7 +18,7 @@ use crate::store;
 use crate::text;
 use crate::text::{Locale, Text, clock_s, figure};
 
-/// The name of a vehicle's file where only a folder was given.
+/// The name of a vehicle's file if no name was given.
 const USUAL_NAME: &str = "part-{id}.plan";
 /// The part of a name that stands for the vehicle's number.
 const NUMBER: &str = "{id}";

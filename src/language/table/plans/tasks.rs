@@ -96,7 +96,8 @@ pub(in crate::language::table) const SWEEP: Argument = Argument::value(
     "argument-plan-sweep",
 );
 
-/// The direction of lines: by the kind of search, in degrees, otherwise the one of the least energy.
+/// The direction of lines: given by the kind of search or in degrees, otherwise the one that takes
+/// the least energy.
 pub(in crate::language::table) fn course(given: &Arguments) -> Result<Course, Problem> {
     let sweep: Option<Sweep> = given.choice("sweep")?;
     Ok(match (sweep, given.number("course")) {

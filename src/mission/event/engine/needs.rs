@@ -13,7 +13,7 @@ use crate::mission::zone::{Zone, ZoneKind};
 use crate::session::RadioFault;
 use crate::vehicle::VehicleId;
 
-/// A vehicle under a zone's effect must move this far away from it before the effect ends.
+/// A vehicle under a zone's effect must move this far away from the zone before the effect ends.
 const HYSTERESIS_M: f64 = 5.0;
 
 /// The zones that affect each vehicle, by the zone's index in the file.

@@ -24,7 +24,7 @@ struct EventWatch {
     /// Whether its condition held at the last evaluation.
     held: bool,
     over: bool,
-    /// Whether an instructor triggered it, so that its probability does not matter.
+    /// Whether an instructor triggered it, so its probability does not matter.
     wanted: bool,
 }
 

@@ -108,7 +108,7 @@ fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
     Err(Diagnostic::new(part.span.clone(), message))
 }
 
-/// The parts read from the tokens.
+/// Reads the tokens and builds the parts of a condition.
 struct ConditionParser<'a> {
     reader: Reader<'a>,
     depth: usize,

@@ -28,7 +28,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// All tokens of a source of this length.
+    /// A reader of all tokens of a source of this length, in bytes.
     pub fn new(tokens: &'a [Placed], length: usize, names: &'a ExpressionNames<'a>) -> Self {
         Self {
             tokens,

@@ -116,7 +116,7 @@ pub(in crate::mission) const fn spread(form: &'static str, bounds: NumberValue) 
     }
 }
 
-/// Heights from the lowest to the highest.
+/// The lowest and the highest height, in metres.
 pub(in crate::mission) const fn heights() -> PairValue {
     rising("[low, high]", number(0.0, 1000.0, "m"))
 }

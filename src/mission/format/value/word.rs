@@ -94,7 +94,7 @@ impl FileValue for TextValue {
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct WordValue<T: 'static>(&'static [(&'static str, T)]);
 
-/// One of a few words.
+/// One of the given words, each with its value.
 pub(in crate::mission) const fn word<T>(words: &'static [(&'static str, T)]) -> WordValue<T> {
     WordValue(words)
 }

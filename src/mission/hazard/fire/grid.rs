@@ -80,7 +80,7 @@ impl FireGrid {
         inside.then(|| row as usize * self.columns + column as usize)
     }
 
-    /// The cells of the square that reaches `reach_m` to each side of a point.
+    /// The indices of the cells in the square that reaches `reach_m` to each side of a point.
     pub fn around(&self, at: Point, reach_m: f64) -> impl Iterator<Item = usize> + use<> {
         let low = |axis: usize| {
             ((at[axis] - reach_m - self.corner[axis]) / self.side_m)
@@ -125,7 +125,7 @@ impl FireGrid {
         )
     }
 
-    /// The cells that burn now.
+    /// The indices of the cells that burn now.
     pub fn burning(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.cells.len()).filter(|&index| self.burns(index))
     }
@@ -184,7 +184,8 @@ impl FireGrid {
         }
     }
 
-    /// The advance of the fastest front on each cell in reach, as a share of the distance.
+    /// For each unburnt cell that a front can reach, by index: the advance of the fastest front in
+    /// one step, as a share of the distance between the cells.
     fn reach(&self, burning: &[usize], wind: Wind) -> std::collections::BTreeMap<usize, f64> {
         let ways = NEIGHBOUR_CELLS.map(|(column, row)| [column as f64, row as f64]);
         let shares =
@@ -225,7 +226,7 @@ impl FireGrid {
             && holds(self.neighbour(from, 0, row))
     }
 
-    /// The places where embers land and start a fire.
+    /// The indices of the cells where embers land.
     fn embers(&self, burning: &[usize], wind: Wind, random: &mut ChaCha8Rng) -> Vec<usize> {
         let chance = EMBERS_PER_S * self.embers * wind.speed_m_s * STEP_S;
         let mut down = Vec::new();

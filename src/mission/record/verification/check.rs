@@ -38,7 +38,7 @@ pub(super) struct RecordCheck {
     ticked: Duration,
     /// Simulated time of the last line compared.
     seen_to: Duration,
-    /// Whether the vehicles went on after the last line of a record without an end.
+    /// Whether the vehicles flew on after the last line of a record without an end.
     went_on: bool,
 }
 
@@ -158,8 +158,8 @@ impl RecordCheck {
         self.clock.is_some_and(|clock| clock.is_paced)
     }
 
-    /// Lets the time up to a line pass, on the simulator's own clock: nothing new was shown in that
-    /// time.
+    /// Flies on to a line's time, on the simulator's own clock, and checks that the vehicles keep
+    /// the recorded state until then.
     fn wait(&mut self, until: Duration, back: Duration, ahead: Duration) -> Result<(), Divergence> {
         if self.recorded.is_empty() {
             return Ok(());
@@ -173,8 +173,8 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Runs the steps without a line before a mission time: they contain nothing new. The
-    /// simulator's time is the mission's.
+    /// Runs the steps before a mission time that have no line, and checks that the vehicles keep
+    /// the recorded state. The simulator's time is the mission's here.
     fn pass(&mut self, until: Duration) -> Result<(), Divergence> {
         while self.ticked + TICK < until {
             self.ticked += TICK;
@@ -242,7 +242,7 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Checks that the vehicle had this state at some time between two moments.
+    /// Checks that the vehicle had this state at some time in an interval.
     fn compare(
         &self,
         recorded: &ObservedVehicle,

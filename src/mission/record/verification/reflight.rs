@@ -120,7 +120,7 @@ impl Reflight {
         }
     }
 
-    /// Applies the inputs that the log has for this moment.
+    /// Applies the inputs that the log has for the current step, and compares the fingerprints.
     fn enter(&mut self) -> Result<(), Divergence> {
         while let Some(line) = self.lines.get(self.next)
             && line.s == self.world.steps()

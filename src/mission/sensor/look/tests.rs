@@ -161,7 +161,8 @@ fn light_cover_and_smoke_thin_what_a_camera_finds() {
     assert!((seen("s_th160") / clear("s_th160") - maths::exp(-0.0522_f64)).abs() < 1e-9);
 }
 
-/// A look from a distance to the side of a defect on a line that runs north, offset along the line and in height.
+/// The probability of noticing a defect on a line that runs north, from `square_m` to the side,
+/// offset along the line and in height.
 fn inspection(id: &str, square_m: f64, along_m: f64, below_m: f64) -> f64 {
     let object = Object {
         height_m: 20.0,

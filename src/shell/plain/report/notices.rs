@@ -9,18 +9,18 @@ use crate::notice::Notice;
 use crate::text::{Text, text};
 use crate::vehicle_id::ranges;
 
-/// How long identical notices are still merged into the newest one.
+/// How long identical notices are merged with the newest one before their count is printed.
 const FOLD_TIME: Duration = Duration::from_secs(10);
 
 /// The notices that have been printed.
 #[derive(Debug, Default)]
 pub(super) struct PrintedNotices {
-    /// The newest notice, and how many times it has been repeated.
+    /// The newest printed notice, and its count when it was printed.
     newest: Option<(Notice, u32)>,
 }
 
 impl PrintedNotices {
-    /// The lines since the last call.
+    /// The lines of new notices since the last call, and of the last one if it was repeated.
     pub fn news(&mut self, state: &State) -> Vec<Text> {
         let mut texts = Vec::new();
         let said = self.newest.as_ref();

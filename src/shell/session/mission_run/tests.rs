@@ -11,7 +11,7 @@ use crate::vehicle::Vehicle;
 
 const FORMATION: &str = include_str!("../../../../missions/02-formation.toml");
 
-/// The steps of the embedded simulator in a second.
+/// The number of steps that the embedded simulator runs per second.
 const STEPS_PER_S: u64 = 100;
 
 const fn s(s: u64) -> Duration {

@@ -88,7 +88,7 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the meaning of the signs if there is room.
+/// Draws the meaning of the signs.
 fn draw_signs(panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (sign, meaning)) in SIGNS.into_iter().enumerate() {
         let text = format!("  {} {}", sign.symbol(), panel.say(meaning));
@@ -186,7 +186,7 @@ fn career_best(career: &Career, mission: &str) -> Option<String> {
     Some(format!(" {score:>4} {:<3}", stars(best.medal)))
 }
 
-/// The best recorded score without a profile.
+/// The best recorded score of flights without a profile.
 fn recorded_best(state: &State, mission: &str) -> Option<String> {
     let best = state.training().best_try(mission)?;
     let score = best.score?;

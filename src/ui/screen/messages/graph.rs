@@ -25,7 +25,7 @@ pub(super) fn height(room: &Messages, available: u16) -> u16 {
         .min(available)
 }
 
-/// Draws as many graphs as fit, the newest first.
+/// Draws the newest graphs, as many as fit, the newest at the bottom.
 pub(super) fn draw(room: &Messages, panel: Panel<'_>, buffer: &mut Buffer) {
     let fitting = (panel.area.height / LEAST).max(1);
     let shown = room.pins().len().min(fitting.into());

@@ -123,8 +123,8 @@ impl TabWidth {
 }
 
 /// The drafts that fit into a width, given the widths of their names. The current one is shown with
-/// its name; its neighbours are added with their signs, and then with their names, the nearest
-/// first.
+/// its name; its neighbours are added with their short names, and, if all drafts fit, with their
+/// full names, the nearest first.
 fn fitting(names: &[TabWidth], current: usize, columns: usize) -> Vec<Tab> {
     let Some(own) = names.get(current) else {
         return Vec::new();

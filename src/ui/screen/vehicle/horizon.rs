@@ -17,7 +17,7 @@ const RUNG_HALF_WIDTH: f64 = 0.35;
 /// Bits of the dots of a braille pattern, column by column from the top.
 const BRAILLE_DOTS: [[u32; 4]; 2] = [[0x01, 0x02, 0x04, 0x40], [0x08, 0x10, 0x20, 0x80]];
 
-/// The picture at a point of the indicator.
+/// The content of a point of the indicator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum HorizonCell {
     Sky,
@@ -46,10 +46,11 @@ impl HorizonView {
         }
     }
 
-    /// The picture at a point `right` and `up` of the centre; lines are `dot` thick.
+    /// The content of the point `right` to the right of the centre and `up` above it; lines are
+    /// `dot` thick.
     ///
-    /// When the vehicle rolls to the right, it turns clockwise, so the view turns counterclockwise: up points to the
-    /// left of the indicator, and the horizon rises to the right.
+    /// When the vehicle rolls to the right, it turns clockwise, so the view turns counterclockwise:
+    /// up points to the left of the indicator, and the horizon rises to the right.
     fn at(&self, right: f64, up: f64, dot: f64) -> HorizonCell {
         let (sine, cosine) = self.roll;
         let elevation_deg = self.pitch_deg + self.degrees_per_row * (cosine * up - sine * right);

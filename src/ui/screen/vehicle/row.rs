@@ -25,7 +25,7 @@ pub fn labelled(look: &Look, label: &str, value: Vec<Span<'static>>) -> Line<'st
     line
 }
 
-/// A text cut or filled up to a width.
+/// A text cut or padded to a width.
 pub fn filled(text: &str, width: usize) -> String {
     let text = clip(text, width);
     let missing = width.saturating_sub(Span::raw(text.as_str()).width());
@@ -43,7 +43,7 @@ pub fn centred(buffer: &mut Buffer, area: Rect, line: &Line<'_>) {
     put(buffer, middle, 0, line);
 }
 
-/// A number with `decimals` decimals, if known.
+/// A number with `decimals` decimals; [`UNKNOWN`] if it is not known.
 pub fn number(value: Option<f32>, decimals: usize) -> String {
     value.map_or_else(|| UNKNOWN.to_owned(), |value| figure(value, decimals))
 }

@@ -24,7 +24,7 @@ const HERE_M: f64 = 1.0;
 const WARNING: &str = "vehicle-ready";
 const WARNING_ROWS: usize = 2;
 
-/// A row: the id of its label, and its value.
+/// A row: the id of its label, its value, and the role of the value.
 type Entry = (&'static str, String, Role);
 
 /// Draws as many rows as fit.

@@ -13,7 +13,8 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, put};
 use crate::workshop::{Design, Measure, PartSlot};
 
-/// The widths of names, of a design's parts at most, and of a change, in columns.
+/// The width of names, the maximum width of a design's parts, and the width of a change, in
+/// columns.
 const NAME: usize = 20;
 const WIDEST: usize = 60;
 const CHANGE: usize = 12;

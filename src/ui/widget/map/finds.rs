@@ -20,7 +20,7 @@ pub const SIGNS: [(Trust, char, Role, &str); 3] = [
     (Trust::Reported, '#', Role::Ok, "map-legend-reported"),
 ];
 
-/// The maximum number of contacts in view up to which all of them may have names.
+/// With more contacts than this in view, not all of them may have names.
 const MOST_NAMED: usize = 12;
 
 /// The labels of contacts and reports. A report of a contact has the contact's name.

@@ -17,7 +17,7 @@ use crate::ui::widget::traffic::threat_role;
 const SIGN: char = 'A';
 /// How far ahead the course is drawn, in seconds.
 const AHEAD_S: f64 = 30.0;
-/// The age from which it is shown.
+/// The age from which the age of a report is shown.
 const OLD: Duration = Duration::from_secs(3);
 
 /// The sign in the legend.

@@ -252,7 +252,7 @@ fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> 
         .collect()
 }
 
-/// A sample of a line without spaces, at which the legend would be wrapped.
+/// A sample of a line that contains no spaces, because the legend is wrapped at spaces.
 fn sample(stroke: Stroke, look: &Look) -> String {
     let line = stroke.sample(look.symbols);
     line.split(' ').next().unwrap_or_default().to_owned()

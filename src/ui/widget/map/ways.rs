@@ -127,7 +127,7 @@ fn shown(state: &State) -> impl Iterator<Item = &Vehicle> {
         .take(MANY)
 }
 
-/// Points along a trail from its start, spaced like its numbers.
+/// The points along a trail at which its numbers are written, from its start.
 fn along(dots: &[Dot]) -> Vec<Dot> {
     let mut found = Vec::new();
     let mut left = NUMBER_EVERY / 2.0;

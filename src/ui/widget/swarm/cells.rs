@@ -277,7 +277,8 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     (text, role)
 }
 
-/// The most serious alert and its duration, with a mark before it until it is acknowledged.
+/// The most serious alert and its duration; a serious one has a mark before it until it is
+/// acknowledged.
 fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     let session = row.state.session();
     let Some(one) = session.alerts().worst(row.vehicle.id) else {

@@ -103,7 +103,7 @@ pub fn columns(state: &State, words: &Words, look: &Look, room: u16) -> Vec<Show
     columns
 }
 
-/// The chosen columns, as long as they fit, and the remaining width.
+/// The chosen columns in order until one no longer fits, and the remaining width.
 fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
     let forms = chosen
         .iter()

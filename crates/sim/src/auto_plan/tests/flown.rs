@@ -121,7 +121,8 @@ fn the_recorded_mission_is_flown_in_the_same_order_and_time() {
     assert!(!ground.truth().armed);
 }
 
-/// The second mission of the same recording: AUTO waits while armed on the ground, a jump, and the end in the air.
+/// The second mission of the same recording: it waits in AUTO, armed on the ground, jumps, and ends
+/// in the air.
 #[test]
 fn a_mission_with_a_jump_waits_for_its_start_and_ends_hovering() {
     let mut ground = ready_with(&[

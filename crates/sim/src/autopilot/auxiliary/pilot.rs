@@ -63,7 +63,8 @@ impl Autopilot {
     }
 
     /// Adds the place of the vehicle to the mission, if it is armed and not in AUTO: a landing if
-    /// the throttle is down. An empty mission begins with a takeoff.
+    /// the throttle is down, otherwise a waypoint. An empty mission begins with a takeoff; with the
+    /// throttle down, nothing is added to it.
     fn save_waypoint(&mut self) {
         let vehicle = &mut self.vehicle;
         let low = vehicle.sticks().throttle_is_low();
@@ -226,8 +227,8 @@ impl Autopilot {
         }
     }
 
-    /// Releases the parachute, if it is enabled and the vehicle is high enough; the motors stop. No parachute brakes
-    /// the fall, as in a SITL without one.
+    /// Releases the parachute, if it is enabled and the vehicle is high enough; the motors stop. No
+    /// parachute brakes the fall, as in SITL without one.
     pub(crate) fn release_parachute(&mut self) {
         let vehicle = &mut self.vehicle;
         if !self.workbench.parachute {

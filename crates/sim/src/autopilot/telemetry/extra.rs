@@ -15,7 +15,7 @@ use crate::kinematics::GRAVITY_M_S2;
 use sortie_geo::maths;
 use sortie_geo::wrap_360;
 
-/// Degrees Celsius times 100 on the board's second barometer.
+/// The temperature of the board's second barometer, in hundredths of a degree Celsius.
 const BOARD_CDEG: i16 = 3015;
 /// The spacing of requested terrain, in metres, and the number of missing blocks.
 const TERRAIN_SPACING_M: u16 = 100;
@@ -24,7 +24,7 @@ const TERRAIN_PENDING: u16 = 504;
 const TERRAIN_MASK: u64 = (1 << 56) - 1;
 /// The distance to the south-western corner of the requested grid, metres south and west.
 const TERRAIN_CORNER_M: (f64, f64) = (1281.0, 1038.0);
-/// A motor of a SITL quad at full output, revolutions per minute.
+/// The speed of a SITL quad's motor at full output, in revolutions per minute.
 const FULL_RPM: f64 = 7000.0;
 
 pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {

@@ -36,7 +36,8 @@ pub(super) fn mission_current(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// The target of the vehicle's task and its speed, if it has one.
+/// The target that the vehicle reports in GUIDED: position, velocity and type mask; `None` if there
+/// is none.
 fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
     if autopilot.vehicle.flight.mode.number != mode::GUIDED || !autopilot.vehicle.safety.armed {
         return None;

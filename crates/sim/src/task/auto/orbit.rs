@@ -25,8 +25,8 @@ pub(crate) struct Orbit {
 }
 
 impl Orbit {
-    /// A circle that has not begun, at `CIRCLE_RATE`. With a radius of 0 the vehicle turns in place, regardless of
-    /// `CIRCLE_RADIUS`, as a real one did.
+    /// A circle that has not begun, at `CIRCLE_RATE`. With a radius of 0 the vehicle turns in
+    /// place, regardless of `CIRCLE_RADIUS`, as a real vehicle did.
     pub(crate) fn around(
         centre_m: DVec3,
         radius_m: f64,

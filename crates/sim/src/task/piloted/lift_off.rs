@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::PilotRules;
 use crate::kinematics::square_root;
 
-/// The time from a climb by stick to the lift-off.
+/// The time from the stick's command to climb until the lift-off.
 const SPOOL: Duration = Duration::from_millis(1400);
 /// The time to the lift-off in a mode in which the stick drives the motors: fitted to a climb of 51 m in 7.8 s.
 const MANUAL_SPOOL: Duration = Duration::from_millis(850);

@@ -28,7 +28,7 @@ pub(crate) struct PilotRules {
     pub(super) turn_deg_s: f64,
     pub(super) acro_turn_deg_s: f64,
     pub(super) hover: f64,
-    /// The height of a takeoff by the throttle stick; 0 for none.
+    /// The height of a takeoff by the throttle stick, in metres; 0 for none.
     pub(super) takeoff_m: f64,
     /// Whether the sticks move a vehicle that lands on its own.
     pub(crate) moves_landing: bool,

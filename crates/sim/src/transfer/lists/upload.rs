@@ -80,7 +80,8 @@ impl Upload {
         usize::from(self.last) + 1
     }
 
-    /// The next action for the upload while its own link, or another one, is served.
+    /// The next action for the upload; `is_own_link` means that the link being served is the
+    /// upload's own.
     pub fn due(&self, now: Duration, is_own_link: bool) -> UploadDue {
         let silent = now.saturating_sub(self.heard_at);
         if !is_own_link {

@@ -8,7 +8,7 @@ use crate::text;
 use crate::text::Text;
 
 impl MissionPage<'_> {
-    /// Whether a mission has started and no vehicle has flown yet.
+    /// Whether a session is under way and no vehicle has flown in it yet; false in a replay.
     pub(super) fn awaits_launch(&self) -> bool {
         let session = &self.state.session;
         let flown = |progress: &crate::mission::Progress| progress.score_so_far.is_some();
@@ -28,7 +28,8 @@ impl MissionPage<'_> {
         self.awaits_launch() && allows && session.hangar.is_none()
     }
 
-    /// Adds, before takeoff, the questions and how to begin; afterwards the answers, if any.
+    /// Before takeoff, adds the questions and the ways to begin; afterwards, adds the answers, if
+    /// any.
     pub(super) fn launch(&mut self) {
         if self.state.session.activity.is_none() {
             return;

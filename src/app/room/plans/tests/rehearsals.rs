@@ -167,7 +167,7 @@ fn what_is_not_flown_is_named() {
     assert_eq!(left_out(&desk.give("draft rehearse 1")), None);
 }
 
-/// The room shows the outcome among its reports: a message would cover the keys with the same text.
+/// The room shows the outcome among its reports; a message would only repeat it and cover the keys.
 #[test]
 fn the_outcome_is_no_message_in_the_room() {
     let mut desk = Desk::new();

@@ -70,8 +70,8 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Checks that the record contains every command that a vehicle refused; a record without an
-    /// end, those that had time to be recorded.
+    /// Checks that the record contains every command that a vehicle refused; if the record has no
+    /// end, only those that had time to be recorded.
     fn compare_refusals(&self, stored: &Stored) -> Result<(), Divergence> {
         let is_open = stored.is_open();
         let until = if is_open {
