@@ -77,7 +77,7 @@ pub fn write(message: &MessageDefinition, text: &str) -> Result<WrittenPayload, 
     })
 }
 
-/// The name and the fields of a frame as [`write`] reads them. Fields that are 0, and the receiver, are left out.
+/// The name and the fields of a frame as [`write()`] reads them. Fields that are 0, and the receiver, are left out.
 /// `None` for a frame that cannot be decoded, and for messages with secrets.
 pub fn written(frame: &Anatomy<'_>) -> Option<String> {
     let definitions = Definitions::get();
