@@ -213,7 +213,7 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 }
 
 impl CliCommand {
-    /// Whether the command only reads the data folder, so a missing folder is not created.
+    /// Whether the command only reads the data folder: it creates no folder and changes no mode.
     fn only_reads(&self) -> bool {
         match self {
             Self::Profile(options) => options.only_reads(),
@@ -254,7 +254,9 @@ pub fn main(arguments: CliArguments) -> ExitCode {
             .command
             .as_ref()
             .is_some_and(CliCommand::only_reads);
-        settings.share_results(only_reads);
+        if !only_reads {
+            settings.share_results();
+        }
         start_log(&settings)?;
         dispatch(arguments.command, &arguments.home, settings)
     });

@@ -57,7 +57,7 @@ pub use records::{
 };
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use settlement::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
-pub use sharing::{SharingFault, share_with_group, sharing_fault};
+pub use sharing::{RUNS, SharingFault, share_with_group, sharing_fault};
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, read_bytes, read_found, read_start};
 pub use terrain::add_square;

@@ -41,7 +41,7 @@ mission-recover-in-air = in the air
 mission-recover-away = { $distance } m from the pad
 mission-recover-charge = needs { $needed } %, has { $percent } %
 mission-recover-landing = not landed yet
-mission-recover-fly = Fly, then land within { $radius } m of a pad with { $percent } % battery and wait until the drone disarms: `rtl` lands there.
+mission-recover-fly = Take off, then land within { $radius } m of a pad, with at least { $percent } % battery left, and wait until the drone disarms: `rtl` lands there.
 mission-recover-earlier = { $place ->
     [first] Come home before the battery is below { $least } %: you had { $percent } %
    *[later] come home before the battery is below { $least } %: you had { $percent } %

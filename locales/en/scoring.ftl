@@ -20,7 +20,7 @@ scoring-all-met = { $count ->
    *[other] all { $count } objectives met
 }
 scoring-missed = missed: { $objectives }
-scoring-missed-capped = missed: { $objectives }; capped at { $most } (mandatory)
+scoring-missed-capped = missed: { $objectives }; a mandatory objective is missed, so capped at { $most }
 scoring-needs-objectives = needs { $percent } % of the objectives
 scoring-seconds = s
 scoring-watt-hours = Wh

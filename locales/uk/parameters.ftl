@@ -54,7 +54,7 @@ parameters-sets-on = кому: { $vehicles }
 parameters-none-yet = ще нічого не надійшло
 parameters-none-fit = жоден параметр не відповідає фільтру: { $key } показує всі
 parameters-none-differ-yet = поки що відмінностей немає
-parameters-none-differ = відмінностей немає: { $key } показує всі
+parameters-none-differ = відмінностей немає: { $key } показує всі параметри
 parameters-none-changed = нічого не змінено: { $key } показує всі
 
 parameters-column-name = НАЗВА

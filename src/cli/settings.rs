@@ -295,12 +295,10 @@ impl CliSettings {
         }
     }
 
-    /// Lets the group read results, if so configured. Another user's folder is not changed. A
-    /// missing folder is created for a command that writes.
-    pub fn share_results(&self, only_reads: bool) {
-        if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data)
-            && (!only_reads || data.is_dir())
-        {
+    /// Lets the group read results, if so configured; creates a missing data folder. Another user's
+    /// folder is not changed.
+    pub fn share_results(&self) {
+        if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data) {
             drop(store::share_with_group(data));
         }
     }

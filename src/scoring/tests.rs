@@ -157,7 +157,7 @@ fn a_missed_mandatory_objective_says_that_it_caps_the_others() {
     };
     let (value, why) = words(150.0);
     assert!(
-        (value - 0.5).abs() < 1e-9 && why.ends_with("capped at 0.500 (mandatory)"),
+        (value - 0.5).abs() < 1e-9 && why.ends_with("so capped at 0.500"),
         "{why}"
     );
     let (value, why) = words(50.0 / 3.0);

@@ -1,8 +1,9 @@
-//! Orders about a vehicle's signing: each is a transaction.
+//! Orders that set up, rotate or remove a vehicle's signing key: each is a transaction.
 //!
-//! The new key is in its file before it is sent to the vehicle. The vehicle has taken the key when
-//! its frames show this, and has proved it when it has answered a later question with a signed
-//! message. If the answer does not come, the earlier key is sent again; the console keeps both.
+//! A new key is written to the key file before it is sent to the vehicle. The order is accepted once
+//! a frame of the vehicle is signed with the new key (after a removal: is unsigned), and done once
+//! the vehicle answers a later request with such a frame. If no answer comes, the earlier key is
+//! sent again; the console keeps both.
 
 use std::fmt::Debug;
 use std::sync::Arc;

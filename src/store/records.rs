@@ -81,7 +81,7 @@ impl Records {
     /// The records in the program's folder for data.
     pub fn within(data: &Path, limits: RecordLimits) -> Self {
         Self {
-            folder: data.join("runs"),
+            folder: data.join(super::RUNS),
             limits,
         }
     }

@@ -54,7 +54,7 @@ impl Runs {
     /// The runs in the program's folder for data: the newest 300, limited to 256 MiB in total.
     pub fn within(data: &Path) -> Self {
         Self {
-            folder: data.join("runs"),
+            folder: data.join(super::RUNS),
             is_bounded: true,
         }
     }

@@ -8,7 +8,7 @@ use std::io;
 use std::os::unix::fs::{
     DirBuilderExt as _, MetadataExt as _, OpenOptionsExt as _, PermissionsExt as _,
 };
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::links;
 use crate::config::Readers;
@@ -20,30 +20,55 @@ const SHARED_FOLDER: u32 = 0o2050;
 /// The mode bit of a file in a shared folder: read for the group.
 const SHARED_FILE: u32 = 0o040;
 
-/// Lets the group of a data folder read everything in it but the signing keys; creates the folder if needed.
+/// The folder of recorded runs in a data folder.
+pub const RUNS: &str = "runs";
+/// The beginning of the names of the profiles' database, its journals and its copies.
+const PROFILES: &str = "profiles.sqlite";
+
+/// Lets the group of a data folder read the results in it: profiles and recorded runs. Creates the
+/// folder if needed. Other files are not changed, because the folder may hold more than results.
 ///
 /// # Errors
 /// The folder cannot be created, or belongs to another user.
 pub fn share_with_group(data: &Path) -> io::Result<()> {
     private_folder(data)?;
     allow(data, SHARED_FOLDER)?;
-    for entry in fs::read_dir(data)? {
-        let entry = entry?;
-        let kind = entry.file_type()?;
-        if kind.is_dir() {
-            share_with_group(&entry.path())?;
-        } else if kind.is_file() && entry.file_name() != KEY_FILE {
-            allow(&entry.path(), SHARED_FILE)?;
+    results(data).iter().try_for_each(|path| share(path))
+}
+
+/// Lets the group read a file, or a folder and everything in it; links are not followed.
+fn share(path: &Path) -> io::Result<()> {
+    let kind = fs::symlink_metadata(path)?.file_type();
+    if kind.is_file() {
+        return allow(path, SHARED_FILE);
+    }
+    if kind.is_dir() {
+        allow(path, SHARED_FOLDER)?;
+        for entry in fs::read_dir(path)? {
+            share(&entry?.path())?;
         }
     }
     Ok(())
 }
 
+/// The files and folders of a data folder that hold results.
+fn results(data: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(data).into_iter().flatten().flatten();
+    let is_result = |entry: &fs::DirEntry| {
+        let name = entry.file_name();
+        name == RUNS || name.to_string_lossy().starts_with(PROFILES)
+    };
+    entries
+        .filter(is_result)
+        .map(|entry| entry.path())
+        .collect()
+}
+
 /// A difference between the configured readers and those that the modes of a data folder allow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SharingFault {
-    /// The group may read, but the folder lacks the mode for it. The kernel drops a set-group-ID bit silently if the
-    /// folder's owner is not in its group.
+    /// The group may read, but the folder, or one of the results in it, lacks the mode for it. The
+    /// kernel drops a set-group-ID bit silently if the folder's owner is not in its group.
     NotShared,
     /// The group may read, but this many files and folders belong to another group.
     OtherGroup(usize),
@@ -56,31 +81,49 @@ pub fn sharing_fault(data: &Path, readers: Readers) -> Option<SharingFault> {
     let facts = fs::metadata(data).ok()?;
     let mode = facts.permissions().mode();
     match readers {
-        Readers::Group if !is_shared(data) => Some(SharingFault::NotShared),
-        Readers::Group => match count_below(data, &|it| it.gid() != facts.gid()) {
+        Readers::Group if !is_shared(data) || count_results(data, &is_closed) > 0 => {
+            Some(SharingFault::NotShared)
+        }
+        Readers::Group => match count_results(data, &|it| it.gid() != facts.gid()) {
             0 => None,
             count => Some(SharingFault::OtherGroup(count)),
         },
         Readers::Owner => {
             let is_readable = |it: &fs::Metadata| it.permissions().mode() & SHARED_FILE != 0;
             let is_open = mode & 0o010 != 0;
-            let is_read = is_shared(data) || (is_open && count_below(data, &is_readable) > 0);
+            let is_read = is_shared(data) || (is_open && count_results(data, &is_readable) > 0);
             is_read.then_some(SharingFault::StillShared)
         }
     }
 }
 
-/// The number of files and folders below a folder with a property; links are not followed.
-fn count_below(folder: &Path, is_so: &dyn Fn(&fs::Metadata) -> bool) -> usize {
-    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
-    let count = |entry: fs::DirEntry| match entry.metadata() {
+/// Whether a file or folder lacks the mode of its kind in a shared folder.
+fn is_closed(facts: &fs::Metadata) -> bool {
+    let needed = if facts.is_dir() {
+        SHARED_FOLDER
+    } else {
+        SHARED_FILE
+    };
+    facts.permissions().mode() & needed != needed
+}
+
+/// The number of results in a data folder, files and folders, that have a property.
+fn count_results(data: &Path, is_so: &dyn Fn(&fs::Metadata) -> bool) -> usize {
+    results(data).iter().map(|path| count(path, is_so)).sum()
+}
+
+/// The number of files and folders from this one down that have a property; links are not
+/// followed.
+fn count(path: &Path, is_so: &dyn Fn(&fs::Metadata) -> bool) -> usize {
+    match fs::symlink_metadata(path) {
         Ok(facts) if facts.is_dir() => {
-            usize::from(is_so(&facts)) + count_below(&entry.path(), is_so)
+            let entries = fs::read_dir(path).into_iter().flatten().flatten();
+            let below: usize = entries.map(|entry| count(&entry.path(), is_so)).sum();
+            below + usize::from(is_so(&facts))
         }
         Ok(facts) if facts.is_file() => usize::from(is_so(&facts)),
         Ok(_) | Err(_) => 0,
-    };
-    entries.map(count).sum()
+    }
 }
 
 /// Creates a folder, and those above it, for its owner alone.
@@ -153,7 +196,7 @@ mod tests {
         let fault = |readers| sharing_fault(&data, readers);
         assert_eq!(fault(Readers::Group), None, "it does not exist yet");
         private_folder(&data).expect("made");
-        made(&data.join("early"));
+        made(&data.join("profiles.sqlite"));
         assert_eq!(fault(Readers::Owner), None);
         assert_eq!(fault(Readers::Group), Some(SharingFault::NotShared));
         share_with_group(&data).expect("ours");
@@ -165,14 +208,41 @@ mod tests {
         assert_eq!(fault(Readers::Owner), None);
         closed(0o750);
         assert_eq!(fault(Readers::Owner), Some(SharingFault::StillShared));
-        assert_eq!(count_below(&data, &|_| true), 1);
+        assert_eq!(count_results(&data, &|_| true), 1);
+    }
+
+    /// The kernel drops the bit where the owner is not in the group of the folder.
+    #[test]
+    fn a_folder_of_runs_without_its_set_group_id_bit_is_not_shared() {
+        let home = tempfile::tempdir().expect("a folder");
+        let data = home.path().join("data");
+        share_with_group(&data).expect("ours");
+        folder_within(&data, &data.join(RUNS)).expect("made");
+        assert_eq!(sharing_fault(&data, Readers::Group), None);
+        let closed = Permissions::from_mode(0o750);
+        fs::set_permissions(data.join(RUNS), closed).expect("ours");
+        let fault = sharing_fault(&data, Readers::Group);
+        assert_eq!(fault, Some(SharingFault::NotShared));
+    }
+
+    #[test]
+    fn files_that_are_no_results_keep_their_modes() {
+        let home = tempfile::tempdir().expect("a folder");
+        private_folder(&home.path().join(".ssh")).expect("made");
+        for name in ["notes", ".ssh/id", KEY_FILE] {
+            made(&home.path().join(name));
+        }
+        share_with_group(home.path()).expect("ours");
+        let modes =
+            [".ssh", "notes", ".ssh/id", KEY_FILE].map(|name| mode(&home.path().join(name)));
+        assert_eq!(modes, [0o700, 0o600, 0o600, 0o600]);
     }
 
     #[test]
     fn what_is_in_a_shared_folder_is_shared_and_nothing_else() {
         let home = tempfile::tempdir().expect("a folder");
         let data = home.path().join("data");
-        let (early, late) = (data.join("early"), data.join("runs/late"));
+        let (early, late) = (data.join("profiles.sqlite"), data.join("runs/late"));
         private_folder(&data).expect("made");
         made(&early);
         assert_eq!((mode(&data), mode(&early)), (0o700, 0o600));

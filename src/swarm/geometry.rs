@@ -209,7 +209,8 @@ mod tests {
         assert!((along.distance_to(beside) - 3.0).abs() < 1e-9);
     }
 
-    /// The best assignment by brute force, for comparison.
+    /// The smallest sum of all paths, found by brute force, for comparison. The places before `at` have their vehicles
+    /// already.
     fn best(places: &[DVec2], vehicles: &mut Vec<DVec2>, at: usize) -> f64 {
         if at == places.len() {
             return 0.0;

@@ -252,7 +252,8 @@ pub struct PlanProgress {
     pub reached: Option<u16>,
     /// The phase of the plan in AUTO; `None` if the vehicle does not report it.
     pub phase: Option<PlanPhase>,
-    /// The pause, while the vehicle flies its plan; it may outlast [`PlanPhase::Paused`].
+    /// The current pause in the plan; `None` if the vehicle flies on or has left its plan. It may outlast
+    /// [`PlanPhase::Paused`], as [`PlanPause`] explains.
     pub pause: Option<PlanPause>,
     /// When the current item became current, by the vehicle's clock.
     pub since: Option<Duration>,

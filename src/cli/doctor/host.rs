@@ -13,7 +13,7 @@ use super::folder::{FolderUse, folder, shell_word};
 use super::mount::network_file_system;
 use crate::config::Readers;
 use crate::sitl::quoted;
-use crate::store::{KeyFile, KeyFileFault, SharingFault, sharing_fault};
+use crate::store::{KeyFile, KeyFileFault, RUNS, SharingFault, sharing_fault};
 use crate::text::Text;
 
 /// The processor use of one idle or flying `ArduCopter` 4.6, in percent of a core, measured with up
@@ -99,9 +99,9 @@ fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
         SharingFault::NotShared => HostFinding::fault(
             "profiles",
             format!(
-                "results.readers is \"group\", but the group cannot read {name}: its setgid bit is missing"
+                "results.readers is \"group\", but the group cannot read all results in {name}: a setgid bit or the group's right to read is missing"
             ),
-            format!("as root: chmod g+rxs {word}"),
+            opening(data),
         ),
         SharingFault::OtherGroup(count) => {
             let group =
@@ -120,6 +120,18 @@ fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
             format!("chmod -R g-rwxs {word}"),
         ),
     })
+}
+
+/// The commands that open the results in a data folder to its group.
+fn opening(data: &Path) -> String {
+    let word = shell_word(data);
+    let mut commands = format!("as root: chmod g+rxs {word}");
+    let runs = data.join(RUNS);
+    if runs.is_dir() {
+        let runs = shell_word(&runs);
+        commands += &format!("; find {runs} -type d -exec chmod g+rxs {{}} +; chmod -R g+r {runs}");
+    }
+    commands
 }
 
 /// The name of a group, or its number if it has none.
