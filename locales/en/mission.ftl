@@ -77,6 +77,7 @@ mission-translation-empty = `{ $key }` is empty: remove it to show the English t
 mission-pane = mission  { $elapsed } of { $limit }  score { $score }
 mission-hint = hint: { $hint }
 mission-landed = Landed. The flight ends when all reports are in and final: report what is missing, or wait.
+mission-touchdown = Landed: the motors stop automatically, then the flight ends.
 mission-returning = All drones in the air return or land. The flight ends after the last landing.
 mission-returning-early = All drones in the air return or land, and objectives are still open: `guided` stops that, then `goto` continues the task.
 mission-returning-failsafe = A failsafe brings down vehicle { $vehicle }: let it land. Objectives are still open.

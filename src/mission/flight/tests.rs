@@ -286,6 +286,17 @@ fn a_return_by_failsafe_is_not_to_be_cancelled() {
 }
 
 #[test]
+fn a_landed_vehicle_whose_motors_still_run_is_not_told_to_take_off() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    pilot.set_mode("RTL");
+    pilot.set_landed(LandedState::OnGround);
+    pilot.wait(1.0);
+    let hint = pilot.flight.progress().hint.expect("a hint").to_string();
+    assert!(hint.starts_with("Landed: the motors stop"), "{hint}");
+}
+
+#[test]
 fn a_flight_ends_itself_once_all_are_down_and_only_time_is_missing() {
     let source = include_str!("../../../missions/03-plume-source.toml");
     for is_reported in [true, false] {

@@ -125,6 +125,9 @@ impl Flight {
         if phase == Phase::Done && self.is_down_again() && !self.is_over() {
             return Some(text!("mission-landed"));
         }
+        if self.has_touched_down() && !self.is_over() {
+            return Some(text!("mission-touchdown"));
+        }
         if self.all_come_down() && !self.is_over() {
             let forced = self.crafts.iter().find(|it| it.flies() && it.in_failsafe);
             return Some(match (phase, forced) {
@@ -145,6 +148,13 @@ impl Flight {
     pub(super) fn is_down_again(&self) -> bool {
         let is_down = |craft: &Craft| craft.lost || craft.is_down();
         self.crafts.iter().any(|craft| craft.flown) && self.crafts.iter().all(is_down)
+    }
+
+    /// Whether no vehicle is in the air any more, and the motors of one that has just landed on its
+    /// own still run.
+    fn has_touched_down(&self) -> bool {
+        let stops_soon = |craft: &Craft| craft.flown && craft.armed && craft.comes_down;
+        self.crafts.iter().any(stops_soon) && !self.crafts.iter().any(|it| it.airborne)
     }
 
     /// Whether vehicles are in the air, and all of them are returning or landing on their own.

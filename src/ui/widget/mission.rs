@@ -9,7 +9,7 @@ use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::State;
 use crate::commands::Goal;
-use crate::mission::{Cell, ObjectiveState, Progress, Trust};
+use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Trust};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -30,7 +30,7 @@ pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
     let hint = hint_lines(progress, usize::from(width), look).len();
     let readings = readings(progress, usize::from(width), look).len();
-    let objectives = objective_lines(progress, width.into(), true, look).len();
+    let objectives = objective_lines(&progress.objectives, width.into(), true, look).len();
     (1 + objectives + readings + counts(progress).len() + grid + hint) as u16
 }
 
@@ -48,7 +48,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let mut rest = panel.titled(&panel.text(&title), buffer);
     let width = usize::from(rest.width);
     let is_roomy = panel.area.height >= height(progress, panel.area.width, panel.look);
-    let objectives = objective_lines(progress, width, is_roomy, panel.look).into_iter();
+    let objectives = objective_lines(&progress.objectives, width, is_roomy, panel.look).into_iter();
     let readings = readings(progress, width, panel.look);
     let counts = counts(progress).into_iter().map(|text| {
         let words = clip(&panel.text(&text), width);
@@ -148,13 +148,13 @@ fn counts(progress: &Progress) -> Vec<Text> {
 /// A line for each objective. If name and result do not fit on it, the result of a met objective is left out. Any other
 /// result is placed below its name if there are rows; otherwise the name is cut.
 fn objective_lines(
-    progress: &Progress,
+    objectives: &[ObjectiveProgress],
     width: usize,
     is_roomy: bool,
     look: &Look,
 ) -> Vec<Line<'static>> {
     let mut lines = Vec::new();
-    for objective in &progress.objectives {
+    for objective in objectives {
         let (mark, role) = match objective.state {
             ObjectiveState::Open => ("[ ]", Role::Text),
             ObjectiveState::Met => ("[x]", Role::Ok),
@@ -163,17 +163,21 @@ fn objective_lines(
         let title = format!("{mark} {}", look.text(&objective.title));
         let detail = look.text(&objective.detail);
         let left = |room| Span::styled(aligned(&title, room, false), look.style(role));
-        let right = Span::styled(detail.clone(), look.style(Role::Muted));
+        let right = |room| Span::styled(clip(&detail, room), look.style(Role::Muted));
         let room = width.saturating_sub(detail.width() + 1);
-        let is_met = objective.state == ObjectiveState::Met;
-        if title.width() <= room || !(is_roomy || is_met) {
-            lines.push(Line::from(vec![left(room), " ".into(), right]));
-        } else if is_met {
+        if title.width() <= room {
+            lines.push(Line::from(vec![left(room), " ".into(), right(width)]));
+        } else if objective.state == ObjectiveState::Met {
             lines.push(Line::from(left(width)));
-        } else {
+        } else if is_roomy {
             let below = " ".repeat(width.saturating_sub(detail.width()));
             lines.push(Line::from(left(width)));
-            lines.push(Line::from(vec![below.into(), right]));
+            lines.push(Line::from(vec![below.into(), right(width)]));
+        } else {
+            // However long the state is, half of the line is left for the name.
+            let room = room.max(width / 2);
+            let rest = width.saturating_sub(room + 1);
+            lines.push(Line::from(vec![left(room), " ".into(), right(rest)]));
         }
     }
     lines
@@ -322,6 +326,19 @@ impl<'a> Grid<'a> {
 mod tests {
     use super::*;
     use ratatui::layout::Rect;
+
+    #[test]
+    fn a_long_state_leaves_room_for_the_name_of_its_objective() {
+        let objective = ObjectiveProgress {
+            title: Text::verbatim("distance to the wire kept"),
+            state: ObjectiveState::Open,
+            detail: Text::verbatim("right distance for 0 % of 0 s, too close for 0 s"),
+            fraction: 0.0,
+        };
+        let lines = objective_lines(&[objective], 40, false, &Look::default());
+        let shown: Vec<String> = lines.iter().map(ToString::to_string).collect();
+        assert_eq!(shown, ["[ ] distance to the… right distance for…"]);
+    }
 
     #[test]
     fn a_hint_that_is_cut_says_so() {
