@@ -124,14 +124,13 @@ fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
 
 /// The commands that open the results in a data folder to its group.
 fn opening(data: &Path) -> String {
-    let word = shell_word(data);
-    let mut commands = format!("as root: chmod g+rxs {word}");
+    let folder = format!("as root: chmod g+rxs {}", shell_word(data));
     let runs = data.join(RUNS);
-    if runs.is_dir() {
-        let runs = shell_word(&runs);
-        commands += &format!("; find {runs} -type d -exec chmod g+rxs {{}} +; chmod -R g+r {runs}");
+    if !runs.is_dir() {
+        return folder;
     }
-    commands
+    let runs = shell_word(&runs);
+    format!("{folder}; find {runs} -type d -exec chmod g+rxs {{}} +; chmod -R g+r {runs}")
 }
 
 /// The name of a group, or its number if it has none.
