@@ -287,7 +287,7 @@ impl<T> StateList<T> {
     }
 }
 
-/// All commands.
+/// The commands of this console and of other ground stations.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct LedgerState {
     #[serde(skip_serializing_if = "Option::is_none")]

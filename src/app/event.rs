@@ -61,7 +61,7 @@ pub enum Event {
     File(FileEvent),
     /// Drafts were flown together in simulation.
     Tried(Tried),
-    /// A new notice.
+    /// A notice for the list of notices.
     Notice(Notice),
     /// The number of notices dropped so far because the console was busy.
     NoticesDropped(u64),

@@ -23,7 +23,7 @@ const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
 /// The modes that the vehicles of a session have announced, under their own names.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct OfferedModes {
-    /// Each name once.
+    /// The announced modes; of modes with equal names, the first.
     modes: Vec<AnnouncedMode>,
     /// Whether a vehicle has announced none, so the built-in names are valid, too.
     has_others: bool,

@@ -48,7 +48,7 @@ pub(super) fn meeting(
 struct TravelEnd {
     id: VehicleId,
     place: LatLon,
-    /// Metres above home.
+    /// The height above home, in metres.
     height_m: f64,
 }
 

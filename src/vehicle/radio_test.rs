@@ -32,7 +32,7 @@ pub enum RadioPreset {
     Edge,
     /// A radio that can hardly be used.
     Poor,
-    /// A geostationary satellite.
+    /// The link of a geostationary satellite: long delays.
     Satellite,
     /// A radio of 9600 baud.
     Narrow,

@@ -18,7 +18,7 @@ const HORIZON_S: f64 = 30.0;
 const WARN_M: f64 = 300.0;
 const FAIL_M: f64 = 100.0;
 
-/// Another aircraft.
+/// An aircraft that a vehicle receives, other than the vehicles of the swarm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Aircraft {
     /// Its ICAO address, 24 bits; `None` if its reports come from a mission.

@@ -26,6 +26,7 @@ use tokio_util::sync::CancellationToken;
 mod forwards;
 mod logs;
 mod parameters;
+mod senders;
 pub(crate) mod signing;
 
 /// The time limit of every wait.
@@ -335,99 +336,6 @@ async fn a_vehicle_that_reboots_is_noticed_and_resumed() {
         "the same vehicle, not a second one"
     );
     cancel.cancel();
-}
-
-#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
-async fn two_vehicles_with_one_system_id_are_named() {
-    let (first, cancel_first) = serve(world(1), 1.0).await;
-    let (second, cancel_second) = serve(world(1), 1.0).await;
-    let mut console = Console::start();
-    console.connect(&first[0]);
-    console.connect(&second[0]);
-    console
-        .until("the conflict is named", |console| {
-            console
-                .notices
-                .iter()
-                .any(|text| text.contains("two senders use system id 1"))
-        })
-        .await;
-    assert_eq!(console.vehicles.len(), 1);
-    cancel_first.cancel();
-    cancel_second.cancel();
-}
-
-/// The heartbeat of vehicle 5.
-fn heartbeat() -> Vec<u8> {
-    let beat = MavMessage::HEARTBEAT(HEARTBEAT_DATA {
-        mavtype: MavType::MAV_TYPE_QUADROTOR,
-        autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
-        ..HEARTBEAT_DATA::default()
-    });
-    let mut bytes = Vec::new();
-    Encoder::new(5, 1).encode(&beat.into(), &mut bytes);
-    bytes
-}
-
-/// A console that has heard vehicle 5 over UDP, the vehicle's socket, and the console's address.
-async fn hearing_by_udp() -> (Console, UdpSocket, SocketAddr) {
-    let mut console = Console::start();
-    console.connect("udpin:127.0.0.1:0");
-    console
-        .until("it listens", |console| {
-            let mut links = console.links.iter();
-            links.any(|link| link.borrow().local.is_some())
-        })
-        .await;
-    let port = console.links[0].borrow().local.expect("bound");
-    let vehicle = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
-    vehicle.send_to(&heartbeat(), port).await.expect("sent");
-    console
-        .until("it is heard", |console| console.vehicle(5).is_some())
-        .await;
-    (console, vehicle, port)
-}
-
-#[tokio::test(start_paused = true)]
-async fn a_vehicle_that_another_sender_takes_over_is_named_with_both_addresses() {
-    let (mut console, first, port) = hearing_by_udp().await;
-    let second = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
-    let [before, now] = [&first, &second].map(|socket| socket.local_addr().expect("bound"));
-    let names = format!("(from {now}), no longer over ");
-    let is_told = |console: &Console| {
-        let mut notices = console.notices.iter();
-        notices.any(|text| text.contains(&names) && text.contains(&format!("(from {before})")))
-    };
-    let forging = async {
-        loop {
-            second.send_to(&heartbeat(), port).await.expect("sent");
-            tokio::time::sleep(Duration::from_millis(200)).await;
-        }
-    };
-    tokio::select! {
-        () = console.until("the takeover is told", is_told) => {}
-        () = forging => {}
-    }
-}
-
-#[tokio::test(start_paused = true)]
-async fn a_vehicle_that_was_forgotten_appears_anew_wherever_it_is_heard() {
-    let (mut console, _, port) = hearing_by_udp().await;
-    console.fleet.forget(5).expect("the fleet runs");
-    console.vehicles.clear();
-    let other = UdpSocket::bind("127.0.0.1:0").await.expect("a port");
-    other.send_to(&heartbeat(), port).await.expect("sent");
-    console
-        .until("it is heard again", |console| console.vehicle(5).is_some())
-        .await;
-    assert!(
-        console
-            .notices
-            .iter()
-            .all(|text| !text.contains("no longer by")),
-        "{:?}",
-        console.notices
-    );
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

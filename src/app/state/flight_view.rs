@@ -35,7 +35,7 @@ pub struct FlightView {
     /// The histories of the vehicles' readings.
     pub(in crate::app) histories: Histories,
     pub(in crate::app) alerts: ActiveAlerts,
-    /// Other aircraft.
+    /// Other aircraft and their closest approaches.
     pub(in crate::app) traffic: TrafficPicture,
     /// The planned paths of vehicles in a joint manoeuvre.
     pub(in crate::app) paths: Vec<Path>,

@@ -59,7 +59,7 @@ pub(super) struct Sky {
     flights: Vec<SimAircraft>,
 }
 
-/// A simulated aircraft.
+/// An aircraft that the simulator flies for ADS-B receivers.
 #[derive(Debug, Clone)]
 struct SimAircraft {
     icao: u32,

@@ -67,7 +67,7 @@ pub enum Marks {
     UnderCursor,
     /// The unmarked ones, so all are marked afterwards.
     Unmarked,
-    /// All shown parameters.
+    /// Every parameter that the list shows.
     All,
 }
 

@@ -1,0 +1,43 @@
+//! What a session is given before its first frame: streams, stores and keys.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use super::{KeyDesk, LogKeeper, PlanShelf, Session, Stream, Streams};
+
+impl Session {
+    /// Requests these streams instead of the console's usual telemetry.
+    #[must_use]
+    pub fn wanting(mut self, streams: &'static [Stream], now: Duration) -> Self {
+        self.streams = Streams::new(streams, now);
+        self
+    }
+
+    /// Stores the vehicle's downloaded logs with `keeper`.
+    #[must_use]
+    pub fn keeping_logs(mut self, keeper: Arc<dyn LogKeeper>) -> Self {
+        self.logs.keep_in(keeper);
+        self
+    }
+
+    /// Reads and writes plan files through `shelf`.
+    #[must_use]
+    pub fn with_plan_files(mut self, shelf: Arc<dyn PlanShelf>) -> Self {
+        self.lists.take_from(shelf);
+        self
+    }
+
+    /// Takes the keys for signing from `desk`, which belongs to the link on which the vehicle is
+    /// heard; without a desk, keys cannot be changed.
+    pub fn sign_with(&mut self, desk: Option<Arc<dyn KeyDesk>>) {
+        self.signing.use_desk(desk);
+    }
+
+    /// Reads plans from the answers to other stations' requests, as in a recording, instead of
+    /// requesting them.
+    #[must_use]
+    pub fn following_plans(mut self) -> Self {
+        self.lists.only_follow();
+        self
+    }
+}
