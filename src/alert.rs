@@ -45,7 +45,7 @@ pub enum AlertKind {
     /// Another aircraft comes too close.
     Traffic,
     Battery,
-    /// The remaining battery is little more than the way home needs.
+    /// The remaining charge is little more than the flight home needs.
     WayHome,
     /// The vehicle is outside its fence.
     Fence,

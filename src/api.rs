@@ -212,7 +212,7 @@ impl Message {
     }
 }
 
-/// The first message to a program: versions, and whether it may give commands.
+/// The first message to a program: versions, and whether the program may give commands.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct Welcome {
     /// The version of the program that answers.
@@ -267,7 +267,7 @@ impl Fault {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
 pub struct Ended {
     pub entry: u32,
-    /// Whether it was done for every vehicle.
+    /// Whether the command was done for every vehicle.
     pub done: bool,
 }
 
@@ -280,7 +280,6 @@ pub struct StateList<T> {
 }
 
 impl<T> StateList<T> {
-    /// A list that answers a request.
     fn new(id: Option<u64>, list: impl IntoIterator<Item = T>) -> Self {
         let list = list.into_iter().collect();
         Self { id, list }

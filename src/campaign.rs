@@ -71,7 +71,7 @@ pub struct CareerFlight {
     /// The source of the commands; `None` in careers from older versions.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flown_by: Option<FlownBy>,
-    /// The day on which it ended, in days since 1970 (UTC).
+    /// The day on which the flight ended, in days since 1970 (UTC).
     pub day: i64,
     /// The score, 0 to 1000.
     pub score: u16,
@@ -83,7 +83,7 @@ pub struct CareerFlight {
     pub evidence: Vec<Evidence>,
     /// The cost of wear and loss of own parts, in credits.
     pub wear: u32,
-    /// Whether it came with an imported profile, and is unverified.
+    /// Whether the flight came with an imported profile, and is unverified.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub imported: bool,
 }

@@ -201,8 +201,8 @@ enum Failure {
     Failed(anyhow::Error),
     /// Wrong usage or an invalid file; exit code 2. The text may have several lines.
     Invalid(String),
-    /// An invalid file, shown with the lines of its faults, in colour where the terminal has it; exit code 2. Control
-    /// characters of the file are escaped.
+    /// An invalid file, shown with the lines of its faults, in colour if the terminal supports it;
+    /// exit code 2. Control characters of the file are escaped.
     Shown(String),
 }
 
@@ -428,7 +428,6 @@ fn parse_speedup(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "expected a number from 0.01 to 1000".to_owned())
 }
 
-/// The runtime of commands that run asynchronous tasks.
 fn runtime() -> io::Result<tokio::runtime::Runtime> {
     tokio::runtime::Builder::new_multi_thread()
         .worker_threads(2)

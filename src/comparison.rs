@@ -138,8 +138,8 @@ impl ComparedFlight {
     }
 
     /// The times at which both flights are aligned; `None` if one of them lacks the event. An
-    /// alignment by bookmarks uses the first two with the same text; without such a pair, the first
-    /// bookmark of each flight.
+    /// alignment by bookmarks uses the first pair of bookmarks with the same text; without such a
+    /// pair, the first bookmark of each flight.
     pub fn anchors(own: &Self, other: &Self, alignment: Alignment) -> Option<Anchors> {
         let same = || {
             own.bookmarks.iter().find_map(|mine| {
@@ -186,7 +186,6 @@ impl ComparedFlight {
     }
 }
 
-/// The index of the track point for a time.
 fn sample_of(time: Duration) -> usize {
     let sample = time.as_millis() / SAMPLE_EVERY.as_millis();
     usize::try_from(sample).unwrap_or(usize::MAX)

@@ -154,7 +154,7 @@ pub struct RecordsConfig {
 }
 
 impl Default for RecordsConfig {
-    /// Room for seven hours with 32 vehicles.
+    /// The default space holds about seven hours of flight with 32 vehicles.
     fn default() -> Self {
         Self {
             enabled: true,
@@ -263,7 +263,7 @@ impl Default for Config {
 }
 
 impl Default for AlertsConfig {
-    /// The separation limits are those of rehearsals.
+    /// The default separation limits are the conflict limits of the rehearsal.
     fn default() -> Self {
         Self {
             bell: true,

@@ -37,8 +37,8 @@ pub fn text(report: &Report, locale: &Locale) -> String {
     lines.join("\n") + "\n"
 }
 
-/// The causes of the score and the improvements: the part of the page that explains the result, in at most `width`
-/// columns, which is limited to [`WIDTH`].
+/// The causes of the score and the improvements: the part of the page that explains the result, in
+/// at most `width` columns, and never more than [`WIDTH`].
 pub fn explanation(report: &Report, locale: &Locale, width: usize) -> Vec<DebriefLine> {
     let mut page = DebriefPage::new(locale);
     page.width = width.min(WIDTH);
@@ -53,7 +53,8 @@ pub struct DebriefCareer {
     /// The changes that the flight made to the career, most important first; shown before the
     /// explanation of the score.
     pub changes: Vec<Text>,
-    /// What to fly once nothing is left to improve; `None` without a career.
+    /// The next flight in the career, suggested once nothing is left to improve; `None` without a
+    /// career.
     pub next: Option<Text>,
 }
 
@@ -74,13 +75,10 @@ pub fn lines_with(report: &Report, career: &DebriefCareer, locale: &Locale) -> V
     page.finished()
 }
 
-/// A page that is being written.
 struct DebriefPage<'a> {
     words: String,
-    /// The tones of the lines written so far.
     tones: Vec<DebriefTone>,
     locale: &'a Locale,
-    /// The width of the page in columns.
     width: usize,
 }
 
@@ -271,7 +269,7 @@ impl DebriefPage<'_> {
         self.gap();
     }
 
-    /// Writes the most important thing to do next.
+    /// Writes the most useful next step.
     fn next(&mut self, report: &Report, in_career: Option<&Text>) {
         self.heading("debrief-next");
         let improvement = report.improvements.first().map(|first| &first.text);

@@ -45,8 +45,8 @@ impl Diagnostic {
         }
     }
 
-    /// The same fault in a file that contains the line as a string: `quoted` is its place with the quotes, `length` the
-    /// length of the line in bytes.
+    /// The same fault in a file that contains the line as a string: `quoted` is the place of the
+    /// string with its quotes, `length` the length of the line in bytes.
     #[must_use]
     pub fn in_string(mut self, quoted: Range<usize>, length: usize) -> Self {
         // Escapes and triple quotes shift the text after them; in that case the fault covers the whole string.
@@ -125,7 +125,7 @@ impl Diagnostic {
     }
 }
 
-/// A message of the TOML reader as a text of this program. Those about the syntax are English in every language.
+/// A message of the TOML reader as a text of this program. Messages about syntax stay in English.
 pub fn toml_words(message: &str) -> Text {
     let named = |before: &str| message.strip_prefix(before)?.split_once('`');
     if let Some((name, rest)) = named("unknown field `") {
@@ -152,7 +152,7 @@ pub fn toml_words(message: &str) -> Text {
     }
 }
 
-/// The names in backticks, separated by commas.
+/// The names that are in backticks in a text, separated by commas.
 fn listed(text: &str) -> String {
     let names: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
     names.join(", ")
@@ -244,7 +244,6 @@ fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
 mod tests {
     use super::*;
 
-    /// A table for faults of the TOML reader.
     #[derive(Debug, serde::Deserialize)]
     #[serde(deny_unknown_fields)]
     #[expect(dead_code, reason = "only the faults count")]

@@ -43,7 +43,7 @@ pub enum Way {
 }
 
 impl Way {
-    /// The kind of a link's address as text, such as `udpin:127.0.0.1:14550`.
+    /// The kind of connection of a link's address, such as `udpin:127.0.0.1:14550`.
     pub fn of(address: &str) -> Self {
         match address.split(':').next() {
             Some("tcp") => Self::Tcp,
@@ -112,7 +112,7 @@ pub struct SealCounts {
     pub foreign: u64,
     /// Signed with the sender's key, but with an old timestamp.
     pub old: u64,
-    /// How far the timestamp of the last of these frames was behind, in units of 10 microseconds.
+    /// How far the timestamp of the last old frame was behind, in units of 10 microseconds.
     pub behind: u64,
 }
 

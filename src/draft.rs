@@ -85,7 +85,7 @@ impl Draft {
         self
     }
 
-    /// A draft that was read from a file, under the file's name.
+    /// A draft that was read from a file and is named after it.
     pub fn of_file(path: impl Into<String>, document: Arc<Document>) -> Self {
         let path = path.into();
         Self {

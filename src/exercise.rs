@@ -44,11 +44,10 @@ pub use streams::LiveStreams;
 
 /// The interval at which sessions check their deadlines.
 const SESSION_POLL: Duration = Duration::from_millis(50);
-/// The interval of the ground station's heartbeats.
 const HEARTBEAT_EVERY: Duration = Duration::from_secs(1);
 
-/// A session per vehicle, the pilot, and the mission that watches them; `L` is the connection to the vehicles, which
-/// also gives the time.
+/// A session per vehicle, the pilot, and the mission; `L` is the connection to the vehicles, which
+/// also provides the time.
 #[derive(Debug)]
 pub struct Exercise<L = LockStep> {
     link: L,
@@ -65,7 +64,6 @@ pub struct Exercise<L = LockStep> {
     paths: Vec<Path>,
     /// How long the sessions had run when the mission began.
     prelude: Duration,
-    /// The record of the flight, if it is recorded.
     log: Option<FlightLog>,
 }
 
@@ -75,7 +73,6 @@ struct ExerciseSeat {
     decoder: Decoder,
     encoder: Encoder,
     session: Session,
-    /// Bytes that have not been sent yet.
     outgoing: Vec<u8>,
 }
 
@@ -162,7 +159,7 @@ impl<L> Exercise<L> {
         self.driver.time()
     }
 
-    /// Whether the mission has come to its end.
+    /// Whether the mission has ended.
     pub fn is_over(&self) -> bool {
         self.driver.is_over()
     }
@@ -207,7 +204,7 @@ impl<L> Exercise<L> {
         self.log = None;
     }
 
-    /// Recorded data that have not been written yet, while the flight is recorded.
+    /// The recorded data that has not been written yet; `None` if the flight is not recorded.
     pub fn log_mut(&mut self) -> Option<&mut FlightLog> {
         self.log.as_mut()
     }
@@ -217,7 +214,7 @@ impl<L> Exercise<L> {
         &self.places
     }
 
-    /// Removes and returns the notices so far, oldest first, on mission time.
+    /// Removes and returns the notices so far, oldest first, with mission times.
     pub fn take_notices(&mut self) -> Vec<Notice> {
         std::mem::take(&mut self.notices)
     }
@@ -304,7 +301,6 @@ impl<L> Exercise<L> {
     }
 }
 
-/// The session of the vehicle with this number.
 fn session(seats: &mut [ExerciseSeat], vehicle: VehicleId) -> Option<&mut Session> {
     let mut sessions = seats.iter_mut().map(|seat| &mut seat.session);
     sessions.find(|session| session.vehicle().id == vehicle)

@@ -46,8 +46,8 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// A recording from the contents of two tlog files (8 bytes of big-endian microseconds before each frame) of the
-    /// same clock. It begins with the earlier of the two.
+    /// A recording from the contents of two tlog files (8 bytes of big-endian microseconds before
+    /// each frame) of the same clock. Its time starts at the earliest frame of both files.
     pub fn from_tlogs(heard: &[u8], sent: &[u8]) -> Self {
         let (heard, sent) = (records(heard), records(sent));
         let firsts = [heard.first(), sent.first()];

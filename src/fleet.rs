@@ -58,7 +58,6 @@ pub enum FleetEvent {
     Dropped(u64),
 }
 
-/// A request of the console to the hub.
 enum FleetRequest {
     Connect(Transport),
     Forward(ForwardSpec, Address),

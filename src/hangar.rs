@@ -151,7 +151,6 @@ pub struct Capacity {
     pub free: u16,
 }
 
-/// A request to an instance's task.
 enum InstanceRequest {
     Stop(oneshot::Sender<()>),
     Restart,
@@ -213,7 +212,8 @@ impl Hangar {
         })
     }
 
-    /// The processes that dead hangars had left in the same folder, once they have been ended, if possible.
+    /// The processes that dead hangars had left in the same folder. Returns after the attempt to
+    /// end them.
     pub async fn leftovers(&self) -> Vec<Leftover> {
         let mut leftovers = self.leftovers.clone();
         let ended = leftovers.wait_for(Option::is_some).await;
@@ -223,8 +223,8 @@ impl Hangar {
             .unwrap_or_default()
     }
 
-    /// Starts an instance, in a folder without files of an earlier one with its number; [`Self::instances`] shows its
-    /// stages.
+    /// Starts an instance in a folder without files of an earlier instance with its number;
+    /// [`Self::instances`] shows its stages.
     ///
     /// # Errors
     /// It cannot be started.
@@ -265,11 +265,12 @@ impl Hangar {
         Ok(())
     }
 
-    /// Ends an instance's process, if there is one, and starts it again in the same folder with its last parameters.
-    /// An attached program stays attached. For a new instance, stop it and launch another.
+    /// Ends an instance's process, if there is one, and starts it again in the same folder with its
+    /// last parameters. An attached program stays attached. For a new instance, stop it and launch
+    /// another.
     ///
     /// # Errors
-    /// No instance has that number, or it has ended and others have taken its place.
+    /// No instance has that number, or it has ended and the hangar is full.
     pub async fn restart(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         self.shared.roster.revive(id)?;
         self.ask(id, InstanceRequest::Restart).await

@@ -20,7 +20,8 @@ use foreign::ForeignLog;
 pub use foreign::{FOREIGN_KEPT, ForeignCommand, ForeignId, StationId};
 pub use item::{LedgerItem, LedgerKey, LedgerNumber};
 
-/// The maximum number of entries; the oldest are dropped, so that a console left open for days stays small.
+/// The maximum number of entries; the oldest are dropped, so a console left open for days uses
+/// little memory.
 pub const ENTRIES_KEPT: usize = 10_000;
 
 /// The number of an entry of the ledger.
@@ -66,7 +67,7 @@ impl RowState {
         )
     }
 
-    /// Whether the command ended as intended, as far as the console can know.
+    /// Whether the command ended as intended, as far as the console can determine.
     pub fn is_success(self) -> bool {
         matches!(self, Self::Done | Self::SentOnly)
     }
@@ -170,8 +171,8 @@ impl LedgerRow {
         }
     }
 
-    /// A remark in addition to the state: the explanation, and what ended the effect; `None`
-    /// without either.
+    /// A remark in addition to the state: the explanation, and the reason why the effect ended;
+    /// `None` without either.
     pub fn remark(&self) -> Option<Text> {
         let by = self.ended_by.as_ref();
         let ended = by.map(|by| text!("outcome-ended", by = by.clone()));
@@ -320,7 +321,7 @@ impl Ledger {
         self.foreign.note(command);
     }
 
-    /// Increases with every change, so that readers can skip unchanged states.
+    /// Increases with every change, so readers can skip unchanged states.
     pub fn revision(&self) -> u64 {
         self.revision
     }

@@ -326,8 +326,8 @@ pub struct LinkServices<'a> {
     pub signer: Option<&'a Signer>,
 }
 
-/// Opens a link to vehicles as [`open_recorded`] does, with these services. Frames within this program and of
-/// recordings are not checked: they cannot be forged.
+/// Opens a link to vehicles as [`open_recorded`] does, with these services. Frames from within this
+/// program and from recordings are not checked: they cannot be forged.
 pub fn open_shared(
     id: LinkId,
     transport: Transport,

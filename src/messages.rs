@@ -58,7 +58,6 @@ pub struct Inbox {
     pack_heard_at: Option<Duration>,
     /// `GPS_GLOBAL_ORIGIN`: the origin of local coordinates.
     origin: Option<Place>,
-    /// The progress through the plan on board.
     plan: plan::PlanWatch,
     /// The time armed on the ground.
     idle: idle::IdleWatch,
@@ -189,7 +188,6 @@ impl Inbox {
         vehicle.heartbeat = None;
     }
 
-    /// Calls the handler for the kind of message.
     fn dispatch(
         &mut self,
         vehicle: &mut Vehicle,

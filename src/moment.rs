@@ -51,7 +51,7 @@ pub enum MomentKind {
     Rule,
     /// An event of the mission, or an inject of the instructor, changed something.
     Event,
-    /// Two flying vehicles came close to each other, or closest in the whole flight.
+    /// Two flying vehicles came close to each other, or were at their closest in the whole flight.
     Separation,
     /// An event in a vehicle's log that was joined to the record.
     Log,

@@ -182,7 +182,6 @@ impl Operator {
         }
     }
 
-    /// Gives each target its plan for upload.
     fn put_plans(
         &mut self,
         entry: EntryId,
@@ -284,8 +283,8 @@ impl Operator {
         prepared(taken).collect()
     }
 
-    /// Notes whether steering has been delivered. If not, the next [`Self::conduct`] returns it again, unless the
-    /// vehicle gets an order or newer steering before.
+    /// Notes whether steering has been delivered. If not, the next [`Self::conduct`] returns it
+    /// again, unless the vehicle gets an order or newer steering before then.
     pub fn note_delivery(&mut self, vehicle: VehicleId, steering: Steering, is_delivered: bool) {
         if is_delivered {
             self.undelivered.remove(&vehicle);
@@ -313,7 +312,6 @@ fn left_over(vehicles: &[VehicleId]) -> Option<Text> {
     (!vehicles.is_empty()).then(|| text!("outcome-plan-left", vehicles = left))
 }
 
-/// Adds a remark to the row of an upload.
 fn remark(command: &mut Command, text: &Text) {
     if let Command::Plan(command) = command
         && let PlanDeed::Upload { source } = &mut command.deed
@@ -364,7 +362,6 @@ fn done_by_mission(
         .collect()
 }
 
-/// Refuses an order for all its vehicles.
 fn refused(entry: EntryId, order: &Order, reason: &Text, now: Duration) -> Vec<Dispatch> {
     let row = |&vehicle: &VehicleId| {
         Dispatch::Row(RowUpdate {

@@ -129,7 +129,6 @@ pub fn approach_words([a, b]: [TextArgument; 2], approach: &Approach) -> Text {
     )
 }
 
-/// A command by its name in MAVLink, or by its number.
 fn command_name(command: u16) -> String {
     board::name(command).map_or_else(|| command.to_string(), str::to_owned)
 }

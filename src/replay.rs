@@ -1,10 +1,11 @@
-//! Replays recorded flights as the events that the console received during the flight, starting at any moment.
+//! Replays recorded flights, from any time on, as the events that the console received during the
+//! flight.
 //!
-//! A stage lets the vehicles' sessions receive the recorded frames again and returns their events and those of the
-//! journal, a tenth of a second at a time. An index reads the whole recording once, in its own thread, and keeps a key
-//! frame of the state every ten seconds, or less often in a long recording. To go to a moment, the console restores the
-//! last key frame before it and plays on from there. A moment therefore looks the same, however the user has reached
-//! it.
+//! A stage lets the vehicles' sessions receive the recorded frames again and returns their events
+//! and those of the journal, a tenth of a second at a time. An index reads the whole recording
+//! once, in its own thread, and keeps a key frame of the state every ten seconds, or less often in
+//! a long recording. To go to a time, the console restores the last key frame before it and plays
+//! on from there. The state at that time is therefore the same, however the user has reached it.
 //!
 //! Nothing is ever sent: the sessions' messages to their vehicles are dropped.
 
@@ -224,7 +225,6 @@ impl Replay {
         }
     }
 
-    /// Why a target has no time.
     fn no_target(&self, target: SeekTarget) -> Text {
         let is_read = self.index.length().is_some();
         match target {
@@ -245,7 +245,6 @@ impl Replay {
         }
     }
 
-    /// Why there is no moment in a direction.
     fn no_moment(&self, forward: bool) -> Text {
         match (forward, self.index.length()) {
             (true, Some(_)) => text!("seek-last"),
@@ -254,7 +253,6 @@ impl Replay {
         }
     }
 
-    /// Why there is no section to repeat.
     fn no_stretch(&self, target: LoopTarget) -> Text {
         match target {
             LoopTarget::Times { .. } => text!("loop-beyond", length = clock(self.length())),
@@ -288,7 +286,7 @@ impl Replay {
         self.stage.now()
     }
 
-    /// Whether it has reached the goal.
+    /// Whether the replay has reached the time to go to.
     pub fn is_there(&self) -> bool {
         self.player.is_reached(self.stage.now())
     }
@@ -327,7 +325,7 @@ impl Replay {
         self.stage.now() + FRAME > self.length()
     }
 
-    /// Plays towards the goal, as far as one tick allows.
+    /// Plays towards the time to go to, as far as one tick allows.
     fn approach(&mut self) -> Vec<Event> {
         let mut events = Vec::new();
         let (now, goal) = (self.stage.now(), self.player.goal());
@@ -377,12 +375,10 @@ impl Replay {
     }
 }
 
-/// A warning about a recording, as a notice.
 fn warning(text: Text) -> Event {
     Event::Notice(Notice::general(Duration::ZERO, Severity::Warning, text))
 }
 
-/// The events at the start of a replay.
 fn begin(view: ReplayView, started: Started) -> Vec<Event> {
     vec![
         ReplayEvent::Opened {

@@ -19,17 +19,14 @@ mod markdown;
 
 pub use markdown::{ReviewedFlight, markdown};
 
-/// The version of the format.
 const VERSION: u32 = 1;
 /// The maximum number of points of one kind, because more would not be remembered.
 pub const MOST_POINTS: usize = 3;
-/// The maximum number of bookmarks of a review.
 const MOST_BOOKMARKS: usize = 1000;
 
 /// A review, as stored next to a record.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Review {
-    /// The version of the format.
     #[serde(rename = "sortie_review")]
     version: u32,
     /// The mission that was flown, by id.
@@ -44,10 +41,9 @@ pub struct Review {
     /// The pilot's answer to what to do next time.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub next: String,
-    /// The points to keep and to improve, in the order of their input.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     points: Vec<ReviewPoint>,
-    /// The current bookmarks, earliest first; `None` while they are those of the record.
+    /// The current bookmarks, earliest first; `None` while the record's own bookmarks apply.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     bookmarks: Option<Vec<Bookmark>>,
 }
@@ -204,7 +200,7 @@ impl Review {
         Ok(())
     }
 
-    /// The bookmarks: those of the record, unless they have been changed.
+    /// The current bookmarks: the record's own, unless they have been changed.
     pub fn bookmarks(&self, recorded: &[Moment]) -> Vec<Moment> {
         match &self.bookmarks {
             Some(own) => own.iter().map(Bookmark::moment).collect(),

@@ -1,8 +1,9 @@
 //! The score of a flight: eight components between 0 and 1, their weights, medals and grades.
 //!
-//! `score = 1000 * hint factor * sum(weight * value)`. The input is the facts of a flight; the output is points with
-//! reasons. Only [`CommandLog`] depends on more, since it reads the ledger. Points are stored in tenths, so that the
-//! components printed in a debrief add up to the score exactly.
+//! `score = 1000 * hint factor * sum(weight * value)`. The input is the facts of a flight; the
+//! output is points with reasons. Only [`CommandLog`] needs more than the facts: it reads the
+//! ledger. Points are stored in tenths, so that the components printed in a debrief add up to the
+//! score exactly.
 
 use std::time::Duration;
 
@@ -186,7 +187,8 @@ pub struct Score {
     pub points: u16,
     /// The medal, if any.
     pub medal: Option<Medal>,
-    /// The conditions of gold that are not met, as text; empty for a flight that earns gold if it ends normally.
+    /// The conditions for gold that are not met, as text; empty for a flight that earns gold if it
+    /// ends normally.
     pub gold_missing: Vec<Text>,
 }
 
@@ -222,7 +224,6 @@ pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     }
 }
 
-/// The conditions of gold that a flight does not meet.
 fn gold_missing(
     rules: &ScoreRules,
     facts: &Facts,

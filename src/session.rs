@@ -74,7 +74,7 @@ pub use streams::{Stream, WANTED_STREAMS};
 
 /// The maximum time between polls while an answer is awaited or something is repeated.
 const BUSY_POLL: Duration = Duration::from_millis(50);
-/// The maximum time between polls otherwise.
+/// The maximum time between polls while no answer is awaited and nothing is repeated.
 const IDLE_POLL: Duration = Duration::from_millis(500);
 /// The time between polls while a radio is tested: the precision of its delays.
 const TEST_POLL: Duration = Duration::from_millis(10);
@@ -351,7 +351,7 @@ impl Session {
         self.output.say(back);
     }
 
-    /// Handles answers to the console's requests, and answers those of the vehicle.
+    /// Handles answers to the console's requests, and answers the vehicle's requests.
     fn answer(&mut self, frame: &Frame, now: Duration) {
         if let Content::Message(message) = &frame.content {
             let (reply, round_trip) = self.timesync.receive(message, self.vehicle.system, now);
@@ -373,7 +373,7 @@ impl Session {
         self.line.receive(frame, now, &mut self.output);
     }
 
-    /// Advances the client for files, and passes on the events of its tasks.
+    /// Advances the file client, and passes on the events of its tasks.
     fn handle_files(&mut self, incoming: Option<&FtpPayload>, now: Duration) {
         if incoming.is_none() && !self.ftp.is_busy() {
             return;
@@ -395,7 +395,6 @@ impl Session {
         }
     }
 
-    /// Advances all orders as far as possible.
     fn advance(&mut self, now: Duration) {
         let (line, moment) = self.line(now);
         line.advance(moment);

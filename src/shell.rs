@@ -176,7 +176,6 @@ struct Console {
     app: App,
     sight: Sight,
     running: Option<RunningSession>,
-    /// The replay, if there is one.
     replaying: Option<Replay>,
     /// When to count the replay's messages again.
     next_traffic: Duration,
@@ -184,9 +183,9 @@ struct Console {
     attempt: Attempt,
     /// The profiles; `None` if they are not used or not available.
     careers: Option<Careers>,
-    /// When to check for changes by others.
+    /// When to check for changes by other consoles and commands.
     next_look: Duration,
-    /// Whether time is stopped until the brief is left.
+    /// Whether time is stopped until the trainee leaves the brief.
     awaits_reader: bool,
     /// The outcome of a program's line, until the program is answered.
     program_answer: Option<Result<ProgramAnswer, ProgramFault>>,
@@ -194,7 +193,6 @@ struct Console {
     inbox: VecDeque<Event>,
     /// The previous session, while it ends.
     ending: SessionEnding,
-    /// Warnings to show at the start.
     warnings: Vec<Text>,
     /// The last history line written to its file.
     kept: Option<String>,

@@ -2,9 +2,8 @@
 //!
 //! A [`Keyring`] owns both. It checks the signature of a received frame, signs the frames to a
 //! vehicle with the key that the vehicle has proved, and keeps a new key beside the old one until
-//! the vehicle has proved the new one: whatever happens in between, one of the two fits. It has no
-//! clock and no files; times are units of 10 microseconds since the beginning of 2015, as on the
-//! wire.
+//! the vehicle has proved the new one: at any time, one of the two keys fits. It has no clock and
+//! no files; times are units of 10 microseconds since the beginning of 2015, as on the wire.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -31,8 +30,7 @@ const MARGIN: u64 = 60 * SECOND;
 /// How many timestamps are reserved in the file in advance, so that they never go back after a
 /// crash.
 const AHEAD: u64 = 60 * SECOND;
-/// The smallest reserve: a hundred thousand frames, if the clock of this machine is behind the
-/// stamps.
+/// The smallest reserve, 100 000 timestamps, for a machine whose clock is behind the timestamps.
 const LEAST_AHEAD: u64 = SECOND;
 
 /// A secret key. `Debug` does not show it.
@@ -55,11 +53,11 @@ impl fmt::Debug for SecretKey {
 /// A change to the signing of a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SigningChange {
-    /// Give it a key.
+    /// Give the vehicle a key.
     SetUp,
-    /// Replace the key that it has.
+    /// Replace the vehicle's key.
     Rotate,
-    /// Let it accept and send unsigned frames again.
+    /// Let the vehicle accept and send unsigned frames again.
     Remove,
 }
 
@@ -68,7 +66,7 @@ pub enum SigningChange {
 pub enum SentKey {
     /// The new key of a change that has not been proved yet.
     Next,
-    /// The key that it had before a change.
+    /// The key that the vehicle had before a change.
     Current,
     /// No key: signing is switched off.
     Off,
@@ -101,7 +99,6 @@ impl SigningChange {
     }
 }
 
-/// The key with which frames to a vehicle are signed.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 enum KeyInUse {
     #[default]
@@ -147,8 +144,7 @@ impl VehicleKeys {
         }
     }
 
-    /// How far a stamp is below the lowest one that its stream may have now; 0 if the stamp is
-    /// valid.
+    /// How far `timestamp` is below the lowest valid one of its stream; 0 if it is valid.
     fn behind(&self, stream: SignedStream, timestamp: u64) -> u64 {
         let least = if let Some(last) = self.heard.get(&stream) {
             last.saturating_add(1)
@@ -177,15 +173,15 @@ pub struct Keyring {
     reserved: u64,
     /// Whether keys have changed since the keyring was last written.
     has_changed: bool,
-    /// Whether a write has been requested since it was last written.
+    /// Whether a write has been requested since the keyring was last written.
     is_asked: bool,
     /// The keys of the vehicles, by the address of their link and by system id.
     links: BTreeMap<String, BTreeMap<SystemId, VehicleKeys>>,
 }
 
 impl Keyring {
-    /// Checks a frame's signature. A valid one proves which key its vehicle has; its timestamp then
-    /// counts as used.
+    /// Checks a frame's signature. A valid signature proves which key the vehicle has; the
+    /// timestamp then counts as used.
     pub fn check(&mut self, link: &str, frame: &Frame, bytes: &[u8]) -> Seal {
         let Some(stamp) = Stamp::of(bytes).filter(|_| frame.seal.is_signature()) else {
             return frame.seal;
@@ -329,8 +325,8 @@ impl Keyring {
         vehicles.filter(|keys| keys.in_use().is_some()).count()
     }
 
-    /// Whether the keyring should be written soon and no write has been requested yet: true once,
-    /// until it is written.
+    /// Whether the keyring should be written soon and no write has been requested since the last
+    /// one. Returns `true` once; then `false` until the next write.
     pub fn take_due(&mut self) -> bool {
         self.is_due() && !std::mem::replace(&mut self.is_asked, true)
     }

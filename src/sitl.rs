@@ -67,7 +67,7 @@ impl SitlKind {
         self.into()
     }
 
-    /// The usual name of its program.
+    /// The usual name of the kind's SITL program.
     pub fn program(self) -> &'static str {
         match self {
             Self::Copter => "arducopter",
@@ -82,13 +82,13 @@ impl SitlKind {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recipe {
     pub kind: SitlKind,
-    /// SITL's name for a model (`quad`, a plus frame, `x`, `hexa`); by default the one that suits
+    /// SITL's name for a model (`quad` is a plus frame; `x`; `hexa`); by default the one that suits
     /// the kind, the airframe and the parameters.
     pub model: Option<String>,
     /// A frame file in the JSON of `SIM_Frame`, for multicopters only; by default [`Airframe::standard`].
     pub airframe: Option<String>,
     pub start: Start,
-    /// Its system id, 1 to 254.
+    /// The vehicle's system id, 1 to 254.
     pub system: u8,
     /// Simulated seconds per second of real time.
     pub speedup: f64,
@@ -99,10 +99,11 @@ pub struct Recipe {
 /// The connection of the instance's serial 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SerialEndpoint {
-    /// It connects to this address and accepts no connection: all its other serial ports are closed.
+    /// Serial 0 connects to this address and accepts no connection; all other serial ports are
+    /// closed.
     Outwards(SocketAddr),
-    /// It listens as SITL usually does: on port 5760 + 10 * this number, and on the ports 2 and 3 above it. It boots
-    /// once a client has connected.
+    /// SITL listens as usual: on port 5760 + 10 * this number, and on the ports 2 and 3 above it.
+    /// It boots once a client has connected.
     Listening(u16),
 }
 
@@ -122,7 +123,6 @@ const SPEEDUPS: RangeInclusive<f64> = 0.01..=1000.0;
 const ALTITUDES_M: RangeInclusive<f64> = -1000.0..=20_000.0;
 /// SITL treats a home closer than this to latitude 0, longitude 0 as no home, and starts near Canberra.
 const NOWHERE_DEG: f64 = 1e-7;
-/// The maximum length of a parameter's name.
 const LONGEST_NAME: usize = 16;
 /// The number of serial ports: serial 0 listens on the first port, serial 1 and 2 on the ports 2
 /// and 3 above it.

@@ -72,7 +72,6 @@ mod shipped {
 
 use shipped::{DESIGNS, MISSIONS, PILOTS};
 
-/// The name of the folder for missions.
 const MISSION_FOLDER: &str = "missions";
 
 /// A mission by path, by the id in its file, by name or by number, tried in this order: `missions/01-air-sample.toml`,
@@ -137,12 +136,14 @@ pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
     })
 }
 
-/// All designs by name: the embedded ones, with those of the folders added or replacing them.
+/// All designs by name: the embedded designs, and those in the folders, which may replace embedded
+/// ones.
 pub fn designs() -> Vec<Source> {
     DESIGN_FILES.merged(DESIGNS)
 }
 
-/// All missions by name: the embedded ones, with those of the folders added or replacing them.
+/// All missions by name: the embedded missions, and those in the folders, which may replace
+/// embedded ones.
 pub fn missions() -> Vec<Source> {
     MISSION_FILES.merged(MISSIONS)
 }
@@ -214,7 +215,7 @@ pub fn complete(report: &mut Report, mission: &Mission) {
     report.mission_file = Some(mission_file(mission));
 }
 
-/// The kind of a pilot script: the reference pilot if it is a bundled one, otherwise a script.
+/// The kind of a pilot script: the reference pilot if the script is bundled, otherwise a script.
 pub fn script_kind(pilot: &Source) -> FlownBy {
     if PILOTS.iter().any(|(_, text)| *text == pilot.text) {
         FlownBy::BundledPilot
@@ -259,7 +260,8 @@ fn found(folder: &Path, kind: &'static str, ending: &str) -> Vec<Result<Source, 
     paths.iter().map(|path| read_found(path, kind)).collect()
 }
 
-/// The paths in a folder and below it with these endings, by name. Links to folders are not followed.
+/// The paths with these endings in a folder and its subfolders, by name. Links to folders are not
+/// followed.
 pub fn paths_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
     let found = fs::read_dir(folder).into_iter().flatten().flatten();
     let mut entries: Vec<fs::DirEntry> = found.collect();
@@ -333,7 +335,6 @@ impl FolderFiles {
         all.into_values().collect()
     }
 
-    /// Why files in the folders cannot be read.
     fn unreadable(&self) -> Vec<StoreError> {
         let folders = Folders::find();
         let layers = folders.iter().flat_map(Folders::layers);

@@ -44,9 +44,9 @@ const MOUSE_OFF: &[u8] = b"\x1b[?1006l\x1b[?1000l";
 const KEEP_TITLE: &[u8] = b"\x1b[22;2t";
 const TAKE_TITLE_BACK: &[u8] = b"\x1b[23;2t";
 
-/// Whether the terminal has been taken over, so that it is restored exactly once.
+/// Whether the terminal has been taken over; ensures that it is restored exactly once.
 static TAKEN: AtomicBool = AtomicBool::new(false);
-/// Whether the title of the window has been saved, so that it is restored with the terminal.
+/// Whether the title of the window has been saved, and is to be restored with the terminal.
 static KEPT_TITLE: AtomicBool = AtomicBool::new(false);
 
 /// The screen of the console.
@@ -56,7 +56,7 @@ pub struct Screen {
     pace: Pace,
     clock: Instant,
     mouse: bool,
-    /// Whether its window has a title that may be set, and the last title that was set.
+    /// Whether the terminal's window has a title that may be set, and the last title that was set.
     has_title: bool,
     title: String,
 }
@@ -150,7 +150,7 @@ impl Screen {
         self.pace.pressed();
     }
 
-    /// Notes an answer of the terminal: everything drawn before it has been read.
+    /// Notes an answer from the terminal: everything drawn before it has been read.
     pub fn answered(&mut self) {
         self.pace.answered(self.clock.elapsed());
     }
@@ -302,8 +302,8 @@ fn give_back() {
     }
 }
 
-/// Restores the terminal on any panic: one in a background task would otherwise leave a blocked
-/// screen.
+/// Restores the terminal on any panic: a panic in a background task would otherwise leave it
+/// unusable.
 fn give_back_on_panic() {
     let default = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |panic| {

@@ -53,7 +53,7 @@ pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
 pub use traffic::{Aircraft, Approach, PredictedPass, Traffic, TrafficThreat};
 pub use way_home::{HomeReach, MeanCurrent, USUAL_RESERVE_PERCENT, WayHome};
 
-/// A home farther away than this is not the home of this flight, in metres.
+/// The distance, in metres, beyond which a home is not the home of this flight.
 const FARTHEST_HOME_M: f64 = 1_000_000.0;
 
 /// The newest snapshots of vehicles, shared by reference.
@@ -63,13 +63,13 @@ pub type Vehicles = BTreeMap<VehicleId, Arc<Vehicle>>;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Vehicle {
     pub id: VehicleId,
-    /// Its MAVLink system id: the address of messages to it.
+    /// The vehicle's MAVLink system id: the address of messages to it.
     pub system: SystemId,
-    /// The component id of its autopilot.
+    /// The component id of the vehicle's autopilot.
     pub component: ComponentId,
     /// Identity and state from HEARTBEAT; `None` before the first one.
     pub heartbeat: Option<Heartbeat>,
-    /// The modes that it has announced.
+    /// The modes that the vehicle has announced.
     pub modes: AnnouncedModes,
     /// The number of the mode that was set last (`CURRENT_MODE`), if the vehicle reports it.
     pub intended_mode: Option<u32>,
@@ -89,19 +89,19 @@ pub struct Vehicle {
     pub health: Option<Health>,
     /// `BATTERY_STATUS`, one per pack, in order of the pack's id; pack 0 falls back to `SYS_STATUS`.
     pub batteries: Vec<Battery>,
-    /// The mean current of its motors; `None` while they are stopped.
+    /// The mean current of the motors; `None` while they are stopped.
     pub load: Option<MeanCurrent>,
     /// The state of the estimator (`EKF_STATUS_REPORT`).
     pub ekf: Option<Ekf>,
     pub vibration: Option<Vibration>,
-    /// Whether it is on the ground (`EXTENDED_SYS_STATE`).
+    /// Whether the vehicle is on the ground (`EXTENDED_SYS_STATE`).
     pub landed: LandedState,
     /// The progress of AUTO through its plan (`MISSION_CURRENT` and `MISSION_ITEM_REACHED`).
     pub plan: PlanProgress,
     /// How many times each jump of its plan has been taken, by the jump's number, as far as the
     /// vehicle has reported them.
     pub plan_jumps: BTreeMap<u16, u16>,
-    /// Its mean speed on the legs of its plan; `None` in other modes.
+    /// The mean speed on the legs of the plan; `None` in other modes.
     pub cruise: Option<LegSpeed>,
     /// The plan, the fence and the rally points on board, if they have been read.
     pub plans: Plans,
@@ -109,16 +109,16 @@ pub struct Vehicle {
     pub fence: Option<Fence>,
     /// RANGEFINDER or `DISTANCE_SENSOR` facing down: metres to the ground.
     pub rangefinder_m: Option<f32>,
-    /// WIND: the direction that it comes from, and its speed.
+    /// WIND: the direction that the wind comes from, and its speed.
     pub wind: Option<Wind>,
-    /// The height above home at which it last estimated the wind in flight, in metres.
+    /// The height above home at which the vehicle last estimated the wind in flight, in metres.
     pub wind_height_m: Option<f32>,
     /// `RC_CHANNELS`: pulse widths in microseconds, channel 1 first; 0 where unused.
     pub rc: Option<RcChannels>,
     /// `SERVO_OUTPUT_RAW` of port 0: pulse widths in microseconds, output 1 first.
     pub servos_us: [u16; 16],
     pub version: Option<AutopilotVersion>,
-    /// The aircraft that its ADS-B receiver hears.
+    /// The aircraft that the vehicle's ADS-B receiver reports.
     pub traffic: Traffic,
     /// The speeds that this program has commanded.
     pub asked_speeds: AskedSpeeds,
@@ -126,10 +126,10 @@ pub struct Vehicle {
     pub boot_ms: Option<u32>,
     /// The quality of reception from the vehicle.
     pub link: LinkQuality,
-    /// Its current position while simulated radio keeps its messages from the operator. Never shown
-    /// to the operator.
+    /// The vehicle's current position while simulated radio keeps its messages from the operator;
+    /// never shown to the operator.
     pub unheard: Option<Unheard>,
-    /// Why it has disarmed by itself, where that is known; `None` once it is armed again.
+    /// Why the vehicle has disarmed by itself, if known; `None` once it is armed again.
     pub idle_disarm: Option<IdleDisarm>,
     /// The last reported reasons not to arm, newest last, without the "`PreArm`: " prefix.
     pub prearm: Vec<String>,
@@ -194,13 +194,14 @@ impl Vehicle {
         }
     }
 
-    /// The time since its boot, by its own clock, if it has reported it; with a speed-up, this
-    /// clock runs faster than that of the console.
+    /// The time since the vehicle's boot, by its own clock; `None` if the vehicle has not reported
+    /// it. With a speed-up, this clock runs faster than that of the console.
     pub fn clock(&self) -> Option<Duration> {
         self.boot_ms.map(|it| Duration::from_millis(it.into()))
     }
 
-    /// Its clock in milliseconds since boot, if known, even while simulated radio hides it.
+    /// The vehicle's clock in milliseconds since boot, if known, even while simulated radio hides
+    /// it.
     pub fn clock_ms(&self) -> Option<u32> {
         self.unheard.map(|unheard| unheard.boot_ms).or(self.boot_ms)
     }
@@ -210,7 +211,7 @@ impl Vehicle {
         self.heartbeat.map(|heartbeat| heartbeat.mode)
     }
 
-    /// The number of the last item of its plan; 0 without a plan, `None` if that is unknown.
+    /// The number of the last item of the plan; 0 without a plan, `None` if that is unknown.
     pub fn last_item(&self) -> Option<u16> {
         let read = self.plans.plan.content.as_ref();
         let last = read.map(|plan| plan.items.len().saturating_sub(1));
@@ -219,12 +220,12 @@ impl Vehicle {
             .or_else(|| last.and_then(|last| u16::try_from(last).ok()))
     }
 
-    /// Whether its motors are known to be armed.
+    /// Whether the motors are known to be armed.
     pub fn armed(&self) -> bool {
         self.heartbeat.is_some_and(|heartbeat| heartbeat.armed)
     }
 
-    /// Whether it reports an active failsafe, or that control is lost.
+    /// Whether the vehicle reports an active failsafe, or that control is lost.
     pub fn in_failsafe(&self) -> bool {
         let status = self.heartbeat.map(|heartbeat| heartbeat.status);
         matches!(
@@ -261,7 +262,7 @@ impl Vehicle {
         (metres < FARTHEST_HOME_M).then_some(metres)
     }
 
-    /// Its distance from another vehicle, in metres in three dimensions; `None` unless both report
+    /// The distance from another vehicle, in metres in three dimensions; `None` unless both report
     /// a position.
     pub fn distance_m(&self, other: &Self) -> Option<f64> {
         let (here, there) = (self.global?, other.global?);
@@ -286,7 +287,8 @@ impl Vehicle {
                 .is_some_and(|ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE))
     }
 
-    /// Whether it is on the ground according to `EXTENDED_SYS_STATE`; without that, whether it is not airborne.
+    /// Whether the vehicle is on the ground according to `EXTENDED_SYS_STATE`; without that
+    /// message, whether it is not airborne.
     pub fn is_on_the_ground(&self) -> bool {
         match self.landed {
             LandedState::OnGround => true,
@@ -295,7 +297,8 @@ impl Vehicle {
         }
     }
 
-    /// Whether it is off the ground according to `EXTENDED_SYS_STATE`; without that, whether it is armed and above 1 m.
+    /// Whether the vehicle is off the ground according to `EXTENDED_SYS_STATE`; without that
+    /// message, whether it is armed and above 1 m.
     pub fn airborne(&self) -> bool {
         match self.landed {
             LandedState::InAir | LandedState::Takeoff | LandedState::Landing => true,

@@ -11,15 +11,15 @@ use std::time::Duration;
 /// A verb, or one of several meanings of a verb.
 #[derive(Clone, Copy)]
 pub struct Verb {
-    /// Its name in the ledger; unique in the table.
+    /// The verb's name in the ledger; unique in the table.
     pub name: &'static str,
-    /// Whether it needs a confirmation.
+    /// Whether the verb needs a confirmation.
     pub danger: Danger,
     /// The retries of the command.
     pub retry: Retry,
-    /// Its precedence over other orders to the same vehicle.
+    /// The precedence over other orders to the same vehicle.
     pub precedence: Precedence,
-    /// Its effect on the movement of its vehicles.
+    /// The effect on the movement of the vehicles.
     pub movement: Movement,
     /// How commands with the verb count in a score.
     pub counts_as: CountsAs,
@@ -79,9 +79,10 @@ impl Retry {
 pub enum Precedence {
     /// The order waits for the answers to earlier orders.
     InTurn,
-    /// It waits for the answers to earlier orders, and later orders wait for its effect, on which they depend.
+    /// The order waits for the answers to earlier orders, and later orders wait for its effect, on
+    /// which they depend.
     Awaited,
-    /// It is sent at once and drops all orders that have not been answered.
+    /// The order is sent at once and drops all orders that have not been answered.
     Urgent,
     /// The precedence depends on the flight mode: modes that land or stop a vehicle are urgent.
     /// Later orders wait for the order's effect.
@@ -92,16 +93,17 @@ pub enum Precedence {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Movement {
     None,
-    /// It turns the vehicle: the next movement supersedes it.
+    /// The order turns the vehicle: the next movement supersedes it.
     Turn,
-    /// It moves or stops the vehicle and supersedes the previous movement.
+    /// The order moves or stops the vehicle and supersedes the previous movement.
     To(Arrival),
     /// Like `To(Done)`; once the vehicles are in their places, their task is to stay there.
     Station,
 }
 
 impl Movement {
-    /// When the vehicles of such an order count as arrived; `None` if it is not a movement.
+    /// When the vehicles of an order with this movement count as arrived; `None` if it is not a
+    /// movement.
     pub fn arrival(self) -> Option<Arrival> {
         match self {
             Self::None | Self::Turn => None,
@@ -110,7 +112,7 @@ impl Movement {
         }
     }
 
-    /// Whether it supersedes the previous movement.
+    /// Whether the order supersedes the previous movement.
     pub fn moves(self) -> bool {
         self.arrival().is_some()
     }
@@ -162,7 +164,7 @@ pub enum CountsAs {
 }
 
 impl CountsAs {
-    /// Whether it is a message to the mission or a self-assessment, instead of a command.
+    /// Whether the order is a message to the mission or a self-assessment, instead of a command.
     pub fn is_said_to_mission(self) -> bool {
         match self {
             Self::Word | Self::Pledge | Self::SelfReport => true,
@@ -175,7 +177,7 @@ impl CountsAs {
         }
     }
 
-    /// Whether it is sent to vehicles.
+    /// Whether the order is sent to vehicles.
     pub fn is_for_vehicles(self) -> bool {
         match self {
             Self::Task | Self::Setting | Self::PlanChange | Self::Rehearsal | Self::Question => {

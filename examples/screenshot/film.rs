@@ -59,12 +59,10 @@ pub fn pictures(root: &Path) -> anyhow::Result<Vec<Picture>> {
     Ok(vec![fly, map, debrief, truth])
 }
 
-/// A flight, and the console that receives its events.
 struct Film {
     exercise: Exercise,
     app: App,
     told: BTreeMap<EntryId, Vec<LedgerRow>>,
-    /// The time of the next tick.
     next: Duration,
 }
 

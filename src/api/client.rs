@@ -130,7 +130,8 @@ struct CommandNews {
 }
 
 impl CommandNews {
-    /// Adds the changed rows of the commands that are followed, or of `all`.
+    /// Adds the changed rows of the commands that are followed, or of all commands if `all` is
+    /// true.
     fn news(&mut self, state: &State, all: bool, news: &mut Vec<Message>) {
         let ledger = state.session().ledger();
         if self.revision == Some(ledger.revision()) {
@@ -175,7 +176,6 @@ impl CommandNews {
         }
     }
 
-    /// Adds the changed commands of other stations.
     fn foreign_news(&mut self, state: &State, news: &mut Vec<Message>) {
         let now: BTreeMap<ForeignId, ForeignView> = foreign_views(state).collect();
         let is_new = |(id, view): &(&ForeignId, &ForeignView)| self.foreign.get(id) != Some(view);
@@ -196,7 +196,6 @@ impl CommandNews {
     }
 }
 
-/// The commands of other stations as a program sees them.
 fn foreign_views(state: &State) -> impl Iterator<Item = (ForeignId, ForeignView)> {
     let commands = state.session().ledger().foreign();
     commands.map(|command| (command.id, ForeignView::new(command, state.locale())))
@@ -213,8 +212,8 @@ fn mission(state: &State) -> Option<MissionView> {
     ))
 }
 
-/// The present state of a subject, as an answer to the request of this number. `records` lists the
-/// recorded flights.
+/// The present state of a subject, as an answer to the request with this number. `records` lists
+/// the recorded flights.
 ///
 /// # Errors
 /// The subject belongs to one vehicle, and the request names no vehicle or an unknown one.

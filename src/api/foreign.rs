@@ -10,9 +10,9 @@ use crate::vehicle::VehicleId;
 /// A command of another ground station to one vehicle; repetitions are counted.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ForeignView {
-    /// Its number among the commands of other stations.
+    /// The command's number among the commands of other stations.
     pub foreign: u32,
-    /// When it was noticed first and last, in seconds since the start of the program.
+    /// When the command was noticed first and last, in seconds since the start of the program.
     pub at_s: f64,
     pub last_at_s: f64,
     /// The station's system and component: `254/230`.
@@ -20,10 +20,10 @@ pub struct ForeignView {
     pub vehicle: VehicleId,
     /// The command in the console's words, or the name of its MAVLink command.
     pub what: String,
-    /// How many times it was noticed.
+    /// How many times the command was noticed.
     pub count: u32,
-    /// `sent` while there is no answer; `sent_only` for steering, which has none; `in_progress`, `accepted`, `refused` or
-    /// `superseded`.
+    /// `sent` while there is no answer; `sent_only` for steering, which is never answered;
+    /// `in_progress`, `accepted`, `refused` or `superseded`.
     #[schema(value_type = String)]
     pub state: &'static str,
     /// The reason for a refusal.

@@ -11,9 +11,9 @@ use crate::vehicle::{TrafficThreat, VehicleId};
 /// Another aircraft, from a vehicle's ADS-B receiver or from the mission.
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct AircraftView {
-    /// Its callsign, or its ICAO address in hexadecimal.
+    /// The aircraft's callsign, or its ICAO address in hexadecimal.
     pub name: String,
-    /// Its ICAO address; `null` for an aircraft of a mission.
+    /// The aircraft's ICAO address; `null` for an aircraft of a mission.
     pub icao: Option<u32>,
     pub lat_deg: f64,
     pub lon_deg: f64,
@@ -22,9 +22,10 @@ pub struct AircraftView {
     pub speed_m_s: Option<f64>,
     /// The rate of climb; negative in a descent.
     pub climb_m_s: Option<f64>,
-    /// The age of its position.
+    /// The age of the aircraft's position.
     pub age_s: f64,
-    /// How it approaches vehicles in the air, the most urgent first, if both keep their velocity.
+    /// The approaches to vehicles in the air, the most urgent first, if the aircraft and the
+    /// vehicle keep their velocity.
     pub approaches: Vec<ApproachView>,
 }
 
@@ -35,7 +36,7 @@ pub struct ApproachView {
     /// The current horizontal distance.
     pub distance_m: f64,
     pub height_m: f64,
-    /// The time until they are closest; 0 if they move apart.
+    /// The time until the aircraft and the vehicle are closest; 0 if they move apart.
     pub in_s: f64,
     /// The horizontal distance at the closest approach.
     pub closest_m: f64,

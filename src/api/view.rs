@@ -48,13 +48,13 @@ pub struct VehicleView {
     pub battery_percent: Option<u8>,
     pub battery_v: Option<f32>,
     pub battery_a: Option<f32>,
-    /// The item of its plan that AUTO flies.
+    /// The item of the plan that AUTO flies.
     pub plan_item: u16,
-    /// Whether it has been silent for too long.
+    /// Whether the vehicle has been silent for too long.
     pub link_lost: bool,
-    /// The share of its messages that arrives.
+    /// The share of the vehicle's messages that arrives, in percent.
     pub link_percent: u8,
-    /// Its latest reasons not to arm, newest last.
+    /// The vehicle's latest reasons not to arm, newest last.
     pub prearm: Vec<String>,
 }
 
@@ -144,7 +144,7 @@ impl RowView {
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct EntryView {
     pub entry: u32,
-    /// When it was given, in seconds since the start of the program.
+    /// When the command was given, in seconds since the start of the program.
     pub at_s: f64,
     /// The whole line, with its targets.
     pub line: String,
@@ -214,7 +214,7 @@ pub struct MissionView {
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ObjectiveView {
     pub title: String,
-    /// Its progress in words.
+    /// The progress of the objective in words.
     pub detail: String,
     /// The share of the objective that is reached, 0 to 1.
     pub fraction: f64,
@@ -386,7 +386,7 @@ impl ParameterView {
 /// The files of a recorded flight.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
 pub struct RecordView {
-    /// Their common name without suffix.
+    /// The common name of the files, without a suffix.
     pub name: String,
     /// Bytes of frames and journal.
     pub bytes: u64,

@@ -23,8 +23,8 @@ macro_rules! actions {
         groups { $($(#[$group_about:meta])* $group:ident($Group:ty),)+ }
     ) => {
         /// An intent, to which the keymap maps keys. Its name in keymap files is that of the
-        /// innermost variant; the message `action-NAME` describes it. Actions of only some rooms
-        /// have enums of their own.
+        /// innermost variant; the message `action-NAME` describes it. Actions that only some rooms
+        /// have are in enums of their own.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
         #[strum(serialize_all = "kebab-case")]
         pub enum Action {
@@ -43,7 +43,7 @@ macro_rules! actions {
                 all.into_iter()
             }
 
-            /// Its name in keymap files.
+            /// The action's name in keymap files.
             pub fn name(self) -> &'static str {
                 match self {
                     $(Self::$first(action) => action.into(),)+

@@ -86,7 +86,7 @@ pub enum Effect {
 /// The answer to a program's line that was carried out.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ProgramAnswer {
-    /// Its entry in the ledger; `None` for a line to the console itself.
+    /// The line's entry in the ledger; `None` for a line to the console itself.
     pub entry: Option<EntryId>,
     /// The console's answer, if it has one.
     pub text: Option<Text>,
@@ -218,9 +218,9 @@ pub enum SessionEffect {
     Forget(Vec<VehicleId>),
     /// Replay a recorded flight.
     Replay {
-        /// One of its files; `None` for the newest record.
+        /// A file of the record; `None` for the newest record.
         path: Option<String>,
-        /// Whether to start with its review.
+        /// Whether to start with the review of the record.
         review: bool,
     },
     /// Restart or stop the process that simulates a vehicle.

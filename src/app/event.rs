@@ -77,7 +77,7 @@ pub enum TerminalEvent {
     /// A key was pressed (releases and repeats of modifiers are ignored).
     Key(KeyEvent),
     Paste(String),
-    /// A cell was clicked, counted from the upper left corner.
+    /// A cell was clicked; its position is counted from the upper left corner.
     Click {
         column: u16,
         row: u16,
@@ -165,7 +165,7 @@ pub enum ProcessEvent {
         vehicle: VehicleId,
         /// Whether to drop the lines shown so far.
         anew: bool,
-        /// The new lines of its output, oldest first.
+        /// The new lines of the process's output, oldest first.
         lines: Vec<String>,
     },
 }

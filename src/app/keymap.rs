@@ -47,7 +47,7 @@ impl Place {
         ])
     }
 
-    /// Its name in keymap files.
+    /// The place's name in keymap files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Anywhere => "anywhere",
@@ -59,7 +59,7 @@ impl Place {
         }
     }
 
-    /// Its heading in the help.
+    /// The place's heading in the help.
     pub fn title(self) -> Text {
         match self {
             Self::Anywhere => text!("keys-anywhere"),

@@ -29,7 +29,7 @@ impl Names for NamesInFiles<'_> {
     }
 }
 
-/// These themes as completions.
+/// The themes as completions.
 pub fn themes(names: &[String]) -> Listed {
     let named = |name: &String| Named {
         name: name.clone(),

@@ -61,7 +61,7 @@ macro_rules! declare_rooms {
                 }
             }
 
-            /// Its name in keymap files and on the command line.
+            /// The room's name in keymap files and on the command line.
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$Room => $name,)+
@@ -109,7 +109,7 @@ impl Room {
         Text::new(format!("action-{}", self.name()), Vec::new())
     }
 
-    /// Its title in the header.
+    /// The room's title in the header.
     pub fn title(self) -> Text {
         Text::new(format!("room-{}", self.name()), Vec::new())
     }

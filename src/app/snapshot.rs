@@ -36,7 +36,7 @@ impl FlightSnapshot {
         }
     }
 
-    /// Its time, from the beginning of the recording.
+    /// The snapshot's time, from the beginning of the recording.
     pub fn at(&self) -> Duration {
         self.now
     }

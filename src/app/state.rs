@@ -86,7 +86,7 @@ const ACKNOWLEDGEMENT_LIFE: Duration = Duration::from_secs(4);
 /// The console's state; `R` is the state of the rooms.
 #[derive(Debug, Clone)]
 pub struct State<R> {
-    /// Flight time: since the start of the program, or of the recording in a replay.
+    /// Flight time: the time since the start of the program or, in a replay, of the recording.
     pub(in crate::app) now: Duration,
     /// The program's clock, without the pauses of a session; it also runs during a replay.
     pub(in crate::app) clock: Duration,
@@ -112,7 +112,6 @@ pub struct State<R> {
     pub(in crate::app) keymap: Keymap,
     /// Whether ArduPilot's SITL is available.
     pub(in crate::app) has_ardupilot: bool,
-    /// The console's latest message.
     message: Option<Message>,
     revision: u64,
 }

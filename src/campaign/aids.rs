@@ -57,7 +57,7 @@ impl Aids {
         }
     }
 
-    /// Its name on the screen.
+    /// The level's name on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::Full => text!("aids-full"),

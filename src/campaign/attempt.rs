@@ -23,7 +23,7 @@ pub struct Attempt {
     pub seed: u64,
     /// How the attempt counts in a career.
     pub stake: Stake,
-    /// The requested stake. The next attempt counts as this if possible.
+    /// The requested stake, which the next attempt gets if possible.
     pub wanted: Stake,
 }
 
@@ -68,8 +68,8 @@ pub struct AttemptMeans {
     pub speedup: f64,
 }
 
-/// Whether a flight does not count as an attempt: practice, or flown by a script. Records without a source of commands
-/// were flown by hand.
+/// Whether a flight does not count as an attempt, because it is practice or was flown by a script.
+/// Records without a source of commands were flown by hand.
 pub fn is_practice(stake: Stake, flown_by: Option<FlownBy>) -> bool {
     stake == Stake::Practice || !flown_by.unwrap_or_default().is_by_hand()
 }
@@ -94,7 +94,8 @@ pub fn next_try<'a>(earlier: impl IntoIterator<Item = &'a TryReport>) -> u32 {
 }
 
 /// The stake requested for a script's flight: graded with a profile on a layout that the user has
-/// not chosen, otherwise practice. In the end it counts as practice ([`PracticeReason::Script`]).
+/// not chosen, otherwise practice. A flight that would be graded still counts only as practice
+/// ([`PracticeReason::Script`]).
 pub fn script_stake(chosen_seed: Option<u64>, has_profile: bool) -> Stake {
     if chosen_seed.is_none() && has_profile {
         Stake::Graded

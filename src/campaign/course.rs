@@ -27,7 +27,7 @@ pub struct Offer {
     pub parts: Vec<String>,
     /// The skills that the mission trains.
     pub skills: Vec<Skill>,
-    /// The names of its objectives, by their ids.
+    /// The names of the mission's objectives, by their ids.
     pub objectives: BTreeMap<String, Text>,
 }
 

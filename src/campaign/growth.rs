@@ -27,7 +27,7 @@ pub struct Wealth {
 /// A finished flight of a mission.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Try {
-    /// The day on which it ended, in days since 1970 (UTC).
+    /// The day on which the flight ended, in days since 1970 (UTC).
     pub day: i64,
     /// The score, 0 to 1000.
     pub score: u16,

@@ -89,7 +89,7 @@ impl Lack {
 }
 
 impl Mastery {
-    /// Its name on the screen.
+    /// The state's name on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::Unknown => text!("mastery-unknown"),

@@ -28,7 +28,7 @@ pub struct CareerProgress {
     pub next: Option<TrainingAdvice>,
     /// The missions, in the order of the course; other flown missions come last.
     pub missions: Vec<MissionProgress>,
-    /// The skills, in their order.
+    /// The skills, in the order of [`Skill::ALL`].
     pub skills: Vec<SkillProgress>,
 }
 
@@ -49,11 +49,11 @@ pub struct TrainingAdvice {
 pub struct MissionProgress {
     /// The id of the mission.
     pub id: String,
-    /// Its name on the screen.
+    /// The mission's name on the screen.
     pub title: Text,
     /// The number of drones.
     pub vehicles: u8,
-    /// Whether it is locked, open or passed.
+    /// Whether the mission is locked, open or passed.
     pub state: MissionState,
     /// Why the mission is locked, if it is.
     pub reasons: Vec<Text>,
@@ -86,7 +86,7 @@ pub enum MissionState {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillProgress {
     pub skill: Skill,
-    /// Its name on the screen.
+    /// The skill's name on the screen.
     pub title: Text,
     /// The probability of mastery today, in percent.
     pub percent: u8,

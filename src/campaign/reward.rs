@@ -1,4 +1,4 @@
-//! The reward of a flight, and its reasons.
+//! The reward of a flight, and the reasons for it.
 
 use serde::Serialize;
 
@@ -15,7 +15,7 @@ use crate::workshop::parts;
 pub struct Reward {
     /// The stake of the flight.
     pub stake: Stake,
-    /// Whether the exam was passed, if it was one.
+    /// Whether the exam was passed; `None` if the flight was not an exam.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub exam_passed: Option<bool>,
     pub pay_credits: u32,
@@ -41,7 +41,7 @@ pub struct Reward {
     pub skills: Vec<SkillChange>,
     /// Why no credits were paid; `None` if any were.
     pub unpaid: Option<Text>,
-    /// What to fly next, by the standing after the flight.
+    /// The recommended next flight, by the standing after this one.
     #[serde(skip)]
     pub next: Option<Text>,
 }
@@ -50,7 +50,7 @@ pub struct Reward {
 pub struct OpenedItem {
     /// The id of the mission or part.
     pub id: String,
-    /// Its name on the screen.
+    /// The item's name on the screen.
     pub title: Text,
 }
 
@@ -58,7 +58,7 @@ pub struct OpenedItem {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SkillChange {
     pub skill: Skill,
-    /// Its name on the screen.
+    /// The skill's name on the screen.
     pub title: Text,
     /// Whether the flight was the first to show the skill.
     pub is_new: bool,
@@ -184,7 +184,8 @@ impl SkillChange {
     }
 }
 
-/// What to fly next. After practice, this may be the same mission again, flown so that it counts.
+/// The recommended next flight. After practice, this may be the same mission again, flown so that
+/// it counts.
 fn next_step(
     after: &CareerStanding,
     course: &MissionCourse,
@@ -199,7 +200,6 @@ fn next_step(
     })
 }
 
-/// Why no credits were paid.
 fn unpaid(before: &CareerStanding, flight: &CareerFlight) -> Text {
     let best = before.best(&flight.mission).and_then(|best| best.passed);
     match best {

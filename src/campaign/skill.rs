@@ -10,7 +10,6 @@ use crate::scoring::{Component, ENERGY_NEEDS_OBJECTIVES, Report};
 use crate::text;
 use crate::text::Text;
 
-/// The skill that a component of the score shows.
 fn shown_by(component: Component) -> Option<Skill> {
     match component {
         Component::Command => Some(Skill::K2),
@@ -50,7 +49,7 @@ pub struct Evidence {
 const BLIND_POINTS: f64 = 250.0;
 /// Outcomes are rounded to thousandths, so storage does not change a career.
 const STEPS: f64 = 1000.0;
-/// An outcome below this counts against a skill in any flight, as `docs/career.md` says.
+/// An outcome below this counts against a skill in any flight (see `docs/career.md`).
 const FAULT: f64 = 0.1;
 
 /// A flight's evidence on one skill. It counts once: showing a skill three times in one flight is not stronger

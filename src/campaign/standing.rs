@@ -37,7 +37,6 @@ pub struct Best {
     pub medal: Option<Medal>,
     /// The best exam result, if one was taken.
     pub exam: Option<ExamResult>,
-    /// The number of exams taken.
     exams: u32,
     /// The maximum number of drones in a flight with at least silver.
     silver_with: u8,
@@ -48,7 +47,7 @@ pub struct Best {
 /// The result of an exam, ordered by quality.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ExamResult {
-    /// Whether it was passed.
+    /// Whether the exam was passed.
     pub passed: bool,
     /// The points, 0 to 1000.
     pub score: u16,
@@ -57,7 +56,7 @@ pub struct ExamResult {
 /// Whether a part may be used.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum PartState {
-    /// The trainee owns its licence.
+    /// The trainee owns the part's licence.
     Owned,
     /// The part may be used after paying this many credits.
     ForSale(u32),

@@ -6,10 +6,10 @@ use crate::workshop::{Design, PartSlot};
 const BATTERY_SHARE: f64 = 0.01;
 /// The share of a motor's life used by an hour in the air.
 const MOTOR_SHARE_PER_HOUR: f64 = 0.002;
-/// The share of its price that a crashed drone loses.
+/// The share of a drone's price that is lost in a crash.
 const CRASH_SHARE: f64 = 0.5;
 
-/// A drone of the trainee's own on a flight.
+/// One of the trainee's own drones on a flight.
 #[derive(Debug, Clone, Copy)]
 pub struct FlownDesign<'a> {
     pub design: &'a Design,

@@ -139,11 +139,10 @@ fn unfolded(paths: &[PathBuf]) -> Vec<PathBuf> {
     paths.iter().flat_map(inside).collect()
 }
 
-/// A file with a mission.
 struct MissionFile {
     /// The path, or the name of an embedded file.
     name: String,
-    /// Whether it is one of the files to check.
+    /// Whether the file is one of those to check.
     is_checked: bool,
 }
 

@@ -74,7 +74,6 @@ pub(super) fn config(
     Ok(ExitCode::from(if is_faulty { 2 } else { 0 }))
 }
 
-/// Files and folders by name.
 fn paths(settings: &CliSettings) -> Vec<(&'static str, PathBuf)> {
     let mut paths = Vec::new();
     paths.extend(

@@ -52,7 +52,7 @@ impl DesignArguments {
 /// A design by path or name: the trainee's own design of this name, otherwise a shared one.
 ///
 /// # Errors
-/// The design does not exist or is faulty: the faults in words.
+/// The design does not exist or is faulty; the error describes the faults.
 pub(super) fn find(name: &str, settings: &CliSettings, locale: &Locale) -> Result<Design, Failure> {
     if !Path::new(name).is_file()
         && settings.config.profile.is_some()

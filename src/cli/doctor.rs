@@ -28,18 +28,16 @@ pub(super) struct DoctorArguments {
     programs: ProgramOptions,
 }
 
-/// The result of a check.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 enum CheckResult {
     Ok,
     /// The checked part works, with a remark.
     Note,
-    /// Something does not work.
+    /// The checked part does not work.
     Fault,
 }
 
-/// The finding of a check.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 struct HostFinding {
     /// The subject of the check, such as a folder or a program.

@@ -91,7 +91,6 @@ impl ApiArguments {
     }
 }
 
-/// Parses the words of a forward.
 fn forward(words: &str) -> Result<ForwardSpec, String> {
     let spec: ForwardSpec = words
         .parse()

@@ -126,7 +126,7 @@ pub(super) fn is_plan_file(path: &Path) -> bool {
 /// Reads a plan file.
 ///
 /// # Errors
-/// It cannot be read, or has faults.
+/// The file cannot be read, or has faults.
 fn load(path: &Path, options: ReadOptions) -> Result<Loaded, FileFault> {
     let bytes = store::read_bytes(path, "file-plan").map_err(|error| FileFault::from(&error))?;
     read(&bytes, &options).map_err(|(text, faults)| {

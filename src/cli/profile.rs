@@ -142,7 +142,6 @@ struct ProfileCommands<'a> {
     locale: Locale,
 }
 
-/// A line of the list.
 #[derive(Debug, Serialize)]
 struct ListedProfile {
     name: String,

@@ -98,10 +98,9 @@ enum RecordsCommand {
     },
 }
 
-/// A line of the list.
 #[derive(Debug, Serialize)]
 struct ListedRecord {
-    /// Its number in the list; `None` for a file from elsewhere.
+    /// The record's number in the list; `None` for a file from elsewhere.
     number: Option<usize>,
     name: String,
     began: String,
@@ -109,7 +108,6 @@ struct ListedRecord {
     profile: Option<String>,
     /// Whether the record belongs to a run of a mission.
     has_run: bool,
-    /// The seed of the mission's world.
     #[serde(skip_serializing_if = "Option::is_none")]
     seed: Option<u64>,
     /// The result of the mission, if it was flown to its end.
@@ -122,7 +120,6 @@ struct ListedRecord {
     being_recorded: bool,
 }
 
-/// The result of a recorded mission.
 #[derive(Debug, Clone, Copy, Serialize)]
 struct ListedResult {
     score: u16,
@@ -176,12 +173,13 @@ impl RecordsCommands<'_> {
         (1..).zip(self.records.list().into_iter().rev())
     }
 
-    /// The record with this number in the list, or the one to which this file belongs.
+    /// The record named by its number in the list or by one of its files.
     pub(super) fn find(&self, named: &str) -> Result<RecordFiles, Failure> {
         self.settings.find_record(named)
     }
 
-    /// A record for the list; `number` is its number there, or `None` for a file from elsewhere.
+    /// A record for the list; `number` is its number in the list, or `None` for a file from
+    /// elsewhere.
     fn listed(&self, number: Option<usize>, files: &RecordFiles) -> ListedRecord {
         // The first and the last frame give the duration: a list of 200 records must not require
         // reading all frames.

@@ -290,7 +290,6 @@ impl<'l> RunRequest<'_, 'l> {
     }
 }
 
-/// One flight of a script.
 struct RunFlight {
     mission: Arc<Mission>,
     seed: u64,
@@ -298,7 +297,6 @@ struct RunFlight {
 }
 
 impl RunFlight {
-    /// Flies on the chosen backend.
     fn fly(
         self,
         backend: &VehicleBackend,
@@ -322,7 +320,6 @@ impl RunFlight {
     }
 }
 
-/// Flies in the embedded simulator.
 fn fly_embedded(
     mut exercise: Exercise,
     speedup: Speedup,

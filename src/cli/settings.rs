@@ -26,10 +26,8 @@ mod sources;
 pub(super) use flags::Common;
 use sources::{SettingPlace, SettingSources};
 
-/// The variable that names the configuration file.
 const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
 
-/// The variable that names the data folder.
 const DATA_VARIABLE: &str = "SORTIE_DATA";
 
 /// All settings and the files that they come from.

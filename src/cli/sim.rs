@@ -55,7 +55,6 @@ pub(super) struct SimArguments {
     frames: Vec<PathBuf>,
 }
 
-/// An address as `HOST:PORT`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct HostPort {
     host: String,
@@ -79,7 +78,7 @@ impl FromStr for HostPort {
     }
 }
 
-/// An address to send to.
+/// Parses an address to send to; its port must not be 0.
 fn parse_target(text: &str) -> Result<HostPort, String> {
     match text.parse()? {
         HostPort { port: 0, .. } => Err(

@@ -44,7 +44,7 @@ impl ApiConnection {
     /// Connects to a console.
     ///
     /// # Errors
-    /// No console listens there.
+    /// No console listens on the socket.
     pub fn open(socket: &Path) -> Result<Self, Failure> {
         let opened = UnixStream::connect(socket).and_then(|write| Ok((write.try_clone()?, write)));
         let (read, write) = opened.map_err(|error| {

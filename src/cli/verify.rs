@@ -258,7 +258,7 @@ fn unfinished(stored: &Stored, to: Duration, is_left: bool) -> VerifyDocument {
     }
 }
 
-/// The words for a flight that matches its record.
+/// The text for a flight that matches its record.
 fn verified(stored: &Stored, mission: &Mission, score: u16) -> Text {
     let mut words = vec![text!(
         "verify-verified",

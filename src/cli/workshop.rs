@@ -342,7 +342,6 @@ fn with_rounded_numbers(value: Value) -> Value {
     }
 }
 
-/// A word padded with spaces to a number of columns.
 fn padded(word: &str, columns: usize) -> String {
     let width = word.width();
     format!("{word}{}", " ".repeat(columns.saturating_sub(width)))

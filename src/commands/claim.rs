@@ -83,7 +83,6 @@ impl Command {
     }
 }
 
-/// A claim to fly in the current mode.
 fn flight_in_this_mode(before: &Vehicle) -> Claim {
     Claim {
         mode: before.mode(),

@@ -30,8 +30,8 @@ pub enum Destination {
 }
 
 impl Destination {
-    /// The place to which it leads a vehicle, and the height above home in metres unless the vehicle keeps its own; `None`
-    /// if the vehicle's position is unknown.
+    /// The place to which the destination leads a vehicle, and the height above home in metres
+    /// unless the vehicle keeps its own; `None` if the vehicle's position is unknown.
     pub fn of(self, vehicle: &Vehicle) -> Option<(LatLon, Option<f64>)> {
         let here = vehicle.global?;
         Some(match self {

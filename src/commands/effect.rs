@@ -14,8 +14,8 @@ use crate::vehicle::{Mode, PlanPhase, Vehicle, VehicleClass};
 const ARRIVED_M: f64 = 1.5;
 /// The vertical distance from a place within which it counts as reached.
 const ARRIVED_HEIGHT_M: f64 = 1.0;
-/// The distance below its height at which a climb counts as done, since its last part is slow. A setpoint given
-/// earlier would abort a takeoff.
+/// A climb counts as done this far below its target height, because its last part is slow. A
+/// setpoint given earlier would abort a takeoff.
 const CLIMB_ENDS_M: f64 = 1.5;
 /// The tolerance of a turn.
 const TURNED_DEG: f64 = 5.0;
@@ -23,7 +23,7 @@ const TURNED_DEG: f64 = 5.0;
 const HOME_M: f64 = 5.0;
 /// A speed below this counts as standing still.
 const STILL_M_S: f64 = 0.5;
-/// How long a change of a state bit may take to appear: it shows with the next heartbeat.
+/// How long a change of a state bit may take to appear: it becomes visible with the next heartbeat.
 pub(super) const SOON: Duration = Duration::from_secs(3);
 
 /// The effect to watch for after a command was accepted.
@@ -214,8 +214,9 @@ pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// The effect of reaching a height: within a share of it, limited to 1 to 1.5 m and to half the
-/// height, so that the ground does not count as reached. The time limit assumes 0.5 m/s.
+/// The effect of reaching a height within a tolerance: a share of the height, limited to 1 to 1.5 m
+/// and to half the height, so that the ground does not count as reached. The time limit assumes 0.5
+/// m/s.
 pub(super) fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
     let tolerance_m = (share * altitude_m)

@@ -21,8 +21,8 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
 /// The number of a mode; a plain number is used as it is.
 ///
 /// # Errors
-/// The vehicle has not been heard, it has no such mode or offers it to no user, or the names of its autopilot's modes are
-/// unknown.
+/// The vehicle has not been heard, lacks the mode or does not let the user select it, or the names
+/// of its autopilot's modes are unknown.
 pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     if let Ok(number) = name.parse::<u8>() {
         return Ok(u32::from(number));

@@ -46,7 +46,7 @@ pub enum Act {
 }
 
 impl Order {
-    /// Why the state of its vehicles requires a confirmation although the order's verb does not;
+    /// Why the state of the order's vehicles requires a confirmation although its verb does not;
     /// `None` if it requires none.
     pub fn hazard(&self, vehicles: &Vehicles) -> Option<Text> {
         let mut targets = self.targets.iter().filter_map(|id| vehicles.get(id));

@@ -117,7 +117,7 @@ impl PlanCommand {
 pub struct ProtectedItem {
     /// The item's number in the plan, from 1.
     pub number: usize,
-    /// The number of its `MAV_CMD`.
+    /// The number of the item's `MAV_CMD`.
     pub command: u16,
 }
 

@@ -246,7 +246,7 @@ pub(super) fn place(message: Result<Outgoing, Text>, vehicle: &Vehicle) -> Resul
     Ok(request)
 }
 
-/// A vehicle's setpoint in a manoeuvre, repeated while it lasts.
+/// A vehicle's setpoint in a manoeuvre, repeated while the manoeuvre lasts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Setpoint {
     pub at_point: LatLon,

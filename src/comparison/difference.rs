@@ -22,13 +22,12 @@ pub struct Difference {
     pub own: Text,
     /// The value of the other flight.
     pub other: Text,
-    /// The score gained over the other flight; `None` if the difference itself has no points.
+    /// The score gained over the other flight; `None` if the difference has no direct effect on the
+    /// score.
     pub points: Option<f64>,
 }
 
-/// Times closer than this count as the same.
 const SAME_TIME: Duration = Duration::from_secs(2);
-/// Points closer than this count as the same.
 const SAME_POINTS: f64 = 0.5;
 
 /// The differences between two flights: first those during the flights, by time, then those of the score, the largest
@@ -71,7 +70,6 @@ fn times(what: Text, own: Option<Duration>, other: Option<Duration>) -> Option<D
     })
 }
 
-/// The differences in the objectives: their times and their points.
 fn objectives(own: &ComparedFlight, other: &ComparedFlight) -> Vec<Difference> {
     let reports = own.report.objectives.iter().zip(&other.report.objectives);
     let reached = own.reached.iter().zip(&other.reached);
@@ -219,7 +217,6 @@ fn counts(own: &Report, other: &Report) -> Vec<Difference> {
         .collect()
 }
 
-/// The differences in the score's components.
 fn components(own: &Report, other: &Report) -> Vec<Difference> {
     let both = own.components.iter().filter_map(|mine| {
         let theirs = other

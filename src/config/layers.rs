@@ -212,7 +212,6 @@ fn found<'a>(table: &'a Table, setting: &Setting) -> Option<&'a Value> {
     }
 }
 
-/// A file while it is being read.
 struct LayerReading<'a> {
     name: &'a str,
     source: &'a str,

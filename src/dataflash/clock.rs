@@ -26,10 +26,10 @@ const ARMING_US: u64 = 3_000_000;
 /// The maximum number of armings that are compared, both of a log and of a record: any pair of them
 /// may match.
 pub(super) const MOST_ARMINGS: usize = 100;
-/// The minimum time between the readings of a clock that are kept.
+/// The minimum time between two clock readings that are kept.
 const EVERY_US: u64 = 200_000;
 
-/// One start of an autopilot, according to telemetry.
+/// One boot of an autopilot, according to telemetry.
 #[derive(Debug, Clone, Default)]
 struct AutopilotStart {
     /// Pairs of microseconds since boot and microseconds from the beginning of the record.
@@ -39,7 +39,7 @@ struct AutopilotStart {
     course: Course,
 }
 
-/// The data of a record on a vehicle's clock.
+/// The data of a record about a vehicle's clock.
 #[derive(Debug, Clone, Default)]
 pub struct VehicleClock {
     boots: Vec<AutopilotStart>,
@@ -81,7 +81,6 @@ pub enum Misfit {
     OtherCourse(Disagreement),
 }
 
-/// How well a log matches one boot.
 struct BootFit {
     alignment: Alignment,
     /// The number of armings that the log and the record share.
@@ -190,7 +189,6 @@ impl VehicleClock {
         self.align_by_arming(flight).ok_or(misfit)
     }
 
-    /// How well the log matches one boot.
     fn fit(&self, boot: &AutopilotStart, flight: &LoggedFlight) -> Result<BootFit, Misfit> {
         let mut alignment = boot.align(flight).ok_or(Misfit::NoCommonTime)?;
         let common_us = alignment.common_us(flight).ok_or(Misfit::NoCommonTime)?;
@@ -212,7 +210,8 @@ impl VehicleClock {
         })
     }
 
-    /// The number of times that log and record agree that the vehicle was armed; `None` if they contradict each other.
+    /// The number of armings on which log and record agree; `None` if log and record contradict
+    /// each other.
     fn armed_together(&self, alignment: &Alignment, flight: &LoggedFlight) -> Option<usize> {
         let (from, to) = flight.span_us?;
         let (first, last) = (alignment.places.first()?.1, alignment.places.last()?.1);

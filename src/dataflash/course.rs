@@ -1,5 +1,5 @@
 //! The modes and positions of a vehicle over time, according to a log or to telemetry. They
-//! distinguish two flights that were armed at the same time since boot.
+//! distinguish two flights in which the vehicle was armed at the same time since boot.
 
 use crate::geo::LatLon;
 
@@ -10,7 +10,7 @@ const LAG_US: u64 = 3_000_000;
 const EVERY_US: u64 = 1_000_000;
 /// The maximum distance between the positions of one flight at the same time.
 const SAME_PLACE_M: f64 = 50.0;
-/// The number of consecutive disagreements that are not a coincidence.
+/// The number of consecutive disagreements that rules out a coincidence.
 const CERTAIN: usize = 4;
 
 /// The course of a flight. Times are microseconds since the autopilot booted.
@@ -56,7 +56,8 @@ impl Course {
         }
     }
 
-    /// The disagreement of telemetry with this course of a log; `None` if both may belong to one flight.
+    /// The disagreement between telemetry and this course of a log; `None` if both may belong to
+    /// one flight.
     pub fn disagreement(&self, telemetry: &Self) -> Option<Disagreement> {
         let other_mode = |it: &TimedMode| {
             self.modes_around(it.boot_us)
@@ -98,7 +99,6 @@ impl Course {
     }
 }
 
-/// Whether there are enough consecutive disagreements.
 fn is_certain(disagreements: impl Iterator<Item = bool>) -> bool {
     let mut in_a_row = 0;
     for disagrees in disagreements {

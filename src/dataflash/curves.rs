@@ -39,7 +39,6 @@ impl LogChannel {
         }
     }
 
-    /// The worse of two readings of the same second.
     fn worse(self, one: f32, other: f32) -> f32 {
         if self.is_low_worse() {
             one.min(other)

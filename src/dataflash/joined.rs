@@ -10,7 +10,6 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// The version of the format.
 const VERSION: u32 = 1;
 
 /// The part of a vehicle's log that is joined to a record: events and curves.

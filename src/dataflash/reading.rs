@@ -13,13 +13,12 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, VehicleClass, VehicleId};
 
-/// The vibration above which `ArduPilot`'s guide calls vibration too strong, in m/s².
+/// The vibration that `ArduPilot`'s guide calls too strong, in m/s².
 const SHAKEN_M_S2: f64 = 30.0;
-/// The test ratio at which the estimator starts to reject a measurement.
 const REJECTED: f64 = 1.0;
 /// A lasting condition counts as one event until it has been over for this long.
 const OVER_US: u64 = 5_000_000;
-/// The number of first records whose median time is taken as a time within the log.
+/// The number of records at the start of a log whose median time is taken as a time within the log.
 const TIMED: usize = 999;
 /// The maximum time that a log covers.
 const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
@@ -27,14 +26,13 @@ const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
 const KNOWN: &[&str] = &[
     "PARM", "MODE", "ERR", "EV", "VIBE", "XKF4", "NKF4", "BAT", "GPS", "POS", "MSG",
 ];
-/// The Unix time at which GPS time began (1980-01-06), in milliseconds, and the leap seconds since.
+/// The Unix time at which GPS time began (1980-01-06), in milliseconds.
 const GPS_EPOCH_MS: f64 = 315_964_800_000.0;
 const LEAP_MS: f64 = 18_000.0;
 const WEEK_MS: f64 = 7.0 * 24.0 * 3600.0 * 1000.0;
 /// `EV.Id` of arming.
 const ARMED: u8 = 10;
 
-/// The state while a log is read.
 #[derive(Debug, Default)]
 struct LogReading {
     flight: LoggedFlight,
@@ -81,7 +79,7 @@ impl LoggedFlight {
     }
 }
 
-/// The median of the first times of a log, because a damaged record may have any time.
+/// The median time of the first records of a log: a damaged record may have any time.
 fn reference_us(bytes: &[u8]) -> u64 {
     let records = Records::new(bytes).filter(|it| KNOWN.contains(&it.format.name.as_str()));
     let mut times: Vec<u64> = records

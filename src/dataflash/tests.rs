@@ -4,7 +4,6 @@ use proptest::prelude::*;
 
 use super::*;
 
-/// Builds a log.
 #[derive(Default)]
 struct Maker(Vec<u8>);
 

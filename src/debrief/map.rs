@@ -215,7 +215,6 @@ impl TextMap {
         }
     }
 
-    /// The meaning of the signs on the canvas, and its scale.
     fn legend(&self) -> Text {
         let stands = |sign: char| self.rows.iter().any(|row| row.contains(&sign));
         let signs = SIGNS.iter().filter(|(sign, _)| stands(*sign));

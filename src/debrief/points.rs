@@ -137,7 +137,6 @@ fn beside_sum(report: &Report) -> Text {
     Text::joined("; ", remarks)
 }
 
-/// The text in place of improvements.
 fn no_improvement(report: &Report) -> Text {
     match gold_missing(report) {
         _ if !report.passed => text!("debrief-not-flown"),

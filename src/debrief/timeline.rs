@@ -126,7 +126,6 @@ fn together(rows: &[TimelineRow]) -> Vec<TimelineRow> {
     refusals.filter_map(row).collect()
 }
 
-/// The alert, its answer, and whether the answer was in time.
 fn alert_row(alert: &AlertReport) -> TimelineRow {
     let limit = format!("{:.0}", alert.limit_s);
     let text = match alert.answered_after_s {
@@ -191,7 +190,7 @@ fn event_row(event: &EventReport) -> TimelineRow {
 }
 
 /// The row of a command that at least one vehicle neither refused nor left unanswered; `None`
-/// otherwise, since a rejection has its own row.
+/// otherwise, since a refusal has its own row.
 fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
     let not_taken = |state| matches!(state, RowState::Refused | RowState::TimedOut);
     let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;

@@ -13,9 +13,9 @@ use signatures::{last_keyed, signing};
 
 /// The time before a first diagnosis: heartbeats come once a second.
 const PATIENCE: Duration = Duration::from_secs(4);
-/// How often a vehicle is queried.
 const QUERY_EVERY: Duration = Duration::from_secs(5);
-/// The chance, on a link with losses, that a vehicle seems not to answer although it does.
+/// The accepted probability, on a link with losses, that a vehicle seems not to answer although it
+/// does.
 const MISTAKEN: f64 = 0.001;
 /// The maximum number of queries to wait for, however many frames the link loses.
 const MOST_QUERIES: u32 = 60;
@@ -39,10 +39,10 @@ const TWO_HEARTBEATS_HZ: f64 = 1.5;
 /// A vehicle that has changed its port is heard on both ports for less than this; two vehicles are
 /// heard for longer.
 const BOTH_FOR: Duration = Duration::from_secs(6);
-/// The minimum number of garbage bytes that count as noise; fewer may be the rest of a frame that
+/// The minimum number of garbage bytes that count as noise; fewer may be the end of a frame that
 /// began before the link was opened.
 const NOISE_ENOUGH: u64 = 40;
-/// The minimum number of frames with unknown messages that is not a coincidence.
+/// The minimum number of frames with unknown messages that rules out a coincidence.
 const FOREIGN_ENOUGH: u64 = 3;
 
 /// A finding about a link.

@@ -1,4 +1,4 @@
-//! A change, applied to a document.
+//! Applies a change to a document.
 
 use std::ops::Range;
 

@@ -47,7 +47,7 @@ pub fn rings(outline: &Outline) -> Vec<Vec<LatLon>> {
 }
 
 /// The shortest stretch of a line that leaves a place, goes around a hole and comes back the same
-/// way: the indices of the place before and after it. `None` if there is no such stretch.
+/// way: the indices of the places before and after it. `None` if there is no such stretch.
 fn seam(line: &[LatLon]) -> Option<(usize, usize)> {
     /// The number of places in the smallest hole with its two seams.
     const LEAST: usize = 5;

@@ -8,7 +8,8 @@ use crate::vehicle_id::VehicleId;
 pub struct TrialFlight {
     /// The drafts, in their order.
     pub pilots: Vec<TrialPilot>,
-    /// The closest approach of each pair that was in the air together; the closest pair first.
+    /// The closest approach of each pair of vehicles that were in the air together; the closest
+    /// pair first.
     pub closest: Vec<Approach>,
 }
 
@@ -37,7 +38,7 @@ impl TrialFlight {
         }
     }
 
-    /// The pairs that came too close to each other.
+    /// The pairs of vehicles that came too close to each other.
     pub fn conflicts(&self) -> impl Iterator<Item = &Approach> {
         self.closest.iter().filter(|pair| pair.is_conflict())
     }

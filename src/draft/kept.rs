@@ -1,4 +1,4 @@
-//! Unsaved drafts as one text, so that they outlive the program.
+//! Unsaved drafts as one text, which survives the end of the program.
 
 use std::fmt::Write as _;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ const VERSION: &str = "2";
 const FIRST_VERSION: &str = "1";
 /// The first word of the line that begins a draft; a tab separates its parts.
 const DRAFT: &str = "draft\t";
-/// The first word of a list's text.
+/// The beginning of a list's text.
 const LIST: &str = "QGC WPL";
 /// The sign for a missing part.
 const NONE: &str = "-";

@@ -100,9 +100,9 @@ fn built(
     })
 }
 
-/// Whether a change of frame converts heights from or to terrain at a place whose ground is unknown
-/// and therefore counts as level with home. Items without a place are carried out elsewhere and do
-/// not count.
+/// Whether a change of frame converts a height to or from the terrain frame at a place whose ground
+/// is unknown and therefore counts as level with home. Items without a place are carried out
+/// elsewhere and do not count.
 pub fn needs_ground(document: &Document, items: Items, frame: PlanFrame, ground: &Terrain) -> bool {
     let converted = document.plan.get(items.range()).unwrap_or_default();
     converted.iter().any(|item| {
@@ -113,7 +113,7 @@ pub fn needs_ground(document: &Document, items: Items, frame: PlanFrame, ground:
 }
 
 /// Changes the frame of items. Their true height stays the same; where the ground is not known, it
-/// counts as level with home. Between home and terrain, the value stays the same if home is not
+/// counts as level with home. A change between home and terrain keeps the value if home is not
 /// known either.
 fn change_frame(
     document: &mut Document,

@@ -16,9 +16,9 @@ pub struct Stop {
     pub height_m: f64,
     /// The length of the leg over the ground, in metres.
     pub leg_m: f64,
-    /// The length of the turns at its end, in metres.
+    /// The length of the turns at the end of the leg, in metres.
     pub turns_m: f64,
-    /// How much higher its end is than its start, in metres.
+    /// How much higher the end of the leg is than its start, in metres.
     pub climb_m: f64,
     /// The duration of the leg in seconds, including the stay at its end.
     pub leg_s: f64,
@@ -83,8 +83,8 @@ impl Profile {
     }
 }
 
-/// The height of an item above home; `None` if that needs the height of home and it is not known. Where the ground is
-/// not known, it counts as level.
+/// The height of an item above home; `None` if the conversion needs the height of home, which is
+/// not known. Unknown ground counts as level.
 pub fn height_above_home(document: &Document, item: &Item, ground: &Terrain) -> Option<f64> {
     match item.height_frame() {
         HeightFrame::SeaLevel => Some(f64::from(item.z - document.home?.z)),
@@ -111,7 +111,7 @@ struct Course<'a> {
     profile: Profile,
 }
 
-/// The course of a document's plan over a ground.
+/// The course of a document's plan over `ground`.
 pub fn profile(document: &Document, pace: Pace, ground: &Terrain) -> Profile {
     let home = document.home.map(|home| LatLon::from_e7(home.x, home.y));
     let mut course = Course {
@@ -186,7 +186,7 @@ impl Course<'_> {
         }
     }
 
-    /// Flies a leg to an item, without its stay there.
+    /// Flies a leg to an item, without the stay at its end.
     fn go(&mut self, item: usize, from: LegStart, place: LatLon, height_m: f64) -> Stop {
         let mut at = from;
         let flown_s = at.fly(place, height_m, LegPace::Copter(self.pace));

@@ -47,7 +47,7 @@ impl Drafts {
     }
 
     /// Adds drafts, and makes the first of them the current one. An open draft of the same name
-    /// takes over the new content, so that undo can restore the earlier content.
+    /// takes over the new content; undo restores the earlier content.
     pub fn put(&mut self, drafts: impl IntoIterator<Item = Draft>) {
         let mut first = None;
         for mut draft in drafts {
@@ -85,8 +85,8 @@ impl Drafts {
         at.is_some()
     }
 
-    /// Makes the draft `by` places further in the order the current one, wrapping around at the
-    /// ends.
+    /// Makes another draft the current one: the draft `by` places further on in the order, which
+    /// wraps around at the ends.
     pub fn turn(&mut self, by: isize) {
         let count = self.all.len() as isize;
         if count > 0 {
@@ -120,7 +120,7 @@ impl Drafts {
             .unwrap_or_default()
     }
 
-    /// A name that no draft has: the proposed one, or the same followed by a number.
+    /// A name that no draft has: the proposed name, with a number appended if it is taken.
     pub fn free_name(&self, proposed: &str) -> String {
         let is_free = |name: &str| self.all.iter().all(|draft| draft.name != name);
         let numbered = (2..).map(|number: usize| format!("{proposed}-{number}"));

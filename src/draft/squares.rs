@@ -3,7 +3,6 @@
 use crate::geo::{Extent, LatLon, Square};
 use crate::plan::{Document, Item};
 
-/// The maximum number of squares for one plan.
 const MOST_SQUARES: usize = 36;
 
 /// The squares that a plan crosses.

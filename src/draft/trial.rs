@@ -60,10 +60,10 @@ pub struct Tried {
     pub left_out: Option<Text>,
     /// The conflicts, each with its time and distances; the closest first.
     pub details: Vec<Text>,
-    /// Whether all plans are flown to their ends, apart from each other and inside their fences.
+    /// Whether all plans are flown to their ends, without conflicts and inside their fences.
     pub is_sound: bool,
-    /// The drafts to change, with their new content. If any draft changes, those of all sharers are
-    /// here as well.
+    /// The drafts to change, with their new content. If any draft changes, the list also contains
+    /// the drafts of all sharers.
     pub changed: Vec<TrialDraft>,
     /// How each plan was flown without changes.
     pub verdicts: Vec<PlanVerdict>,
@@ -92,7 +92,7 @@ impl Tried {
         Text::joined("; ", text.chain(further).collect())
     }
 
-    /// The outcome, and what was left out.
+    /// The outcome, and the drafts or vehicles that were left out.
     pub fn words(&self) -> Text {
         let outcome = std::iter::once(self.outcome());
         Text::joined("; ", outcome.chain(self.left_out.clone()).collect())
@@ -100,7 +100,8 @@ impl Tried {
 }
 
 impl Trial {
-    /// Flies the drafts. Takes about a second for many vehicles, and several for changes that keep them apart.
+    /// Flies the drafts. Takes about a second with many vehicles, and several seconds if it looks
+    /// for changes that keep them apart.
     pub fn fly(&self) -> Tried {
         self.fly_heard(&mut |_| {})
     }
@@ -157,7 +158,6 @@ impl Trial {
         }
     }
 
-    /// The outcome for drafts that cannot be flown, with the reason.
     fn failed(&self, error: &RehearsalError) -> Tried {
         let name = |at: &usize| self.drafts.get(*at).map_or("", |draft| &draft.name);
         let text = match error {

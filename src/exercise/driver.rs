@@ -24,7 +24,6 @@ pub struct FlightDriver {
     pace: FlightPace,
     /// The time from which the vehicles are expected to be heard.
     awaited: Option<Duration>,
-    /// When the mission began.
     begun: Option<Duration>,
     time: Duration,
     /// Mission time of the last tick.

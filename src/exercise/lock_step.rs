@@ -16,7 +16,6 @@ pub struct LockStep {
     ports: Vec<PortId>,
     bytes: Vec<u8>,
     head: InputsHead,
-    /// The log of inputs, if recorded.
     inputs: Option<InputLog>,
 }
 

@@ -15,7 +15,6 @@ use crate::mission::Mission;
 use crate::scoring::Medal;
 use crate::workshop::part;
 
-/// The number of flights per day.
 const FLIGHTS_A_DAY: usize = 4;
 /// The number of latest flights whose missions are avoided, if another mission is available.
 const TIRED_FOR: usize = 2;

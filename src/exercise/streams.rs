@@ -42,7 +42,7 @@ impl Exercise<LiveStreams> {
         exercise
     }
 
-    /// Handles a vehicle's bytes, at the program's time.
+    /// Handles bytes of a vehicle; `now` is the program's time.
     pub fn hear(&mut self, index: usize, bytes: &[u8], now: Duration) {
         self.seats[index].decoder.push(bytes);
         let mut session_now = self.advance(now, None);
@@ -60,7 +60,7 @@ impl Exercise<LiveStreams> {
         self.gather(session_now);
     }
 
-    /// Notes that a vehicle's process has ended and will not be started again. Returns false if
+    /// Records that a vehicle's process has ended and will not be started again. Returns false if
     /// that was already known.
     pub fn lose(&mut self, index: usize) -> bool {
         let is_new = !std::mem::replace(&mut self.link.lost[index], true);

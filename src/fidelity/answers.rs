@@ -35,12 +35,12 @@ impl Said {
 pub struct FirstDifference {
     /// Its index in the sequence, from 0.
     pub place: usize,
-    /// The time of the recorded answer, in seconds since the recording began (of the simulated one, if the recording
-    /// ended).
+    /// The time of the recorded answer, or of the simulated one after the last recorded answer, in
+    /// seconds since the recording began.
     pub at_s: f64,
     /// The answer of the real vehicle; `None` after its last one.
     pub recorded: Option<String>,
-    /// The answer of the simulated vehicle instead; `None` after its last one.
+    /// The answer of the simulated vehicle at this index; `None` after its last one.
     pub simulated: Option<String>,
 }
 
@@ -55,9 +55,9 @@ pub struct Answers {
     pub simulated: usize,
     /// The first difference; `None` if the sequences are identical.
     pub first_difference: Option<FirstDifference>,
-    /// Answers of the real vehicle only, with their number.
+    /// Answers that only the real vehicle gave, with their number.
     pub missing: BTreeMap<String, usize>,
-    /// Answers of the simulated vehicle only, with their number.
+    /// Answers that only the simulated vehicle gave, with their number.
     pub extra: BTreeMap<String, usize>,
 }
 

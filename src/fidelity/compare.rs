@@ -102,7 +102,6 @@ pub fn compare(manoeuvres: &[Manoeuvre], real: &Observed, simulated: &Observed) 
     }
 }
 
-/// Both vehicles during one manoeuvre.
 struct ManoeuvrePair<'a> {
     manoeuvre: &'a Manoeuvre,
     real: &'a Observed,
@@ -282,7 +281,6 @@ impl ManoeuvreGoal {
 
 /// The resolution in seconds of the times at which an aim is reached.
 const STEP_S: f64 = 0.02;
-/// The number of quantities that are compared.
 const QUANTITIES: usize = 7;
 
 /// Squares and maxima of the differences so far, by quantity.

@@ -29,7 +29,7 @@ pub enum Aim {
     Landed,
 }
 
-/// One manoeuvre: from its command to the next one's.
+/// One manoeuvre: from its command to the command of the next manoeuvre.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Manoeuvre {
     /// The name of the commanded manoeuvre.

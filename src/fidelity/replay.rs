@@ -95,7 +95,6 @@ impl RecordedStations {
     }
 }
 
-/// The recorded vehicle's system id.
 fn system_of(recording: &Recording) -> SystemId {
     let own = |timed: &&Timed| timed.frame.component == AUTOPILOT_COMPONENT;
     recording

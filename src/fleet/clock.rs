@@ -18,7 +18,6 @@ pub struct FleetClock {
     pauses: Arc<Mutex<ClockPauses>>,
 }
 
-/// The current pause of a clock, and the sum of the earlier ones.
 #[derive(Debug, Default)]
 struct ClockPauses {
     /// The start of the current pause; `None` while the clock runs.

@@ -34,14 +34,12 @@ const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(50);
 /// The interval of warnings about a shared system id.
 const CONFLICT_EVERY: Duration = Duration::from_secs(30);
 
-/// A sender of frames.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct FrameSender {
     link: LinkId,
     peer: LinkPeer,
 }
 
-/// The route to a vehicle.
 struct PeerRoute {
     sender: FrameSender,
     /// The autopilot's component; other components with its system id may use another route.
@@ -73,7 +71,6 @@ impl PeerRoute {
         }
     }
 
-    /// The vehicle, as far as it is known.
     fn vehicle(&self) -> Arc<Vehicle> {
         Arc::clone(&self.state.borrow())
     }
@@ -209,7 +206,8 @@ impl Hub {
         }
     }
 
-    /// Passes an order on; one that cannot be passed on is answered here, so that no row waits forever.
+    /// Passes an order on. An order that cannot be passed on is answered here, so no row waits
+    /// forever.
     async fn order(&mut self, vehicle: VehicleId, order: VehicleCommand) {
         let system = SystemId::try_from(vehicle).ok();
         let reason = match system.and_then(|system| self.routes.get(&system)) {
@@ -308,9 +306,10 @@ impl Hub {
         }
     }
 
-    /// Handles an autopilot that is heard by another route. If the current route has been silent for long enough, it is
-    /// the same vehicle with a new connection or another port; otherwise it is a second vehicle with the same id, whose
-    /// frames are not accepted. Returns whether the frames are accepted.
+    /// Handles an autopilot that is heard on another route. If the current route has been silent
+    /// for long enough, it is the same vehicle with a new connection or another port; otherwise it
+    /// is a second vehicle with the same id, whose frames are not accepted. Returns whether the
+    /// frames are accepted.
     async fn reroute(&mut self, system: SystemId, from: FrameSender, now: Duration) -> bool {
         let (Some(route), Some(link)) = (
             self.routes.get_mut(&system),

@@ -1,4 +1,5 @@
-//! Files of logs, plans and keys, off the event loop, so that a slow disk or network folder does not delay other vehicles.
+//! Access to the files of logs, plans and keys off the event loop, so a slow disk or network folder
+//! does not delay other vehicles.
 
 use std::sync::Arc;
 

@@ -47,7 +47,6 @@ pub(super) struct Sharing {
     forwards: BTreeMap<LinkId, (String, CancellationToken)>,
     opened: u16,
     inbound: mpsc::Sender<Inbound>,
-    /// The watch over the stations' commands.
     stations: StationWatch,
     /// Whether a station with the console's own address has been reported; shared with the tasks of the vehicles.
     pub is_twin_said: Arc<AtomicBool>,
@@ -128,7 +127,7 @@ impl Sharing {
         self.stations.commanded(news.station, &news.deed, to, now)
     }
 
-    /// The row that changes with a vehicle's frame, if it is to be reported now.
+    /// The row that a vehicle's frame changes, if it is to be reported now.
     pub fn heard(
         &mut self,
         content: &Content,

@@ -38,7 +38,7 @@ pub(super) enum ToVehicle {
     Restarted,
     /// A change to its simulator or its link.
     Want(Want),
-    /// The vehicle is now reached by another link or peer.
+    /// The vehicle is now reached over another link or peer.
     Route(LinkHandle, LinkPeer),
 }
 
@@ -149,7 +149,7 @@ impl VehicleTask {
     }
 
     /// Reports once that another ground station has the console's address: answers to its commands
-    /// cannot be told from answers to this console's.
+    /// cannot be distinguished from answers to this console's.
     fn look_for_twin(&mut self, frame: &Frame, now: Duration) {
         let vehicle = self.session.vehicle().id;
         let Some(command) = self.sent.stray(&frame.content, OWN, now) else {
@@ -179,7 +179,7 @@ impl VehicleTask {
         }
     }
 
-    /// Sends the session's frames. Those that a full link drops are counted there; a command's own
+    /// Sends the session's frames. A full link counts the frames that it drops; a command's own
     /// retries repeat them.
     fn send(&mut self) {
         let (link, peer) = &self.route;

@@ -15,7 +15,7 @@ use crate::wire::{Content, MavAddress};
 /// An answer to a station.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct StationAnswer {
-    /// The station; `None` if all stations hear it.
+    /// The station; `None` if the answer goes to all stations.
     pub station: Option<StationId>,
     pub to: Answered,
     pub ending: RowEnding,
@@ -50,7 +50,8 @@ impl Answered {
     }
 }
 
-/// The answer in a frame; `None` if it is to the console itself (`own`), to no station in particular, or to a question.
+/// The answer in a frame; `None` if it is addressed to the console itself (`own`) or to no station
+/// in particular, or answers a question.
 pub(super) fn answer_in(content: &Content, own: MavAddress) -> Option<StationAnswer> {
     match content {
         Content::Message(MavMessage::COMMAND_ACK(ack)) => Some(StationAnswer {

@@ -24,7 +24,7 @@ pub enum Deed {
         sub: u8,
     },
     Arm(bool),
-    /// Sends another command.
+    /// Sends any other command.
     Command(NamedCommand),
     /// Sets the parameter of this name to a value.
     Parameter(String, f32),
@@ -69,7 +69,7 @@ impl Deed {
         }
     }
 
-    /// Whether a `COMMAND_ACK` with this number answers it.
+    /// Whether a `COMMAND_ACK` with this number answers the action.
     pub fn is_answered_by(&self, number: u16) -> bool {
         match self {
             // ArduPilot acknowledges SET_MODE under that message's number.

@@ -20,7 +20,7 @@ const SAME_WITHIN: Duration = Duration::from_secs(1);
 const MOST_REMEMBERED: usize = 8192;
 /// A sender that was silent for this long is forgotten.
 const STALE: Duration = Duration::from_secs(60);
-/// The maximum number of senders, since their ids can be forged; then the maximum number of ports of one sender.
+/// The maximum number of senders, and of ports per sender: their ids can be forged.
 const MOST_SENDERS: usize = 1024;
 const MOST_PORTS: usize = 8;
 
@@ -103,8 +103,8 @@ fn content_of(anatomy: &Anatomy<'_>) -> u64 {
     hasher.finish()
 }
 
-/// The receiver in a payload that could not be decoded. The dialect gives the positions of fields only in a decoded
-/// message, so they are found by writing a marker into them.
+/// The receiver in a payload that could not be decoded. The dialect does not give the positions of
+/// fields, so each is found by writing a marker into the field of an empty message.
 fn receiver_in(id: u32, payload: &[u8]) -> Option<MavAddress> {
     const MARK: u8 = 0xA5;
     let place = |mark: fn(&mut MavMessage) -> Option<&mut u8>| {
@@ -167,7 +167,7 @@ impl Router {
         }
     }
 
-    /// Notes a message that the console itself sends to a station, so that its echo is not passed on.
+    /// Records a message that the console itself sends to a station, so its echo is not passed on.
     pub fn note_own(&mut self, bytes: &[u8], now: Duration) {
         if let Some(anatomy) = Anatomy::of(bytes) {
             self.remember(content_of(&anatomy), None, now);

@@ -1,4 +1,4 @@
-//! The user's description of a forward: its address, and what it carries.
+//! The user's description of a forward: its address and its filters.
 
 use std::fmt;
 use std::str::FromStr;
@@ -11,7 +11,6 @@ use crate::text::Text;
 
 /// The id of HEARTBEAT. A station that does not receive it shows no vehicle, so filters always let it pass.
 const HEARTBEAT: u32 = 0;
-/// The highest rate that can be set, in Hz.
 const HIGHEST_RATE_HZ: f64 = 1000.0;
 
 /// A forward: `ADDR [read-only] [only NAME,NAME] [except NAME,NAME] [rate HZ]`.

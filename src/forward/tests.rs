@@ -59,7 +59,6 @@ fn ack(to: MavAddress, command: MavCmd) -> Outgoing {
     .into()
 }
 
-/// The bytes of a message, and its frame.
 fn framed(sender: MavAddress, outgoing: &Outgoing) -> (Vec<u8>, Frame) {
     let mut bytes = Vec::new();
     Encoder::new(sender.system, sender.component).encode(outgoing, &mut bytes);

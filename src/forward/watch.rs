@@ -38,7 +38,8 @@ struct WatchedRow {
     /// The action; `None` for the row that further commands of a burst share.
     deed: Option<Deed>,
     row: ForeignCommand,
-    /// Whether the command itself was seen; otherwise only its answers show it, and each counts.
+    /// Whether the command itself was seen; otherwise it is known only from its answers, and each
+    /// answer counts as one command.
     is_seen: bool,
     /// Whether its first answer was reported.
     is_answered: bool,
@@ -50,7 +51,8 @@ struct WatchedRow {
 #[derive(Debug)]
 pub struct StationWatch {
     own: MavAddress,
-    /// The rows of each exchange; the one that was commanded last is at the end, apart from steering.
+    /// The rows of each exchange; the row that was commanded last is at the end, apart from
+    /// steering.
     exchanges: BTreeMap<Exchange, Vec<WatchedRow>>,
     next: u32,
     /// When old exchanges were forgotten last.
@@ -124,9 +126,10 @@ impl StationWatch {
         watched.report_answer(now)
     }
 
-    /// The row that an answer is for: the one that has waited longest, or else the one that was commanded last. Answers
-    /// to commands of the same number cannot be told apart otherwise. A command that only its answers show is repeated
-    /// by the next answer only if no other command came between.
+    /// The row that an answer is for: the one that has waited longest, or else the one that was
+    /// commanded last. Answers to commands of the same number cannot be told apart otherwise. If a
+    /// command is known only from its answers, the next answer repeats it only if no other command
+    /// came between.
     fn answered_row(
         &mut self,
         exchange: Exchange,
@@ -156,9 +159,10 @@ impl StationWatch {
         rows.iter_mut().filter(fits).min_by_key(order)
     }
 
-    /// The row that a parameter's value answers, since every station hears it: that of the station
-    /// that has set this value, otherwise one that still waits for an answer. A value sent before
-    /// the change marks a row as refused; the right value then marks it as accepted.
+    /// The row that a parameter's value answers. Every station hears the value, so this is the row
+    /// of the station that has set this value, otherwise a row that still waits for an answer. A
+    /// value sent before the change marks a row as refused; the right value then marks it as
+    /// accepted.
     fn heard_by_all(
         &mut self,
         answer: &StationAnswer,
@@ -188,10 +192,10 @@ impl StationWatch {
         due
     }
 
-    /// The row of an action: the newest one if it is of the same action, a new one, or the common
-    /// one of a burst; `None` without room for another pair of vehicle and station. Rows are in the
-    /// order of their commands, so `RTL` between two `GUIDED` is not the newest one. Steering
-    /// continues beside commands, and has one row.
+    /// The row of an action: the newest row if it is of the same action, otherwise a new row, or
+    /// the shared row of a burst; `None` without room for another pair of vehicle and station. Rows
+    /// are in the order of their commands, so `RTL` between two `GUIDED` is not the newest one.
+    /// Steering continues beside commands, and has one row.
     fn row(
         &mut self,
         exchange: Exchange,

@@ -99,7 +99,7 @@ impl From<&ClientError> for Text {
 pub struct RemoteHangar {
     address: HangarAddress,
     token: Option<HangarToken>,
-    /// The run of the service that requests are for; other runs refuse them.
+    /// The run of the service to which the requests are addressed; other runs refuse them.
     life: Option<String>,
 }
 

@@ -1,8 +1,9 @@
-//! The folders of instances, and what earlier runs of a hangar have left in them.
+//! The folders of instances, and the processes that earlier runs of a hangar have left behind.
 //!
-//! Below the root, each hangar has its own folder `run-PID-N`, which contains a folder for each instance. The hangar
-//! holds a lock on [`OWNER`] while it lives; the kernel releases the lock however the hangar ends. If the lock of a run
-//! is free, its owner is therefore dead, and its remaining processes are leftovers.
+//! Below the root, each hangar has its own folder `run-PID-N`, which contains a folder for each
+//! instance. The hangar holds a lock on [`OWNER`] while it lives; the kernel releases the lock
+//! however the hangar ends. If the lock of a run is free, its owner is therefore dead, and its
+//! remaining processes are leftovers.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Write as _};
@@ -30,7 +31,7 @@ const OWNER: &str = "owner.json";
 const INSTANCE: &str = "instance.json";
 /// The lock to hold while searching or adding runs.
 const GATE: &str = ".lock";
-/// The number of attempts to lock [`GATE`]; then the time between them.
+/// The number of attempts to lock [`GATE`], and the time between two attempts.
 const GATE_ATTEMPTS: u32 = 250;
 const GATE_ATTEMPT: Duration = Duration::from_millis(20);
 const RUN: &str = "run-";
@@ -151,8 +152,8 @@ impl Run {
         Ok(path)
     }
 
-    /// Records an instance's process, so that the next hangar finds it if this one does not end it.
-    /// Must be called as soon as it runs.
+    /// Records an instance's process. If this hangar does not end the process, the next hangar
+    /// finds it. Must be called as soon as the process runs.
     ///
     /// # Errors
     /// The record cannot be written; the instance then runs, but would not be found.

@@ -30,7 +30,6 @@ const LOOK_EVERY: Duration = Duration::from_secs(1);
 /// The number of lines of output shown when an instance has ended.
 const LINES_SHOWN: usize = 20;
 
-/// The state of one instance's task.
 struct InstanceTask {
     shown: Instance,
     order: LaunchOrder,
@@ -50,10 +49,9 @@ enum InstanceEvent {
     /// A request to end the instance permanently, with the channel that notifies the requester.
     Over(Option<oneshot::Sender<()>>),
     Restart,
-    /// Bytes were passed on.
     Passed(Passed),
     Connected(TcpStream),
-    /// The wait is over, or nothing needs doing.
+    /// The wait is over, or there is nothing to do.
     Nothing,
 }
 
@@ -165,7 +163,6 @@ impl InstanceTask {
         self.shown.hint = None;
     }
 
-    /// Runs until the process ends.
     async fn live(&mut self, mut running: RunningProcess) -> ProcessEnd {
         let begun = Moment::now();
         let pid = running.pid();

@@ -24,7 +24,6 @@ const OTHERWISE: [(&str, &str); 3] = [
 ];
 /// The maximum number of parameters, more than a vehicle has.
 const MOST_PARAMETERS: usize = 2000;
-/// The maximum length of a model's name.
 const MODEL_LEN: usize = 64;
 
 /// A SITL process to start.

@@ -59,7 +59,7 @@ const PASSED_ON_PREFIX: &str = "LC_";
 
 #[derive(Debug, Clone)]
 pub(super) struct LaunchOrder {
-    /// The path of the program; a relative one starts at this program's working folder.
+    /// The path of the program; a relative path is resolved from this program's working folder.
     pub program: PathBuf,
     pub arguments: Vec<String>,
     pub folder: PathBuf,
@@ -106,8 +106,8 @@ impl Launcher {
         })
     }
 
-    /// Starts a process with piped output, after those requested earlier. The process runs the program when this
-    /// returns. Dropping the future ends the process.
+    /// Starts a process with piped output, after the processes requested earlier. The process runs
+    /// the program when the function returns. Dropping the future ends the process.
     ///
     /// # Errors
     /// The program does not run.
@@ -168,7 +168,6 @@ fn is_passed_on(name: &OsStr) -> bool {
         .is_some_and(|name| PASSED_ON.contains(&name) || name.starts_with(PASSED_ON_PREFIX))
 }
 
-/// Limits the starts per second.
 struct LaunchPace {
     every: Duration,
     /// The time of the next start. The lock serves waiting tasks in order.

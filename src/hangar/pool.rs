@@ -98,8 +98,8 @@ impl Hangars {
         }
     }
 
-    /// A receiver of the vehicles' states. Those of a service that does not answer count as ended,
-    /// with the reason, until it answers again.
+    /// A receiver of the vehicles' states. Vehicles of a service that does not answer count as
+    /// ended, with the reason, until it answers again.
     pub fn instances(&self) -> watch::Receiver<Seen> {
         self.seen.clone()
     }

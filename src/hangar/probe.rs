@@ -34,7 +34,8 @@ const STREAMS_EVERY: Duration = Duration::from_secs(1);
 const STREAMS: [u32; 2] = [SYS_STATUS_DATA::ID, EKF_STATUS_REPORT_DATA::ID];
 /// The interval of the requested messages, in microseconds: twice per simulated second.
 const INTERVAL_US: f32 = 500_000.0;
-/// The interval that restores the vehicle's default rate, which is usually none.
+/// The interval that restores the vehicle's default rate; by default, it usually does not send
+/// these messages.
 const USUAL_INTERVAL: f32 = 0.0;
 /// The prefix of a text with a reason why the vehicle cannot be armed.
 const PREARM: &str = "PreArm: ";

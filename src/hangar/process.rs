@@ -58,7 +58,7 @@ pub(super) struct ProcessUsage {
 pub(super) enum Belongs {
     Yes,
     No,
-    /// The system cannot tell, or the connection is gone.
+    /// The system cannot determine this, or the connection is gone.
     Unknown,
 }
 
@@ -120,8 +120,8 @@ impl Connection {
         })
     }
 
-    /// The user of the process that the connection comes from; `None` if the system cannot tell, or
-    /// the connection is gone.
+    /// The user of the process that the connection comes from; `None` if the system cannot
+    /// determine it, or the connection is gone.
     pub fn user(self) -> Option<u32> {
         system::socket(self).map(|socket| socket.user)
     }

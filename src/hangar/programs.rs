@@ -122,7 +122,7 @@ fn list(folders: &[PathBuf]) -> String {
 pub struct Programs(BTreeMap<SitlKind, Result<FoundProgram, Missing>>);
 
 impl Programs {
-    /// Finds the program of each kind: the named one, or the first in those places.
+    /// Finds the program of each kind: the named one, or the first one in `places`.
     pub fn find(named: &BTreeMap<SitlKind, Named>, places: &Places) -> Self {
         let folders = places.folders();
         let look = |kind: SitlKind| match named.get(&kind) {

@@ -78,7 +78,7 @@ impl Roster {
     /// Counts an ended instance as running again.
     ///
     /// # Errors
-    /// It does not exist, or other instances have taken its place.
+    /// It does not exist, or it has ended and the hangar is full.
     pub fn revive(&self, id: InstanceId) -> Result<(), HangarRefusal> {
         let mut entries = self.entries();
         let is_full = running(&entries) >= self.limit;

@@ -1,9 +1,12 @@
 //! The hangar as an HTTP service.
 //!
-//! - `accept` accepts connections up to a limit, and closes slow ones; `patient` closes those that do not read.
-//! - `guard` controls access: by the token, or on loopback by the owner of the program at the other end.
-//! - `vehicles`, `paper`, `about`, `events` and `tunnel` answer; `problem` is the answer to a failed request.
-//! - `openapi` describes it all; `expose` opens a port for each instance on request.
+//! - `accept` accepts connections up to a limit, and closes slow ones; `patient` closes those that
+//!   do not read.
+//! - `guard` controls access: by the token, or on loopback by the owner of the program at the other
+//!   end.
+//! - `vehicles`, `paper`, `about`, `events` and `tunnel` answer; `problem` is the answer to a
+//!   failed request.
+//! - `openapi` describes the service; `expose` opens a port for each instance on request.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -119,7 +122,7 @@ pub struct Program {
     pub kind: SitlKind,
     /// The path of the program.
     pub file: String,
-    /// Its own name and version.
+    /// The name and version that the program reports.
     pub identity: String,
 }
 
@@ -142,7 +145,6 @@ pub struct Status {
     pub leftovers: Vec<String>,
 }
 
-/// The state that all handlers share.
 struct ServiceState {
     hangar: Hangar,
     setup: ServiceSetup,

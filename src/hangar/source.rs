@@ -44,7 +44,8 @@ impl SitlSource {
 pub struct VehicleBackend {
     /// ArduPilot's SITL; `None` for the embedded simulator.
     pub ardupilot: Option<SitlSource>,
-    /// The chosen airframes: one for all vehicles, or one for each; the last one also applies to all that follow.
+    /// The chosen airframes: one for all vehicles, or one for each; the last one also applies to
+    /// all further vehicles.
     pub airframes: Vec<Arc<Airframe>>,
 }
 

@@ -18,8 +18,8 @@ use crate::wire::{Anatomy, ComponentId, SenderLoss, SystemId};
 const MOST_KINDS: usize = 20_000;
 /// The maximum number of kinds with a checksum that cannot be verified, since noise may look like any of them.
 const MOST_UNVERIFIED: usize = 256;
-/// The number of messages of one kind from one sender that count as more than noise, which seldom
-/// looks alike this often.
+/// The number of messages of one kind from one sender that count as more than noise: noise seldom
+/// repeats itself this often.
 const KEEPS_COMING: u64 = 3;
 /// Entries silent for this long may be replaced if there is no room.
 const STALE: Duration = Duration::from_secs(60);
@@ -43,7 +43,7 @@ pub enum Direction {
 pub struct FrameSource {
     /// Whether the frame was received from the sender, or sent by this program.
     pub direction: Direction,
-    /// The peer of the link that sent or received the frames.
+    /// The link's peer that sent or received the frames.
     pub peer: u32,
     /// The sender's system id.
     pub system: SystemId,
@@ -101,7 +101,7 @@ pub struct Census {
     next_sweep: Duration,
     watched: BTreeMap<TallyKey, WatchedMessage>,
     noise: Vec<u8>,
-    /// The number of resets of the statistics so far, as counted by their user.
+    /// The number of resets of the statistics so far, as counted by the caller.
     resets: u32,
 }
 
@@ -117,7 +117,7 @@ struct SourceFacts {
 }
 
 impl Census {
-    /// Counts one frame. `is_verified` is whether the dialect has verified its checksum.
+    /// Counts one frame. `is_verified` states whether the dialect has verified its checksum.
     pub fn note(&mut self, way: FrameWay, bytes: &[u8], is_verified: bool, now: Duration) {
         let Some(frame) = Anatomy::of(bytes) else {
             return;

@@ -22,7 +22,8 @@ pub struct Definitions {
 pub struct MessageDefinition {
     /// Its name, such as `HEARTBEAT`.
     pub name: &'static str,
-    /// `CRC_EXTRA`: the initial value of its checksum, so that only the same layout matches.
+    /// `CRC_EXTRA`: the initial value of its checksum, so a frame with another layout does not
+    /// match.
     pub seed: u8,
     /// Its fields in wire order, extension fields last.
     pub fields: Vec<FieldDefinition>,

@@ -142,14 +142,13 @@ pub fn begun(line: &str) -> Option<&'static VerbRow> {
     verb_of(&words(line)).map(|(_, row)| row)
 }
 
-/// The index and the table row of the verb.
 fn verb_of(words: &[Word]) -> Option<(usize, &'static VerbRow)> {
     let mut first = words.iter().enumerate().take(2);
     first.find_map(|(at, word)| Some((at, super::row(word.text)?)))
 }
 
-/// The usages of a line's verb, even if its targets or arguments are wrong: those of the forms whose first words the
-/// line has.
+/// The usages of a line's verb, even if its targets or arguments are wrong: the usages of the forms
+/// whose first words the line contains.
 pub fn usages_begun(line: &str) -> Option<Text> {
     let words = words(line);
     let (at, row) = verb_of(&words)?;

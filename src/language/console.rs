@@ -167,7 +167,7 @@ pub enum RadioChoice {
     /// The selected vehicles; with none selected, the one under the cursor.
     Addressed,
     Vehicles(VehicleChoice),
-    /// Those heard on the link with this number, from 1.
+    /// The vehicles heard on the link with this number, from 1.
     Link(usize),
 }
 
@@ -295,7 +295,7 @@ pub enum GhostSource {
     Best,
     /// The reference pilot's flight, flown now.
     Reference,
-    /// A recorded flight, by one of its record's files.
+    /// A recorded flight, given by one of the files of its record.
     File(String),
 }
 

@@ -59,7 +59,8 @@ impl<'a> FieldWords<'a> {
         fields.find(|field| word.is(field.name))
     }
 
-    /// The names of a field's values. In a mask, those after the last `|` of the word.
+    /// The names of a field's values; in a mask, they complete the part after the last `|` of the
+    /// word.
     fn values(&self, field: &Word, written: &str) -> Vec<(String, Text)> {
         let Some(names) = self.field(field).and_then(names_of) else {
             return Vec::new();

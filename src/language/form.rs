@@ -74,7 +74,6 @@ impl Expected {
     }
 }
 
-/// The state of the matching.
 struct FormReader<'a> {
     form: &'static Form,
     context: &'a Context<'a>,
@@ -82,7 +81,6 @@ struct FormReader<'a> {
     arguments: Arguments,
 }
 
-/// The result of one step.
 enum FormStep {
     Took(usize),
     Unfinished(&'static Argument),

@@ -16,7 +16,8 @@ const EVERYDAY_MODES: [&str; 8] = [
     "ALT_HOLD",
     "STABILIZE",
 ];
-/// The modes of a copter in which the throttle stick sets the climb; then those in which it sets the thrust.
+/// The copter modes in which the throttle stick sets the climb, and those in which it sets the
+/// thrust.
 const STICK_CLIMBS: [&str; 5] = ["LOITER", "ALT_HOLD", "POSHOLD", "FLOWHOLD", "SPORT"];
 const STICK_LIFTS: [&str; 3] = ["STABILIZE", "ACRO", "DRIFT"];
 
@@ -61,7 +62,6 @@ pub(super) fn mode_named<'a>(text: &str, context: &Context<'a>) -> Option<&'a st
         .or_else(|| built_in(text, context))
 }
 
-/// The built-in name of a mode.
 fn built_in(name: &str, context: &Context) -> Option<&'static str> {
     let mut classes = classes(context).into_iter();
     classes.find_map(|class| class.mode(name).and_then(Mode::name))

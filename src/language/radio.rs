@@ -12,7 +12,6 @@ pub(super) const OFF: &str = "off";
 /// The words that may stand for settings.
 pub(super) const PRESETS: &[&str] = &["off", "good", "edge", "poor", "satellite", "narrow"];
 
-/// A setting with its range.
 struct RadioSetting {
     name: &'static str,
     /// Spellings of its unit.

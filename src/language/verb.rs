@@ -75,8 +75,7 @@ pub struct Form {
     pub arguments: &'static [Argument],
     /// The verb that this form means, if it is not that of the row.
     pub(super) means: Option<&'static Verb>,
-    /// Whether another verb means the same, so that the lines of this form need not be offered,
-    /// too.
+    /// Whether another verb means the same, so the lines of this form need not be offered as well.
     pub(super) is_shortcut: bool,
     pub(super) build: fn(&Arguments) -> Result<Meaning, Problem>,
 }

@@ -11,8 +11,8 @@ use crate::verb::Arrival;
 
 /// The default time-out of a wait.
 pub(super) const DEFAULT_TIMEOUT: Duration = Duration::from_secs(60);
-/// The distance to its target at which a vehicle has arrived, in metres, if the ledger does not
-/// show the arrival.
+/// The distance to its target at which a vehicle counts as arrived, in metres, if the ledger does
+/// not show the arrival.
 const ARRIVED_M: f64 = 2.0;
 /// A speed below this counts as standing still.
 const STILL_M_S: f32 = 0.5;

@@ -81,7 +81,7 @@ pub(super) struct ForeignLog(VecDeque<ForeignCommand>);
 
 impl ForeignLog {
     /// Adds a command, or replaces its state but keeps the time of its first appearance. A change
-    /// to a command that was dropped is ignored, since its place would be before all others.
+    /// to a command that was dropped is ignored.
     pub fn note(&mut self, command: ForeignCommand) {
         let newest = self.0.back().map(|it| it.id);
         match self.0.iter_mut().rev().find(|it| it.id == command.id) {

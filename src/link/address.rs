@@ -7,7 +7,6 @@ use std::str::FromStr;
 use crate::text;
 use crate::text::Text;
 
-/// The default baud rate of a serial port.
 const DEFAULT_BAUD: u32 = 115_200;
 /// The host of an address that is only a port: this machine.
 const LOOPBACK: &str = "127.0.0.1";

@@ -22,7 +22,7 @@ const DATAGRAM_LEN: usize = 65_536;
 /// The maximum number of peers, since sender addresses can be forged.
 const PEER_CAP: usize = 1024;
 /// The maximum number of unknown senders for which half a frame is kept, since a bridge may cut
-/// every frame; then the silence after which a peer may be replaced.
+/// every frame; and the silence after which a peer may be replaced.
 const STRANGER_CAP: usize = 16;
 const STALE: Duration = Duration::from_secs(10);
 

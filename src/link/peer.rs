@@ -27,7 +27,7 @@ pub(super) struct PeerStream {
 pub(super) enum StreamEnding {
     /// A stream: it may end inside a frame.
     Open,
-    /// A datagram: it may end inside a frame, as serial-to-UDP bridges cut them, but a later
+    /// A datagram: it may end inside a frame, since serial-to-UDP bridges split frames, but a later
     /// datagram that begins with a frame does not continue it.
     Datagram,
     /// A stream or a sender of datagrams after a pause.

@@ -1,7 +1,7 @@
 //! Passes frames between the links to vehicles and the forwards to other ground stations.
 //!
-//! The links' tasks call it with every frame; it only queues copies and never waits. A link or a forward whose queue
-//! is full drops the frame and counts it.
+//! The links' tasks call the relay with every frame; the relay only queues copies and never waits.
+//! A link or a forward whose queue is full drops the frame and counts it.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -80,8 +80,8 @@ pub(super) struct RelayPort {
 }
 
 impl Relay {
-    /// A relay for a console with this address. Commands of other stations are reported through `news`; while that is
-    /// full, they are passed on without a report.
+    /// A relay for a console with this address. Commands of other stations are reported through
+    /// `news`; while that channel is full, commands are passed on without a report.
     pub fn new(own: MavAddress, news: mpsc::Sender<StationNews>) -> Self {
         Self(Arc::new(RelayShared {
             opened: Instant::now(),
@@ -198,7 +198,7 @@ impl RelayPort {
         }
     }
 
-    /// Records a frame that the console sends to stations, so that its echo is recognised.
+    /// Records a frame that the console sends to stations, so its echo is recognised.
     pub fn note_own(&self, bytes: &[u8]) {
         if self.is_forward {
             let now = self.relay.0.opened.elapsed();
@@ -250,7 +250,7 @@ impl RelayCore {
     }
 
     /// Reports a station's command, unless it comes from the console's own address: answers to such
-    /// a command cannot be told from answers to the console.
+    /// a command cannot be distinguished from answers to the console.
     fn report(&self, facts: &FrameFacts, frame: &Frame) {
         if facts.sender == self.own {
             return;

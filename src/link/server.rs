@@ -26,7 +26,7 @@ struct TcpClient {
     socket: Arc<TcpStream>,
     stream: PeerStream,
     output: Vec<u8>,
-    /// Ends the wait below when the client is dropped.
+    /// Ends the wait for room to write when the client is dropped.
     gone: DropGuard,
     awaits_room: bool,
 }

@@ -307,7 +307,6 @@ async fn send_to(host: &str, port: u16) -> Result<UdpSocket, SimulatorError> {
     Ok(socket)
 }
 
-/// The number of threads for a world.
 fn threads(vehicles: usize, speedup: f64) -> usize {
     if vehicles as f64 * speedup < SHARED_FROM {
         return 1;
@@ -334,7 +333,6 @@ pub fn step_on_threads(world: &mut World, threads: usize) {
     });
 }
 
-/// A world with its transports.
 struct SteppedWorld {
     world: World,
     transports: Transports,

@@ -23,7 +23,6 @@ struct SinkInner {
 pub struct WaitingFrames {
     /// Entries of a tlog.
     pub bytes: Vec<u8>,
-    /// Frames dropped so far.
     dropped: u64,
     /// Whether recording has ended.
     is_closed: bool,

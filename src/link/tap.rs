@@ -22,7 +22,6 @@ pub struct Tap {
     census: Arc<Mutex<Census>>,
     /// The sink for every frame, if the link is recorded.
     sink: Option<FrameSink>,
-    /// The relay that shares the link's frames with other ground stations, if any.
     relay: Option<RelayPort>,
     signing: Option<SignedLink>,
 }

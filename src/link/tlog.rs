@@ -170,10 +170,11 @@ impl<W: Write> TlogWriter<W> {
         Self { output }
     }
 
-    /// Appends one frame, whole and as it is on the wire, with its time in microseconds since 1970 (UTC).
+    /// Appends one frame, whole and as it is on the wire, with its time in microseconds since 1970
+    /// (UTC).
     ///
     /// # Errors
-    /// Those of the output.
+    /// The output cannot be written.
     pub fn write(&mut self, unix_us: u64, frame: &[u8]) -> io::Result<()> {
         self.output.write_all(&unix_us.to_be_bytes())?;
         self.output.write_all(frame)
@@ -186,7 +187,7 @@ impl<W: Write> TlogWriter<W> {
     /// Flushes the output.
     ///
     /// # Errors
-    /// Those of the output.
+    /// The output cannot be flushed.
     pub fn flush(&mut self) -> io::Result<()> {
         self.output.flush()
     }

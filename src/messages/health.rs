@@ -8,8 +8,9 @@ use crate::vehicle::{Health, Vehicle};
 
 const UNKNOWN_LOAD: u16 = u16::MAX;
 
-/// Applies the health bits of `SYS_STATUS`. Reasons not to arm are removed when the pre-arm bit turns healthy, and
-/// the fence when it is switched off, since its own message then merely stops.
+/// Applies the health bits of `SYS_STATUS`. Removes the reasons not to arm when the pre-arm bit
+/// turns healthy, and the state of the fence when the fence is switched off, since its own message
+/// then merely stops.
 pub(super) fn apply(vehicle: &mut Vehicle, data: &SYS_STATUS_DATA, now: Duration) {
     let health = Health {
         present: data.onboard_control_sensors_present.bits(),

@@ -8,7 +8,8 @@ use crate::geo::{LatLon, maths};
 use crate::notice::sanitised;
 use crate::vehicle::{Aircraft, Vehicle};
 
-/// The component of an ADS-B receiver that reports by itself, past the autopilot (`MAV_COMP_ID_ADSB`).
+/// The component of an ADS-B receiver that sends its own reports, not through the autopilot
+/// (`MAV_COMP_ID_ADSB`).
 pub(super) const RECEIVER: u8 = 156;
 
 /// Notes an aircraft, if its report has a place and a height.

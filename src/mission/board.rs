@@ -1,4 +1,5 @@
-//! The plans that a mission puts on board before the flight: sound ones, and ones with a fault that the seed draws.
+//! The plans that a mission puts on board before the flight: sound plans, and plans with a fault
+//! that the seed selects.
 
 use std::sync::Arc;
 

@@ -25,7 +25,7 @@ pub struct Rewards {
     pub unlock: Vec<Unlock>,
 }
 
-/// Something that passing a mission unlocks.
+/// A reward that passing a mission unlocks.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Unlock {
     /// A part of the catalogue, by id.

@@ -22,7 +22,6 @@ mod room;
 mod scores;
 mod zones;
 
-/// A mission under examination.
 struct Examined<'m> {
     mission: &'m Mission,
     found: Vec<Diagnostic>,

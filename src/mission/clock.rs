@@ -8,11 +8,11 @@ use crate::vehicle::VehicleId;
 
 /// A clock that jumps back by more than this has rebooted; a smaller jump means that datagrams arrived out of order.
 const STEP_BACK_MS: i64 = 1_000;
-/// A vehicle that lags takes over as the reference once the one ahead has been silent for this long by its clock.
+/// A vehicle that lags takes over as the reference once its own clock has advanced by more than
+/// this since any vehicle's clock last advanced mission time.
 const CARRIED_AFTER_MS: i64 = 3_000;
 /// When all vehicles have been silent for this long, time runs without them.
 const SILENT_AFTER: Duration = Duration::from_millis(2500);
-/// The time between measurements of the rate.
 const RATE_EVERY: Duration = Duration::from_secs(1);
 
 /// Mission time, driven by the vehicles' own clocks: a simulator slower than requested slows the

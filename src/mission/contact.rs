@@ -10,7 +10,7 @@ use crate::commands::{CONTACT_STEMS, FindKind};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
-/// Something that a detector reports as found.
+/// A find that a detector reports.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Contact {
     /// Its name: `c1`, or `fire1` for a fire.

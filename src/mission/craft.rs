@@ -43,7 +43,7 @@ pub(crate) struct Craft {
     pub ready: bool,
     pub armed: bool,
     pub airborne: bool,
-    /// Whether its mode is the one that flies plans.
+    /// Whether it is in the mode that flies plans.
     pub in_auto: bool,
     /// Whether its mode makes the vehicle return or land on its own.
     pub comes_down: bool,
@@ -130,7 +130,7 @@ impl Craft {
     }
 
     /// The vehicle's true position, even while the operator does not receive it; `None` before the
-    /// first.
+    /// first position.
     pub fn truly_at(&self) -> Option<Point> {
         self.unheard.map(|(at, _)| at).or(self.at)
     }
@@ -344,7 +344,7 @@ impl CraftCourse {
         }
     }
 
-    /// Turns an offset east and north into one to the right of the course and along it.
+    /// Converts an offset east and north into an offset to the right of the course and along it.
     pub fn offset_m(self, [east, north]: Point) -> [f64; 2] {
         [
             east * self.north - north * self.east,
@@ -352,7 +352,7 @@ impl CraftCourse {
         ]
     }
 
-    /// Turns an offset to the right of the course into one east and north.
+    /// Converts an offset to the right of the course into an offset east and north.
     pub fn aside(self, right_m: f64) -> Point {
         [right_m * self.north, -right_m * self.east]
     }

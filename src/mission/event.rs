@@ -26,7 +26,7 @@ use fault::Fault;
 use mover::Spawn;
 use weather::Change;
 
-/// Something that can happen.
+/// An event that can happen during a mission.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Event {
     pub id: String,

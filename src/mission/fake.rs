@@ -172,7 +172,7 @@ impl Pilot {
         }
     }
 
-    /// Flies above the middle cell and waits there, to look at the air.
+    /// Flies above the middle cell and waits there, for a look from above.
     pub fn look_above(&mut self) {
         self.fly_to([60.0, 0.0, 36.0], 10.0);
         self.wait(7.0);

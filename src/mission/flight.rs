@@ -64,21 +64,18 @@ pub struct Flight {
     outcome: FlightOutcome,
     world: World,
     crafts: Vec<Craft>,
-    /// The loads on board, and the releases.
     loads: Loads,
     search: Search,
     surveys: Surveys,
     tracks: Tracks,
     goals: Goals,
     orders: OrderCount,
-    /// How the vehicles are used and led.
     swarm: SwarmAccount,
     threats: Threats,
     plans: PlanLog,
     /// The demands on the vehicles before the flight, until they are taken.
     board: Vec<Demand>,
     clues: CluesGiven,
-    /// The index of the lesson's current step.
     lesson_step: Option<usize>,
     /// For each automatic hint, whether its goal is reached.
     reached_hints: Vec<bool>,
@@ -364,7 +361,6 @@ impl Flight {
             .tell_changes(&self.mission.objectives, standings, &mut self.journal);
     }
 
-    /// The state of the flight that objectives can see.
     fn scene(&self) -> ObjectiveScene<'_> {
         ObjectiveScene {
             now: self.elapsed,
@@ -379,7 +375,6 @@ impl Flight {
         }
     }
 
-    /// How each of the mission's vehicles was used.
     fn vehicle_uses(&self) -> Vec<VehicleUse> {
         self.swarm.uses(self.mission.seats.count)
     }

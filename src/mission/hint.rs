@@ -58,8 +58,8 @@ pub struct Clue {
     pub text: Text,
 }
 
-/// The next suitable clue: of those not yet given that match the phase and an open objective, the first of the lowest
-/// level.
+/// The next suitable clue: the first clue of the lowest level, among the clues that have not been
+/// given and that match the phase and an open objective.
 pub(super) fn next_clue(
     clues: &[Clue],
     given: &[usize],

@@ -28,7 +28,6 @@ const ONE_PASS: Duration = Duration::from_secs(2);
 const NEVER_SEEN: f64 = 0.03;
 /// The highest detection probability of a look, so no single look is certain to find an object.
 const SUREST: f64 = 0.999;
-/// The kinds of false alarms.
 const ALARMS: [FindKind; 2] = [FindKind::Mine, FindKind::Person];
 
 /// All detectors of a fleet.
@@ -109,7 +108,6 @@ impl Lookout {
     }
 }
 
-/// The state of one detector at one time.
 struct DetectorWatch<'a> {
     seed: u64,
     craft: &'a Craft,
@@ -252,7 +250,6 @@ impl DetectorWatch<'_> {
 }
 
 struct Find {
-    /// The error of its position.
     error_m: Point,
     /// Whether the look was good enough to recognise a harmless object.
     told_apart: bool,
@@ -313,7 +310,6 @@ impl Chance {
     }
 }
 
-/// The random stream for a name.
 fn stream(seed: u64, name: &[&[u8]]) -> ChaCha8Rng {
     let bytes = name.iter().flat_map(|part| part.iter().chain(&[0xFF]));
     let mut random = ChaCha8Rng::seed_from_u64(seed);

@@ -34,8 +34,8 @@ pub struct Need {
     pub sensors: Vec<&'static str>,
     /// Loads, and the parts that release or spray them, by id and count.
     pub loads: Vec<(&'static str, u32)>,
-    /// The required range of a flight out and back, as a one-way distance: that to the farthest
-    /// point of the task plus 30 %, in metres.
+    /// The required range of a flight out and back, as a one-way distance in metres: the distance
+    /// to the farthest point of the task plus 30 %.
     pub reach_m: f64,
     /// The required radio range: the distance to the farthest point of the task, in metres.
     pub far_m: f64,
@@ -260,7 +260,7 @@ impl Need {
     }
 }
 
-/// Compares a sensor, or one that can replace it.
+/// Compares a sensor; a design may carry another sensor that can replace it.
 fn sensor_line(design: &Design, id: &'static str) -> FitLine {
     let wanted = Sensor::by_id(id);
     let does_it = |part: &Part| {

@@ -187,7 +187,7 @@ impl<'a> ObjectiveScene<'a> {
 pub(crate) struct ObjectiveStanding {
     /// The share of it that is reached, 0 to 1.
     pub fraction: f64,
-    /// The measured quantity, for the conditions of gold and of events.
+    /// The measured quantity, which the conditions for gold and for events refer to.
     pub measure: f64,
     pub met: bool,
     /// Whether the flight can end as far as this objective is concerned.

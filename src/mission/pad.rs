@@ -1,6 +1,6 @@
 //! The names of pads in commands.
 
-/// The prefix of their names; a number follows.
+/// The prefix of the pads' names; a number follows.
 pub(crate) const STEM: &str = "pad";
 
 /// The name of a pad; the first has the number 1.

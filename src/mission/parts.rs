@@ -100,7 +100,8 @@ pub struct MissionSeats {
     pub(crate) fits: Vec<fit::Fit>,
     /// The equipment of the mission's own drones, which built drones must also provide.
     pub(crate) asked: Vec<fit::Fit>,
-    /// The drones that were built for it, in the order of the pads; empty if the mission's own drones fly.
+    /// The designs of the drones built for the mission, in the order of the pads; empty if the
+    /// mission's own drones fly.
     pub(crate) designs: Vec<Design>,
 }
 

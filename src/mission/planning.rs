@@ -23,7 +23,7 @@ struct PlanRow {
     is_rehearsal: bool,
     /// When the command was given, or last seen waiting: a rehearsal waits for uploads.
     begun: Duration,
-    /// When its end was seen, and in which state.
+    /// The time at which its end was seen, and its state then.
     ended: Option<(Duration, RowState)>,
 }
 
@@ -89,8 +89,8 @@ impl PlanLog {
         })
     }
 
-    /// The commands that change a vehicle's plan, without refused ones, which leave the plan as it
-    /// was.
+    /// The commands that change a vehicle's plan. Refused commands are left out, because they do
+    /// not change it.
     fn changes(&self, vehicle: VehicleId) -> impl Iterator<Item = &PlanRow> {
         let is_refused = |row: &PlanRow| matches!(row.ended, Some((_, RowState::Refused)));
         let rows = self.of(vehicle);

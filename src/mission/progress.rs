@@ -103,7 +103,7 @@ pub struct ClueProgress {
     pub is_news: bool,
     /// The level of the next suitable hint, and the share of the score that it costs.
     pub next: Option<(u8, f64)>,
-    /// The factor on the score for the hints given, 0.7 to 1.
+    /// The factor by which the score is multiplied for the hints given, 0.7 to 1.
     pub factor: f64,
 }
 

@@ -85,15 +85,12 @@ pub(crate) struct RadioNode {
 
 /// The number of points at which a path is checked for ridges.
 const PLACES: u32 = 64;
-/// The speed of light, in metres per microsecond.
 const LIGHT_M_US: f64 = 299.792_458;
-/// The margin at which half of the frames are lost.
 const HALF_LOST_DB: f64 = 3.0;
 const LOSS_SLOPE_DB: f64 = 1.5;
 /// The delay of a frame that is not repeated.
 const LATENCY: Duration = Duration::from_millis(20);
 const LONGEST_DELAY: Duration = Duration::from_millis(400);
-/// A loss below this counts as none.
 const NO_LOSS: f64 = 0.002;
 
 /// The diffraction loss over one edge, in dB, for the parameter `v` of ITU-R P.526:
@@ -254,7 +251,6 @@ fn nearness(distance_m: f64, edge_m: f64) -> f64 {
     }
 }
 
-/// A ridge between radios.
 struct Ridge<'a> {
     shape: &'a Shape,
     height_m: f64,

@@ -34,7 +34,6 @@ use observed::{ObservedVehicle, WatchedVehicle};
 pub use replay::{Reenactment, Rescored, Stored, WithoutEnd};
 pub use verification::{Divergence, RecordExtent, Verification, refly};
 
-/// The version of the format.
 const VERSION: u32 = 1;
 /// The time between lines while nothing changes, so that a record without an end shows how long the flight was.
 const LINE_EVERY: Duration = Duration::from_secs(1);
@@ -94,7 +93,7 @@ impl Head {
     }
 }
 
-/// The time, simulator, commander and purpose of a flight.
+/// The time, simulator, source of commands and purpose of a flight.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Occasion {
     /// Its start in UTC: `2026-11-20T14:03:22Z`.
@@ -137,7 +136,6 @@ impl End {
     }
 }
 
-/// The checksum for a hash of the lines, as text for the end of a record.
 fn checksum(lines: RunningHash) -> String {
     format!("{:016x}", lines.value())
 }
@@ -146,7 +144,6 @@ fn checksum(lines: RunningHash) -> String {
 #[derive(Debug)]
 pub(super) struct Recorder {
     written: String,
-    /// The hash of everything written so far.
     sum: RunningHash,
     watched: BTreeMap<VehicleId, WatchedVehicle>,
     /// Ledger entries that may still change, with their rows as last written.
@@ -156,7 +153,6 @@ pub(super) struct Recorder {
     stepped: Option<Duration>,
     /// The number of simulator steps so far, if the simulator's time is not the mission's.
     simulated: Option<u64>,
-    /// Whether the newest step has a line.
     is_step_written: bool,
 }
 

@@ -18,7 +18,6 @@ pub(crate) struct Mark {
 
 /// Reports closer together than this count as the same.
 pub(crate) const SAME_WITHIN_M: f64 = 0.5;
-/// The greatest distance from a report at which it can be withdrawn.
 const UNMARK_WITHIN_M: f64 = 15.0;
 
 /// All reports of a flight that were not withdrawn, in order.

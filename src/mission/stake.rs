@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{FlightRules, Mission, MissionAdvice};
 
-/// The purpose of a flight, which sets how it counts.
+/// The purpose of a flight, which determines how it counts.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Stake {

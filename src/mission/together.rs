@@ -4,7 +4,6 @@ use super::Mission;
 use super::needs::USUAL_HEIGHT_M;
 use crate::swarm::{Rules, Swath};
 
-/// The default separation between vehicles.
 const USUAL_SEPARATION_M: f64 = 2.0;
 /// The minimum separation in joint manoeuvres, even where a mission sets none: vehicles are a metre wide.
 const LEAST_LED_M: f64 = 2.0;

@@ -11,7 +11,7 @@ use crate::vehicle::VehicleId;
 const STILL_WITHIN_M: f64 = 2.0;
 /// A stop of up to this length is part of a task: a turn, a look, a sample.
 const PAUSE: Duration = Duration::from_secs(10);
-/// How long a vehicle that hovered may take to move after a command.
+/// How long a hovering vehicle may take to start moving after a command.
 const START: Duration = Duration::from_secs(3);
 
 /// The observation of a vehicle in one tick.

@@ -16,7 +16,6 @@ use crate::commands::FindKind;
 use crate::geo::maths;
 use crate::hash::fnv1a;
 
-/// The number of slices in the integral along a beam.
 const COLUMN_SLICES: u32 = 8;
 /// The extinction of light per gram of smoke (Mulholland and Croarkin 2000, for flaming fires).
 const SMOKE_EXTINCTION_M2_G: f64 = 8.7;
@@ -35,7 +34,7 @@ pub(crate) struct World {
 }
 
 impl World {
-    /// The world at the start; the seed decides everything random.
+    /// The world at the start; the seed determines all random values.
     pub fn new(mission: &Mission, seed: u64) -> Self {
         // Streams from 0 upwards belong to the sensors, so the hazards count down from the last one.
         let release = |(hazard, stream): (&dyn Hazard, u64)| {

@@ -100,7 +100,7 @@ pub(super) struct RehearsalRequest {
     pub(super) airframes: Vec<Arc<Airframe>>,
 }
 
-/// The vehicles of an order whose plans can be flown, and the rows of the others.
+/// The vehicles of an order whose plans can be flown, and the rows of the other vehicles.
 fn prepare(request: &RehearsalRequest, vehicles: &Vehicles, now: Duration) -> Prepared {
     let (entry, order, winds) = (request.entry, &request.order, request.winds);
     let mut rows = Vec::new();
@@ -176,7 +176,7 @@ impl PlanRehearsal {
         self.crew.iter().map(|it| it.seat.vehicle).collect()
     }
 
-    /// Stores those of a vehicle's parameters that determine how it flies.
+    /// Stores the parameters of a vehicle that determine how it flies.
     pub fn set_parameters(&mut self, vehicle: VehicleId, list: &Arc<ParameterList>) {
         let value = |name: &str| list.get(name).map(|known| known.value);
         let members = self.crew.iter_mut();
@@ -269,7 +269,7 @@ impl PlanRehearsal {
         }
     }
 
-    /// The wind and the airframes of the rehearsal, and where they come from.
+    /// The wind and the airframes of the rehearsal, and their sources.
     fn conditions(&self) -> Text {
         let standard = self
             .crew

@@ -23,8 +23,8 @@ pub struct ParameterDifference<'a> {
 /// The rounding of a number written with about seven digits.
 const ROUNDING: f32 = 1e-6;
 
-/// Whether two values are equal. Whole numbers must match exactly, since they may be bit masks; others may have been
-/// rounded in a file.
+/// Whether two values are equal. Whole numbers must match exactly, since they may be bit masks;
+/// other numbers may have been rounded in a file.
 #[expect(
     clippy::float_cmp,
     reason = "whole numbers are compared, and equal is meant"

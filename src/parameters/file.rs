@@ -1,8 +1,8 @@
-//! Parameter files: one parameter a line.
+//! Parameter files: one parameter per line.
 //!
-//! Files are written as Mission Planner does, `NAME,VALUE`. The reader also accepts `NAME VALUE` with any blanks
-//! (MAVProxy) and the five columns of QGroundControl (`SYSTEM COMPONENT NAME VALUE TYPE`, with tabs). `#` begins a
-//! comment.
+//! Files are written as Mission Planner writes them, `NAME,VALUE`. The reader also accepts `NAME
+//! VALUE`, separated by any blanks (MAVProxy), and the five columns of QGroundControl (`SYSTEM
+//! COMPONENT NAME VALUE TYPE`, separated by tabs). `#` begins a comment.
 
 use std::collections::BTreeMap;
 use std::ops::Range;

@@ -53,7 +53,7 @@ pub enum ParameterUnfit {
 }
 
 impl ParameterType {
-    /// The name, as in `int16`.
+    /// The name, such as `int16`.
     pub fn name(self) -> &'static str {
         self.into()
     }

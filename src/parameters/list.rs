@@ -101,8 +101,8 @@ impl ParameterList {
         self.count.is_some_and(|count| count > 0) && self.received == self.seen.len() as u16
     }
 
-    /// Whether the number of parameters has changed since the list was sent: some appear only after
-    /// others are enabled.
+    /// Whether the number of parameters has changed since the list was sent: some parameters appear
+    /// only after others are enabled.
     pub fn is_outdated(&self) -> bool {
         self.announced.is_some() && self.announced != self.count
     }

@@ -10,10 +10,9 @@ pub struct DayClock {
     pauses: Vec<DayPause>,
 }
 
-/// A pause of a record, in which everything was stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct DayPause {
-    /// The time of the record at which it began.
+    /// The time in the record at which it began.
     at: Duration,
     /// How long this pause and all before it lasted.
     so_far: Duration,
@@ -37,7 +36,8 @@ impl DayClock {
         self.pauses.push(DayPause { at, so_far });
     }
 
-    /// The time of day at a time of a record that began at `began_unix_us`; both in microseconds since 1970 (UTC).
+    /// The time of day at a time in a record that began at `began_unix_us`; both times of day are
+    /// in microseconds since 1970 (UTC).
     pub fn unix_us(&self, began_unix_us: u64, at: Duration) -> u64 {
         let passed = self.pauses.partition_point(|pause| pause.at < at);
         let last = passed.checked_sub(1).and_then(|last| self.pauses.get(last));

@@ -8,7 +8,6 @@ use crate::wire::{Anatomy, is_secret};
 /// Frames and lines of a flight that have not been written yet.
 #[derive(Debug)]
 pub struct FlightLog {
-    /// The time of day when the flight began: microseconds since 1970 (UTC).
     began_unix_us: u64,
     /// The time of the last frame or line, from the beginning of the flight.
     last_at: Duration,

@@ -13,7 +13,7 @@ use crate::wire::MavAddress;
 /// it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ForeignLine {
-    /// The number of the command among those of other stations.
+    /// The number of the command among the commands of other stations.
     pub id: u32,
     /// The station's system and component.
     pub station: [u8; 2],

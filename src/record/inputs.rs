@@ -16,7 +16,6 @@ use crate::text;
 use crate::text::Text;
 use crate::wire::{Decoder, SystemId, is_secret};
 
-/// The version of the format.
 const VERSION: u32 = 1;
 /// The number of steps from one fingerprint to the next, which is 10 s.
 const FINGERPRINT_STEPS: u64 = 1000;
@@ -41,7 +40,7 @@ pub struct InputsHead {
 }
 
 impl InputsHead {
-    /// The head for a world; `airframes` are those that the mission does not define.
+    /// The head for a world; `airframes` are the airframes that the mission does not define.
     pub fn of(world: &WorldConfig, airframes: &[impl AsRef<Airframe>]) -> Self {
         let files = airframes.iter().map(|airframe| airframe.as_ref().file());
         Self {
@@ -124,7 +123,6 @@ pub struct InputLog {
     written: String,
     /// The decoders of the connections: frames are recorded when complete, as the vehicle receives them.
     decoders: BTreeMap<u64, Decoder>,
-    /// The last pace that was recorded.
     pace: Option<f64>,
 }
 

@@ -22,7 +22,7 @@ pub enum JournalFit {
     },
 }
 
-/// The facts in the other files of a record that a journal has to fit; `None` for those that are not known.
+/// The facts in the other files of a record that a journal has to fit; `None` for unknown facts.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct JournalNeighbours<'a> {
     /// The mission in the head of the run, by its id.

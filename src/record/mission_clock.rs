@@ -1,5 +1,5 @@
-//! The mission's clock in a record, which differs from the record's clock: it starts when the brief is left, and a
-//! speed-up makes it run faster.
+//! The mission's clock in a record, which differs from the record's clock: it starts when the
+//! trainee leaves the brief, and a speed-up makes it run faster.
 
 use std::time::Duration;
 
@@ -31,7 +31,7 @@ impl MissionClock {
         clock
     }
 
-    /// Adds a reading; one that is not later than the last is left out.
+    /// Adds a reading; a reading that is not later than the last one is left out.
     fn push(&mut self, at: Duration, elapsed: Duration) {
         let last = self.readings.last();
         if last.is_none_or(|it| it.at <= at && it.elapsed < elapsed) {
@@ -44,8 +44,8 @@ impl MissionClock {
         self.readings.is_empty()
     }
 
-    /// The mission time at a time of the record: zero before the mission, and the time of its end after it. `None` if
-    /// no mission was flown.
+    /// The mission time at a time in the record: zero before the mission, and the mission's final
+    /// time after its end. `None` if no mission was flown.
     pub fn mission_time(&self, at: Duration) -> Option<Duration> {
         self.readings.last()?;
         let passed = self.readings.partition_point(|it| it.at <= at);
@@ -53,8 +53,8 @@ impl MissionClock {
         Some(last.map_or(Duration::ZERO, |it| it.elapsed))
     }
 
-    /// The time of an event of the record as shown in the debrief and the review: mission time, or the record's time if
-    /// no mission was flown.
+    /// The time of an event in the record as shown in the debrief and the review: mission time, or
+    /// the record's time if no mission was flown.
     pub fn flight_time(&self, at: Duration) -> Duration {
         self.mission_time(at).unwrap_or(at)
     }

@@ -10,12 +10,12 @@ use crate::review::Review;
 use crate::text;
 use crate::text::Text;
 
-/// The moments of a recording: those indexed so far, the bookmarks, and those of joined logs.
+/// The moments of a recording: the moments indexed so far, the bookmarks, and the moments of joined
+/// logs.
 #[derive(Debug)]
 pub(super) struct Contents {
     film: Arc<Film>,
     review: Review,
-    /// All moments, earliest first.
     moments: Arc<Vec<Moment>>,
     /// The index's moments as last merged.
     merged: Option<Arc<Vec<Moment>>>,
@@ -58,8 +58,8 @@ impl Contents {
         written.map_err(|error| Text::from(&error))
     }
 
-    /// Merges the moments of the index, the bookmarks and those of the joined logs, if the index or the bookmarks have
-    /// changed; returns whether they have.
+    /// Merges the moments of the index, the bookmarks and the moments of the joined logs if the
+    /// index or the bookmarks have changed; returns whether they have changed.
     pub fn merge(&mut self, found: Arc<Vec<Moment>>) -> bool {
         let before = self.merged.as_ref();
         if before.is_some_and(|it| Arc::ptr_eq(it, &found)) {
@@ -98,7 +98,7 @@ impl Contents {
         self.moments.iter().any(|it| it.kind == kind)
     }
 
-    /// The times of the frames that show the last moment of a kind and the next one.
+    /// The times of the frames that show the previous moment of a kind and the next one.
     pub fn around(&self, now: Duration, kind: MomentKind) -> Option<(Duration, Duration)> {
         let times = self.moments.iter().filter(|it| it.kind == kind);
         let mut shown = times.map(|it| showing(it.at));

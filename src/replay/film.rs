@@ -22,7 +22,6 @@ use crate::text::Text;
 
 /// The size of the end of a recording that is searched for its last record, in bytes.
 const TAIL_LEN: u64 = 64 * 1024;
-/// The maximum length of a recording: a week.
 const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
 
 /// An open recording. It does not change while it is replayed.
@@ -34,9 +33,7 @@ pub struct Film {
     clock: Arc<MissionClock>,
     run: Option<Stored>,
     review: Review,
-    /// Why the review could not be read, if so.
     review_fault: Option<Text>,
-    /// The logs that have been joined to the recording.
     logs: Vec<JoinedLog>,
     /// The faults of the journal, the run and the logs that were left out.
     faults: Vec<Text>,
@@ -106,7 +103,7 @@ impl Film {
         self.began_unix_us
     }
 
-    /// The time of day at a time of the recording: microseconds since 1970 (UTC).
+    /// The time of day at a time in the recording: microseconds since 1970 (UTC).
     pub fn unix_us(&self, at: Duration) -> u64 {
         self.day.unix_us(self.began_unix_us, at)
     }
@@ -279,7 +276,6 @@ fn times(file: File) -> impl Iterator<Item = u64> {
     })
 }
 
-/// Why a record has no frames to replay.
 fn no_frames(path: &Path) -> Text {
     let name = path.display().to_string();
     if path.is_file() {

@@ -62,15 +62,11 @@ struct Shared {
 struct Found {
     /// The key frames, earliest first, with one at the beginning.
     keys: Vec<Arc<KeyFrame>>,
-    /// The moments, earliest first, without bookmarks.
     moments: Arc<Vec<Moment>>,
     report: Option<Arc<Report>>,
-    /// The gaps of the recording, earliest first.
     gaps: Arc<Vec<Range<Duration>>>,
     reached: Duration,
-    /// Whether the recording has been read to its end.
     is_over: bool,
-    /// The faults of the frames, once they have been read to the end.
     damage: Vec<Text>,
 }
 
@@ -163,7 +159,6 @@ impl Drop for Index {
     }
 }
 
-/// Reads a recording for its index.
 struct IndexReader {
     shared: Arc<Shared>,
     stage: Stage,

@@ -42,7 +42,6 @@ pub fn join_log(
     Ok(JoinedLog::new(vehicle, file, &flight, &alignment, length))
 }
 
-/// The clocks of all vehicles in a recording.
 fn clocks(film: &Film) -> Result<BTreeMap<VehicleId, VehicleClock>, Text> {
     let mut clocks: BTreeMap<VehicleId, VehicleClock> = BTreeMap::new();
     for record in records(film)? {

@@ -40,9 +40,7 @@ pub(super) struct Lookout {
     near_m: f64,
     /// The smallest distance of the flight so far.
     nearest: Option<(Pair, Approach)>,
-    /// The objectives that have been reached, by index.
     reached: Vec<bool>,
-    /// The mission's clock in the recording.
     clock: Arc<MissionClock>,
     report: Option<Arc<Report>>,
 }

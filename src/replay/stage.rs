@@ -42,9 +42,7 @@ pub(super) struct Stage {
     pending: Option<TlogRecord>,
     cast: Cast,
     mission: Option<MissionStage>,
-    /// Frames received since the stage was built.
     heard: u64,
-    /// The damage found since the stage was built.
     damage: TlogDamage,
     /// The read error that ended the file before its last byte, if any.
     cut: Option<Text>,
@@ -55,24 +53,20 @@ pub(super) struct Stage {
 pub(super) struct Cast {
     now: Duration,
     scene: Scene,
-    /// The index of the journal's next line.
     next_line: usize,
     /// The index of the next journal line to check for a radio state.
     radio_line: usize,
-    /// The mission time so far.
     elapsed: Duration,
     /// Whether the mission's report has been returned.
     is_over: bool,
     last_heard: Duration,
     /// The correction of the file's times if the clock was set.
     skew_us: i64,
-    /// Whether the file has been read to its end.
     is_at_end: bool,
     /// The commands so far: the ledger's numbers, by the journal's numbers.
     given: BTreeMap<u32, u32>,
-    /// The length of the current gap.
     gap: Option<Duration>,
-    /// The offset of the next record in the file, and the time of the one before.
+    /// The offset of the next record in the file, and the time of the record before it.
     offset: u64,
     last_us: Option<u64>,
 }
@@ -198,8 +192,8 @@ impl Stage {
         self.cast.is_at_end && self.cast.next_line >= self.lines().len()
     }
 
-    /// Converts a timestamp to a time of the recording. If the recorder's clock was set, the next
-    /// record counts as being one second later than the last.
+    /// Converts a timestamp to a time in the recording. If the recorder's clock was set, the next
+    /// record counts as one second later than the last.
     fn time_of(&mut self, unix_us: u64) -> Duration {
         let cast = &mut self.cast;
         let since_us = unix_us.saturating_sub(self.film.began_unix_us());
@@ -299,7 +293,6 @@ impl Stage {
         events
     }
 
-    /// Flies the mission up to a mission time.
     fn fly(&mut self, elapsed: Duration, now: Duration) -> Vec<Event> {
         let Some(mission) = &mut self.mission else {
             return Vec::new();

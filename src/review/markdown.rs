@@ -19,7 +19,7 @@ pub struct ReviewedFlight<'a> {
     pub title: &'a str,
     /// The time of day of its beginning, in UTC.
     pub began: &'a str,
-    /// The task in the words of the mission; `None` without one.
+    /// The mission's brief; `None` if no mission was flown.
     pub brief: Option<&'a Text>,
     /// The result, if a mission was flown.
     pub report: Option<&'a Report>,

@@ -1,6 +1,7 @@
-//! Advice: changes that would have gained points. Each gain is the difference from the score of the same flight with
-//! one thing corrected. Gains can overlap, for example if components require a share of the objectives. The smaller
-//! gains are then cut, so that their sum does not exceed the gain of correcting everything.
+//! Advice: changes that would have gained points. Each gain is the difference from the score of the
+//! same flight with one fault corrected. Gains can overlap, for example if components require a
+//! share of the objectives. The smaller gains are then cut, so that their sum does not exceed the
+//! gain of correcting all faults.
 
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -15,7 +16,6 @@ use super::{
 use crate::text;
 use crate::text::Text;
 
-/// The maximum number of improvements listed.
 const SHOWN: usize = 5;
 /// The quality that advice aims at, since no map is perfect.
 const GOOD_QUALITY: f64 = 0.9;
@@ -82,7 +82,7 @@ enum RemedyTopic {
     Hints,
 }
 
-/// A piece of advice, and the flight as it would have gone with it.
+/// A piece of advice, and the flight as it would have been if the trainee had followed the advice.
 struct Remedy<'a> {
     topic: RemedyTopic,
     text: Text,
@@ -98,7 +98,6 @@ impl Remedy<'_> {
         mended
     }
 
-    /// The points that the advice would have gained.
     fn gain(&self, rules: &ScoreRules, facts: &Facts) -> u16 {
         let after = score(rules, &self.mended(facts)).points;
         after.saturating_sub(score(rules, facts).points)
@@ -256,7 +255,6 @@ fn reach(objective: &mut ObjectiveFact) {
     objective.met = true;
 }
 
-/// Advice on a product that could be improved.
 struct ProductAdvice {
     text: Text,
     /// Whether the objective measures the product.

@@ -91,8 +91,8 @@ impl Weights {
     }
 
     /// The weights of the components that apply. The weight of utilisation goes to safety if there
-    /// is a single vehicle; those of other missing components are distributed over the others in
-    /// proportion.
+    /// is a single vehicle; the weights of other missing components are distributed over the
+    /// remaining components in proportion.
     fn applied(&self, applies: [bool; 8], vehicles: usize) -> [f64; 8] {
         let mut weights = self.0;
         if vehicles <= 1 {
@@ -170,8 +170,8 @@ pub(super) fn all(rules: &ScoreRules, facts: &Facts) -> Vec<ComponentScore> {
     components
 }
 
-/// Rounds the components to tenths that add up to the rounded sum: those with the largest remainders are rounded up
-/// (Hamilton's method).
+/// Rounds the components to tenths that add up to the rounded sum: the components with the largest
+/// remainders are rounded up (Hamilton's method).
 fn share_points(components: &mut [ComponentScore]) {
     let exact = |c: &ComponentScore| 10_000.0 * c.weight * c.value;
     let sum: f64 = components.iter().map(exact).sum();
@@ -203,7 +203,6 @@ fn objective_value(facts: &Facts) -> f64 {
     }
 }
 
-/// Whether the cap for a missed mandatory objective applies.
 fn is_capped(facts: &Facts) -> bool {
     let total: f64 = facts.objectives.iter().map(|o| o.value).sum();
     let reached: f64 = facts.objectives.iter().map(|o| o.value * o.fraction).sum();

@@ -1,4 +1,4 @@
-//! The conditions of gold besides points: `safety >= 0.85`, `crashes == 0`, `cells >= 9`.
+//! The conditions for gold besides points: `safety >= 0.85`, `crashes == 0`, `cells >= 9`.
 
 use super::{Component, ComponentScore, Facts};
 use crate::text;

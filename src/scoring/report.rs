@@ -72,7 +72,7 @@ pub struct Report {
     pub energy_wh: Option<f64>,
     /// The maximum energy for full points, in Wh.
     pub par_energy_wh: f64,
-    /// Conditions for gold that are not met, among them points and mandatory objectives.
+    /// Conditions for gold that are not met, including points and mandatory objectives.
     pub gold_missing: Vec<Text>,
     /// The improvements, biggest gain first.
     pub improvements: Vec<Improvement>,

@@ -17,7 +17,7 @@ pub enum SafetyKind {
     Geofence,
     /// Above the maximum height that the mission allows.
     TooHigh,
-    /// Crashed or fell, so that the vehicle is lost.
+    /// Crashed or fell, so the vehicle is lost.
     Crash,
     /// Motors stopped in the air by command.
     DisarmInFlight,

@@ -21,8 +21,8 @@ pub struct SwarmTimes {
     pub neglected: Vec<Duration>,
     /// Each period in which a vehicle in the air waited for its next command.
     pub waited: Vec<Duration>,
-    /// The time of each command, its number of vehicles, and whether they differ from those of the
-    /// previous command.
+    /// The time of each command, the number of its vehicles, and whether these differ from the
+    /// vehicles of the previous command.
     pub commands: Vec<(Duration, usize, bool)>,
 }
 
@@ -33,7 +33,8 @@ pub struct SwarmFigures {
     pub neglect_s: Option<f64>,
     /// Interaction time: the median time between commands while the operator is active. At least 1 s.
     pub interaction_s: Option<f64>,
-    /// Wait time: the median time that an idle vehicle in the air waits for its next command; 0 if none ever did.
+    /// Wait time: the median time that an idle vehicle in the air waits for its next command; 0 if
+    /// no vehicle waited.
     pub wait_s: f64,
     /// Fan-out without the time spent waiting.
     pub fan_out: Option<f64>,
@@ -43,7 +44,7 @@ pub struct SwarmFigures {
     pub flown: usize,
     /// How many times per minute the operator switched to other vehicles.
     pub switches_per_min: f64,
-    /// The share of commands to several vehicles.
+    /// The share of the commands that addressed several vehicles.
     pub group_share: f64,
 }
 

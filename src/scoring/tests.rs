@@ -39,7 +39,6 @@ fn objective(fraction: f64, mandatory: bool) -> ObjectiveFact {
     }
 }
 
-/// The objective with a map of this quality as its product.
 fn with_map(quality: f64, objective: ObjectiveFact) -> ObjectiveFact {
     ObjectiveFact {
         product: Some(Product {

@@ -14,7 +14,7 @@ pub struct TruthReport {
     pub squares: Vec<SquareReport>,
     pub objects: Vec<ObjectReport>,
     pub marks: Vec<MarkReport>,
-    /// The uncovered ground of the task, in squares with strength 0.
+    /// The ground not covered and the cells not sampled, as squares with strength 0.
     pub gaps: Vec<SquareReport>,
     pub pads: Vec<Place>,
     /// The corners of the fences; empty in records of earlier versions.
@@ -48,7 +48,7 @@ pub struct ObjectReport {
     pub present: bool,
     /// Whether it was reported.
     pub found: bool,
-    /// Whether an objective required its report.
+    /// Whether an objective required a report of it.
     pub sought: bool,
 }
 

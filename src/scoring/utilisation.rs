@@ -37,8 +37,8 @@ impl VehicleUse {
     }
 }
 
-/// The mean over all vehicles; 0 if none has flown. A vehicle that made only a short hop counts mostly as one that was
-/// never flown.
+/// The mean over all vehicles; 0 if none has flown. A vehicle that made only a short hop counts
+/// almost like a vehicle that was never flown.
 pub fn utilisation_value(uses: &[VehicleUse]) -> f64 {
     let longest = uses.iter().map(|one| one.airborne).max();
     let Some(longest) = longest.filter(|longest| !longest.is_zero()) else {
@@ -55,7 +55,7 @@ pub fn utilisation_value(uses: &[VehicleUse]) -> f64 {
     uses.iter().map(of).sum::<f64>() / uses.len() as f64
 }
 
-/// The value and its main cause: a vehicle never flown, otherwise the one that idled longest.
+/// The value and its main cause: a vehicle never flown, otherwise the vehicle that idled longest.
 pub(super) fn value_and_words(uses: &[VehicleUse]) -> (f64, Text) {
     let value = utilisation_value(uses);
     let unused: Vec<String> = uses

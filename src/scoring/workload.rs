@@ -19,7 +19,7 @@ const WINDOW: Duration = Duration::from_secs(60);
 /// Utilisation above this share for at least the time below counts as overload.
 const OVERLOADED_ABOVE: f64 = 0.7;
 const OVERLOADED_FOR: Duration = Duration::from_secs(60);
-/// How often the trainee is asked, by the mission's clock.
+/// The time between two questions, by the mission's clock.
 const ASK_EVERY: Duration = Duration::from_secs(120);
 /// How long a question stays open.
 const ASK_FOR: Duration = Duration::from_secs(15);
@@ -77,7 +77,7 @@ pub struct WorkloadReport {
     pub wait_s: Vec<f64>,
     /// The stretches with a utilisation above 0.7 for a minute or longer.
     pub overloaded: Vec<OverloadedStretch>,
-    /// The number of commands behind the figures.
+    /// The number of commands on which the figures are based.
     pub commands: usize,
     /// The trainee's ratings of the workload, oldest first.
     pub answers: Vec<WorkloadAnswer>,
@@ -183,7 +183,6 @@ impl BusyTime {
         Self(spans)
     }
 
-    /// The busy time between two times.
     fn between(&self, from: Duration, to: Duration) -> Duration {
         let parts = self.0.iter();
         parts

@@ -29,7 +29,7 @@ pub(super) struct Bench {
 struct Lane<T> {
     /// The frames in transit, with the time of their arrival and their length.
     queue: VecDeque<(Duration, usize, T)>,
-    /// When the radio has sent everything that it accepted.
+    /// The time at which the radio will have sent everything that it accepted.
     busy_until: Duration,
     traffic: RadioTraffic,
 }

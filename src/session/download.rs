@@ -1,5 +1,5 @@
-//! The download of a vehicle's parameters: the list is requested once, and missing values are requested by index, a
-//! few at a time, until all are there.
+//! The download of a vehicle's parameters: the list is requested once, and missing values are
+//! requested by index, a few at a time, until all have arrived.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -33,7 +33,6 @@ const LISTS: u8 = 4;
 /// changed.
 const RESTARTS: u8 = 3;
 
-/// The phase of a download.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum DownloadPhase {
     Idle,
@@ -55,11 +54,11 @@ pub(super) struct Download {
     received: u16,
     /// The number of list values seen by that check, including known ones.
     passed: u64,
-    /// The length of the list being received.
     count: Option<u16>,
     /// The requested indices, with their time.
     asked: BTreeMap<u16, Duration>,
-    /// Where to search for the next missing index, so that one without an answer does not block the others.
+    /// Where to search for the next missing index, so that an index without an answer does not
+    /// block the others.
     next: u16,
     fruitless: u16,
     /// The number of lists that brought new values.
@@ -281,7 +280,6 @@ fn round_trip(vehicle: &Vehicle) -> Duration {
     vehicle.link.round_trip.unwrap_or_default()
 }
 
-/// A request for a parameter by its index.
 fn read(vehicle: &Vehicle, index: u16) -> Outgoing {
     MavMessage::PARAM_REQUEST_READ(PARAM_REQUEST_READ_DATA {
         param_index: index as i16,

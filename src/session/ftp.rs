@@ -69,7 +69,7 @@ pub enum FtpTask {
 /// The progress or the result of a task.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FtpEvent {
-    /// The folder: the task is done.
+    /// The entries of the folder; the task is done.
     Listed(Vec<FtpEntry>),
     /// Bytes of the file that were missing, in any order.
     Bytes(FileBytes),
@@ -106,7 +106,6 @@ pub struct FtpClient {
     sequence: FtpSequence,
 }
 
-/// The task that is carried out.
 #[derive(Debug, Clone)]
 struct FtpJob {
     ticket: FtpTicket,
@@ -130,7 +129,7 @@ impl FtpClient {
         }
     }
 
-    /// Drops everything: the vehicle has rebooted, and its server has lost the session.
+    /// Drops all tasks: the vehicle has rebooted, and its server has lost the session.
     pub fn forget(&mut self) {
         self.waiting.clear();
         self.job = None;

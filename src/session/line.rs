@@ -1,4 +1,5 @@
-//! The line to a vehicle: waiting orders, the one that awaits its answer, and those that await their effect.
+//! The line to a vehicle: the waiting orders, the order that awaits its answer, and the orders that
+//! await their effect.
 //!
 //! Only one order at a time awaits its answer, because an acknowledgement names only the command.
 
@@ -29,7 +30,6 @@ const SPEEDS_SAID: u8 = 3;
 pub(super) struct Line {
     /// The orders that wait for their turn, with the time they were given.
     queue: VecDeque<(VehicleCommand, Duration)>,
-    /// Finds the vehicle's name for the next order's parameter.
     search: Search,
     /// The order that awaits its answer.
     active: Option<Transaction>,
@@ -66,8 +66,8 @@ impl Moment<'_> {
 }
 
 impl Line {
-    /// Queues an order. An urgent one (kill, disarm, land, return, hold) cancels those that wait or have not been
-    /// answered.
+    /// Queues an order. An urgent order (kill, disarm, land, return, hold) cancels the orders that
+    /// wait or have not been answered.
     pub fn order(&mut self, mut order: VehicleCommand, mut moment: Moment) {
         if precedence::is_urgent(&order, moment.vehicle) {
             self.clear(&order.verb.name.into(), &mut moment);
@@ -164,7 +164,7 @@ impl Line {
         Ok(())
     }
 
-    /// Advances everything as far as possible.
+    /// Advances all orders as far as possible.
     pub fn advance(&mut self, mut moment: Moment) {
         let now = moment.now;
         loop {

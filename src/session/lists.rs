@@ -41,12 +41,12 @@ impl Lists {
         self.orders.take_from(shelf);
     }
 
-    /// Whether something is read or an order is carried out.
+    /// Whether a list is being read or an order is being carried out.
     pub fn is_busy(&self) -> bool {
         self.reader.is_busy() || self.orders.is_busy()
     }
 
-    /// Reads everything again, because the link was down or the vehicle has rebooted.
+    /// Reads all lists again, because the link was down or the vehicle has rebooted.
     pub fn begin_anew(&mut self, ftp: &mut FtpClient, now: Duration) {
         self.reader.forget();
         self.orders.begin_anew(ftp, now);
@@ -77,7 +77,7 @@ impl Lists {
         }
     }
 
-    /// Handles an event of the client for files.
+    /// Handles an event of the file client.
     pub fn hear_file(&mut self, ticket: FtpTicket, event: &FtpEvent, now: Duration) {
         self.orders.hear_file(ticket, event, now);
     }

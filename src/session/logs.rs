@@ -32,7 +32,6 @@ use listing::Listing;
 use reading::Reading;
 use words::{WholeLog, kept, list};
 
-/// The maximum number of orders that wait for one vehicle.
 const MOST_WAITING: usize = 8;
 
 /// The orders about the logs of one vehicle.
@@ -41,11 +40,10 @@ pub(super) struct LogReader {
     keeper: Option<Arc<dyn LogKeeper>>,
     waiting: VecDeque<VehicleCommand>,
     job: Option<LogsJob>,
-    /// The order to end the others.
+    /// The order that ends all other orders.
     stop: Option<VehicleCommand>,
 }
 
-/// The order that is carried out.
 #[derive(Debug, Clone)]
 struct LogsJob {
     order: VehicleCommand,
@@ -53,19 +51,17 @@ struct LogsJob {
     phase: LogsPhase,
     /// The progress last reported, in percent.
     percent: Option<u8>,
-    /// The logs that are complete.
     whole: Vec<WholeLog>,
 }
 
 #[derive(Debug, Clone)]
 enum LogsPhase {
     Listing(Listing),
-    /// The list has been read; if the vehicle offers files, those of its logs are searched for.
+    /// The list has been read; if the vehicle offers files, the files of its logs are searched for.
     Searching(Box<FileSearch>),
     Reading(Box<Reading>),
 }
 
-/// The inputs and outputs of an order.
 struct LogsDesk<'a> {
     keeper: &'a dyn LogKeeper,
     vehicle: &'a Vehicle,
@@ -129,7 +125,7 @@ impl LogReader {
         }
     }
 
-    /// Carries out the order to end all others.
+    /// Carries out the order that ends all other orders.
     fn stop(
         &mut self,
         stop: &VehicleCommand,
@@ -171,7 +167,7 @@ impl LogReader {
         }
     }
 
-    /// Handles an event of the client for files.
+    /// Handles an event of the file client.
     pub fn hear_file(
         &mut self,
         ticket: FtpTicket,
@@ -335,7 +331,6 @@ impl LogsJob {
         Ok(())
     }
 
-    /// Handles the list of logs.
     fn listed(&mut self, logs: Vec<ListedLog>, desk: &mut LogsDesk<'_>) -> Result<(), RowEnding> {
         if self.command == LogCommand::List {
             return Err(RowEnding::new(RowState::Done, list(&logs)));
@@ -385,7 +380,6 @@ impl LogsJob {
     }
 }
 
-/// The end of an order whose logs cannot be stored.
 fn failed(reason: Text) -> RowEnding {
     RowEnding::new(RowState::Refused, reason)
 }

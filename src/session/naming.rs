@@ -12,10 +12,9 @@ use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::Outgoing;
 
-/// The name as typed, where the vehicle has another one.
+/// The name as typed, if the vehicle has another one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Renamed {
-    /// The name as typed.
     from: String,
     sense: AliasSense,
 }
@@ -36,8 +35,8 @@ impl Renamed {
     }
 }
 
-/// Replaces the parameter's name in an order by the vehicle's. Returns `false` if the vehicle must
-/// be asked first: vehicles ignore unknown names.
+/// Replaces the parameter's name in an order with the vehicle's name for it. Returns `false` if the
+/// vehicle must be asked first: vehicles ignore unknown names.
 pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
     let (name, value) = match &mut order.command {
         Command::Parameter(ParameterCommand::Get { name }) => (name, None),
@@ -71,7 +70,6 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
 /// Asks a vehicle which of two names it has for the next order's parameter.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Search {
-    /// The order whose parameter is searched for.
     entry: Option<EntryId>,
     tries: u8,
     asked: Duration,
@@ -83,7 +81,7 @@ pub(super) enum Searching {
     Wait,
     /// The order's deadline passed before enough requests were sent.
     TooLate,
-    /// All requests were sent, and no answer came under either name.
+    /// All requests were sent, and the vehicle has answered under neither name.
     Over,
 }
 

@@ -15,10 +15,10 @@ use crate::verb::Verb;
 pub struct VehicleCommand {
     /// The ledger's entry that receives the reports.
     pub entry: EntryId,
-    /// The verb of the order, which sets retries and precedence.
+    /// The verb of the order, which determines retries and precedence.
     pub verb: &'static Verb,
     pub command: Command,
-    /// The parameter's name as typed, where the vehicle has another one.
+    /// The parameter's name as typed, if the vehicle has another one.
     pub renamed: Option<Renamed>,
 }
 

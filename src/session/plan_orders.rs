@@ -40,7 +40,6 @@ mod transaction;
 pub(crate) use shelf::format_of;
 pub use shelf::{GuardedShelf, PlanOnFile, PlanShelf};
 
-/// The maximum number of orders that wait for one vehicle.
 const MOST_WAITING: usize = 8;
 
 /// The inputs and outputs of an order.
@@ -57,7 +56,6 @@ pub(super) struct Desk<'a> {
 #[derive(Debug, Clone, Default)]
 pub(super) struct PlanOrders {
     shelf: Option<Arc<dyn PlanShelf>>,
-    /// Lists that a mission puts on board, before any order.
     stock: Stock,
     waiting: VecDeque<VehicleCommand>,
     job: Option<Job>,
@@ -70,7 +68,7 @@ impl PlanOrders {
         self.shelf = Some(shelf);
     }
 
-    /// Whether an order is carried out.
+    /// Whether an order is being carried out.
     pub fn is_busy(&self) -> bool {
         self.job.is_some() || !self.waiting.is_empty() || !self.stock.is_empty()
     }
@@ -104,7 +102,7 @@ impl PlanOrders {
         }
     }
 
-    /// Handles an event of the client for files.
+    /// Handles an event of the file client.
     pub fn hear_file(&mut self, ticket: FtpTicket, event: &FtpEvent, now: Duration) {
         if let Some(job) = &mut self.job {
             job.hear_file(ticket, event, now);

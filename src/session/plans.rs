@@ -38,8 +38,8 @@ const CAPABILITIES_WITHIN: Duration = Duration::from_secs(10);
 const SETTLED_AFTER: Duration = Duration::from_millis(1500);
 /// The minimum time between two readings of the same list.
 const NOT_AGAIN_WITHIN: Duration = Duration::from_secs(3);
-/// How often a list without an id is read again, and the extra time per item: on average less than one small
-/// message a second.
+/// The time after which a list without an id is read again, and the extra time per item: on average
+/// less than one small message a second.
 const AGAIN_AFTER: Duration = Duration::from_secs(120);
 const AGAIN_PER_ITEM: Duration = Duration::from_secs(1);
 /// The waits after the first, second and third failures; after a fourth, nothing more is requested.
@@ -76,7 +76,7 @@ pub(super) struct PlanReader {
     heard_at: Option<Duration>,
     /// Whether the vehicle's capabilities have been evaluated.
     knows_capabilities: bool,
-    /// When each list is due; `None` if it is not.
+    /// When each list is due to be read; `None` if it is not due.
     due: [Option<Duration>; 3],
     /// When each list was last read, and its number of failures since.
     read_at: [Option<Duration>; 3],

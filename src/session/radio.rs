@@ -47,7 +47,6 @@ impl RadioFault {
 pub(super) struct Channel {
     fault: RadioFault,
     random: ChaCha8Rng,
-    /// The arrival time of each frame, and the frame.
     inbound: VecDeque<(Duration, Frame)>,
     outbound: VecDeque<(Duration, Outgoing)>,
 }

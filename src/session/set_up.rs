@@ -1,4 +1,4 @@
-//! What a session is given before its first frame: streams, stores and keys.
+//! Sets up a session before its first frame: streams, stores and keys.
 
 use std::sync::Arc;
 use std::time::Duration;

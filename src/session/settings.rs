@@ -37,7 +37,7 @@ pub enum Want {
     Radio(RadioFault),
     /// Begins or ends a test of the radio link, as the user asks.
     RadioTest(Option<RadioTest>),
-    /// Puts the lists of a document on board; lists that are empty in it stay as they are.
+    /// Puts the lists of a document on board; a list that is empty in the document stays as it is.
     Lists(Arc<Document>),
 }
 
@@ -46,7 +46,6 @@ struct AskedSetting {
     value: f64,
     holds: bool,
     tries: u32,
-    /// When the setting is due to be sent again.
     due: Duration,
 }
 

@@ -58,13 +58,11 @@ pub(super) struct VehicleSigning {
     job: Option<SigningJob>,
 }
 
-/// The change that is carried out.
 #[derive(Debug, Clone)]
 struct SigningJob {
     order: VehicleCommand,
     change: SigningChange,
     phase: SigningPhase,
-    /// How many times a key was sent.
     tries: u8,
     /// The last warning of the vehicle since the key was sent.
     warning: Option<Text>,
@@ -309,7 +307,8 @@ impl SigningJob {
     }
 }
 
-/// A question that only its vehicle answers, and whose answer repeats `since`, the time when the vehicle took the key.
+/// A question that only the addressed vehicle answers, and whose answer repeats `since`, the time
+/// when the vehicle took the key.
 fn question(vehicle: MavAddress, since: Duration) -> Outgoing {
     MavMessage::TIMESYNC(TIMESYNC_DATA {
         tc1: 0,

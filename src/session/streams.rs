@@ -75,7 +75,8 @@ pub(super) struct Streams {
     wanted: &'static [Stream],
     arrived: BTreeMap<u32, u32>,
     asked: BTreeMap<u32, u32>,
-    /// How many times each mode was requested, by its index (0 for all), since the monitor had this number.
+    /// The number of requests for each mode, by its index (0 for all modes), since `modes_monitor`
+    /// last changed.
     modes_asked: BTreeMap<u8, u32>,
     modes_monitor: Option<u8>,
     window_start: Duration,
@@ -146,7 +147,7 @@ impl Streams {
             .collect()
     }
 
-    /// The request for the vehicle's modes: a few times for all of them and for each one that was
+    /// The request for the vehicle's modes: a few times for all modes and for each mode that was
     /// lost, and again when they change. A vehicle that announces no modes refuses the request, and
     /// its modes keep the built-in names.
     fn modes_to_ask(&mut self, vehicle: &Vehicle) -> Option<QueryCommand> {

@@ -34,7 +34,6 @@ fn ms(milliseconds: u64) -> Duration {
     Duration::from_millis(milliseconds)
 }
 
-/// A session and the vehicle at its other end.
 struct Scene {
     session: Session,
     now: Duration,
@@ -142,7 +141,6 @@ impl Scene {
         }
     }
 
-    /// The `COMMAND_LONG`s sent with a command.
     fn longs(&self, command: MavCmd) -> Vec<&COMMAND_LONG_DATA> {
         self.sent
             .iter()

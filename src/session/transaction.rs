@@ -26,10 +26,8 @@ pub(super) enum Progress {
     Ended,
 }
 
-/// The phase of a command: sent, answered, or waiting for its effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum TransactionPhase {
-    /// Sent, awaiting the answer.
     AwaitingAnswer {
         deadline: Duration,
         /// The vehicle is working on the command, so the command is not sent again.
@@ -68,11 +66,10 @@ pub(super) struct Transaction {
     /// must not accumulate.
     request: Request,
     effect: Effect,
-    /// Whether the effect was there before the command, so that only newer telemetry proves it.
+    /// Whether the effect was there before the command, in which case only newer telemetry proves
+    /// it.
     effect_was_there: bool,
-    /// Whether it was accepted, or sent as a message that has no answer.
     is_accepted: bool,
-    /// The claim that holds while its effect lasts.
     claim: Claim,
     /// When telemetry first agreed with the claim; only after that can another source contradict it.
     holds_since: Option<Duration>,
@@ -82,7 +79,6 @@ pub(super) struct Transaction {
     shown_since: Option<Duration>,
     /// Whether the effect showed while setpoints were being repeated.
     effect_has_shown: bool,
-    /// The vehicle's texts since the first transmission.
     texts: Vec<Text>,
 }
 

@@ -82,7 +82,7 @@ pub(super) enum Arrival {
     Line {
         from: ProgramId,
         line: Result<String, LineFault>,
-        /// The reserved place of the answer in the queue.
+        /// The reserved place for the answer in the queue.
         reply: mpsc::OwnedPermit<String>,
     },
     Closed(ProgramId),
@@ -107,7 +107,8 @@ impl LineFault {
 struct Program {
     client: Client,
     outbox: mpsc::Sender<String>,
-    /// News for which the queue had no room: the rest of one batch, as further news waits until it is sent.
+    /// News for which the queue had no room. It is the remainder of one batch: further news waits
+    /// until it has been sent.
     held: VecDeque<String>,
     /// Whether the user has been notified that the program gives commands.
     is_noticed: bool,
@@ -169,7 +170,7 @@ impl Programs {
         Ok(programs)
     }
 
-    /// The next arrival; without a socket, it never comes.
+    /// Waits for the next arrival; without a socket, it waits forever.
     pub async fn next(&mut self) -> Arrival {
         if let Some(arrivals) = &mut self.arrivals
             && let Some(arrival) = arrivals.recv().await
@@ -411,7 +412,6 @@ async fn pass_in(
     }
 }
 
-/// The socket's path as messages show it.
 fn shown(path: &Path) -> String {
     path.display().to_string()
 }

@@ -161,7 +161,8 @@ impl Console {
         }
     }
 
-    /// Ends everything, waiting only briefly: anything still running then ends with the program.
+    /// Ends the session and stores the waiting flights, waiting only briefly: processes that still
+    /// run then end with the program.
     pub(super) async fn close(&mut self) {
         self.end_session();
         self.store_flights();

@@ -176,7 +176,6 @@ impl Console {
         self.show_reviews();
     }
 
-    /// The attempts without a profile.
     fn tries_of_guests(&self) -> Tries {
         let runs = self.options.preferences.runs.as_ref();
         runs.map_or_else(Tries::new, |runs| runs.all_tries(None))

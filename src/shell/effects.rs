@@ -10,7 +10,7 @@ use crate::terminal::Environment;
 use crate::text::Text;
 
 impl Console {
-    /// Handles an event, and everything that is queued.
+    /// Handles an event, and all queued events.
     pub(super) async fn feed(&mut self, event: impl Into<Event>) {
         self.post(event);
         self.take_in().await;

@@ -128,7 +128,6 @@ impl Console {
     }
 }
 
-/// The current bookmarks of a flight.
 fn bookmarks(journal: Option<&Journal>, review: &Review) -> Vec<FlightBookmark> {
     journal.map_or_else(Vec::new, |journal| {
         let recorded: Vec<Moment> = journal.bookmarks().collect();
@@ -149,7 +148,7 @@ fn bookmarks_beside(path: &Path, run: &Stored) -> Vec<FlightBookmark> {
     bookmarks(journal.as_ref(), &review)
 }
 
-/// The date and time of a record, to the minute: `2026-11-20T14:03:22Z` is `2026-11-20 14:03`.
+/// The date and time of a record, to the minute: `2026-11-20T14:03:22Z` becomes `2026-11-20 14:03`.
 fn minute(when: &str) -> String {
     let time = when.rsplit_once(':').map_or(when, |(time, _)| time);
     time.replace('T', " ")

@@ -31,7 +31,8 @@ pub fn stock() -> Vec<Design> {
     designs.filter_map(Result::ok).collect()
 }
 
-/// The available missions, the course that they form, and the faults of the others.
+/// The available missions, the course that they form, and the faults of the missions that cannot be
+/// offered.
 pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
     let (missions, warnings) = readable();
     let files = store::mission_files(&missions);
@@ -44,7 +45,7 @@ pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
     (listings, course, warnings)
 }
 
-/// The missions without faults, each id once, and the faults of the others.
+/// The missions without faults, each id once, and the faults of the other missions.
 fn readable() -> (Vec<Mission>, Vec<Text>) {
     let mut missions: Vec<Mission> = Vec::new();
     let mut names: Vec<String> = Vec::new();

@@ -84,14 +84,14 @@ impl Console {
         }
     }
 
-    /// The seconds of the vehicles' time per second of the program's.
+    /// The seconds of the vehicles' time per second of the program's time.
     pub(super) fn speedup(&self) -> f64 {
         let running = self.running.as_ref();
         running.map_or(self.options.speedup, RunningSession::speedup)
     }
 
     /// When a brief is first read, stops a mission in the embedded simulator once its vehicles are
-    /// there. Resumes it when the brief is left.
+    /// there. Resumes it when the trainee leaves the brief.
     pub(super) fn wait_for_reader(&mut self) {
         let session = self.app.state().session();
         let is_reading = session.is_reading();
@@ -125,14 +125,13 @@ impl Console {
         self.post(event);
     }
 
-    /// Ends the mission; its report comes with the next tick.
+    /// Ends the mission; its report follows with the next tick.
     pub(super) fn abandon(&mut self) {
         self.go_on();
         self.running.iter_mut().for_each(RunningSession::abandon);
     }
 }
 
-/// The journal's entry for a pause.
 fn paused_for(lasted: Duration) -> Happening {
     let ms = u64::try_from(lasted.as_millis()).unwrap_or(u64::MAX);
     Happening::Paused { ms }
@@ -176,7 +175,6 @@ mod tests {
         }
     }
 
-    /// Mission time so far.
     fn elapsed(console: &Console) -> Duration {
         let progress = console.app.state().session().mission();
         progress.map_or(Duration::ZERO, |progress| progress.elapsed)

@@ -110,10 +110,8 @@ struct Plain {
     report: PlainReport,
     output: PlainOutput,
     wait: PlainWait,
-    /// The condition that the first line waits for.
     beginning: Beginning,
     is_person: bool,
-    /// Whether the input has ended.
     ended: bool,
     said_at: Duration,
     /// The time limit for vehicles that do not start.
@@ -147,7 +145,6 @@ impl Plain {
             || state.session().activity().is_none()
     }
 
-    /// Whether the next line can be carried out.
     fn takes_lines(&self) -> bool {
         !self.ended && (self.is_person || (self.beginning.is_over() && self.is_idle()))
     }
@@ -390,7 +387,6 @@ impl Plain {
     }
 }
 
-/// A fault with its advice.
 fn explained(fault: &Diagnostic) -> Text {
     let help = fault.help.clone();
     Text::joined(

@@ -68,9 +68,7 @@ pub(super) struct RunningSession {
     /// The paths of manoeuvres, as last shown.
     paths: Vec<Path>,
     vehicle_time: PacedClock,
-    /// The processes of its vehicles.
     processes: Option<Processes>,
-    /// The recorder, if the session is recorded.
     recorder: Option<FlightRecorder>,
     cancel: CancellationToken,
 }
@@ -91,8 +89,8 @@ impl RunningSession {
         })
     }
 
-    /// Downloads all parameters of these vehicles. Vehicles that cannot be asked now are asked at a
-    /// later tick.
+    /// Downloads all parameters of these vehicles. If the fleet cannot keep up, the remaining
+    /// vehicles are left out.
     pub fn fetch_parameters(&self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
             if self.fleet.fetch_parameters(vehicle).is_err() {
@@ -101,7 +99,7 @@ impl RunningSession {
         }
     }
 
-    /// Forgets vehicles: one that is heard again counts as new.
+    /// Forgets vehicles; a vehicle that is heard again counts as new.
     pub fn forget(&mut self, vehicles: &[VehicleId]) {
         for &vehicle in vehicles {
             // The hub may still route such a vehicle: it must appear when it is heard again.
@@ -229,7 +227,7 @@ impl RunningSession {
         }
     }
 
-    /// A notice of the recorder, if any.
+    /// A notice from the recorder, if any.
     fn hear_recorder(&mut self, now: Duration) -> Option<Event> {
         let recorder = self.recorder.as_mut()?;
         recorder.pass_inputs();
@@ -237,7 +235,6 @@ impl RunningSession {
         Some(Event::Notice(Notice::general(now, Severity::Warning, text)))
     }
 
-    /// The parameter lists that have changed.
     fn changed_parameters(&mut self) -> impl Iterator<Item = Event> + '_ {
         self.parameters
             .iter_mut()
@@ -249,7 +246,7 @@ impl RunningSession {
             })
     }
 
-    /// A count of the links' messages, if needed and due.
+    /// A count of the links' messages, if requested and due.
     pub fn inspect(&mut self, request: Option<&TrafficRequest>, now: Duration) -> Option<Event> {
         self.inspection.look(self.links.all(), request?, now)
     }

@@ -10,7 +10,6 @@ use crate::text;
 use crate::text::Text;
 use crate::wire::SystemId;
 
-/// The head of the file.
 const HEAD: &str = "\
 # Keys of MAVLink signing, written by sortie. Anyone with these keys can command the vehicles: keep the file to yourself.
 # `key` is the key of a vehicle, `next` one that it may have received. The timestamps of sortie continue from `stamp`.
@@ -115,13 +114,13 @@ impl Keyring {
         (text, reserved)
     }
 
-    /// Notes that a text of [`Self::write`] is in its file.
+    /// Notes that the text from [`Self::write`] is in its file.
     pub fn written(&mut self, reserved: u64) {
         self.reserved = self.reserved.max(reserved);
     }
 
-    /// Notes that a text of [`Self::write`] could not be written: writing is retried with the next
-    /// change of a key, or once the timestamps are used up.
+    /// Notes that the text from [`Self::write`] could not be written: the write is retried with the
+    /// next change of a key, or once the timestamps are used up.
     pub fn unwritten(&mut self) {
         self.is_asked = true;
     }

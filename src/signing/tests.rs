@@ -16,7 +16,7 @@ const VEHICLE: MavAddress = MavAddress {
     component: 1,
 };
 
-/// A frame of vehicle 3.
+/// A frame from vehicle 3.
 struct Sent {
     frame: Frame,
     bytes: Vec<u8>,
@@ -41,7 +41,7 @@ impl Keyring {
         self.check(link, &sent.frame, &sent.bytes)
     }
 
-    /// The key and the stamp of a message to vehicle 3.
+    /// The key and the timestamp of a message to vehicle 3.
     fn say(&mut self, link: &str, wall: u64) -> Option<(SecretKey, u64)> {
         let stamp = Stamp {
             link: 0,
@@ -264,11 +264,10 @@ fn a_row_by_hand_needs_system_link_and_key() {
 /// An event that affects the timestamps of a console.
 #[derive(Debug, Clone)]
 enum Turn {
-    /// A message at this time of the machine's clock, which may be changed.
+    /// A message sent at this time of the machine's clock, which may jump.
     Say(u64),
-    /// A frame of the vehicle with this stamp.
+    /// A frame from the vehicle with this timestamp.
     Hear(u64),
-    /// The file is written.
     Save(u64),
     /// The program is killed, and starts again with the file.
     Kill,

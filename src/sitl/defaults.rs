@@ -9,7 +9,6 @@ use crate::sim::Airframe;
 
 /// Pulses of the radio and of the throttle's output, in microseconds.
 const PULSE_US: [(&str, f64); 3] = [("MIN", 1000.0), ("MAX", 2000.0), ("TRIM", 1500.0)];
-/// The voltage of a full cell.
 const CELL_FULL_V: f64 = 4.2;
 /// The cell voltage at which a pack under load counts as low.
 const CELL_LOW_V: f64 = 3.5;
@@ -43,7 +42,6 @@ pub(super) fn of(kind: SitlKind) -> Vec<(String, f64)> {
     all
 }
 
-/// Settings of this kind of vehicle.
 fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
     match kind {
         SitlKind::Copter => &[

@@ -6,7 +6,8 @@ use strum::{IntoStaticStr, VariantArray};
 use crate::geo::maths;
 use crate::sim::Start;
 
-/// The arrangement of vehicles at the start. The first one is at home, and all have the same heading.
+/// The arrangement of vehicles at the start. The first vehicle is at home, and all have the same
+/// heading.
 #[derive(
     Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, IntoStaticStr, VariantArray,
 )]

@@ -1,8 +1,9 @@
-//! SITL's models of vehicles, and the parameters that the autopilot needs to fly each.
+//! SITL's models of vehicles, and the parameters that the autopilot needs for each.
 //!
-//! SITL finds a model by the beginning of its name and does not check the parameters: with the wrong ones a vehicle
-//! arms and then turns over. The table has the combinations that were flown or armed with `ArduPilot` 4.6; the
-//! outlines are those of `SIM_Frame.cpp`, the parameters those of `AP_Motors_Class.h`.
+//! SITL finds a model by the beginning of its name and does not check the parameters: with wrong
+//! parameters, a vehicle arms and then turns over. The table has the combinations that were flown
+//! or armed with `ArduPilot` 4.6; the outlines are those of `SIM_Frame.cpp`, the parameters those
+//! of `AP_Motors_Class.h`.
 
 use super::{SitlKind, SitlUnfit};
 
@@ -28,8 +29,8 @@ macro_rules! multirotors {
     };
 }
 
-/// Multirotors: motors, `FRAME_CLASS`, `FRAME_TYPE`. The first model with a number of motors is the one for airframes
-/// with that number: it has the outline of the embedded simulator. `quad` means a plus frame.
+/// Multirotors: motors, `FRAME_CLASS`, `FRAME_TYPE`. An airframe uses the first model with its
+/// number of motors, which has the outline of the embedded simulator. `quad` means a plus frame.
 const MULTIROTORS: &[SitlModel] = multirotors! {
     "quad": 4, 1.0, 0.0;
     "+": 4, 1.0, 0.0;
@@ -55,7 +56,7 @@ const MULTIROTORS: &[SitlModel] = multirotors! {
     "tri": 3, 7.0, 0.0;
 };
 
-/// Models of other vehicles; the first one of a kind is its default.
+/// Models of other vehicles; the first model of a kind is its default.
 const OTHERS: &[SitlModel] = &[
     other(SitlKind::Plane, "plane", &[]),
     other(SitlKind::Rover, "rover", &[]),
@@ -83,7 +84,6 @@ const fn other(
     }
 }
 
-/// The models of a kind.
 fn of(kind: SitlKind) -> impl Iterator<Item = &'static SitlModel> {
     let all = MULTIROTORS.iter().chain(OTHERS);
     all.filter(move |model| model.kind == kind)
@@ -93,7 +93,7 @@ fn of(kind: SitlKind) -> impl Iterator<Item = &'static SitlModel> {
 /// requested parameters.
 ///
 /// # Errors
-/// No model fits; or the named one is unknown or does not fit, and the error lists the
+/// No model fits; or the named model is unknown or does not fit, and the error lists the
 /// alternatives.
 pub(super) fn choose(
     kind: SitlKind,
@@ -140,8 +140,8 @@ pub(super) fn choose(
     }
 }
 
-/// The first model that fits, preferably one with this number of motors; without a number, one with
-/// as many as the default model.
+/// The first model that fits, preferably with this number of motors; without a number, preferably
+/// with as many motors as the default model.
 fn likely(
     kind: SitlKind,
     motors: Option<usize>,

@@ -20,20 +20,20 @@ use strum::{IntoStaticStr, VariantNames};
 #[serde(rename_all = "lowercase")]
 #[strum(serialize_all = "lowercase")]
 pub enum SitlStage {
-    /// Other instances are being started before it.
+    /// Other instances are being started before this one.
     Queued,
     Process,
-    /// Its autopilot has sent a heartbeat.
+    /// The autopilot has sent a heartbeat.
     Heartbeat,
-    /// All its parameters have been received.
+    /// All parameters have been received.
     Parameters,
-    /// Its navigation filter has a position.
+    /// The navigation filter has a position.
     Position,
     /// The vehicle can be armed.
     Ready,
     /// The process is being ended.
     Stopping,
-    /// Its process has ended.
+    /// The process has ended.
     Ended,
 }
 

@@ -1,4 +1,5 @@
-//! The command line's history across sessions: one line each, newest last, readable only by the user.
+//! The command line's history across sessions: an entry per line, newest last, readable only by the
+//! user.
 
 use std::fs::{self, OpenOptions};
 use std::io::{self, Write as _};

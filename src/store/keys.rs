@@ -114,7 +114,7 @@ impl KeyFile {
         }
     }
 
-    /// Replaces the content: after a crash, the file has either the old one or the new one.
+    /// Replaces the content: after a crash, the file has either the old or the new content.
     ///
     /// # Errors
     /// The file cannot be written, or another console has begun to use it.

@@ -30,14 +30,13 @@ pub struct LogFolder {
 }
 
 impl LogFolder {
-    /// The logs in the program's folder for data.
+    /// The logs in the program's data folder.
     pub fn within(data: &Path) -> Self {
         Self {
             folder: data.join("logs"),
         }
     }
 
-    /// The path of the folder in which a log is stored.
     fn folder_of(&self, log: &VehicleLog) -> PathBuf {
         match &log.folder {
             Some(folder) => user_path(folder),
@@ -45,7 +44,7 @@ impl LogFolder {
         }
     }
 
-    /// Creates the folder of a log; one that the user named gets the usual mode of a new folder.
+    /// Creates the folder of a log; a folder that the user named gets the usual mode of a new one.
     fn make_folder(&self, log: &VehicleLog) -> Result<(), StoreError> {
         let folder = self.folder_of(log);
         let made = if log.folder.is_some() {
@@ -57,7 +56,6 @@ impl LogFolder {
         made.map_err(|error| unwritable(&folder, error))
     }
 
-    /// The files of a log while it is incomplete.
     fn part(&self, log: &VehicleLog) -> LogPart {
         let name = format!("v{}-log{}.bin", log.vehicle, log.log.number);
         LogPart::new(&self.folder_of(log), &name)

@@ -8,11 +8,11 @@ use crate::diagnostic::nearest;
 use crate::text;
 use crate::text::Text;
 
-/// The maximum number of names of one folder that are offered.
+/// The maximum number of names offered from one folder.
 const MOST_NAMES: usize = 1000;
 
-/// The names in a folder in order, without hidden ones; those of folders end with `/`. Empty if it cannot be read. An
-/// empty path is the working directory.
+/// The names in a folder, sorted and without hidden ones; names of folders end with `/`. Empty if
+/// the folder cannot be read. An empty path is the working directory.
 pub fn names_in(folder: &Path) -> Vec<String> {
     let folder = if folder.as_os_str().is_empty() {
         Path::new(".")

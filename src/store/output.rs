@@ -19,11 +19,12 @@ const MOST_LINKS: usize = 40;
 
 /// Writes a text file completely or not at all: a reader finds either the old file or the new one.
 ///
-/// A link stays a link; its target is written. A file that is replaced keeps its mode, and its owner if the system
-/// allows it. Anything that is not a regular file (a device, a FIFO) is written to; a FIFO needs a reader.
+/// A link stays a link; its target is written. A file that is replaced keeps its mode, and its
+/// owner if the system allows it. Anything that is not a regular file (a device, a FIFO) is written
+/// to; a FIFO needs a reader.
 ///
 /// # Errors
-/// It cannot be written, or it exists already and must not be replaced.
+/// The file cannot be written, or it exists already and must not be replaced.
 pub fn write(path: &Path, text: &str, replace: bool) -> Result<(), StoreError> {
     write_with_mode(path, text, replace, PUBLIC)
 }
@@ -64,10 +65,11 @@ pub fn write_output(path: &Path, text: &str, readers: Readers) -> Result<(), Sto
     print(text).map_err(|error| unwritable(path, error))
 }
 
-/// Writes a text to an output that must not exist yet: `-` is standard output, and a device or a FIFO is written to.
+/// Writes a text to an output that must not exist yet: `-` is standard output, and a device or a
+/// FIFO is written to.
 ///
 /// # Errors
-/// It cannot be written, or it exists already.
+/// The output cannot be written, or it exists already.
 pub fn write_new_output(path: &Path, text: &str) -> Result<(), StoreError> {
     if is_standard_output(path) {
         return print(text).map_err(|error| unwritable(path, error));
@@ -84,7 +86,7 @@ pub fn is_stream(path: &Path) -> bool {
 /// Opens the stream that a path stands for; `None` if it stands for none.
 ///
 /// # Errors
-/// It cannot be opened, such as a FIFO without a reader.
+/// The stream cannot be opened: a FIFO without a reader, for example.
 pub fn open_stream(path: &Path) -> Result<Option<Box<dyn io::Write>>, StoreError> {
     if is_standard_output(path) {
         return Ok(Some(Box::new(io::stdout())));
@@ -192,7 +194,7 @@ pub fn end_of_links(path: &Path) -> io::Result<PathBuf> {
 /// The mode of a temporary file.
 #[derive(Clone, Copy)]
 enum PartMode<'a> {
-    /// Mode and owner of the file that it will replace.
+    /// The mode and the owner of the file to be replaced.
     Of(&'a Metadata),
     /// These bits, reduced by the umask.
     New(u32),
@@ -204,7 +206,6 @@ struct TemporaryFile {
 }
 
 impl TemporaryFile {
-    /// Writes the text to a new file beside the target.
     fn write(target: &Path, text: &str, mode: PartMode<'_>) -> io::Result<Self> {
         let Some(name) = target.file_name() else {
             return Err(io::ErrorKind::IsADirectory.into());
@@ -230,7 +231,7 @@ impl Drop for TemporaryFile {
     }
 }
 
-/// A new file that is never more accessible than the one it will replace.
+/// A new file that is never more accessible than the file that it will replace.
 #[cfg(unix)]
 fn new_file(path: &Path, mode: PartMode<'_>) -> io::Result<File> {
     use std::os::unix::fs::{MetadataExt as _, OpenOptionsExt as _, fchown};

@@ -19,7 +19,7 @@ const LONGEST: u64 = 16 * 1024 * 1024;
 /// Reads the text of a plan file of at most 1 MiB; of an archive (KMZ), the KML in it.
 ///
 /// # Errors
-/// It does not exist, cannot be read, is too large or is not text.
+/// The file does not exist, cannot be read, is too large or is not text.
 pub fn read_plan_text(path: &Path) -> Result<Source, StoreError> {
     let bytes = read_bytes(path, "file-plan")?;
     let name = path.display().to_string();
@@ -43,7 +43,7 @@ pub struct PlanFiles {
 }
 
 impl PlanFiles {
-    /// The files of plans, with kept lists in the program's folder for data.
+    /// The plan files; kept lists are in the program's data folder.
     pub fn keeping_in(data: Option<&Path>) -> Self {
         Self {
             kept: data.map(|data| data.join("plans")),
@@ -183,7 +183,6 @@ mod tests {
         assert!(!folder.path().join("a.xyz").exists());
     }
 
-    /// A zip archive with one stored file.
     fn zip(name: &str, content: &[u8], stated: u32) -> Vec<u8> {
         let size = (content.len() as u32).to_le_bytes();
         let length = (name.len() as u16).to_le_bytes();

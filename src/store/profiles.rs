@@ -33,7 +33,6 @@ use opening::private;
 pub use rescue::Rescue;
 pub use transfer::ProfileFile;
 
-/// The name of the database file in the program's data folder.
 const FILE: &str = "profiles.sqlite";
 /// How long a console waits while another one writes.
 const PATIENCE: Duration = Duration::from_secs(5);
@@ -54,7 +53,7 @@ pub struct Profile {
     key: i64,
     /// The name; case does not matter.
     pub name: String,
-    /// Its creation time in UTC: `2026-11-20T14:03:22Z`.
+    /// The creation time in UTC: `2026-11-20T14:03:22Z`.
     pub since: String,
     pub settings: ProfileSettings,
 }
@@ -71,14 +70,14 @@ pub struct ProfileSettings {
 }
 
 impl ProfileSettings {
-    /// The key of the exams of a profile with this name, created at this time.
+    /// The exam key of a profile with this name and creation time.
     fn exam_key(&self, name: &str, since: &str) -> ExamKey {
         self.exams.unwrap_or_else(|| ExamKey::of(name, since))
     }
 }
 
 impl Profile {
-    /// The key of the trainee's exams, which makes them differ from those of others.
+    /// The key of the trainee's exams, which makes them differ from other trainees' exams.
     pub fn exam_key(&self) -> ExamKey {
         self.settings.exam_key(&self.name, &self.since)
     }
@@ -205,7 +204,7 @@ impl Profiles {
     /// Makes a backup copy.
     ///
     /// # Errors
-    /// The copy cannot be written; the last one stays.
+    /// The copy cannot be written; the last copy stays.
     pub fn back_up(&self) -> Result<(), ProfileError> {
         rescue::back_up(&self.connection, &self.path).map_err(|error| self.fault(error))
     }

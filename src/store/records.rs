@@ -1,8 +1,8 @@
-//! Records of flights: the frames of their links and their journals, written as they happen.
+//! Records of flights: the frames of their links and their journals, written during the flight.
 //!
 //! The files of a record are in one folder and share a stem: that of the mission's run, if there is
 //! one. A thread writes them every quarter of a second, so a slow disk blocks nothing, and a killed
-//! program loses no more than that.
+//! program loses at most the last quarter of a second.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -65,7 +65,6 @@ fn numbered(oldest_first: Vec<RecordFiles>, number: usize) -> Result<RecordFiles
     found.ok_or_else(|| text!("records-no-number", number = number))
 }
 
-/// The name of the last rehearsal.
 const REHEARSAL: &str = "rehearsal";
 
 fn has_content(path: &Path) -> bool {
@@ -78,7 +77,7 @@ fn unwritable(path: &Path, error: io::Error) -> StoreError {
 }
 
 impl Records {
-    /// The records in the program's folder for data.
+    /// The records in the program's data folder.
     pub fn within(data: &Path, limits: RecordLimits) -> Self {
         Self {
             folder: data.join(super::RUNS),
@@ -180,13 +179,14 @@ impl Records {
         numbered(self.list(), number)
     }
 
-    /// The frames of the newest record that has any, if there is one.
+    /// The frames of the newest record that has frames, if there is one.
     pub fn newest(&self) -> Option<PathBuf> {
         let mut newest_first = self.list().into_iter().rev();
         newest_first.find_map(|it| it.frames.filter(|path| has_content(path)))
     }
 
-    /// The frames of the newest record that has any, among those of a profile, or of guests (`None`).
+    /// The frames of the newest record that has frames, among those of a profile, or of guests
+    /// (`None`).
     pub fn newest_of(&self, profile: Option<&str>) -> Option<PathBuf> {
         let is_theirs = |files: &RecordFiles| {
             let head = files.head();
@@ -264,7 +264,7 @@ impl Records {
         ))
     }
 
-    /// Removes the oldest records until one more fits within the limits; records being written
+    /// Removes the oldest records until a new one fits within the limits; records being written
     /// stay.
     fn make_room(&self) {
         let mut bytes = 0;

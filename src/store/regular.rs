@@ -7,7 +7,7 @@ use std::path::Path;
 /// Reads a regular file of at most `most` bytes.
 ///
 /// # Errors
-/// It does not exist, is not a regular file, is larger, or cannot be read.
+/// The file does not exist, is not a regular file, is larger, or cannot be read.
 pub(super) fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
     // Opening a FIFO would wait for its writer, so its type is checked first.
     let kind = fs::metadata(path)?;

@@ -25,7 +25,7 @@ use crate::scoring::TryReport;
 const MOMENT: &str = "%Y-%m-%dT%H:%M:%SZ";
 /// The suffix of a run's file.
 pub(super) const ENDING: &str = ".run.jsonl";
-/// The suffix of the inputs of its simulated vehicles.
+/// The suffix of the inputs of a run's simulated vehicles.
 pub(super) const INPUTS: &str = ".inputs.jsonl";
 /// The pattern of the timestamp at the beginning of a run's file name, with any digits.
 const STAMP: &str = "0000-00-00T00-00-00Z_";
@@ -51,7 +51,7 @@ pub struct Runs {
 pub struct RunFile(AppendFile);
 
 impl Runs {
-    /// The runs in the program's folder for data: the newest 300, limited to 256 MiB in total.
+    /// The runs in the program's data folder: the newest 300, limited to 256 MiB in total.
     pub fn within(data: &Path) -> Self {
         Self {
             folder: data.join(super::RUNS),
@@ -75,7 +75,7 @@ impl Runs {
     /// format of [`utc`].
     ///
     /// # Errors
-    /// It cannot be created.
+    /// The file cannot be created.
     pub fn begin(&self, mission: &str, when: &str) -> Result<RunFile, StoreError> {
         let unwritable = |path: &Path, error| StoreError::Unwritable {
             path: path.to_owned(),
@@ -234,13 +234,12 @@ impl RunFile {
         drop(fs::remove_file(self.path()));
     }
 
-    /// Its unique id: the file's name without its suffix.
+    /// The run's unique id: the file's name without its suffix.
     pub fn id(&self) -> &str {
         run_id(self.0.path())
     }
 }
 
-/// The path of the inputs, from the run's path.
 fn inputs_of(run: &Path) -> PathBuf {
     run.with_file_name(format!("{}{INPUTS}", run_id(run)))
 }

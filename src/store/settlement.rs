@@ -29,7 +29,6 @@ use crate::text;
 use crate::text::Text;
 use crate::workshop::Design;
 
-/// The number of seconds in a day.
 const DAY_S: u64 = 24 * 60 * 60;
 
 /// Facts about a finished flight that are not part of the flight itself.
@@ -37,7 +36,7 @@ const DAY_S: u64 = 24 * 60 * 60;
 pub struct Landing {
     /// The unique id of the run: [`RunFile::id`](super::RunFile::id).
     pub id: String,
-    /// Whether its record is complete.
+    /// Whether the flight's record is complete.
     pub is_recorded: bool,
     pub when: SystemTime,
     pub stake: Stake,
@@ -75,9 +74,9 @@ pub struct Recovery {
     pub profile: String,
     pub mission: String,
     pub score: u16,
-    /// How it counts, if it was left unfinished.
+    /// How the run counts, if it was left unfinished.
     pub left: Option<LeftFlight>,
-    /// Why it counts for less than its record claims, if it does.
+    /// Why the run counts for less than its record claims; empty if it does not.
     pub reduced: Vec<PracticeReason>,
 }
 
@@ -159,8 +158,8 @@ fn completed(
 }
 
 /// Stores the finished runs of a folder that are missing from their profiles, and the unfinished
-/// ones that count, each once even if several consoles start together. If none is missing, it reads
-/// only file names, and the first and last lines of records without a profile.
+/// runs that count, each once even if several consoles start together. If no run is missing, only
+/// file names are read, and the first and last lines of records without a profile.
 ///
 /// # Errors
 /// The database cannot be read or written; entries stored before that stay.
@@ -205,7 +204,7 @@ struct LeftRun<'a> {
 
 impl<'a> LeftRun<'a> {
     /// Reads a record; `None` if it belongs to none of these profiles, or is still being written. A
-    /// profile created after the record does not count, although it has the same name.
+    /// profile created after the record does not count, even if it has the same name.
     fn read(path: &Path, everybody: &'a [Profile]) -> Option<Self> {
         let (head, end) = outline(path).ok()?;
         let left = match end {

@@ -67,12 +67,13 @@ fn results(data: &Path) -> Vec<PathBuf> {
 /// A difference between the configured readers and those that the modes of a data folder allow.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SharingFault {
-    /// The group may read, but the folder, or one of the results in it, lacks the mode for it. The
-    /// kernel drops a set-group-ID bit silently if the folder's owner is not in its group.
+    /// The settings let the group read, but the folder, or one of the results in it, lacks the mode
+    /// for it. The kernel drops a set-group-ID bit silently if the folder's owner is not in its
+    /// group.
     NotShared,
-    /// The group may read, but this many files and folders belong to another group.
+    /// The settings let the group read, but this many files and folders belong to another group.
     OtherGroup(usize),
-    /// Only the owner may read, but the group still can.
+    /// The settings let only the owner read, but the group still can.
     StillShared,
 }
 
@@ -112,7 +113,7 @@ fn count_results(data: &Path, is_so: &dyn Fn(&fs::Metadata) -> bool) -> usize {
     results(data).iter().map(|path| count(path, is_so)).sum()
 }
 
-/// The number of files and folders from this one down that have a property; links are not
+/// The number of files and folders at this path and below it that have a property; links are not
 /// followed.
 fn count(path: &Path, is_so: &dyn Fn(&fs::Metadata) -> bool) -> usize {
     match fs::symlink_metadata(path) {
@@ -148,10 +149,10 @@ pub(super) fn folder_within(above: &Path, path: &Path) -> io::Result<()> {
     allow(path, SHARED_FOLDER)
 }
 
-/// Opens a file for writing with these options; a new one gets the readers of its folder.
+/// Opens a file for writing with these options; a new file gets the readers of its folder.
 ///
 /// # Errors
-/// It cannot be opened.
+/// The file cannot be opened.
 pub(super) fn open(options: &mut OpenOptions, path: &Path) -> io::Result<File> {
     let file = links::open_own(options.mode(0o600), path)?;
     let folder = path.parent().filter(|it| !it.as_os_str().is_empty());

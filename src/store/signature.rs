@@ -16,7 +16,6 @@ use crate::text::Text;
 
 /// The maximum size of a key or a signature, in bytes.
 const LONGEST: u64 = 64 * 1024;
-/// The suffix of a signature file.
 const SIGNATURE: &str = ".minisig";
 /// The names of a key's two files, as `minisign -G` uses them.
 const SECRET_KEY: &str = "minisign.key";
@@ -66,7 +65,7 @@ impl fmt::Debug for RecordKey {
 
 impl RecordKey {
     /// Reads a key file in the format of `minisign -G`. Asks on the terminal for the password of an
-    /// encrypted one.
+    /// encrypted key.
     ///
     /// # Errors
     /// The file cannot be read, is not a key, or the password is wrong.
@@ -138,7 +137,7 @@ impl RecordPublicKey {
     /// Reads a public key from its text, or from a file of `minisign -G`.
     ///
     /// # Errors
-    /// It is neither.
+    /// The argument is neither a key nor such a file.
     pub fn read(text_or_path: &str) -> Result<Self, SignatureError> {
         if let Ok(key) = PublicKey::from_base64(text_or_path) {
             return Ok(Self(key));
@@ -175,7 +174,7 @@ pub(super) fn sign(path: &Path, key: &RecordKey, about: &str) -> Result<PathBuf,
 pub(super) struct FileSignature {
     /// The id of the key.
     pub key: String,
-    /// The part of its comment after the name of the file.
+    /// The part of the signature's comment after the name of the file.
     pub about: String,
 }
 
@@ -186,13 +185,13 @@ pub enum SignatureFault {
     Unreadable(String),
     /// The text is not a signature in minisign's format.
     Damaged,
-    /// It was made with a different key from the given one.
+    /// The signature was made with a key other than the given one.
     OtherKey { key: String },
     /// The file or the signature's comment was changed after signing.
     Changed,
     /// The comment names another file, or no file because another program made the signature.
     OtherFile,
-    /// Its key or its comment differs from those of the record's other files.
+    /// The signature's key or its comment differs from those of the record's other files.
     Mixed,
     /// The signed file is missing.
     Missing,
@@ -212,7 +211,8 @@ impl From<&SignatureFault> for Text {
     }
 }
 
-/// Reads the signature of a file, and checks it with a key, if one is given. `None` if the file has none.
+/// Reads the signature of a file, and checks it with a key, if one is given. `None` if the file has
+/// no signature.
 ///
 /// # Errors
 /// The signature is damaged, belongs to another file or key, or the file was changed.

@@ -46,7 +46,7 @@ pub enum StoreError {
     Unwritable { path: PathBuf, error: io::Error },
     /// The file exists already and must not be lost.
     Exists { path: PathBuf },
-    /// Neither a file nor a known name.
+    /// The argument is neither a file nor a known name.
     Unknown {
         /// The id of the message that names the expected kind of file.
         kind: &'static str,

@@ -1,5 +1,5 @@
-//! The unsaved drafts of consoles. Each console has a file of its own in the data folder, which is
-//! locked while the console runs: another console opens only files that have been left behind.
+//! The unsaved drafts of consoles. Each console has its own file in the data folder and keeps it
+//! locked as long as it runs: another console opens only files that have been left behind.
 
 use std::fs::{self, File, TryLockError};
 use std::io;
@@ -71,8 +71,8 @@ impl UnsavedDrafts {
         texts
     }
 
-    /// Writes the unsaved drafts to a new file, and then removes the earlier one and those of other consoles; `None` only
-    /// removes them.
+    /// Writes the unsaved drafts to a new file, and then removes this console's earlier file and
+    /// the adopted files of other consoles; `None` only removes them.
     ///
     /// # Errors
     /// A file cannot be written or removed.

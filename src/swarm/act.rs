@@ -60,7 +60,7 @@ pub(super) enum Work {
     },
     /// All members keep their places in a formation.
     Formation(March),
-    /// Each member follows the one ahead.
+    /// Each member follows the vehicle ahead of it.
     Follow(Tail),
     /// Each member keeps its place between home and a vehicle.
     Chain(Chain),
@@ -161,7 +161,6 @@ impl ActiveManoeuvre {
         self.site.point(view.vehicles.get(&id)?)
     }
 
-    /// Sends each member's setpoint.
     fn steer(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         for index in 0..self.members.len() {
             let member = &self.members[index];
@@ -298,7 +297,6 @@ impl ActiveManoeuvre {
         self.members.iter().enumerate().map(path).collect()
     }
 
-    /// The unfinished lanes of a survey.
     fn lanes_left(&self) -> Vec<Lane> {
         let lanes = self.members.iter().flat_map(|member| {
             let first = member.next / 2;
@@ -327,7 +325,6 @@ impl ActiveManoeuvre {
     }
 }
 
-/// The remark on a vehicle's row when its formation moves.
 fn move_remark(vehicle: VehicleId, leader: VehicleId) -> Text {
     if vehicle == leader {
         text!("swarm-leads")

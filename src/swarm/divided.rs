@@ -14,8 +14,9 @@ pub struct DividedWork {
 }
 
 impl DividedWork {
-    /// Notes work that is divided among vehicles. Returns the vehicles that shared earlier work with one of these and
-    /// have no part now: their old plans lead them through the parts of the others.
+    /// Notes work that is divided among `vehicles`. Returns the vehicles that shared earlier work
+    /// with any of them and have no part now: their old plans lead them through the parts of other
+    /// vehicles.
     pub fn divide(&mut self, vehicles: &[VehicleId]) -> Vec<VehicleId> {
         let earlier = vehicles.iter().filter_map(|id| self.last.get(id));
         let earlier: BTreeSet<u32> = earlier.copied().collect();
@@ -37,7 +38,7 @@ impl DividedWork {
     }
 }
 
-/// The vehicles among these that are known to carry a plan.
+/// The vehicles among `ids` that are known to carry a plan.
 pub fn carrying(ids: &[VehicleId], vehicles: &Vehicles) -> Vec<VehicleId> {
     let carries = |id: &VehicleId| {
         let plan = vehicles

@@ -44,7 +44,6 @@ pub(super) fn meeting(
     (!close.is_empty()).then(|| text!("swarm-one-place", vehicles = close))
 }
 
-/// Where a vehicle's flight ends.
 struct TravelEnd {
     id: VehicleId,
     place: LatLon,

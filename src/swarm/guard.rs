@@ -11,7 +11,7 @@ use super::geometry::MovingPoint;
 const AHEAD_S: f64 = 3.0;
 /// The speed assumed for a slower or stationary vehicle, which may start at any time.
 const LEAST_SPEED_M_S: f64 = 2.0;
-/// A vehicle this close to its target counts as not moving, in metres.
+/// The distance in metres: a vehicle this close to its setpoint counts as not moving.
 const THERE_M: f64 = 1.0;
 
 /// Whether flying on to `aim` would bring a vehicle closer than `separation_m` to the other one. A vehicle that is too

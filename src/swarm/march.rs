@@ -39,11 +39,11 @@ const LONGEST_STEP_S: f64 = 0.5;
 pub(super) struct March {
     pub shape: Shape,
     pub spacing_m: f64,
-    /// Whether it keeps its heading.
+    /// Whether the formation keeps its heading.
     pub keeps_facing: bool,
-    /// Its heading, in radians clockwise from north.
+    /// The formation's heading, in radians clockwise from north.
     pub facing_rad: f64,
-    /// The position of its first place.
+    /// The position of the formation's first place.
     pub anchor: DVec3,
     /// The destination of the first place.
     pub goal: Option<DVec3>,

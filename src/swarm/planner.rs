@@ -32,7 +32,7 @@ pub(super) struct Planner<'a> {
     /// The vehicles that can take part, with their positions.
     team: Vec<(VehicleId, DVec3)>,
     site: Site,
-    /// Remarks for their rows.
+    /// Remarks for the rows of the vehicles.
     remarks: Vec<Text>,
     pub rows: Vec<RowUpdate>,
 }
@@ -203,7 +203,7 @@ impl<'a> Planner<'a> {
         })
     }
 
-    /// Returns the spacing.
+    /// Checks a spacing, and returns it.
     ///
     /// # Errors
     /// The spacing is below the separation with its margin, and there are several vehicles.

@@ -18,7 +18,7 @@ impl Site {
         Self { origin }
     }
 
-    /// A place on the ground.
+    /// A place on the ground as a point, in metres north and east of the origin.
     pub fn flat(&self, place: LatLon) -> DVec2 {
         let (north_m, east_m) = self.origin.offset_to(place);
         DVec2::new(north_m, east_m)

@@ -104,7 +104,6 @@ impl DividedPlans {
     }
 }
 
-/// The vehicles of a task.
 struct TaskTeam<'a> {
     rules: Rules,
     first: &'a Vehicle,

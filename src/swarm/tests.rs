@@ -208,7 +208,6 @@ impl Stage {
         }
     }
 
-    /// The rows of the newest line with a verb.
     fn rows(&self, verb: &str) -> Vec<(VehicleId, RowState, String)> {
         let entry = self
             .ledger

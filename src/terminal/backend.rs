@@ -23,7 +23,6 @@ pub(super) struct FrameBackend {
     cursor: Cursor,
 }
 
-/// The state of a cursor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Cursor {
     Unknown,

@@ -1,5 +1,5 @@
 //! Writes the sixteen basic colours of a frame in the escape codes that every terminal supports.
-//! Which colours a frame has is decided earlier, in `ui::theme`.
+//! The colours of a frame are chosen earlier, in `ui::theme`.
 //!
 //! The terminal library writes basic colours as colours of the 256-colour palette (`38;5;1`), which
 //! terminals with sixteen colours misread, and ends every frame with several resets, the last of

@@ -34,13 +34,11 @@ pub struct Parser {
     paste: Option<Vec<u8>>,
 }
 
-/// The result of parsing the first bytes.
 enum ParsedInput {
     /// An input, or bytes to ignore, with their length.
     Whole(Option<Input>, usize),
     /// The start of a paste, with its length.
     Paste(usize),
-    /// An incomplete key sequence.
     Partial,
 }
 
@@ -72,7 +70,7 @@ impl Parser {
         }
     }
 
-    /// Whether an incomplete input waits for its end.
+    /// Whether an incomplete input is waiting for its end.
     pub fn is_waiting(&self) -> bool {
         !self.bytes.is_empty() && self.paste.is_none()
     }

@@ -10,7 +10,7 @@ use tokio::time::Instant;
 
 use super::input::{Input, Parser};
 
-/// How long the rest of a sequence may take; after that its beginning was the Esc key.
+/// How long the rest of a sequence may take; after that, its first byte counts as the Esc key.
 const SEQUENCE_PATIENCE: Duration = Duration::from_millis(50);
 /// The maximum number of pieces of input in the queue; faster input is held back.
 const PIECES: usize = 16;

@@ -34,7 +34,8 @@ const LONGEST_REST: Duration = Duration::from_secs(2);
 /// The minimum interval between frames caused by keys, so that fast typing does not cause too many
 /// frames.
 const KEY_INTERVAL: Duration = Duration::from_micros(1_000_000 / 120);
-/// A write that takes longer than this has met a terminal that did not read, not a slow line.
+/// A write that takes longer than this was blocked by a terminal that did not read, not by a slow
+/// line.
 const STALLED: Duration = Duration::from_secs(5);
 
 /// The pace of the frames. All times are from the same clock.
@@ -49,7 +50,8 @@ pub struct Pace {
     /// When the line was last slow, and its bytes per second.
     slow: Option<(Duration, f64)>,
     rest_until: Duration,
-    /// Whether one frame may be sent early, because the screen is as old as the blocked write.
+    /// Whether one frame may be sent early, because the screen still shows the state of the blocked
+    /// write.
     catches_up: bool,
     /// Whether the last write met a full buffer.
     blocked: bool,
@@ -62,9 +64,8 @@ pub struct Pace {
 #[derive(Debug, Clone, Copy)]
 struct TerminalQuery {
     at: Duration,
-    /// The time of the first unanswered query.
     unanswered_since: Duration,
-    /// The number of bytes that its answer confirms as read.
+    /// The number of bytes that the query's answer confirms as read.
     bytes: u64,
 }
 
@@ -160,7 +161,7 @@ impl Pace {
         }
     }
 
-    /// Notes an answer of the terminal.
+    /// Notes an answer from the terminal.
     pub fn answered(&mut self, now: Duration) {
         self.hearing = QueryHearing::Answers;
         let Some(question) = self.question.take() else {

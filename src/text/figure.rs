@@ -5,16 +5,15 @@ use std::time::Duration;
 
 use chrono::DateTime;
 
-/// The longest duration that is written in seconds.
 const LONGEST_IN_SECONDS: u64 = 120;
 /// Numbers of at least this size are written with an exponent: the limits for numbers with
 /// decimals, and for whole numbers.
 const LONG_DECIMAL: f64 = 1e5;
 const LONG_WHOLE: f64 = 1e7;
 
-/// A number with this many decimals, always in a few digits: `1e38` for values far beyond any
-/// measurement, a dash for values that are not numbers. Zero is written without a sign, because a
-/// changing sign would flicker.
+/// A number with this many decimals, never more than a few digits long: `1e38` for values far
+/// beyond any measurement, a dash for values that are not numbers. Zero is written without a sign,
+/// because a changing sign would flicker.
 pub fn figure(value: impl Into<f64>, decimals: usize) -> String {
     let value = value.into();
     let long = if decimals == 0 {

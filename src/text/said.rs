@@ -21,7 +21,7 @@ pub(super) fn is_wordless() -> bool {
 }
 
 impl Text {
-    /// Whether its English words contain `words`.
+    /// Whether the text's English words contain `words`.
     pub fn contains(&self, words: &str) -> bool {
         self.to_string().contains(words)
     }

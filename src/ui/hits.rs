@@ -6,7 +6,7 @@ use ratatui::layout::{Position, Rect};
 
 use crate::app::action::Action;
 
-/// The clickable areas of the screen with their actions, filled again in every frame.
+/// The clickable areas of the screen with their actions, refilled in every frame.
 #[derive(Debug, Clone, Default)]
 pub struct Hits(Arc<Mutex<Vec<HitArea>>>);
 

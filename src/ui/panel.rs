@@ -43,7 +43,7 @@ impl<'a> Panel<'a> {
         self.at(columns(self.area, from, width))
     }
 
-    /// Its width in columns.
+    /// The panel's width in columns.
     pub fn width(self) -> usize {
         usize::from(self.area.width)
     }
@@ -132,8 +132,8 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Highlights the cursor. Cells with a background of their own, such as ARMED, keep it, so that the cursor does not
-    /// hide the state.
+    /// Highlights the cursor. Cells with a background of their own, such as ARMED, keep it, so the
+    /// cursor does not hide the state.
     pub fn mark_cursor(self, buffer: &mut Buffer) {
         let ground = self.style(Role::Text).bg.unwrap_or(Color::Reset);
         let cursor = self.style(Role::Cursor);
@@ -147,7 +147,7 @@ impl<'a> Panel<'a> {
         }
     }
 
-    /// Clears its area.
+    /// Clears the panel's area.
     pub fn clear(self, buffer: &mut Buffer) {
         Clear.render(self.area, buffer);
         buffer.set_style(self.area, self.style(Role::Text));

@@ -37,7 +37,7 @@ pub enum Role {
     Title,
     /// The rules between panes and around them.
     Border,
-    /// Something to notice that is neither good nor bad.
+    /// An emphasis that is neither good nor bad.
     Accent,
     /// The first line of the screen.
     Header,

@@ -9,11 +9,11 @@ use super::{Heartbeat, Vehicle};
 /// A mode of a vehicle, as the vehicle announces it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AnnouncedMode {
-    /// Its place in the vehicle's list, from 1.
+    /// The mode's place in the vehicle's list, from 1.
     pub index: u8,
     /// The number on the wire (`custom_mode`).
     pub number: u32,
-    /// Its name as one word: blanks are underscores.
+    /// The mode's name as one word, with underscores for blanks.
     pub name: String,
     /// Whether users may set it; others are for the autopilot itself.
     pub is_selectable: bool,
@@ -30,7 +30,7 @@ pub struct AnnouncedModes {
 }
 
 impl AnnouncedModes {
-    /// Adds a mode to a list of `total` modes. A list of another length is a new one.
+    /// Adds a mode to a list of `total` modes. A list of another length is a new list.
     pub fn add(&mut self, mode: AnnouncedMode, total: u8) {
         if self.total != total {
             self.list = Arc::default();
@@ -90,18 +90,18 @@ impl AnnouncedModes {
 }
 
 impl Vehicle {
-    /// The name of one of its modes: the announced one, or the built-in one.
+    /// The name of one of the vehicle's modes: the announced one, or the built-in one.
     pub fn name_of(&self, mode: Mode) -> String {
         let announced = self.modes.numbered(mode.number);
         announced.map_or_else(|| mode.to_string(), |known| known.name.clone())
     }
 
-    /// The name of its present mode, if that is known.
+    /// The name of the vehicle's present mode, if known.
     pub fn mode_name(&self) -> Option<String> {
         self.mode().map(|mode| self.name_of(mode))
     }
 
-    /// The mode that was set last, if the vehicle is in another one.
+    /// The mode that was set last, if the vehicle is in another mode.
     pub fn mode_not_reached(&self) -> Option<Mode> {
         let now = self.heartbeat.as_ref().map(|beat: &Heartbeat| beat.mode)?;
         let number = self.intended_mode.filter(|&number| number != now.number)?;

@@ -18,7 +18,6 @@ pub struct CarriedLists {
     without: Vec<VehicleId>,
 }
 
-/// The vehicles that carry the same list.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct SameList {
     mark: ContentHash,

@@ -3,12 +3,14 @@
 use super::{FencePlan, Transfer, Vehicle};
 
 impl Vehicle {
-    /// Whether it reports that its fence is on; `None` without a fence ([`Health::fence_on`](super::Health::fence_on)).
+    /// Whether the vehicle reports that its fence is on; `None` without a fence
+    /// ([`Health::fence_on`](super::Health::fence_on)).
     pub fn reports_fence_on(&self) -> Option<bool> {
         self.health?.fence_on()
     }
 
-    /// The areas of its fence, if it reports that the fence is on, and they have been read.
+    /// The areas of the vehicle's fence, if it reports that the fence is on, and they have been
+    /// read.
     pub fn fence_in_force(&self) -> Option<&FencePlan> {
         let stored = &self.plans.fence;
         let is_on = self.reports_fence_on() == Some(true);

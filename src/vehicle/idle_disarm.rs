@@ -6,7 +6,7 @@ use crate::text::Text;
 /// A vehicle that was disarmed because it stayed on the ground with its motors armed (`DISARM_DELAY`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct IdleDisarm {
-    /// Whether it had been in the air before.
+    /// Whether the vehicle had been in the air before.
     pub has_flown: bool,
     /// The time allowed on the ground, in seconds.
     pub delay_s: u32,

@@ -11,7 +11,7 @@ use crate::geo::maths;
 /// The time constant with which the mean speed follows a slower speed, so that slowing down at a
 /// corner has little effect.
 const SLOWER_TIME_S: f32 = 10.0;
-/// Below this speed the vehicle counts as staying in place, in m/s.
+/// The speed, in m/s, below which the vehicle counts as staying in place.
 const STAYING_M_S: f32 = 1.0;
 
 /// The speed over ground of a vehicle between the corners and stops of its plan.
@@ -58,7 +58,7 @@ pub struct PlanLeg {
 }
 
 impl Vehicle {
-    /// Whether it flies its plan.
+    /// Whether the vehicle flies its plan.
     pub fn flies_plan(&self) -> bool {
         self.armed() && self.mode().is_some_and(|mode| mode.is("AUTO"))
     }

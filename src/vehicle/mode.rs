@@ -205,7 +205,7 @@ impl Mode {
             .map(|&(_, name)| name)
     }
 
-    /// Whether the vehicle returns or lands on its own, so that it ends on the ground.
+    /// Whether the vehicle returns or lands on its own, and so ends on the ground.
     pub fn comes_down(self) -> bool {
         let names: &[&str] = match self.class {
             VehicleClass::Copter => &["LAND", "RTL", "SMART_RTL", "AUTO_RTL"],

@@ -2,14 +2,14 @@
 
 use super::{LandedState, PlanPhase, Vehicle};
 
-/// A vehicle that has sped up by more than this since it was slowest is flying on, in m/s.
+/// The increase over its lowest speed, in m/s, above which a vehicle counts as flying on.
 const FLIES_ON_M_S: f32 = 1.5;
 
 /// A pause in a plan. A vehicle that reaches its item while slowing down stops there, but reports
 /// the next item as active: a pause lasts until the vehicle is resumed or speeds up.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PlanPause {
-    /// The lowest speed since its beginning, in m/s.
+    /// The lowest speed since the pause began, in m/s.
     slowest_m_s: f32,
 }
 

@@ -58,7 +58,7 @@ pub enum Transfer {
     Done,
     /// The vehicle has no such list.
     Unsupported,
-    /// Failed; requested again later.
+    /// The download failed; the list is requested again later.
     Failed,
 }
 
@@ -99,7 +99,7 @@ impl Plan {
         decisive.next().is_some_and(|it| is_jump(it.command))
     }
 
-    /// Whether the plan begins with a takeoff without a place, so the path starts at home.
+    /// Whether the plan begins with a takeoff without a place; the path then starts at home.
     pub fn takes_off_in_place(&self) -> bool {
         let mut flown = self.flown().iter();
         let first = flown.find(|item| is_flown_to(item.command));
@@ -204,7 +204,7 @@ pub struct RallyPoint {
     pub at_point: LatLon,
     /// The height in metres above the reference of `frame`.
     pub altitude_m: Option<f32>,
-    /// The reference of its height.
+    /// The reference of the height.
     pub frame: HeightFrame,
 }
 

@@ -60,7 +60,7 @@ impl RadioPreset {
 }
 
 impl RadioTest {
-    /// Its figures in one line.
+    /// The test's figures in one line.
     pub fn text(&self) -> Text {
         let figures = text!(
             "radio-figures",

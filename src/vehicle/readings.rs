@@ -107,7 +107,7 @@ pub struct Place {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target {
     pub at_point: Option<LatLon>,
-    /// Its height above home, in metres.
+    /// The target's height above home, in metres.
     pub altitude_m: Option<f64>,
     /// The target velocity north, east, down, in m/s.
     pub velocity_m_s: Option<[f32; 3]>,
@@ -266,14 +266,14 @@ pub struct PlanProgress {
 /// The phase of a plan in AUTO (`MISSION_STATE`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PlanPhase {
-    /// Nothing is on board.
+    /// No plan is on board.
     NoPlan,
-    /// Not begun, or interrupted by another mode.
+    /// The plan has not begun, or another mode has interrupted it.
     NotStarted,
     Active,
     /// The vehicle has stopped on the way.
     Paused,
-    /// The end is reached.
+    /// The end of the plan has been reached.
     Complete,
 }
 
@@ -291,7 +291,7 @@ pub struct Fence {
 /// The mean wind: as the vehicle estimates it (WIND), or as it is known from elsewhere.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wind {
-    /// The direction that it comes from, degrees clockwise from north.
+    /// The direction that the wind comes from, in degrees clockwise from north.
     pub from_deg: f32,
     /// Horizontal speed in m/s.
     pub speed_m_s: f32,
@@ -324,7 +324,7 @@ pub struct AutopilotVersion {
 pub struct LinkQuality {
     /// The time of the last message.
     pub last_heard: Option<Duration>,
-    /// Whether it has been silent for `session::LOST_AFTER` or longer.
+    /// Whether the vehicle has been silent for `session::LOST_AFTER` or longer.
     pub lost: bool,
     /// The number of frames received from the vehicle.
     pub received: u64,
@@ -336,7 +336,7 @@ pub struct LinkQuality {
     pub reboots: u32,
     /// The number of the link on which it is heard.
     pub via: Option<u16>,
-    /// The test of its radio, if one is on.
+    /// The test of the vehicle's radio, if a test is on.
     pub radio: Option<TestedRadio>,
 }
 

@@ -47,7 +47,7 @@ impl<'a> Route<'a> {
         self.plan.items.get(usize::from(number))
     }
 
-    /// The place to which an item takes the vehicle; `None` for an item without one, such as a
+    /// The place to which an item takes the vehicle; `None` for an item without a place, such as a
     /// takeoff.
     pub fn goal(&self, number: u16) -> Option<LatLon> {
         let item = self.item(number)?;
@@ -159,7 +159,7 @@ impl<'a> Route<'a> {
         Some(now.saturating_sub(since).as_secs_f64())
     }
 
-    /// The item after a jump; `None` for one that never ends or leads nowhere.
+    /// The item after a jump; `None` for a jump that never ends or leads nowhere.
     fn jump(&self, number: u16, item: &Item, jumps: &mut BTreeMap<u16, u16>) -> Option<u16> {
         let times = item.params[1];
         if times <= FOR_EVER {

@@ -13,8 +13,8 @@ pub enum SpeedAxis {
     Descend,
 }
 
-/// The accepted speed limits, in m/s. ArduCopter stores one for both vertical directions: setting the climb resets the
-/// descent to its parameter, and vice versa.
+/// The accepted speed limits, in m/s. ArduCopter stores a single limit for both vertical
+/// directions: setting the climb resets the descent to its parameter, and vice versa.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct AskedSpeeds {
     ground_m_s: Option<f64>,

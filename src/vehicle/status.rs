@@ -1,4 +1,4 @@
-//! Small enumerations of the vehicle model. Unknown wire numbers have their own variant, so that a newer
+//! Small enumerations of the vehicle model. Unknown wire numbers have their own variant, so a newer
 //! autopilot is still shown.
 
 use std::fmt;

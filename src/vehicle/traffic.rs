@@ -21,23 +21,23 @@ const FAIL_M: f64 = 100.0;
 /// An aircraft that a vehicle receives, other than the vehicles of the swarm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Aircraft {
-    /// Its ICAO address, 24 bits; `None` if its reports come from a mission.
+    /// The ICAO address, 24 bits; `None` if the reports come from a mission.
     pub icao: Option<u32>,
-    /// Its callsign; empty if unknown.
+    /// The callsign; empty if unknown.
     pub callsign: String,
     pub at_point: LatLon,
     /// Height above mean sea level in metres.
     pub altitude_amsl_m: f64,
-    /// Its velocity over ground in m/s, north and east.
+    /// The velocity over ground in m/s, north and east.
     pub velocity_m_s: Option<[f64; 2]>,
-    /// Its vertical speed in m/s, upwards.
+    /// The vertical speed in m/s, upwards.
     pub climb_m_s: Option<f64>,
-    /// When it was at this place, on the program's clock.
+    /// When the aircraft was at this place, on the program's clock.
     pub at: Duration,
 }
 
 impl Aircraft {
-    /// Its callsign, or its ICAO address in hexadecimal.
+    /// The callsign, or the ICAO address in hexadecimal.
     pub fn name(&self) -> String {
         match self.icao {
             Some(icao) if self.callsign.is_empty() => format!("{icao:06X}"),
@@ -45,12 +45,12 @@ impl Aircraft {
         }
     }
 
-    /// The age of its position.
+    /// The age of the position.
     pub fn age(&self, now: Duration) -> Duration {
         now.saturating_sub(self.at)
     }
 
-    /// Its course over ground, 0 to 360 degrees; `None` if it is unknown, or the aircraft is
+    /// The course over ground, 0 to 360 degrees; `None` if it is unknown, or the aircraft is
     /// stationary.
     pub fn course_deg(&self) -> Option<f64> {
         let [north, east] = self.velocity_m_s?;
@@ -58,20 +58,20 @@ impl Aircraft {
         moves.then(|| maths::atan2(east, north).to_degrees().rem_euclid(360.0))
     }
 
-    /// Its speed over ground in m/s; `None` if it is unknown.
+    /// The speed over ground in m/s; `None` if it is unknown.
     pub fn speed_m_s(&self) -> Option<f64> {
         self.velocity_m_s
             .map(|[north, east]| maths::hypot(north, east))
     }
 
-    /// Its place after a time, if it keeps its velocity.
+    /// The place after a time, if the aircraft keeps its velocity.
     pub fn place_in(&self, time_s: f64) -> LatLon {
         let [north, east] = self.velocity_m_s.unwrap_or_default();
         self.at_point.moved(north * time_s, east * time_s)
     }
 }
 
-/// The aircraft that one receiver hears, by ICAO address.
+/// The aircraft that one receiver reports, by ICAO address.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Traffic(Arc<BTreeMap<u32, Aircraft>>);
 

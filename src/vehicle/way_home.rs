@@ -10,7 +10,7 @@ use crate::plan::effort::{Effort, Pace};
 /// The mean current follows the measured one with this time constant, so that a short climb has
 /// little effect.
 const LOAD_TIME_S: f32 = 15.0;
-/// Below this current the motors count as stopped, in amperes.
+/// The current, in amperes, below which the motors count as stopped.
 const IDLE_A: f32 = 1.0;
 /// The percentage that must be used before the capacity can be estimated: charge is reported in
 /// whole percent.
@@ -101,7 +101,6 @@ impl Vehicle {
     }
 }
 
-/// The time and energy of the way home.
 fn return_flight(from: LatLon, home: LatLon, height_m: f64, wind: Option<Wind>) -> Effort {
     let headwind_m_s = wind.map_or(0.0, |wind| {
         let off = f64::from(wind.from_deg) - from.bearing_deg(home);

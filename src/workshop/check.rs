@@ -94,7 +94,7 @@ impl Design {
         self.findings_with(self.figures(air).as_ref())
     }
 
-    /// All problems of the design; `figures` are those already computed for it.
+    /// All problems of the design; `figures` must have been computed for it.
     pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<DesignFinding> {
         let mut found = PackFindings::default();
         for slot in PartSlot::ALL {

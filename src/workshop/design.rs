@@ -129,7 +129,7 @@ impl Design {
         changed
     }
 
-    /// The number of motors of its frame; 0 without a frame.
+    /// The frame's number of motors; 0 without a frame.
     pub fn motors(&self) -> u8 {
         self.in_slot(PartSlot::Frame)
             .first()
@@ -168,7 +168,7 @@ impl Design {
         self.in_slot(slot).first().map(|part| &part.spec)
     }
 
-    /// The number of cells of its battery in series; `None` without a battery.
+    /// The number of the battery's cells in series; `None` without a battery.
     pub(super) fn cells(&self) -> Option<u8> {
         match self.spec(PartSlot::Battery)? {
             Spec::Battery(battery) => Some(battery.cells),

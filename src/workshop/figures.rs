@@ -16,12 +16,11 @@ pub const LEAST_THRUST: f64 = 1.3;
 /// The thrust over weight below which gusts saturate the motors.
 pub const GOOD_THRUST: f64 = 1.8;
 
-/// Thrust is stated at this charge in percent, as in the middle of a flight.
+/// The charge, in percent, at which thrust is stated: that in the middle of a flight.
 const MIDDLE_CHARGE: f64 = 60.0;
 /// The maximum lean of any drone, in degrees; low thrust reduces it, since a tenth is kept for control.
 const MOST_LEAN_DEG: f64 = 35.0;
 const CONTROL_SHARE: f64 = 0.9;
-/// The step between the computed speeds.
 const SPEED_STEP_M_S: f64 = 0.5;
 const SPEED_STEPS: u32 = 70;
 /// The planned margin of a link, in decibels.
@@ -198,7 +197,6 @@ impl<'a> FigureInputs<'a> {
             .max_thrust_n(&self.pack, charge, forward.electronics_w, forward.density)
     }
 
-    /// The hover time in seconds with a given mass.
     fn hover_time_s(&self, mass_kg: f64) -> f64 {
         let hover = self.drive.hovering(mass_kg, self.forward.density);
         let power_w = self.drive.hover_power_w(&hover, self.forward.electronics_w);

@@ -70,7 +70,7 @@ impl Measure {
         Self::Spare,
     ];
 
-    /// Its name on the screen.
+    /// The measure's name on the screen.
     pub fn name(self) -> Text {
         match self {
             Self::Mass => text!("measure-mass"),
@@ -91,7 +91,7 @@ impl Measure {
         }
     }
 
-    /// Its unit; empty for a ratio.
+    /// The measure's unit; empty for a ratio.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Mass | Self::Spare => "kg",
@@ -140,7 +140,7 @@ impl Measure {
         }
     }
 
-    /// Its value, in its unit; `None` if the design lacks the parts for it.
+    /// The measure's value, in its unit; `None` if the design lacks the parts for it.
     pub fn of(self, sheet: &Sheet) -> Option<f64> {
         let figure = |value: fn(&Figures) -> f64| sheet.figures.as_ref().map(value);
         match self {

@@ -22,7 +22,7 @@ const POLYMER: [(f64, f64); 14] = [
 ];
 /// Resting voltage of a lithium ion cell, by charge in percent. `ArduPilot`'s `SIM_Battery` has one
 /// curve for all cells, so the simulators' voltage differs slightly from this one between full and
-/// empty; the energy, which decides the endurance, differs by less than 4 %.
+/// empty; the energy, which determines the endurance, differs by less than 4 %.
 const ION: [(f64, f64); 12] = [
     (0.0, 2.5),
     (5.0, 3.0),
@@ -101,7 +101,7 @@ impl Pack {
     }
 
     /// The voltage and current under a power at a charge in percent; `None` if the voltage breaks
-    /// down, so that no current gives this power.
+    /// down: no current gives this power.
     pub fn loaded(&self, charge: f64, power_w: f64) -> Option<Loaded> {
         let resting = self.resting_v(charge);
         let root = resting * resting - 4.0 * self.resistance_ohm * power_w;

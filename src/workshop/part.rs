@@ -60,7 +60,7 @@ impl PartSlot {
         }
     }
 
-    /// Its name on the screen.
+    /// The slot's name on the screen.
     pub fn name(self) -> Text {
         match self {
             Self::Frame => text!("slot-frame"),
@@ -106,11 +106,11 @@ impl PartSlot {
 /// A kind of part. Masses, prices and powers are those of one piece.
 #[derive(Debug, PartialEq)]
 pub struct Part {
-    /// Its id in designs and mission files.
+    /// The part's id in designs and mission files.
     pub id: &'static str,
     pub mass_g: f64,
     pub credits: u32,
-    /// The power that it draws in operation, in watts, without motors.
+    /// The power that the part draws in operation, in watts, without motors.
     pub power_w: f64,
     pub(super) spec: Spec,
 }
@@ -196,11 +196,11 @@ pub(super) struct PowerModule {
     pub max_current_a: f64,
 }
 
-/// The properties of a radio that decide its range.
+/// The properties of a radio that determine its range.
 #[derive(Debug, PartialEq)]
 pub struct Radio {
     pub power_dbm: f64,
-    /// Its frequency in megahertz.
+    /// The frequency, in megahertz.
     pub frequency_mhz: f64,
     /// The weakest signal that the radio can decode.
     pub sensitivity_dbm: f64,
@@ -210,7 +210,7 @@ pub struct Radio {
     pub ground_dbi: f64,
     /// Losses from cables, obstructions and antenna misalignment.
     pub losses_db: f64,
-    /// Whether it always relays the signals of other radios of its kind.
+    /// Whether the radio always relays the signals of other radios of its kind.
     pub relays: bool,
 }
 
@@ -231,12 +231,12 @@ impl Part {
         }
     }
 
-    /// Whether it is used up in flight, so that several pieces may be on board.
+    /// Whether the part is used up in flight, so several pieces may be on board.
     pub fn is_load(&self) -> bool {
         matches!(self.spec, Spec::Load)
     }
 
-    /// The figures that decide its range, if it is a radio.
+    /// The figures that determine the range, if the part is a radio.
     pub fn radio(&self) -> Option<&Radio> {
         match &self.spec {
             Spec::Radio(radio) => Some(radio),
@@ -244,7 +244,7 @@ impl Part {
         }
     }
 
-    /// Its name on the screen: made from its figures, or its own name.
+    /// The part's name on the screen: made from its figures, or its own name.
     pub fn name(&self) -> Text {
         match &self.spec {
             Spec::Motor(motor) => {

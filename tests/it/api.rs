@@ -88,7 +88,6 @@ impl Caller {
         serde_json::from_str(&line).expect("a message")
     }
 
-    /// The next message of this kind.
     fn next_of(&mut self, kind: &str) -> Value {
         loop {
             let mut message = self.next();

@@ -71,7 +71,7 @@ impl Course {
         report
     }
 
-    /// Scores a flight again from its record, with an identical result.
+    /// Scores a flight again from its record, and checks that the result is identical.
     fn rescore(&self, report: &Report, record: &str) {
         let again = Stored::read(record).and_then(|stored| stored.rescore(WithoutEnd::Over));
         let again = again.unwrap_or_else(|fault| panic!("{}: {fault}", self.name));
@@ -125,7 +125,6 @@ fn flown() -> Vec<Course> {
     courses().into_iter().filter(is_flown).collect()
 }
 
-/// Runs a check for all missions, on all processors.
 fn for_each(courses: Vec<Course>, check: impl Fn(&Course) + Sync) {
     let left = Mutex::new(courses);
     let threads = thread::available_parallelism().map_or(1, usize::from);
@@ -239,7 +238,7 @@ fn doing_nothing_pays_nothing() {
     });
 }
 
-/// The layout that a seed decides before the takeoff: hazards, gates, zones.
+/// The layout before the takeoff, which the seed determines: hazards, gates, zones.
 fn layout(course: &Course, seed: u64) -> String {
     let mission = Arc::clone(&course.mission);
     let mut exercise = Exercise::new(mission, seed, course.script(""), Vec::new());

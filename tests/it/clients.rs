@@ -22,7 +22,6 @@ impl Drop for Running {
     }
 }
 
-/// Whether the interpreter has all the modules.
 fn has_modules(python: &Path, modules: &[&str]) -> bool {
     let probe = "import sys, importlib.util as u; sys.exit(any(u.find_spec(m) is None for m in sys.argv[1:]))";
     Command::new(python)

@@ -92,7 +92,7 @@ fn list(from_ms: u64, kind: MavMissionType, items: &[(MavCmd, f32, [f64; 2])]) -
     std::iter::once((from_ms, count)).chain(told).collect()
 }
 
-/// The mission of a vehicle; two vehicles share each mission, so that they meet.
+/// The mission of a vehicle; two vehicles share each mission, so they meet.
 fn mission(vehicle: usize) -> Script {
     let aside_m = (vehicle / 6 * 6) as f64 * 5.0;
     let items = [
@@ -128,8 +128,8 @@ fn goto(p: [f32; 3]) -> MavMessage {
     })
 }
 
-/// Every third vehicle flies a mission, every fourth one within a fence; vehicles without a mission
-/// are sent to a place, each with a different fault.
+/// Every third vehicle flies a mission, and every fourth one has its fence on. Vehicles without a
+/// mission are sent to a place, and then suffer a fault or return.
 fn script(vehicle: usize) -> Script {
     let interval = |id| command(MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL, [id, 1e5, 0.0]);
     let mut script: Script = [2.0, 24.0, 26.0, 29.0, 30.0, 33.0, 42.0, 147.0, 168.0, 193.0]

@@ -48,7 +48,6 @@ fn all_are_right(check: impl Fn(&Document) -> Vec<String>) {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// Why a link is broken, if it is.
 fn broken(document: &Document, link: &str) -> Option<String> {
     let (file, anchor) = link.split_once('#').unwrap_or((link, ""));
     let folder = document.path.parent().unwrap_or(Path::new(""));
@@ -185,7 +184,6 @@ fn every_room_has_a_row() {
     }
 }
 
-/// The environment variables that a text names.
 fn variables(text: &str) -> BTreeSet<String> {
     let pieces = text.split(|c: char| !(c.is_ascii_uppercase() || c == '_'));
     let ours = pieces.filter(|piece| piece.starts_with("SORTIE_"));

@@ -29,7 +29,6 @@ mod parameters;
 mod senders;
 pub(crate) mod signing;
 
-/// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(90);
 
 fn world(vehicles: usize) -> World {

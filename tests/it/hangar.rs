@@ -28,9 +28,7 @@ mod owner;
 mod real;
 mod restarts;
 
-/// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(120);
-/// MAVLink id of `HEARTBEAT`.
 const HEARTBEAT: u32 = 0;
 
 fn config(folder: &Path, program: PathBuf) -> HangarSetup {
@@ -127,7 +125,6 @@ impl Stand {
     }
 }
 
-/// A client attached to an instance.
 struct Attached {
     pipe: DuplexStream,
     decoder: Decoder,
@@ -329,7 +326,7 @@ async fn one_to_whom_nobody_is_attached_is_ended_where_that_was_asked_for() {
     assert!(is_gone(one.pid.expect("it ran")));
 }
 
-/// Instances listen on no port: each connects to one that the system has chosen.
+/// Instances listen on no port: each connects to a port that the system has chosen.
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn ports_that_others_have_taken_do_not_matter() {
     // The ports are taken by this test or by another program.

@@ -25,7 +25,6 @@ mod limits;
 mod program;
 mod requests;
 
-/// The time limit of every wait.
 const PATIENCE: Duration = Duration::from_secs(90);
 
 /// The user of a connection: always that of this process.
@@ -157,7 +156,6 @@ impl Served {
         self.raw(format!("{head}\r\n{body}").as_bytes()).await
     }
 
-    /// Sends bytes and reads the whole answer.
     async fn raw(&self, bytes: &[u8]) -> Answer {
         let mut stream = self.connect().await;
         // A service that refuses early may close before everything is sent.
@@ -173,7 +171,6 @@ impl Served {
     }
 }
 
-/// The answer of the service.
 #[derive(Debug)]
 struct Answer {
     status: u16,

@@ -66,7 +66,6 @@ fn json(text: &str) -> Value {
     serde_json::from_str(text).expect("one document")
 }
 
-/// A data folder with the profile of Anna.
 fn folder_of_anna() -> tempfile::TempDir {
     let data = tempfile::tempdir().expect("a folder");
     said(data.path(), &["profile", "create", "Anna"]);

@@ -23,7 +23,7 @@ fn signal(terminal: &Terminal, name: &str) {
     assert!(sent.expect("kill is there").success());
 }
 
-/// The terminal is restored: the shell's screen, its cursor, no bracketed paste.
+/// Checks that the terminal is restored: the shell's screen, its cursor, no bracketed paste.
 fn is_given_back(terminal: &Terminal) {
     assert!(!terminal.in_alternate_screen());
     assert!(!terminal.cursor_is_hidden());

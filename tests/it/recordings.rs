@@ -15,7 +15,6 @@ mod observed;
 
 use observed::observed;
 
-/// This program's reading of a recording.
 struct Reading {
     counters: Counters,
     frame_bytes: u64,

@@ -51,7 +51,6 @@ impl Server {
         self.started.addresses[vehicle]
     }
 
-    /// Waits until that many ground stations are connected.
     async fn connections(&mut self, wanted: usize) {
         let waiting = self.started.connections.wait_for(|count| *count == wanted);
         let found = timeout(PATIENCE, waiting).await;

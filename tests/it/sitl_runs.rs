@@ -45,7 +45,7 @@ impl Scene {
         }
     }
 
-    /// Ends the mission after this many seconds of its time, so that a failed attempt does not wait longer.
+    /// Ends the mission after this many seconds of its time, which keeps a failed attempt short.
     fn limited_to(mut self, limit_s: u32) -> Self {
         let text = include_str!("../../missions/01-air-sample.toml");
         let limited = text

@@ -17,10 +17,10 @@ use program::Program;
 
 /// The maximum life of a stand-in, in case its test does not end it.
 const LIFE: Duration = Duration::from_secs(300);
-/// A file of this name in its folder makes a running stand-in crash, once.
+/// A file of this name in a stand-in's folder makes it crash once, while it runs.
 pub const CRASH_FILE: &str = "crash-now";
-/// A file in its folder that grows by one byte at each start; SITL stores its parameters in a file
-/// of this name.
+/// A file in a stand-in's folder that grows by one byte at each start; SITL stores its parameters
+/// in a file of this name.
 pub const MEMORY_FILE: &str = "eeprom.bin";
 
 const BEHAVIOUR: &str = "SORTIE_STAND_IN";
@@ -33,25 +33,25 @@ pub enum Behaviour {
     Normal,
     /// Like SITL, but it boots as slowly as the real one: 42 simulated seconds until it is ready.
     BootsSlowly,
-    /// It prints two lines and exits with code 3.
+    /// Prints two lines and exits with code 3.
     ExitsBeforeConnecting,
-    /// It aborts this many simulated seconds after it has connected.
+    /// Aborts this many simulated seconds after it has connected.
     CrashesAfter(u32),
-    /// It starts and never connects.
+    /// Starts and never connects.
     NeverConnects,
-    /// It connects and then sends nothing, using its processor.
+    /// Connects and then sends nothing, using its processor.
     StaysSilent,
-    /// It works and prints a megabyte a second.
+    /// Works and prints a megabyte a second.
     FloodsItsOutput,
-    /// It works and ignores requests to end.
+    /// Works and ignores requests to end.
     IgnoresTermination,
-    /// It works and never gets a position.
+    /// Works and never gets a position.
     NeverReady,
-    /// It works and has started a child, whose pid it prints as `child PID`.
+    /// Works and has started a child, whose pid it prints as `child PID`.
     HasChildren,
-    /// It works and does not end with its parent process; needs `setpriv` (Linux).
+    /// Works and does not end with its parent process; needs `setpriv` (Linux).
     OutlivesItsOwner,
-    /// It ends at once on its first starts in a folder, this many times, and then works.
+    /// Ends at once on its first starts in a folder, this many times, and then works.
     FailsAtFirst(u32),
 }
 

@@ -20,7 +20,8 @@ use sortie::store;
 use sortie::text::{Language, Locale, Text, messages};
 use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 
-/// Names that are in no table: of things, keys and figures, and words that the user types.
+/// Names that are in no table (of protocols, programs, keys and units), and words that the user
+/// types.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
     "AHRS ASCII failsafe ArduCopter ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON Linux MAVFTP MAVLink NAT RC RTK RX SITL SQLite TOML DataFlash TCP TX UDP USB UTC UTF",
@@ -154,7 +155,6 @@ fn the_ukrainian_messages_have_latin_letters_in_names_only() {
     assert!(wrong.is_empty(), "no names, or missing here: {wrong:#?}");
 }
 
-/// Faults of lines, with their advice.
 fn faults() -> Vec<Text> {
     let vehicles = [1, 2, 3];
     let context = Context {
@@ -299,7 +299,6 @@ fn outcomes() -> Vec<Text> {
     said
 }
 
-/// The states of links, files and receivers.
 fn states() -> Vec<Text> {
     let mut said = vec![Text::from(Unreachable)];
     let retry_in = Duration::from_secs(1);

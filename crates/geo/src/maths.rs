@@ -3,7 +3,7 @@
 //! `+ - * /` and the square root give the same results everywhere; the other functions of `std`
 //! come from the platform's library and differ between machines. Scores must not depend on the
 //! machine, so the whole workspace uses these functions: those of musl, ported to Rust ([`libm`]).
-//! Clippy forbids the ones of `std` (`.clippy.toml`).
+//! Clippy forbids the corresponding functions of `std` (`.clippy.toml`).
 
 /// Sine of an angle in radians.
 #[must_use]

@@ -15,13 +15,13 @@ pub enum Outline {
     Circle {
         /// The centre, in degrees.
         centre: LatLon,
-        /// Its radius in metres.
+        /// The radius in metres.
         radius_m: f64,
     },
 }
 
 impl Outline {
-    /// A square with sides that run north and east, each `side_m` metres long, around its centre.
+    /// A square around `centre` with sides of `side_m` metres that run north and east.
     pub fn square(centre: LatLon, side_m: f64) -> Self {
         let half = side_m / 2.0;
         let corners = [(-half, -half), (-half, half), (half, half), (half, -half)];
@@ -32,7 +32,7 @@ impl Outline {
         )
     }
 
-    /// The corners of the polygon, or of one that approximates the circle.
+    /// The corners of the polygon, or of a polygon that approximates the circle.
     pub fn corners(&self) -> Vec<LatLon> {
         match self {
             Self::Polygon(corners) => corners.clone(),

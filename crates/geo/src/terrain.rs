@@ -37,7 +37,7 @@ impl Square {
         }
     }
 
-    /// The name of its file, such as `N50E030.hgt`.
+    /// The name of the square's file, such as `N50E030.hgt`.
     pub fn file_name(self) -> String {
         let north = if self.lat < 0 { 'S' } else { 'N' };
         let east = if self.lon < 0 { 'W' } else { 'E' };
@@ -46,7 +46,6 @@ impl Square {
     }
 }
 
-/// The heights of a square.
 #[derive(Debug, Clone, PartialEq)]
 struct Grid {
     /// Points on a side.
@@ -121,7 +120,7 @@ impl Terrain {
         self.squares.extend(other.squares);
     }
 
-    /// Whether it has no squares.
+    /// Whether the terrain has no squares.
     pub fn is_empty(&self) -> bool {
         self.squares.is_empty()
     }

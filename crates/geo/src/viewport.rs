@@ -72,7 +72,7 @@ impl GridSize {
     }
 }
 
-/// The point at a share of the way to another point: 0 gives `self`, 1 gives `to`.
+/// A position in a view, in dots from its upper left corner; may be fractional.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Dot {
     /// Dots from the left edge, to the right.
@@ -87,7 +87,7 @@ impl Dot {
         Self { x, y }
     }
 
-    /// The point at a share of the distance to another one: 0 is here, 1 is there.
+    /// The point at a share of the way to another point: 0 gives `self`, 1 gives `to`.
     #[must_use]
     pub fn towards(self, to: Self, share: f64) -> Self {
         Self {
@@ -215,7 +215,7 @@ impl Extent {
         Some(extent)
     }
 
-    /// Grows just enough to contain a place.
+    /// Enlarges the extent just enough to contain a place.
     pub fn include(&mut self, place: LatLon) {
         let [east_m, north_m] = self.offset(place);
         let ([west, south], [east, north]) = (self.low_m, self.high_m);
@@ -246,14 +246,14 @@ impl Extent {
         [0, 1].map(|axis| self.high_m[axis] - self.low_m[axis])
     }
 
-    /// Its corners, the south-west one first, counterclockwise.
+    /// The corners of the extent, counterclockwise from the south-west one.
     pub fn corners(&self) -> [LatLon; 4] {
         let ([west, south], [east, north]) = (self.low_m, self.high_m);
         [(south, west), (south, east), (north, east), (north, west)]
             .map(|(north_m, east_m)| self.origin.moved(north_m, east_m))
     }
 
-    /// The place in its middle.
+    /// The place in the middle of the extent.
     pub fn centre(&self) -> LatLon {
         let [east_m, north_m] = [0, 1].map(|axis| self.low_m[axis].midpoint(self.high_m[axis]));
         self.origin.moved(north_m, east_m)

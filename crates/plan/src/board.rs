@@ -1,7 +1,8 @@
 //! ArduPilot's rules for the items of a list, and the form in which it stores them: storage is
 //! small, so values that do not fit are truncated or dropped, and a download shows the item as it
 //! will be flown. The simulator follows these rules, and the check of a file reports in advance the
-//! items that they refuse. Source: `AP_Mission`, `AP_Rally` and `AC_Fence` of ArduCopter 4.6.
+//! items that the vehicle would refuse. Source: `AP_Mission`, `AP_Rally` and `AC_Fence` of
+//! ArduCopter 4.6.
 
 use std::ops::RangeInclusive;
 
@@ -36,7 +37,7 @@ pub enum Refusal {
     Parameter(u8),
 }
 
-/// The maximum number of items of a list; in a plan, home counts as one of them.
+/// The maximum number of items in a list; in a plan, this includes home.
 pub const fn most_items(kind: ListKind) -> usize {
     match kind {
         ListKind::Plan => 650,
@@ -67,7 +68,8 @@ pub fn fence_bytes(items: &[Item]) -> usize {
     needed
 }
 
-/// The target of a jump if no item of the plan has that number; `items` is the number of items, with home.
+/// The target of a jump if no item of the plan has that number, otherwise `None`; `items` is the
+/// number of items, including home.
 pub fn wrong_jump(item: &Item, items: usize) -> Option<usize> {
     let target = item.params[0] as usize;
     let is_wrong = item.command == command::DO_JUMP && (target == 0 || target >= items);

@@ -131,7 +131,7 @@ pub enum FindingKind {
     },
     /// A parameter that the vehicle would store with a different value.
     UnstorableValue(UnstorableValue),
-    /// The list has more items, with home, than the vehicle keeps.
+    /// The list has more items, including home, than the vehicle stores.
     TooMany {
         /// The number of items in the list.
         count: usize,
@@ -140,7 +140,7 @@ pub enum FindingKind {
     },
     /// A jump that leads to no item.
     JumpNowhere {
-        /// The number of the item that it names.
+        /// The item number that the jump names.
         target: usize,
         /// The number of the last item.
         last: usize,
@@ -192,7 +192,7 @@ pub enum FindingKind {
     NeverEnds {
         /// The number of the first item that is repeated.
         first: usize,
-        /// The number of the last one, before the jump.
+        /// The number of the last repeated item, before the jump.
         last: usize,
     },
     /// A height above terrain, and the vehicle has no terrain data.
@@ -217,7 +217,7 @@ pub enum FindingKind {
     LowOverGround {
         /// The minimum height of the leg above the ground, in metres.
         height_m: f32,
-        /// Where that is, in metres from the start of the leg.
+        /// The position of that minimum, in metres from the start of the leg.
         along_m: f32,
         /// The minimum height that is allowed, in metres.
         least_m: f32,
@@ -247,23 +247,23 @@ pub enum FindingKind {
 pub struct BrokenArea {
     /// The area, counted from 0.
     pub area: usize,
-    /// Whether it is an exclusion area.
+    /// Whether the area is an exclusion area.
     pub is_exclusion: bool,
 }
 
 /// Why a vehicle ignores a rally point. Source: `AP_Rally_Copter::is_valid` of ArduPilot 4.6.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum RallyFault {
-    /// It lies outside an inclusion area or inside an exclusion area.
+    /// The point lies outside an inclusion area or inside an exclusion area.
     Area(BrokenArea),
-    /// It is farther from home than `FENCE_RADIUS`.
+    /// The point is farther from home than `FENCE_RADIUS`.
     Radius {
         /// The distance from home, in metres.
         distance_m: f32,
         /// The limit, in metres.
         most_m: f32,
     },
-    /// It is higher than `FENCE_ALT_MAX`.
+    /// The point is higher than `FENCE_ALT_MAX`.
     Ceiling {
         /// The height above home, in metres.
         height_m: f32,

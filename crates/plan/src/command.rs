@@ -116,8 +116,8 @@ pub fn is_circle(command: u16) -> bool {
     matches!(command, FENCE_CIRCLE_INCLUSION | FENCE_CIRCLE_EXCLUSION)
 }
 
-/// Whether a command is a navigation command. These are carried out one after the other; other
-/// commands act in parallel. Source: `AP_Mission::is_nav_cmd`.
+/// Whether a command is a navigation command. Navigation commands are carried out one after the
+/// other; other commands act in parallel. Source: `AP_Mission::is_nav_cmd`.
 pub fn is_navigation(command: u16) -> bool {
     // NAV_SET_YAW_SPEED, NAV_SCRIPT_TIME, NAV_ATTITUDE_TIME.
     command <= LAST_NAVIGATION || matches!(command, 213 | 42_702 | 42_703)

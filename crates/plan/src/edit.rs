@@ -47,7 +47,8 @@ fn checked(items: &[Item], range: &Range<usize>) -> Result<(), EditError> {
     }
 }
 
-/// Inserts items so that the first of them gets the index `at`. The targets of jumps among them refer to the new list.
+/// Inserts items so that the first of them gets the index `at`. Jumps among the new items refer to
+/// the new list.
 ///
 /// # Errors
 /// `at` is beyond the end.

@@ -1,7 +1,8 @@
-//! Estimates of the time and energy of a copter's flight; the energy is given as the duration of a hover that uses the
-//! same amount.
+//! Estimates of the time and energy of a copter's flight; the energy is given as the duration of a
+//! hover that uses the same amount.
 //!
-//! The figures are `ArduCopter`'s defaults and measurements with its simulator; a rehearsal is more exact.
+//! The figures are `ArduCopter`'s defaults and measurements with its simulator; a rehearsal is more
+//! accurate.
 
 use std::iter::Sum;
 use std::ops::Add;
@@ -27,8 +28,8 @@ const RETURN_CHANGES_S: f64 = 5.0;
 const RETURN_WAIT_S: f64 = 5.0;
 /// The time from the touchdown until the motors stop, in seconds.
 const STOP_S: f64 = 2.0;
-/// The highest airspeed of a return, in m/s: a headwind stronger than the difference from its usual
-/// speed slows it down.
+/// The highest airspeed of a return, in m/s: a headwind stronger than the margin between this and
+/// the usual speed slows the return down.
 const FASTEST_RETURN_M_S: f64 = 15.0;
 /// The minimum ground speed assumed in any wind, in m/s.
 const SLOWEST_RETURN_M_S: f64 = 1.0;
@@ -69,7 +70,7 @@ impl Default for Pace {
 /// The time and energy of a part of a flight.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Effort {
-    /// Its duration, in seconds.
+    /// The duration, in seconds.
     pub time_s: f64,
     /// The duration of a hover that uses the same energy, in seconds.
     pub hover_s: f64,
@@ -167,8 +168,8 @@ impl Pace {
         self.speed_m_s / self.accel_m_s2 + self.accel_m_s2 / self.jerk_m_s3
     }
 
-    /// The time that turns around a place take, in seconds (`LOITER_TURNS`); with a radius of 0,
-    /// the vehicle turns in place.
+    /// The duration of turns around a place, in seconds (`LOITER_TURNS`); with a radius of 0, the
+    /// vehicle turns in place.
     pub fn circle_s(&self, turns: f64, radius_m: f64) -> f64 {
         let radius_m = radius_m.abs();
         let fastest_m_s = self
@@ -209,7 +210,6 @@ impl Pace {
         total
     }
 
-    /// The duration of a straight leg between two speeds.
     fn leg_s(&self, length_m: f64, entry_m_s: f64, exit_m_s: f64) -> f64 {
         let changing = |top_m_s: f64| {
             let [up, down] = [entry_m_s, exit_m_s].map(|end| {

@@ -49,7 +49,7 @@ pub enum FaultKind {
     Syntax(Syntax),
     /// The XML reader's own message.
     Xml(String),
-    /// Something that the format requires is missing; contains its name in the file.
+    /// A part that the format requires is missing; contains its name in the file.
     Missing(&'static str),
     /// A value of a type other than the format requires.
     Expected(Expected),
@@ -59,7 +59,7 @@ pub enum FaultKind {
     UnknownJump(u32),
     /// A polygon with fewer than three corners; contains their number.
     FewCorners(usize),
-    /// A line without two places.
+    /// A line with fewer than two places.
     ShortLine,
     /// More items than a list can have.
     TooMany,
@@ -84,7 +84,7 @@ pub enum Syntax {
     TooDeep,
 }
 
-/// The value that the format requires in a place.
+/// The value that the format requires at a place.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Expected {
     /// A number, written with digits.
@@ -114,9 +114,9 @@ pub enum ArchiveFault {
     Damaged,
     /// The archive contains no `.kml` file.
     NoKml,
-    /// It is compressed by a method other than deflate.
+    /// The file is compressed by a method other than deflate.
     Method,
-    /// Its content is larger than any such file should be.
+    /// The content is larger than that of any real plan.
     TooLarge,
 }
 

@@ -24,7 +24,7 @@ pub enum FieldUnit {
 }
 
 impl FieldUnit {
-    /// Its symbol in texts; empty for numbers without a unit.
+    /// The symbol of the unit in texts; empty for numbers without a unit.
     pub const fn symbol(self) -> &'static str {
         match self {
             Self::None => "",
@@ -42,7 +42,7 @@ impl FieldUnit {
 /// A parameter of a command.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Field {
-    /// Its name, a single word.
+    /// The parameter's name, a single word.
     pub name: &'static str,
     /// The unit of its value.
     pub unit: FieldUnit,
@@ -51,12 +51,12 @@ pub struct Field {
 }
 
 impl Field {
-    /// Its value in an item.
+    /// The parameter's value in an item.
     pub fn value(&self, item: &Item) -> f32 {
         item.params.get(self.index).copied().unwrap_or_default()
     }
 
-    /// Sets its value in an item.
+    /// Sets the parameter's value in an item.
     pub fn set(&self, item: &mut Item, value: f32) {
         if let Some(param) = item.params.get_mut(self.index) {
             *param = value;
@@ -310,8 +310,8 @@ pub fn field_numbered(command: u16, number: u8) -> Option<Field> {
         .copied()
 }
 
-/// The parameter of a command by its name, in any case; `p1` to `p4` name the parameters of every
-/// command. `None` for other names.
+/// The parameter of a command by its name; case does not matter. `p1` to `p4` name the parameters
+/// of every command. `None` for other names.
 pub fn field_named(command: u16, name: &str) -> Option<Field> {
     let mut known = fields(command).iter().chain(NUMBERED);
     known

@@ -117,7 +117,6 @@ impl Places {
     }
 }
 
-/// The result of reading a text in one format.
 #[derive(Debug, Default)]
 struct Parsed {
     document: Document,

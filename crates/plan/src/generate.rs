@@ -105,7 +105,7 @@ pub struct Manner {
     pub layer_m: f64,
     /// The speed in m/s, if it is not the vehicle's own.
     pub speed_m_s: Option<f64>,
-    /// The fence in which they stay.
+    /// The fence that the vehicles must not leave.
     pub fence: Vec<Item>,
 }
 
@@ -149,24 +149,26 @@ impl From<NoLanes> for GenerateError {
 pub struct Part {
     /// The vehicle, counted from 0.
     pub vehicle: usize,
-    /// Its plan, home and fence.
+    /// The vehicle's plan, home and fence.
     pub document: Document,
     /// The distance over the ground from takeoff to landing, in metres.
     pub length_m: f64,
-    /// Its estimated time and energy.
+    /// The vehicle's estimated time and energy.
     pub effort: Effort,
-    /// The height at which it crosses, above the first vehicle's home, in metres.
+    /// The height at which the vehicle crosses, above the first vehicle's home, in metres.
     pub layer_m: f64,
 }
 
 /// Why a vehicle has no part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Idle {
-    /// The fence leaves no path from its home to the work.
+    /// The fence leaves no path from the vehicle's home to the work.
     NoWay,
-    /// It is so far away that its flight there and back takes more energy than any of the others uses.
+    /// The vehicle is so far away that its flight there and back takes more energy than any of the
+    /// other flights.
     Far,
-    /// With its help, the vehicle that uses the most energy would not use noticeably less.
+    /// With the help of this vehicle, the one that uses the most energy would not use noticeably
+    /// less.
     Spare,
 }
 

@@ -44,7 +44,6 @@ impl ContentHash {
     }
 }
 
-/// An item as the vehicle stores it.
 fn stored(item: &Item) -> Item {
     let kind = if command::is_fence(item.command) {
         ListKind::Fence

@@ -22,7 +22,7 @@ impl ListKind {
         Self::ALL.get(usize::from(number)).copied()
     }
 
-    /// Its name in commands and texts.
+    /// The list's name in commands and texts.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Plan => "plan",
@@ -31,7 +31,7 @@ impl ListKind {
         }
     }
 
-    /// Its number in `MAV_MISSION_TYPE`.
+    /// The list's number in `MAV_MISSION_TYPE`.
     pub const fn number(self) -> u8 {
         self as u8
     }

@@ -14,9 +14,10 @@ const GROUND_SPEEDS: std::ops::RangeInclusive<f32> = 0.0..=1.0;
 /// How a vehicle arrives at the start of a leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LegMotion {
-    /// It is already on the leg; its direction is not considered, and it loses no time in a turn.
+    /// The vehicle is already on the leg; its direction is not considered, and it loses no time in
+    /// a turn.
     Unknown,
-    /// It stands still, or hovers.
+    /// The vehicle stands still, or hovers.
     Rest,
     /// In this direction, in degrees.
     Along(f64),
@@ -44,7 +45,6 @@ pub enum LegPace {
 }
 
 impl LegPace {
-    /// The speed over ground in m/s, if known.
     fn speed_m_s(self) -> Option<f64> {
         let speed_m_s = match self {
             Self::Copter(pace) => Some(pace.speed_m_s),

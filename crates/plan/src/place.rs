@@ -4,7 +4,7 @@ use crate::{HeightFrame, Item, command};
 
 impl Item {
     /// The item's x and y as a place; `None` for a command or a frame without a place, if both are
-    /// 0 ("here"), and if they are not a place on the earth.
+    /// 0 ("here"), or if they are out of range.
     pub fn place(&self) -> Option<LatLon> {
         let is_given = (self.x, self.y) != (0, 0) && self.height_frame() != HeightFrame::Other;
         let place = (is_given && command::has_place(self.command)).then(|| self.point())?;

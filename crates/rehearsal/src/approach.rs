@@ -11,9 +11,9 @@ pub const TOO_NEAR_VERTICALLY_M: f64 = 3.0;
 /// Two vehicles that start closer together than this multiple of the usual horizontal limit have a
 /// smaller limit.
 const NEIGHBOURS_FACTOR: f64 = 1.3;
-/// The horizontal limit of such neighbours, as a share of their distance at the start.
+/// The horizontal limit of two vehicles that start close together, as a share of their distance at
+/// the start.
 const NEIGHBOURS_SHARE: f64 = 0.75;
-/// The smallest horizontal limit, in metres.
 const LEAST_LIMIT_M: f64 = 1.0;
 /// A vehicle counts as beside its start within this horizontal distance, in metres: there it climbs
 /// and lands.
@@ -33,13 +33,13 @@ pub struct Approach {
     pub vertical_m: f64,
     /// The time in seconds since the first vehicle started.
     pub at_s: f64,
-    /// The place halfway between them.
+    /// The place halfway between the two vehicles.
     pub place: LatLon,
     /// The horizontal limit of these two vehicles there, in metres: [`TOO_NEAR_M`], or less if they started close to
     /// each other, and one of them is beside its start.
     pub limit_m: f64,
-    /// The minimum delay of one of them that causes a conflict, in whole seconds: 0 if they are in conflict anyway,
-    /// `None` if more than [`LATE_S`](crate::LATE_S).
+    /// The minimum delay of one of them that causes a conflict, in whole seconds: 0 if they
+    /// conflict without a delay, `None` if more than [`LATE_S`](crate::LATE_S).
     pub late_s: Option<u32>,
 }
 

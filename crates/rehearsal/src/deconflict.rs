@@ -143,7 +143,6 @@ pub fn deconflict(
     Ok(None)
 }
 
-/// The proposal to change nothing.
 fn unchanged(outcome: Outcome, late_s: u32) -> Proposal {
     Proposal {
         remedies: vec![Remedy::Nothing; outcome.vehicles.len()],
@@ -200,7 +199,6 @@ pub(crate) struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Rehearses the plans with the changes.
     fn tried(&self, remedies: Vec<Remedy>) -> Result<Proposal, RehearsalError> {
         // The plans as they would be written, so that the result also holds for the files.
         let pairs = self.participants.iter().zip(&remedies);

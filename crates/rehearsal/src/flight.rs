@@ -31,7 +31,6 @@ const STUCK_S: f64 = 60.0;
 const TELEMETRY: &[u16] = &[1, 2, 24, 30, 32, 33, 42, 62, 74, 147, 193, 242, 245];
 const TELEMETRY_EVERY_US: f32 = 250_000.0;
 
-/// The phase of a flight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Stage {
     /// On the ground; contains the number of attempts to start.
@@ -59,7 +58,6 @@ pub(crate) struct Flight {
     is_fence_on: bool,
     /// How long the vehicle has been on the ground after its takeoff, in samples.
     grounded: u32,
-    /// The commands of the plan.
     commands: Vec<u16>,
     flown: Flown,
     capacity_mah: f64,
@@ -233,7 +231,7 @@ impl Flight {
         }
     }
 
-    /// Whether the fence is broken: by the vehicle's own judgement if the fence is switched on,
+    /// Whether the fence is broken: as the vehicle reports it if the fence is switched on,
     /// otherwise by the areas of its list.
     fn is_fence_broken(&self, truth: &Truth, point: [f64; 2]) -> bool {
         if self.is_fence_on {

@@ -43,7 +43,8 @@ impl<'a> Shifted<'a> {
         self.track.points.len() + self.by
     }
 
-    /// The position at a time, in points; a vehicle that ends in the air stays there.
+    /// The position at a time, counted in points of the track; a vehicle whose track ends in the
+    /// air stays there.
     fn at(self, time: usize) -> Option<[f64; 3]> {
         let last = self.track.points.len().checked_sub(1)?;
         self.track.points[time.checked_sub(self.by)?.min(last)]
@@ -68,7 +69,6 @@ fn are_far(a: &Track, b: &Track) -> bool {
     })
 }
 
-/// The minimum and the maximum of each axis.
 fn bounds(track: &Track) -> Option<[(f64, f64); 3]> {
     let mut points = track.points.iter().flatten();
     let first = points.next()?;

@@ -29,13 +29,13 @@ pub struct Participant {
     pub document: Document,
     /// The airframe; `None` for the standard quadcopter.
     pub airframe: Option<Arc<Airframe>>,
-    /// The time at which its motors start, in seconds.
+    /// The time at which the vehicle's motors start, in seconds.
     pub delay_s: f64,
-    /// The charge of its battery at the start, in percent; `None` for a full battery.
+    /// The charge of the battery at the start, in percent; `None` for a full battery.
     pub charge_percent: Option<f64>,
     /// Parameters of this vehicle alone; those that the simulator does not have are left out.
     pub parameters: Vec<(String, f32)>,
-    /// The fence as switched on or off by a command; `None` if `FENCE_ENABLE` decides. Only a
+    /// The fence as switched on or off by a command; `None` if `FENCE_ENABLE` applies. Only a
     /// command switches on the lower limit (`FENCE_ALT_MIN`).
     pub fence_switch: Option<bool>,
 }
@@ -113,7 +113,7 @@ pub enum FlightEnding {
 /// The outcome for one vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Flown {
-    /// The time from the start of its motors to the end of the flight, in seconds.
+    /// The time from the start of the vehicle's motors to the end of the flight, in seconds.
     pub time_s: f64,
     /// The charge that the flight used, in percent of the battery's capacity; at most 100.
     pub energy_used_percent: f64,
@@ -123,7 +123,7 @@ pub struct Flown {
     /// is switched on (`FENCE_TYPE`, the areas, the circle around home, the heights); otherwise, the areas of its list
     /// count.
     pub broke_fence_s: Option<f64>,
-    /// Whether it has a fence that is switched on, or areas in its list.
+    /// Whether the vehicle has a fence that is switched on, or areas in its list.
     pub has_fence: bool,
     /// Whether `DISARM_DELAY` was set to 0 because the plan begins with a wait on the ground.
     pub was_kept_armed: bool,
@@ -213,7 +213,7 @@ pub struct Heard<'a> {
     pub bytes: &'a [u8],
 }
 
-/// Flies all plans at once, and hands over the telemetry of the vehicles, in order of time.
+/// Flies all plans at once, and hands over the telemetry of the vehicles in chronological order.
 ///
 /// # Errors
 /// See [`RehearsalError`].

@@ -12,7 +12,8 @@ pub(crate) const STEPS: u32 = 2;
 pub(crate) const TRACK_EVERY: u32 = 10;
 /// Vehicles whose homes are closer together than this, in metres, start side by side.
 const SAME_PLACE_M: f64 = 2.0;
-/// The distance of vehicles that start side by side, in metres; it is large enough to avoid a conflict.
+/// The distance between vehicles that start side by side, in metres; it is large enough to avoid a
+/// conflict.
 const SIDE_BY_SIDE_M: f64 = 8.0;
 
 /// The positions of a vehicle at regular times since the start of the rehearsal, `None` on the ground: metres north and

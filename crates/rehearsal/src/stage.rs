@@ -123,7 +123,6 @@ impl Stage {
         }
     }
 
-    /// Hands over the bytes that the vehicles have sent since the last sample.
     fn hand_over(&mut self, sample: u32, listener: &mut dyn FnMut(Heard<'_>)) {
         let at_s = f64::from(sample) * sample_s();
         for (vehicle, flight) in self.flights.iter_mut().enumerate() {
@@ -167,7 +166,7 @@ fn airframe(participant: &Participant) -> Arc<Airframe> {
     own.unwrap_or_else(Airframe::shared_standard)
 }
 
-/// Sets those of the vehicle's own parameters that the simulator has.
+/// Sets the vehicle's own parameters, except those that the simulator lacks.
 fn carry_over(flight: &mut Flight, vehicle: usize, participant: &Participant, world: &mut World) {
     for (name, value) in &participant.parameters {
         if world.find_parameter(vehicle, name).is_some() {

@@ -46,7 +46,7 @@ fn vehicle(start: (f64, f64), way: &[(f64, f64)]) -> Participant {
     }
 }
 
-/// Two vehicles whose paths cross at the same time.
+/// Two vehicles that reach the crossing of their paths at the same time.
 fn crossing() -> [Participant; 2] {
     [
         vehicle((0.0, 0.0), &[(100.0, 100.0)]),

@@ -70,7 +70,6 @@ impl GroundStation {
     }
 }
 
-/// The world, and the ground station of its first vehicle.
 struct Flight {
     world: World,
     port: PortId,

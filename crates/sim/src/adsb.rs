@@ -32,7 +32,7 @@ pub(super) struct Adsb {
 }
 
 impl Adsb {
-    /// The sky of a vehicle with this board id, or none if it is switched off at boot.
+    /// The sky of a vehicle with this board id; `None` if the sky is switched off at boot.
     pub(super) fn booted(count: f64, board_id: u64) -> Option<Box<Self>> {
         (count >= 0.0).then(|| {
             Box::new(Self {

@@ -1,6 +1,6 @@
 //! The airframe of a multirotor, described as in `ArduPilot`'s `SIM_Frame` by figures of a
-//! reference flight. Drag, thrust and current follow from them by the same relations, so one file
-//! gives both simulators the same drone.
+//! reference flight. Drag, thrust and current follow from them by the relations of `SIM_Frame`, so
+//! one file gives both simulators the same drone.
 
 mod figures;
 mod file;
@@ -37,7 +37,8 @@ pub struct Airframe {
     figures: Figures,
     /// The frame file as plain JSON; `None` for the default quad.
     file: Option<Value>,
-    /// Initial parameters of its vehicles, besides those that follow from the figures.
+    /// Initial parameters of vehicles with this airframe, besides those that follow from its
+    /// figures.
     parameters: Vec<(&'static str, f64)>,
     /// Drag coefficients per mass and density: the body's, multiplied by the square of the speed,
     /// and that of the rotors' inflow, multiplied by the root of the thrust.
@@ -91,12 +92,14 @@ impl Airframe {
         Self { parameters, ..self }
     }
 
-    /// Its frame file as plain JSON, without comments: the input for ArduPilot's SITL. The default quad has none.
+    /// The frame file as plain JSON, without comments: the input for ArduPilot's SITL. The default
+    /// quad has none.
     pub fn file(&self) -> Option<&Value> {
         self.file.as_ref()
     }
 
-    /// Initial parameters of its vehicles, besides those that follow from the figures.
+    /// Initial parameters of vehicles with this airframe, besides those that follow from its
+    /// figures.
     pub fn parameters(&self) -> &[(&'static str, f64)] {
         &self.parameters
     }

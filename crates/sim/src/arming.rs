@@ -20,7 +20,6 @@ const LIFTS_AFTER_ARMING: Duration = Duration::from_millis(2200);
 const ALIGNS_ABOVE_GROUND_M: f64 = 2.5;
 /// A vehicle that rests for this long with idle motors counts as landed.
 const LANDED_AFTER: Duration = Duration::from_secs(1);
-/// The delay from touchdown to disarming in a landing.
 const DISARMED_AFTER_TOUCH: Duration = Duration::from_millis(2100);
 
 /// How arming is requested.
@@ -58,7 +57,6 @@ pub(super) struct Safety {
     pub(super) reports_at: Duration,
     /// Whether the last check found no reason not to arm.
     pub(super) may_arm: bool,
-    /// The time at which the vehicle became idle on the ground.
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
 }

@@ -30,7 +30,6 @@ use super::vehicle::Vehicle;
 /// The first command; item 0 is home.
 const FIRST: u16 = 1;
 
-/// The state of a mission.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 enum PlanState {
     #[default]
@@ -43,7 +42,7 @@ enum PlanState {
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct PlanAction {
     at: Option<u16>,
-    /// Whether it is under way.
+    /// Whether the action is under way.
     loaded: bool,
     /// Whether all actions before the next navigation command are done.
     all_done: bool,
@@ -168,7 +167,8 @@ impl AutoPlan {
         self.returns = returns;
     }
 
-    /// Resets to before the first item, as after every disarming. A running mission continues.
+    /// Resets the position to before the first item, as after every disarming. A running mission
+    /// continues.
     pub(super) fn reset(&mut self) {
         self.nav = None;
         self.nav_loaded = false;
@@ -246,8 +246,9 @@ impl AutoPlan {
         }
     }
 
-    /// Handles a changed mission: called for every stored item, and whenever the length changes. A command that is
-    /// flying to a place begins again with the new item; an emptied mission is reset.
+    /// Handles a changed mission: called for every stored item, and whenever the length changes. If
+    /// the vehicle is flying to a place, the command begins again with the new item; an emptied
+    /// mission is reset.
     pub(super) fn list_changed(&mut self, vehicle: &mut Vehicle) {
         let runs = self.state == PlanState::Running;
         if vehicle.plans.mission.is_empty() && !(runs && vehicle.safety.armed) {

@@ -30,7 +30,6 @@ use super::{adsb, fence, mode, trail};
 
 /// The delay between the acknowledgement of a reboot and the loss of the links.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
-/// The time between time synchronisation requests, in steps.
 const TIMESYNC_EVERY_STEPS: u64 = 1000;
 
 /// The autopilot of one vehicle, together with that vehicle.

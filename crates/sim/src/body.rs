@@ -17,7 +17,6 @@ const DRAG_LAG_S: f64 = 0.2;
 /// The smallest cosine of the lean for which the throttle is raised; a greater lean raises it no
 /// further.
 const BOOST_LEAST: f64 = 0.5;
-/// The throttle of idling motors.
 const IDLE_THROTTLE: f64 = 0.01;
 /// The rotation rate that a collision causes per metre per second of speed, and its limit, in
 /// radians per second.
@@ -39,7 +38,6 @@ pub(super) enum Demand {
 /// The air flowing through the rotors, and its effect on the body.
 #[derive(Debug, Clone, Copy)]
 struct RotorStream {
-    /// The downward part of the drag, in metres per second squared.
     drag_down_m_s2: f64,
     /// The downward part of the thrust's direction: -1 if the body is level.
     axis_down: f64,

@@ -25,7 +25,6 @@ use sortie_geo::LatLon;
 const FEW: usize = 16;
 /// The largest radius of a vehicle, in metres; larger ones are reduced to it.
 const RADIUS_MAX_M: f64 = 5.0;
-/// The coefficient of restitution.
 const RESTITUTION: f64 = 0.3;
 /// A vehicle that descends on an obstacle at less than this speed, in m/s, lands on it undamaged.
 const LANDING_M_S: f64 = 1.0;
@@ -43,7 +42,7 @@ pub struct Collision {
     pub with: Met,
     /// The position of the vehicle.
     pub place: LatLon,
-    /// Its altitude, metres above mean sea level.
+    /// The vehicle's altitude, metres above mean sea level.
     pub altitude_amsl_m: f64,
     /// The relative speed, in metres per second.
     pub speed_m_s: f64,

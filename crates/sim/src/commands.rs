@@ -66,7 +66,6 @@ impl Command {
         (!value.is_nan()).then_some(value as i32)
     }
 
-    /// Whether a parameter equals this number.
     fn is(&self, parameter: usize, number: f32) -> bool {
         self.p
             .get(parameter)
@@ -74,7 +73,6 @@ impl Command {
     }
 }
 
-/// Commands with a place on the earth.
 const WITH_PLACE: &[u16] = &[
     cmd::DO_SET_HOME,
     cmd::DO_SET_ROI,

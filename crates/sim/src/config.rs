@@ -6,7 +6,6 @@ use super::airframe::Airframe;
 use super::collision::Obstacle;
 use sortie_geo::LatLon;
 
-/// The distance between vehicles in a row, in metres.
 const ROW_SPACING_M: f64 = 5.0;
 
 /// The content of a world.
@@ -77,7 +76,7 @@ impl Serial {
     /// All ports of a vehicle.
     pub const ALL: [Self; 3] = [Self::Zero, Self::One, Self::Two];
 
-    /// Its number, from 0.
+    /// The port's number, from 0.
     pub fn index(self) -> usize {
         self as usize
     }

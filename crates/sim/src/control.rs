@@ -38,7 +38,8 @@ pub(super) struct Limits {
 
 impl Limits {
     /// The limits for a path that climbs or descends too fast: its vertical speed may change faster
-    /// (`POSCONTROL_OVERSPEED_GAIN_Z`), so a velocity is obeyed regardless of speed limits.
+    /// (`POSCONTROL_OVERSPEED_GAIN_Z`), so a demanded velocity takes effect regardless of speed
+    /// limits.
     pub(super) fn overspeed(self, down_m_s: f64) -> Self {
         let most = if down_m_s < 0.0 {
             self.speed_up_m_s
@@ -299,8 +300,8 @@ impl PositionControl {
     }
 }
 
-/// An acceleration no longer than `most`: the part across the path takes precedence over the part along it
-/// (`limit_accel_xy`).
+/// An acceleration limited to `most`: the part across the path takes precedence over the part along
+/// it (`limit_accel_xy`).
 fn within(accel: DVec2, moving: DVec2, most: f64) -> DVec2 {
     let Some(way) = moving.try_normalize() else {
         return accel.clamp_length_max(most);

@@ -5,12 +5,12 @@ use std::time::Duration;
 use super::body::Body;
 use super::parameters::Parameters;
 
-/// The time between storing and reporting the counters.
+/// The interval at which the counters are stored and reported.
 const COUNTED_EVERY: Duration = Duration::from_secs(30);
-/// The time between counts.
+/// The time between two updates of the counters.
 const LOOK: Duration = Duration::from_millis(100);
-/// The vertical speed below which the vehicle counts as hovering, and the time constant of learning
-/// its throttle.
+/// The vertical speed below which the vehicle counts as hovering, and the time constant with which
+/// the hover throttle is learned.
 const HOVER_CLIMB_M_S: f64 = 0.6;
 const HOVER_LEARNT_S: f64 = 10.0;
 /// The minimum change of the hover throttle that is reported after a flight.

@@ -50,7 +50,6 @@ const FOLLOWS_S: f64 = 1.5;
 const BLIND_ACCEL_M_S2: f64 = 0.014;
 /// The lean error of a vehicle without a position: it drifts at 0.19 m/s.
 const LEVEL_ERROR_M_S2: f64 = 0.05;
-/// Errors below this, in metres, count as none.
 const NEGLIGIBLE_M: f64 = 1e-3;
 
 /// The inputs of one step of the estimator.
@@ -67,7 +66,6 @@ pub(super) struct Estimator {
     /// Whether there is or was any fault; otherwise the estimate is the truth.
     disturbed: bool,
     belief: Option<Box<Body>>,
-    /// The error of the estimate.
     error_m: DVec3,
     velocity_error_m_s: DVec3,
     /// The direction of this vehicle's sensor errors.
@@ -250,7 +248,6 @@ impl Estimator {
         belief.velocity_m_s += self.velocity_error_m_s + self.shake_m_s;
     }
 
-    /// Updates the effects of the GPS, or of its absence.
     fn watch_gps(
         &mut self,
         around: &Surroundings<'_>,

@@ -95,7 +95,6 @@ pub(super) struct Geofence {
     limiter: Limiter,
 }
 
-/// A vehicle's position for the fences.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[expect(clippy::struct_field_names, reason = "the unit belongs to each name")]
 struct FencePosition {
@@ -222,7 +221,6 @@ impl Geofence {
             || (rules.kinds & AREAS != 0 && !self.areas.is_empty())
     }
 
-    /// The reason why the fence forbids arming.
     fn obstacle(&self, rules: &FenceRules) -> Option<&'static str> {
         if !rules.is_enabled {
             return None;

@@ -50,7 +50,6 @@ impl VehicleSlot {
 }
 
 impl Autopilot {
-    /// Passes each part of the state to `add`.
     fn add_to(&self, add: &mut dyn FnMut(&dyn Debug)) {
         let (vehicle, watches) = self.state();
         for part in watches {

@@ -108,7 +108,6 @@ impl FlightLog {
         wants
     }
 
-    /// Notes that the vehicle was armed or disarmed.
     fn note_arming(&mut self, armed: bool, now: Duration) {
         if std::mem::replace(&mut self.is_armed, armed) != armed
             && let Some(log) = self.current()

@@ -10,7 +10,7 @@ use mavlink::dialects::ardupilotmega::MavFrame;
 
 pub(crate) const GLOBAL: u8 = MavFrame::MAV_FRAME_GLOBAL as u8;
 pub(crate) const LOCAL_NED: u8 = MavFrame::MAV_FRAME_LOCAL_NED as u8;
-/// The frame that a `COMMAND_LONG` with a place means.
+/// The frame of the place in a `COMMAND_LONG`.
 pub(crate) const GLOBAL_RELATIVE_ALT: u8 = MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT as u8;
 const GLOBAL_INT: u8 = MavFrame::MAV_FRAME_GLOBAL_INT as u8;
 const GLOBAL_RELATIVE_ALT_INT: u8 = MavFrame::MAV_FRAME_GLOBAL_RELATIVE_ALT_INT as u8;

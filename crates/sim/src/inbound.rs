@@ -1,4 +1,4 @@
-//! Messages of ground stations, and the vehicle's answers.
+//! Messages from ground stations, and the vehicle's answers.
 
 mod fields;
 

@@ -10,8 +10,8 @@ use super::autopilot::{auxiliary, telemetry};
 use super::parameters::Parameters;
 use super::{commands, mode};
 
-/// The contents of the simulator: names of modes, commands, messages, switches and parameters. As text, the rows of a
-/// Markdown table.
+/// The contents of the simulator: names of modes, commands, messages, switches and parameters.
+/// Displayed as the rows of a Markdown table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Inventory {
     /// Modes that can be entered.

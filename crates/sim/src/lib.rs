@@ -362,7 +362,7 @@ impl World {
             .is_some_and(|slot| slot.is_open(port.number))
     }
 
-    /// Hands bytes to the vehicle. It handles them at once: the answers are ready for
+    /// Hands bytes to the vehicle, which handles them at once: the answers are ready for
     /// [`take_output`](Self::take_output).
     pub fn receive(&mut self, port: PortId, bytes: &[u8]) {
         self.keep(port, || InputKind::Bytes(bytes.to_vec()));

@@ -20,7 +20,7 @@ pub(super) enum ModeEntry {
 pub(super) struct Mode {
     /// `custom_mode` on the wire.
     pub(super) number: u8,
-    /// Its name in `ArduCopter`'s texts.
+    /// The mode's name in `ArduCopter`'s texts.
     pub(super) name: &'static str,
     pub(super) entry: ModeEntry,
     /// Whether the autopilot holds or flies to positions, which sets the GUIDED bit of `base_mode`.

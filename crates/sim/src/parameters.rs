@@ -109,7 +109,6 @@ impl Parameters {
         trees.filter(|tree| self.value_in_place(tree.switch) == 0.0)
     }
 
-    /// The parameter at a place of the table.
     fn in_place(&self, place: u16) -> Option<Parameter> {
         let row = TABLE.rows.get(usize::from(place))?;
         Some(Parameter {

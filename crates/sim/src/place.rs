@@ -70,7 +70,7 @@ impl LocalDatum {
         self.home
     }
 
-    /// Makes a place home.
+    /// Sets home to a place.
     pub(super) fn set_home(&mut self, home: Place) {
         self.home = Some(home);
         self.home_m = self.point_of(home);

@@ -23,7 +23,8 @@ const TELEMETRY_MAX: usize = PENDING_MAX - 32 * 1024;
 const PENDING_KEPT: usize = 4096;
 /// If more bytes than this wait, transfers pause.
 const TRANSFERS_MAX: usize = PENDING_MAX / 2;
-/// Incoming bytes are decoded in pieces, so that a flood does not accumulate in memory.
+/// Incoming bytes are decoded in pieces of this length, so that a flood does not accumulate in
+/// memory.
 const PIECE: usize = 4096;
 /// After a pause of this many steps, an incomplete frame will no longer be completed (a frame takes far less).
 const PAUSE_STEPS: u32 = 50;

@@ -57,8 +57,8 @@ impl FailsafeAction {
         }
     }
 
-    /// Its urgency: 0 is the most urgent. The action of the battery's second level must not undo
-    /// that of the first.
+    /// The urgency of the action: 0 is the most urgent. The action of the battery's second level
+    /// must not undo that of the first.
     pub(super) fn priority(self) -> u8 {
         match self {
             Self::Terminate => 0,

@@ -100,9 +100,9 @@ const STREAMS: &[(MavDataStream, &str, &[u32])] = &[
         ],
     ),
 ];
-/// The stream of traffic, which has a parameter but no number: only all streams together include it.
+/// The stream of traffic, which has a parameter but no number: only a request for all streams
+/// includes it.
 const TRAFFIC: (&str, u32) = ("ADSB", ADSB_VEHICLE_DATA::ID);
-/// The group that means all groups.
 const ALL_STREAMS: u8 = MavDataStream::MAV_DATA_STREAM_ALL as u8;
 
 /// A message with a clock of its own.
@@ -305,7 +305,6 @@ fn rate_name(serial: Serial, stream: &str) -> String {
     format!("SR{}_{stream}", serial.index())
 }
 
-/// The interval of a stream sent at `rate_hz`, in milliseconds.
 fn interval_ms(rate_hz: u16) -> u64 {
     1000_u64.checked_div(u64::from(rate_hz)).unwrap_or(0)
 }

@@ -285,8 +285,8 @@ fn brake(cockpit: &mut Cockpit<'_>) {
 }
 
 impl Circle {
-    /// Pitch forward shrinks the circle at up to the cruise speed, roll turns it faster or slower by up to 1 degree
-    /// per second each second, throttle climbs.
+    /// Pitch forward shrinks the circle at up to the cruise speed, roll changes the turn rate by up
+    /// to 1 degree per second each second, and the throttle stick sets the climb rate.
     fn obey_sticks(&mut self, cockpit: &Cockpit<'_>) {
         let [roll, pitch, ..] = &cockpit.tuning.radio.sticks;
         let channels = &cockpit.sticks.channels_us;

@@ -146,7 +146,6 @@ fn simplified(points_m: &[DVec3], epsilon_m: f64) -> Vec<DVec3> {
     pairs.filter_map(|(p, kept)| kept.then_some(*p)).collect()
 }
 
-/// The distance of a point from the line through two others.
 fn off_line(point: DVec3, from: DVec3, to: DVec3) -> f64 {
     let along = (to - from).normalize_or_zero();
     let way = point - from;

@@ -1,7 +1,7 @@
 //! Transfers to and from the vehicle: lists of items, files and flight logs.
 //!
-//! As on the real vehicle, one upload per list, one open file and one log download are under way at a time, over all
-//! links together.
+//! As on the real vehicle, at most one upload per list, one open file and one log download are
+//! under way at a time, over all links together.
 
 mod content;
 mod fence;

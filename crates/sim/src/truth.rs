@@ -3,7 +3,7 @@
 use super::autopilot::Autopilot;
 use sortie_geo::{LatLon, wrap_360};
 
-/// The true state, independent of the telemetry: for tests and benches.
+/// The true state, independent of the telemetry: for tests and benchmarks.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Truth {
     /// Latitude and longitude of the vehicle.

@@ -25,14 +25,15 @@ const SLOPE_FILTER_HZ: f64 = 20.0;
 /// Above this lean error, in radians, heading control is reduced; above twice this error, it is
 /// off.
 const YAW_FREE_RAD: f64 = std::f64::consts::FRAC_PI_6;
-/// Near full throttle, less lean is allowed: the share of the full throttle that may be spent on it, the minimum lean,
-/// and the time this takes (`ATC_ANG_LIM_TC`).
+/// Near full throttle, less lean is allowed: the share of the full throttle that may be spent on
+/// leaning, the minimum lean, and the time this takes (`ATC_ANG_LIM_TC`).
 const LEAN_THROTTLE: f64 = 0.8;
 const LEAN_LEAST_RAD: f64 = 0.175;
 const LEAN_LIMIT_S: f64 = 1.0;
 /// The integrator of the climb, per second: `PSC_ACCZ_I` in accelerations.
 const CLIMB_I_PER_S: f64 = 2.7;
-/// The approximate share of the motors at the beginning; they reach any other share within a few rounds.
+/// The motors' approximate share of the thrust range at the beginning; they reach any other share
+/// within a few rounds.
 const HOVER_SHARE: f64 = 0.4;
 /// The greatest rotation rate (as in `SIM_Aircraft`), in radians per second.
 const TURN_MAX_RAD_S: f64 = 34.9;
@@ -94,8 +95,8 @@ pub(super) struct Drive<'a> {
 }
 
 impl Upset {
-    /// The beginning of an upset: from the attitude of a healthy vehicle, its axes forward, right and up, turning at
-    /// `rates_rad_s`.
+    /// The beginning of an upset: the attitude of a healthy vehicle, given by its forward, right
+    /// and up axes, and its rotation rates.
     pub(super) fn new(axes: [DVec3; 3], rates_rad_s: DVec3) -> Self {
         let [forward, right, up] = axes;
         Self {

@@ -1,5 +1,5 @@
-//! A vehicle that can be flown: its build, its estimated position and its current task. The decisions (commands,
-//! plans, failsafes) are made above it, in the autopilot.
+//! A vehicle that can be flown: its build, its estimated position and its current task. The
+//! decisions (commands, plans, failsafes) are made in the autopilot, which contains the vehicle.
 
 mod flight;
 mod fly;
@@ -62,7 +62,7 @@ pub(super) struct Vehicle {
     pub(super) servos_us: [u16; 16],
     pub(super) boot: Boot,
     pub(super) log: FlightLog,
-    /// The traffic around it, if there is any.
+    /// The traffic around the vehicle, if there is any.
     pub(super) adsb: Option<Box<Adsb>>,
     /// Messages for every link, in order.
     pub(super) outbox: Vec<MavMessage>,

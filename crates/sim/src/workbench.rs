@@ -9,7 +9,7 @@ use mavlink::dialects::ardupilotmega::MotorTestThrottleType;
 const TEST_MAX_S: f32 = 600.0;
 const PERCENT: i32 = MotorTestThrottleType::MOTOR_TEST_THROTTLE_PERCENT as i32;
 const PULSE_WIDTH: i32 = MotorTestThrottleType::MOTOR_TEST_THROTTLE_PWM as i32;
-/// The vehicle has three compasses.
+/// A bit for each of the vehicle's three compasses.
 const COMPASSES: u8 = 0b111;
 
 /// The state of tests, calibrations and switches. It does not survive a reboot.

@@ -9,8 +9,9 @@ use sortie_geo::wrap_180;
 /// The lag with which the nose follows its setpoint when a pilot turns it, or when the vehicle
 /// tumbles, in seconds.
 const LAG_S: f64 = 0.3;
-/// The autopilot's own turns swing: the natural frequency in radians per second and the damping, from a turn at 60
-/// degrees per second that comes to 68 after 0.75 s, trails by 12 degrees and overshoots by 5.
+/// The autopilot's own turns swing: the natural frequency in radians per second and the damping,
+/// from a turn at 60 degrees per second that reaches 68 after 0.75 s, trails by 12 degrees and
+/// overshoots by 5.
 const SWING_RAD_S: f64 = 4.6;
 const SWING_DAMPING: f64 = 0.5;
 /// The speed of the path above which the nose follows it, in m/s.
@@ -53,7 +54,6 @@ pub(super) struct YawControl {
     pub(super) demand: YawDemand,
     setpoint_deg: f64,
     stick_deg_s: f64,
-    /// The current turn rate, in degrees per second.
     rate_deg_s: f64,
 }
 

@@ -5,7 +5,8 @@ use crc::{Algorithm, CRC_16_MCRF4XX, Crc, Digest, Table};
 /// The CRC of a frame. With a table for sixteen bytes at a time, a check takes a fifth of the time.
 const FRAME: Crc<u16, Table<16>> = Crc::<u16, Table<16>>::new(&CRC_16_MCRF4XX);
 
-/// CRC-32 as MAVLink FTP defines it: it starts at zero and has no inversions, unlike that of zip.
+/// CRC-32 as MAVLink FTP defines it: it starts at zero and has no inversions, unlike the CRC-32 of
+/// zip.
 static FILE: Crc<u32> = Crc::<u32>::new(&Algorithm {
     width: 32,
     poly: 0x04C1_1DB7,
@@ -17,8 +18,8 @@ static FILE: Crc<u32> = Crc::<u32>::new(&Algorithm {
     residue: 0,
 });
 
-/// The checksum of a frame from the byte after its first one to the end of its payload; `seed` is
-/// the message's CRC seed in the dialect (`CRC_EXTRA`).
+/// The checksum of a frame from its second byte to the end of its payload; `seed` is the message's
+/// CRC seed in the dialect (`CRC_EXTRA`).
 pub(super) fn of_frame(covered: &[u8], seed: u8) -> u16 {
     let mut digest = FRAME.digest();
     digest.update(covered);

@@ -169,7 +169,6 @@ impl Encoder {
 #[derive(Debug, Clone, Copy)]
 struct HeaderFields {
     version: MavlinkVersion,
-    /// The message id.
     id: u32,
     signed: bool,
     /// Length of the payload in bytes.

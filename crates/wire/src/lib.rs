@@ -90,7 +90,8 @@ pub struct Frame {
     pub sequence: u8,
     /// MAVLink 1 or 2.
     pub version: MavlinkVersion,
-    /// Its signature. The decoder has no keys: to it, a signed frame is [`Seal::Foreign`].
+    /// The frame's signature. The decoder has no keys, so it reports a signed frame as
+    /// [`Seal::Foreign`].
     pub seal: Seal,
     /// Bytes on the wire, header, checksum and signature included.
     pub wire_len: u16,

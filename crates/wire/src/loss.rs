@@ -6,8 +6,8 @@ use super::{ComponentId, Frame, SystemId};
 
 /// A larger step between sequence numbers counts as a step back: the frame is late, or the sender has restarted.
 const LONGEST_GAP: u8 = 127;
-/// This many numbers in rising order that were received before come from a restarted sender, not from duplicated
-/// frames.
+/// This many late frames in a row come from a restarted sender and are not duplicates, if their
+/// numbers rise and were received before.
 const RESTART_AFTER: u8 = 8;
 /// The largest step between the numbers of a sender that may have restarted.
 const LARGEST_GAP_ANEW: u8 = 8;
@@ -50,7 +50,7 @@ impl SenderLoss {
         self.received += 1;
     }
 
-    /// Begins to count anew; the next frame still continues the sequence.
+    /// Restarts the count; the next frame still continues the sequence.
     pub fn reset(&mut self) {
         (self.received, self.missing) = (0, 0);
     }

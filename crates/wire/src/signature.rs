@@ -24,12 +24,13 @@ pub struct Stamp {
 pub enum Seal {
     /// The frame has no signature.
     Unsigned,
-    /// It was not signed with a key that the receiver has, or it has not been verified.
+    /// The frame was not signed with a key that the receiver has, or the signature has not been
+    /// verified.
     Foreign,
-    /// It was signed with the right key, but its stamp is this many units of 10 microseconds too
-    /// old to count as new: it may have been replayed.
+    /// The frame was signed with the right key, but its stamp is this many units of 10 microseconds
+    /// too old to count as new: it may have been replayed.
     Old(u64),
-    /// It was signed with the sender's key, at a new time.
+    /// The frame was signed with the sender's key, at a new time.
     Right,
     /// Like [`Seal::Right`], but signed with the key that is about to replace the sender's key.
     RightWithNext,

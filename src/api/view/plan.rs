@@ -12,7 +12,7 @@ pub struct PlanView {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub id: Option<u64>,
     pub vehicle: VehicleId,
-    /// Whether it has been read to its end, and no newer version is being read.
+    /// Whether the plan has been read to its end, and no newer version is being read.
     pub complete: bool,
     /// The items after home, from number 1.
     pub items: Vec<PlanItemView>,
@@ -26,7 +26,7 @@ pub struct PlanItemView {
     pub command: String,
     /// The number of its `MAV_FRAME`.
     pub frame: u8,
-    /// Its four parameters; `null` where a parameter is not set.
+    /// The first four parameters; `null` where a parameter is not set.
     #[schema(value_type = Vec<Option<f32>>)]
     pub params: [Option<f32>; 4],
     pub lat_deg: Option<f64>,

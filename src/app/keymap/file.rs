@@ -35,7 +35,6 @@ struct FileRow {
     press: Press,
     place: Place,
     meaning: Option<Meaning>,
-    /// The key as written, with its position.
     key: Spanned<String>,
 }
 
@@ -105,7 +104,6 @@ pub(super) fn contexts() -> impl Iterator<Item = &'static str> {
     Place::all().map(Place::name)
 }
 
-/// A file while it is being read.
 struct KeymapReading<'a> {
     source: &'a str,
     themes: &'a [String],

@@ -54,7 +54,7 @@ impl Meaning {
         Self::Write(Cow::Borrowed(words))
     }
 
-    /// Whether both have the same meaning, apart from trailing spaces in a line.
+    /// Whether both meanings are the same, apart from trailing spaces in a line.
     fn leads_where(&self, other: &Self) -> bool {
         match (self, other) {
             (Self::Write(one), Self::Write(other)) => one.trim_end() == other.trim_end(),

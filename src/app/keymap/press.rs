@@ -12,7 +12,7 @@ pub enum Press {
     Plain(KeyCode),
     /// A letter with Ctrl.
     Control(char),
-    /// Any other key with Ctrl, Alt or Shift.
+    /// Any other key combined with Ctrl, Alt or Shift.
     With(KeyModifiers, KeyCode),
     /// A character of a vehicle list: a digit, `-` or `,`.
     Number,
@@ -133,7 +133,6 @@ fn modifier(written: &str) -> Option<(usize, KeyModifiers)> {
     })
 }
 
-/// A key without modifiers.
 fn code(written: &str) -> Option<KeyCode> {
     let mut characters = written.chars();
     if let (Some(c), None) = (characters.next(), characters.next()) {

@@ -62,7 +62,8 @@ fn item_fields(state: &State) -> Vec<Named> {
 /// The name of the area that is drawn in the current draft.
 const DRAWN: &str = "drawn";
 
-/// The areas of the current draft by name: the one under the cursor, and each by its number if there are several.
+/// The areas of the current draft by name: the one under the cursor as `drawn`, and each as
+/// `drawn-N` if there are several.
 fn drawn(state: &State) -> Vec<(String, Outline)> {
     let (areas, at) = state.rooms.plans.drawn();
     let own = areas.get(at).map(|area| (DRAWN.to_owned(), area.clone()));

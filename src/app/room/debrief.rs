@@ -19,7 +19,8 @@ use crate::text;
 use crate::text::Locale;
 use crate::vehicle::Severity;
 
-/// How long keys are ignored after the debrief opens, because they were meant for the flight.
+/// How long keys are ignored after the debrief opens, because they may still be meant for the
+/// flight.
 const DEAF: Duration = Duration::from_secs(1);
 
 /// The width of the text in columns.
@@ -32,7 +33,7 @@ const TALL: u16 = 36;
 const SUMMARY_HEAD: u16 = 4;
 /// The minimum number of rows for the components of a summary with the height curve.
 const SUMMARY_LEAST: u16 = 6;
-/// The maximum number of rows for these components.
+/// The maximum number of rows for the components of a summary with the height curve.
 const SUMMARY_MOST: u16 = 10;
 /// Rows of a compact summary besides its components: title, outcome, strip and a blank line.
 const COMPACT_HEAD: u16 = 4;

@@ -34,9 +34,7 @@ const SORTS: &[Column] = &[
 pub struct Fly {
     /// The filter as typed.
     pub(in crate::app) filter: String,
-    /// The vehicles in the table, in the order of their rows.
     rows: Vec<VehicleId>,
-    /// The sort keys of the last ordering.
     keys: BTreeMap<VehicleId, SortKey>,
     ordered: Option<(TableSort, Duration)>,
 }

@@ -16,7 +16,7 @@ use crate::vehicle::{Severity, VehicleId};
 pub struct Hangar {
     /// The index of the process under the cursor.
     pub(in crate::app) cursor: usize,
-    /// Whether the output of that process fills the screen.
+    /// Whether the output of the process under the cursor fills the screen.
     pub(in crate::app) opened: bool,
     /// The number of newest lines scrolled out of view.
     pub(in crate::app) back: usize,

@@ -190,10 +190,11 @@ pub fn practice(state: &State, mission: &str, entered: &str) -> Result<Launch, T
     })
 }
 
-/// Connects to the addresses entered. The prompt stays open until the session has started, or shows the error.
+/// Connects to the addresses entered. The prompt stays open until the session has started, or shows
+/// the error.
 ///
 /// # Errors
-/// There is no address.
+/// No address was entered.
 pub fn connect(state: &mut State, entered: &str) -> Result<Effects, Text> {
     let addresses: Vec<String> = entered.split_whitespace().map(str::to_owned).collect();
     if addresses.is_empty() {

@@ -58,7 +58,6 @@ const GENERAL: &[KeyRow] = &[
     does(Press::Control('c'), Action::Quit),
 ];
 
-/// The keys that move a cursor or scroll.
 const MOVES: &[KeyRow] = &[
     does(key('j'), Action::Move(Step::Down)),
     does(Press::Plain(KeyCode::Down), Action::Move(Step::Down)),
@@ -73,7 +72,6 @@ const MOVES: &[KeyRow] = &[
     does(Press::Plain(KeyCode::End), Action::Move(Step::Last)),
 ];
 
-/// The keys that control a replay.
 const REPLAY: &[KeyRow] = &[
     does(key(' '), Action::Replay(ReplayAction::PlayReplay)),
     does(

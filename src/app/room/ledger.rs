@@ -23,9 +23,7 @@ pub struct Ledger {
     pub(in crate::app) opened: bool,
     /// The first row shown.
     pub(in crate::app) scroll: usize,
-    /// The shown commands, oldest first.
     shown: Vec<LedgerKey>,
-    /// Whether the list needs an update.
     stale: bool,
 }
 
@@ -43,7 +41,7 @@ pub enum Outcome {
 }
 
 impl Outcome {
-    /// Its heading; `None` if commands of all outcomes are shown.
+    /// The outcome's heading; `None` if commands of all outcomes are shown.
     pub fn title(self) -> Option<Text> {
         match self {
             Self::Any => None,

@@ -48,7 +48,7 @@ pub struct Map {
     pub(in crate::app) legend: Option<bool>,
     /// Whether trails are hidden.
     pub(in crate::app) trails_hidden: bool,
-    /// The index of the sensor drawn, modulo their number.
+    /// The index of the sensor drawn, modulo the number of sensors.
     pub(in crate::app) sensor: usize,
     pub(in crate::app) trails: BTreeMap<VehicleId, Trail>,
     pub(in crate::app) samples: Samples,
@@ -225,7 +225,7 @@ impl Map {
     }
 
     /// Updates the followed vehicle's place. The view moves only once the vehicle is some cells
-    /// away from its centre, and then to a point ahead of the vehicle.
+    /// away from the centre, and then to a point ahead of the vehicle.
     pub fn followed(&mut self, place: LatLon) {
         let Aim::Vehicle(stand, zoom) = self.aim else {
             return;

@@ -72,12 +72,13 @@ pub struct TrafficRequest {
 /// The message under the cursor.
 #[derive(Debug, Clone, Copy)]
 pub struct Selected<'a> {
-    /// The number of its link.
+    /// The number of the message's link.
     pub link: usize,
     /// The message and its sender.
     pub key: TallyKey,
     pub tally: &'a MessageTally,
-    /// The losses of its sender; `None` for the console's own messages and for unknown senders.
+    /// The losses of the message's sender; `None` for the console's own messages and for unknown
+    /// senders.
     pub loss: Option<&'a SenderLoss>,
     /// The time of the count, on the link's clock.
     pub now: Duration,
@@ -126,7 +127,7 @@ impl Sort {
         }
     }
 
-    /// Its name on the screen.
+    /// The order's name on the screen.
     pub fn title(self) -> Text {
         match self {
             Self::Number => text!("messages-by-number"),

@@ -23,7 +23,7 @@ pub enum Tone {
     AskedHint,
 }
 
-/// One line of the room.
+/// One line of a page.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct PageLine {
     pub tone: Tone,

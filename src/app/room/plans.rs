@@ -55,13 +55,11 @@ pub struct Drawing {
     /// The index of the item where marking began; `None` if only the item under the cursor is
     /// marked.
     mark: Option<usize>,
-    /// The view of the map and its cursor.
     map: Map,
     /// The speed from which flight times are computed, in m/s; `None` for the vehicle's own.
     speed_m_s: Option<f64>,
     /// The content that is being written, with the path and the draft's name.
     saving: Option<(String, String, Arc<Document>)>,
-    /// The ledger's entries of the last upload.
     uploads: Vec<EntryId>,
     ground: GroundFiles,
     /// The vehicles among which work was last divided.

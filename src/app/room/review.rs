@@ -23,7 +23,6 @@ mod page;
 const OTHER_ROWS: u16 = 4;
 /// The rows for the curves of two flights are a page's rows divided by this.
 const CURVE_SHARE: u16 = 3;
-/// The greatest width of a page.
 const WIDEST: u16 = 100;
 
 /// The pages of a review, in order.
@@ -40,7 +39,7 @@ pub enum ReviewPage {
     Next,
     /// The largest changes of the score.
     Explained,
-    /// The differences from another flight, and their cost.
+    /// The differences from another flight, and the points that they cost.
     Compared,
 }
 
@@ -54,7 +53,7 @@ impl ReviewPage {
         Self::Compared,
     ];
 
-    /// The id of the message with its title.
+    /// The id of the message with the page's title.
     pub fn title(self) -> &'static str {
         match self {
             Self::Planned => "review-planned",
@@ -257,7 +256,8 @@ fn turn(state: &mut State, page: ReviewPage) -> Vec<RoomRequest> {
     Vec::new()
 }
 
-/// The index among the reviewed moments of the last one that has passed; the first if none has.
+/// The index, among the reviewed moments, of the last one that has passed; the first index if none
+/// has.
 fn moment_shown(state: &State) -> usize {
     let now = state
         .replay

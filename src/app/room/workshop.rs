@@ -50,7 +50,6 @@ pub struct Workshop {
 }
 
 impl Workshop {
-    /// Moves the cursor to the other list of the bench.
     fn turn_pane(&mut self) {
         self.pane = match self.pane {
             Pane::Slots => Pane::Parts,
@@ -163,7 +162,6 @@ pub fn mission(state: &State) -> Option<&Listing> {
 /// The minimum width to show everything at once.
 pub const WIDE: u16 = 150;
 
-/// The part that an action on the bench applies to: the one under the cursor.
 fn part_under_cursor(state: &State) -> Option<&'static Part> {
     let room = &state.rooms.workshop;
     match room.pane {

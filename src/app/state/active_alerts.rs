@@ -19,7 +19,7 @@ pub struct Standing {
     pub alert: Alert,
     /// When the alert reached its current severity, on the program's clock.
     pub since: Duration,
-    /// Whether it is acknowledged.
+    /// Whether the alert is acknowledged.
     pub acknowledged: bool,
     /// When the condition ended; `None` while it lasts.
     ended: Option<Duration>,
@@ -28,7 +28,7 @@ pub struct Standing {
 /// The most urgent kind of unacknowledged alert, with all its vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pressing<'a> {
-    /// The alert of this kind that is most serious; of several, the oldest.
+    /// The most serious alert of this kind; the oldest if there are several.
     pub first: &'a Standing,
     /// The vehicles that have the same kind of alert, sorted.
     pub vehicles: Vec<VehicleId>,
@@ -46,9 +46,9 @@ pub struct ActiveAlerts {
     /// Vehicles whose processes have ended.
     pub(in crate::app) down: BTreeSet<VehicleId>,
     muted: Vec<AlertKind>,
-    /// For each vehicle that is too close to others, the closest of them.
+    /// The closest other vehicle, for each vehicle that is too close to others.
     close: BTreeMap<VehicleId, CloseVehicle>,
-    /// For each vehicle that other aircraft come too close to, the greatest threat.
+    /// The most threatening other aircraft, for each vehicle that aircraft come too close to.
     traffic: BTreeMap<VehicleId, TrafficConflict>,
     /// Alerts that have begun and need a notice.
     begun: Vec<(VehicleId, Alert)>,

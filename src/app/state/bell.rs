@@ -13,13 +13,11 @@ use crate::vehicle::{Severity, VehicleId};
 
 /// The least serious severity that gives a signal.
 const LEAST: Severity = Severity::Critical;
-/// The time between two rings.
 const RING_EVERY: Duration = Duration::from_secs(5);
 /// A ring also covers further alerts within this time, because faults tend to come together.
 const COVERED: Duration = Duration::from_secs(2);
 /// How long a notification waits for others to merge with.
 const GATHER: Duration = Duration::from_secs(1);
-/// The time between two notifications.
 const NOTE_EVERY: Duration = Duration::from_secs(10);
 /// The same alert of the same vehicle is not repeated within this time after its last occurrence.
 const OLD_NEWS: Duration = Duration::from_secs(10);
@@ -32,7 +30,7 @@ pub struct BellCall {
     /// The vehicle; `None` if the alert concerns no single vehicle.
     pub vehicle: Option<VehicleId>,
     pub text: Text,
-    /// Whether it has just become more serious.
+    /// Whether the alert has just become more serious.
     pub worse: bool,
 }
 

@@ -22,7 +22,7 @@ pub struct Choice {
 }
 
 impl Choice {
-    /// Takes over an earlier choice; its cursor only if the user has placed it.
+    /// Takes over an earlier choice, but its cursor only if the user has placed it.
     pub(super) fn keep(&mut self, before: Self) {
         let placed = before.cursor_placed;
         *self = Self {

@@ -125,7 +125,6 @@ fn says_alert(start: &str, alert: &Alert, locale: &Locale) -> bool {
             .any(|word| word.starts_with(start))
 }
 
-/// The words for a vehicle's state.
 fn states(vehicle: &Vehicle) -> impl Iterator<Item = &'static str> {
     let arming: &[&str] = match vehicle.heartbeat {
         None => &[],

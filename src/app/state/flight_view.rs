@@ -68,7 +68,7 @@ pub enum Activity {
 }
 
 impl Activity {
-    /// Its title in the header.
+    /// The session's title in the header.
     pub fn title(&self) -> Text {
         match self {
             Self::Mission { title, .. } => title.clone(),

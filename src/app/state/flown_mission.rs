@@ -8,11 +8,11 @@ use crate::mission::{Area, Progress};
 pub struct FlownMission {
     /// The mission, if there is one.
     pub(in crate::app) listing: Option<Box<MissionListing>>,
-    /// Its progress, once it is known.
+    /// The mission's progress, once it is known.
     pub(in crate::app) progress: Option<Progress>,
-    /// Whether it is over and its debrief is ready.
+    /// Whether the mission is over and its debrief is ready.
     pub(in crate::app) over: bool,
-    /// Its areas that are known from the start.
+    /// The mission's areas that are known from the start.
     pub(in crate::app) areas: Vec<Area>,
     /// The greatest height of any vehicle by mission time, in metres above home.
     pub(in crate::app) heights: Heights,

@@ -39,7 +39,7 @@ impl Ghost {
         is_in_both
     }
 
-    /// The ghost's time at a time of the current flight; `None` before its start.
+    /// The ghost's time at a time of the current flight; `None` before the ghost's start.
     pub fn time(&self, elapsed: Duration) -> Option<Duration> {
         let anchors = self.anchors(self.alignment)?;
         (elapsed + anchors.other).checked_sub(anchors.own)

@@ -9,7 +9,7 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instance {
     pub vehicle: VehicleId,
-    /// The hangar service that runs it; `None` for this program.
+    /// The hangar service that runs the process; `None` if this program runs it.
     pub host: Option<String>,
     /// The stage of the process's start.
     pub stage: SitlStage,
@@ -29,12 +29,12 @@ pub struct Instance {
     pub hint: Option<String>,
     /// The last lines that the process printed, oldest first.
     pub output: Vec<String>,
-    /// Its folder on its host.
+    /// The process's folder on its host.
     pub folder: String,
 }
 
 impl Instance {
-    /// The progress of its start, 0 to 1.
+    /// The progress of the process's start, from 0 to 1.
     pub fn progress(&self) -> f32 {
         match self.stage {
             SitlStage::Queued | SitlStage::Stopping | SitlStage::Ended => 0.0,

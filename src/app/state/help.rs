@@ -15,7 +15,7 @@ use replayed::{ReplayUse, is_carried_out, replayed};
 /// The maximum number of columns of a usage with an explanation beside it.
 pub const SHORT_USAGE: usize = 22;
 
-/// The maximum number of columns of such an explanation.
+/// The maximum number of columns of an explanation beside a usage.
 const SHORT_SUMMARY: usize = 49;
 /// The width of a usage that has a line to itself.
 const USAGE_WIDTH: usize = 64;
@@ -285,7 +285,6 @@ mod tests {
     use super::*;
     use crate::text::Language;
 
-    /// A flight under way.
     fn flight(keymap: &Keymap, here: Room) -> HelpScene<'_> {
         HelpScene {
             keymap,

@@ -10,7 +10,6 @@ pub const SAMPLE_EVERY: Duration = Duration::from_millis(500);
 /// The number of samples kept: ten minutes. At 14 bytes each, that is 16.8 kB per vehicle and 17 MB
 /// for a thousand vehicles.
 const SAMPLES_KEPT: usize = 1200;
-/// The value of an unknown reading.
 const UNKNOWN: i16 = i16::MIN;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -102,7 +101,7 @@ impl Window {
         }
     }
 
-    /// Its length in seconds.
+    /// The length of the span in seconds.
     pub fn seconds(self) -> u16 {
         match self {
             Self::Short => 30,
@@ -111,7 +110,7 @@ impl Window {
         }
     }
 
-    /// Its length in samples.
+    /// The length of the span in samples.
     pub fn samples(self) -> usize {
         let per_second = 1000 / SAMPLE_EVERY.as_millis() as usize;
         usize::from(self.seconds()) * per_second

@@ -42,7 +42,7 @@ impl Connections {
 /// The counters of a forward, through which other ground stations use the links.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ForwardSummary {
-    /// Its address and its filters.
+    /// The forward's address and filters.
     pub name: String,
     /// Whether the forward carries data.
     pub up: bool,
@@ -73,7 +73,7 @@ pub struct ForwardSummary {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinkSummary {
     pub name: Text,
-    /// Its state as text, such as `up` or `down, next try in 4 s`.
+    /// The link's state as text, such as `up` or `down, next try in 4 s`.
     pub state: Text,
     /// Whether the link carries data.
     pub up: bool,
@@ -96,7 +96,7 @@ pub struct LinkSummary {
 /// The counters of a link while it is open.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LinkCounters {
-    /// The number of senders at its other end.
+    /// The number of senders at the link's other end.
     pub peers: usize,
     /// Frames dropped because of a wrong checksum.
     pub bad_crc: u64,

@@ -1,4 +1,4 @@
-//! Orders that lead out of the fence of a mission, which breaks one of its rules.
+//! Orders that lead out of a mission's fence, which breaks a rule of the mission.
 
 use super::FlightView;
 use crate::commands::{Act, Command, MotionCommand, Order};

@@ -10,7 +10,7 @@ use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
 pub const LINES_KEPT: usize = 1000;
-/// How long after its first notice a line also counts identical ones.
+/// How long after a line's first notice the line also counts identical ones.
 const FOLD_TIME: Duration = Duration::from_secs(10);
 
 /// The maximum number of lines for texts of one vehicle within [`FOLD_TIME`]: as many as it sends
@@ -47,7 +47,7 @@ enum LineContent {
 }
 
 impl NoticeLine {
-    /// Whether it is a vehicle's text, or the line that counts unlisted ones.
+    /// Whether the line holds a vehicle's text, or counts unlisted texts.
     pub fn is_of_vehicle(&self) -> bool {
         match self.content {
             LineContent::Notice => self.notice.source == NoticeSource::Vehicle,
@@ -55,7 +55,8 @@ impl NoticeLine {
         }
     }
 
-    /// The session time of the first notice; of one from an earlier session, by the clock of that session.
+    /// The session time of the line's first notice; for a notice from an earlier session, that
+    /// session's time.
     pub fn time(&self, session: &FlightView) -> Duration {
         self.kept_time
             .unwrap_or_else(|| session.time(self.notice.at))
@@ -72,7 +73,6 @@ impl NoticeLine {
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct NoticeLog {
     lines: VecDeque<NoticeLine>,
-    /// The number of lines listed so far, including those dropped since.
     total: u64,
     /// The times of each vehicle's newest [`TEXTS_OF_ONE`] texts, oldest first.
     texts: BTreeMap<VehicleId, VecDeque<Duration>>,

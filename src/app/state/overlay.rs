@@ -201,7 +201,7 @@ pub enum Consequence {
 pub struct ParameterSetting {
     pub name: String,
     pub value: f32,
-    /// The vehicles to set it on, in ascending order.
+    /// The vehicles on which to set the value, in ascending order.
     pub vehicles: Vec<VehicleId>,
     /// How many more times to send the command if there is no answer; setting the same value twice
     /// does no harm.

@@ -5,7 +5,7 @@ use crate::text::figure;
 /// The speed-up of simulated time over the wall clock.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SessionPace {
-    /// The speed-up at the start of the session, to which it returns.
+    /// The speed-up at the start of the session, to which the pace returns.
     pub usual: f64,
     pub now: f64,
 }

@@ -14,7 +14,6 @@ use crate::vehicle_id::ranges;
 /// The failures of the newest rehearsals.
 #[derive(Debug, Clone, Default)]
 pub struct PlanFailures {
-    /// The places where two vehicles came too close in the newest rehearsal of either.
     meetings: Vec<Meeting>,
     /// The plans that failed in the newest rehearsal of each vehicle.
     on_board: BTreeMap<VehicleId, FailedRehearsal>,

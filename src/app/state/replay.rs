@@ -18,12 +18,12 @@ const SAME_MOMENT: Duration = Duration::from_millis(200);
 /// A replayed recording and the position in it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ReplayView {
-    /// The name of its file.
+    /// The name of the recording's file.
     pub name: String,
     /// The start of the recording, in microseconds since 1970 (UTC).
     pub began_unix_us: u64,
     pub length: Duration,
-    /// Its clock for the time of day, with the pauses.
+    /// The recording's clock for the time of day, with the pauses.
     pub day: Arc<DayClock>,
     /// The mission's clock; empty without a mission.
     pub clock: Arc<MissionClock>,
@@ -39,7 +39,7 @@ pub struct ReplayView {
     /// The mission's report, once it is known.
     pub report: Option<Arc<Report>>,
     pub review: Review,
-    /// Whether it was opened for its review.
+    /// Whether the recording was opened for its review.
     pub is_review: bool,
 }
 
@@ -52,7 +52,7 @@ pub struct ReplayPosition {
     /// The rate as a multiple of the recorded speed.
     pub rate: f64,
     pub is_playing: bool,
-    /// Whether it plays backwards.
+    /// Whether the replay runs backwards.
     pub is_backwards: bool,
     pub looped: Option<(Duration, Duration)>,
     /// The kinds of moments at which to stop.

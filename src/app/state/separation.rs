@@ -29,7 +29,7 @@ pub struct CloseVehicle {
 struct Flyer {
     vehicle: VehicleId,
     point: [f64; 3],
-    /// The place from which it took off, in metres north and east.
+    /// The place from which the vehicle took off, in metres north and east.
     start: Option<[f64; 2]>,
 }
 

@@ -1,4 +1,4 @@
-//! The traffic around the vehicles: what their receivers hear, and what the mission reports.
+//! The traffic around the vehicles, from their receivers and from the mission's reports.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -28,7 +28,7 @@ pub struct VehicleApproach {
 }
 
 impl TrackedAircraft {
-    /// Its most dangerous approach, if any vehicle is in the air.
+    /// The aircraft's most dangerous approach; `None` if no vehicle is in the air.
     pub fn worst(&self) -> Option<&VehicleApproach> {
         self.approaches.first()
     }
@@ -38,7 +38,7 @@ impl TrackedAircraft {
             .map_or(TrafficThreat::None, |worst| worst.approach.threat)
     }
 
-    /// Its name, height, course and speed, and the age of its report.
+    /// The aircraft's name, height, course and speed, and the age of its report.
     pub fn text(&self, now: Duration) -> Text {
         let aircraft = &self.aircraft;
         let unknown = || "-".to_owned();
@@ -174,7 +174,7 @@ fn heard(vehicles: &Vehicles) -> impl Iterator<Item = Aircraft> {
     newest.into_values().chain(nameless)
 }
 
-/// The manned aircraft of a mission: its task force receives their reports. Several aircraft may
+/// The manned aircraft of a mission, whose reports the task force receives. Several aircraft may
 /// share a callsign.
 fn of_mission(mission: Option<&Progress>, now: Duration) -> impl Iterator<Item = Aircraft> + '_ {
     let movers = mission.into_iter().flat_map(|progress| &progress.movers);
@@ -228,7 +228,6 @@ mod tests {
 
     const HERE: LatLon = LatLon::new(50.45, 30.52);
 
-    /// A vehicle this far north, with this velocity to the north.
     fn vehicle(id: u8, north_m: f64, north_m_s: f32) -> Vehicle {
         let mut vehicle = Vehicle::new(id, 1);
         vehicle.global = Some(GlobalPosition {

@@ -7,7 +7,6 @@ use crate::language::Named;
 use crate::plan::FileFormat;
 use crate::text::Text;
 
-/// The length of the command line's history.
 const HISTORY_KEPT: usize = 200;
 
 /// The user's unfinished and earlier lines.
@@ -29,9 +28,9 @@ pub struct Typing {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(in crate::app) struct Folder {
     pub path: String,
-    /// Its files and folders; `None` until they are known.
+    /// The folder's files and subfolders; `None` until they are known.
     pub names: Option<Vec<String>>,
-    /// Whether the shell has been asked for them.
+    /// Whether the names have been requested from the shell.
     pub is_asked: bool,
 }
 

@@ -20,7 +20,7 @@ use crate::text::Locale;
 use crate::vehicle::{VehicleId, Vehicles};
 
 impl<R> State<R> {
-    /// Flight time: since the start of the program, or of the recording in a replay.
+    /// Flight time: the time since the start of the program or, in a replay, of the recording.
     pub fn now(&self) -> Duration {
         self.now
     }
@@ -111,7 +111,7 @@ impl FlightView {
         &self.vehicles
     }
 
-    /// The histories of their readings.
+    /// The histories of the vehicles' readings.
     pub fn histories(&self) -> &Histories {
         &self.histories
     }
@@ -180,7 +180,7 @@ impl FlightView {
         self.timing.flow == TimeFlow::Paused
     }
 
-    /// Whether its mission has not begun because the brief is still shown.
+    /// Whether the session's mission has not begun because the brief is still shown.
     pub fn is_reading(&self) -> bool {
         self.timing.flow == TimeFlow::AwaitsReader
     }

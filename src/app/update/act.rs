@@ -56,7 +56,6 @@ pub fn act(state: &mut State, action: Action) -> Effects {
     Effects::none()
 }
 
-/// Carries out a room's requests.
 fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Effects {
     let mut effects = Effects::none();
     for request in requests {

@@ -11,7 +11,7 @@ use crate::vehicle::Severity;
 /// Carries out a command.
 ///
 /// # Errors
-/// The vehicles that it names are invalid, with the reason.
+/// The reason why the vehicles that the command names are invalid.
 pub fn carry_out(state: &mut State, line: AlertLine) -> Result<(), Text> {
     match line {
         AlertLine::Mute(kind) => mute(state, kind),

@@ -9,7 +9,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// Starts setting values; they are added to a batch that is under way.
+/// Starts setting values, or adds them to the batch that is under way.
 pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Effects {
     let room = &mut state.rooms.parameters;
     if let Some(comparison) = &mut room.comparison {

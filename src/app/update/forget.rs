@@ -50,7 +50,6 @@ pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effec
     Ok(Effects::from(Effect::Session(SessionEffect::Forget(ids))))
 }
 
-/// The vehicles that meet a condition.
 fn of(state: &State, is_so: impl Fn(&Vehicle) -> bool) -> Vec<VehicleId> {
     let vehicles = state.session.vehicles.iter();
     vehicles

@@ -40,7 +40,6 @@ pub fn carry_out(state: &mut State, line: GhostLine) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
-/// Why two flights cannot be aligned by an event.
 fn not_aligned(ghost: &Ghost, alignment: Alignment) -> Text {
     let own = ghost.own.as_ref();
     match own.filter(|_| alignment == Alignment::Bookmark) {

@@ -1,4 +1,4 @@
-//! Reports on links: the doctor's findings, and their messages.
+//! Reports on links: the doctor's findings, and the links' messages.
 
 use std::time::Duration;
 
@@ -101,7 +101,7 @@ fn export(state: &State, path: String) -> Effects {
     }))
 }
 
-/// Reports each finding once per link.
+/// Reports a finding, once per link.
 fn tell(state: &mut State, finding: &LinkFinding) {
     let waits = state.session.vehicles.is_empty()
         && state.now.saturating_sub(state.session.timing.began_at) >= PATIENCE;

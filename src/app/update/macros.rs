@@ -70,7 +70,6 @@ pub fn check(state: &State, name: &str, at: Range<usize>) -> Result<(), Diagnost
     }
 }
 
-/// The lines of a macro, in reverse.
 fn lines_backwards<'a>(state: &'a State, name: &'a str) -> impl Iterator<Item = MacroLine<'a>> {
     let lines = state.config.macros.get(name).map_or(&[][..], Vec::as_slice);
     let numbered = lines.iter().enumerate().rev();

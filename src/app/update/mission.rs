@@ -131,7 +131,8 @@ pub fn start_exam(state: &mut State, mission: &str) -> Effects {
     )
 }
 
-/// Flies the same mission again, `alike` with the same seed; asks first if something would be lost.
+/// Flies the same mission again, with the same seed if `alike`; asks first if something would be
+/// lost.
 pub fn restart(state: &mut State, alike: bool) -> Effects {
     if state.replay.is_some() {
         state.say(Severity::Notice, text!("restart-not-replay"));

@@ -16,7 +16,6 @@ const SHOWN: usize = 100;
 /// If fewer letters than this are typed, only the words of the lines are searched, not their
 /// meaning.
 const FEW: usize = 3;
-/// The maximum number of vehicles offered.
 const VEHICLES_SHOWN: usize = 20;
 
 /// How well a line matches the text, best first.

@@ -1,5 +1,5 @@
-//! From a command to its vehicles: the targets, the question before a dangerous command, the
-//! ledger.
+//! Commands to vehicles: their targets, the question before a dangerous command, and their ledger
+//! entries.
 
 use crate::app::State;
 use crate::app::action::Action;
@@ -83,7 +83,6 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     })
 }
 
-/// Refuses commands that are not allowed now.
 fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagnostic> {
     if state.replay.is_some() {
         return Err(Diagnostic::new(first_word(line), text!("replay-refuses"))

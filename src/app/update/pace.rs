@@ -1,4 +1,5 @@
-//! The speed-up of simulated time: higher while nothing happens, and reset when something does.
+//! The speed-up of simulated time: higher while nothing happens, and reset when an event needs
+//! attention.
 
 use std::collections::BTreeSet;
 
@@ -18,7 +19,6 @@ use crate::vehicle::{Severity, VehicleId};
 
 /// The highest speed-up of free flight.
 const FREE_FLIGHT_MOST: f64 = 100.0;
-/// The factor per key press.
 const KEY_FACTOR: f64 = 2.0;
 
 /// Doubles the speed-up, up to the limit; in a replay, raises the rate. In a mission, the key works
@@ -126,8 +126,8 @@ pub fn watch(state: &State, event: &Event) -> Option<Watch> {
     })
 }
 
-/// The reason to return to the usual pace: one in the event itself, or a new alert; `None` without
-/// one.
+/// The reason to return to the usual pace: one in the event itself, or a new alert; `None` if there
+/// is neither.
 pub fn news(state: &State, before: Watch) -> Option<Text> {
     before.reason.or_else(|| new_alert(state, &before.alerts))
 }

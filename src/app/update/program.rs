@@ -66,7 +66,7 @@ fn carry_out(
     }
 }
 
-/// Refuses lines that programs may not give, or not now.
+/// Refuses lines that programs may never give, or may not give now.
 fn permit(state: &State, line: &str) -> Result<(), ProgramFault> {
     let is_exam = matches!(
         state.session.activity,

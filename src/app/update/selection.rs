@@ -9,7 +9,8 @@ use crate::vehicle_id::{parse_ranges, ranges};
 /// The greatest length of a typed vehicle list, in characters.
 const LONGEST_LIST: usize = 60;
 
-/// Selects exactly those of these vehicles that exist; keeps the selection if none does.
+/// Selects those of the given vehicles that exist, and no others; keeps the selection if none
+/// exists.
 pub fn select(state: &mut State, ids: &[VehicleId]) {
     let known = |id: &VehicleId| state.session.vehicles.contains_key(id);
     let (there, missing): (Vec<VehicleId>, Vec<VehicleId>) = ids.iter().partition(|id| known(id));

@@ -118,7 +118,6 @@ fn watch_separation(state: &mut State) {
     }
 }
 
-/// Looks for other aircraft that come too close.
 fn watch_traffic(state: &mut State) {
     let session = &mut state.session;
     let mission = session.task.progress.as_ref();
@@ -302,7 +301,6 @@ mod tests {
         assert_eq!(said_in(Room::Mission, Some(one), Severity::Warning), None);
     }
 
-    /// A vehicle in the air, `east_m` metres to the east.
     fn flying(id: u8, east_m: f64) -> Arc<Vehicle> {
         let mut flying = Vehicle::new(id, 1);
         flying.landed = LandedState::InAir;

@@ -17,7 +17,7 @@ pub struct FlightClaim<'a> {
     pub mission_file: Option<MissionFile>,
     /// The source of the commands; old records do not contain it, and count as they claim.
     pub flown_by: Option<FlownBy>,
-    /// The day on which it ended, in days since 1970 (UTC).
+    /// The day on which the flight ended, in days since 1970 (UTC).
     pub ended: i64,
     /// Whether a repeated flight matches the record; also true for a report, which has no record.
     pub is_confirmed: bool,
@@ -27,9 +27,10 @@ pub struct FlightClaim<'a> {
 #[derive(Debug, Clone, PartialEq)]
 pub struct SettledFlight {
     pub stake: Stake,
-    /// The day to which it belongs, in days since 1970 (UTC).
+    /// The day to which the flight belongs, in days since 1970 (UTC).
     pub day: i64,
-    /// Why it counts only as practice although more was claimed; empty if it counts as claimed.
+    /// Why the flight counts only as practice although more was claimed; empty if it counts as
+    /// claimed.
     pub reduced: Vec<PracticeReason>,
 }
 

@@ -44,7 +44,7 @@ impl PracticeReason {
         }
     }
 
-    /// The reason in the words of the screens.
+    /// The reason as text.
     pub fn text(&self) -> Text {
         match self {
             Self::ChosenSeed => text!("practice-seed"),
@@ -85,7 +85,8 @@ pub enum AttemptRefusal {
 }
 
 impl AttemptRefusal {
-    /// The refusal of an attempt with these means, if there is one.
+    /// The refusal of an attempt with this stake, source of commands and speed-up; `None` if the
+    /// attempt may be flown.
     pub fn of(wanted: Stake, flown_by: FlownBy, speedup: f64) -> Option<Self> {
         match wanted {
             Stake::Exam if !flown_by.is_by_hand() => Some(Self::ExamByScript),

@@ -155,7 +155,6 @@ const FLIGHT: [(u64, &str); 4] = [
     (6, "takeoff 20"),
     (20, "goto n 500 e 0 up 30"),
 ];
-/// The length of the flight.
 const FLIGHT_LASTS: Duration = Duration::from_secs(120);
 
 fn give(session: &mut Session, line: &str, now: Duration) {

@@ -33,7 +33,8 @@ pub(in crate::cli) struct MissionsArguments {
     json: bool,
 }
 
-/// One flight of the reference pilot, in processor time, so that other load does not change the result.
+/// The cost of one flight of the reference pilot, in processor time, so that other load does not
+/// change the result.
 #[derive(Debug, Serialize)]
 struct MissionCost {
     mission: String,

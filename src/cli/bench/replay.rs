@@ -22,7 +22,6 @@ use crate::wire::{Decoder, Encoder, Outgoing, ground_station_heartbeat};
 
 /// The number of jumps to moments.
 const SEEKS: u32 = 200;
-/// The start of the vehicles.
 const START: Start = Start {
     at: LatLon::new(50.4501, 30.5234),
     altitude_amsl_m: 180.0,
@@ -61,7 +60,6 @@ struct ReplayCost {
     frames: u64,
     /// Milliseconds until the console shows the beginning and accepts keys.
     open_ms: f64,
-    /// The time to index the whole recording.
     index_s: f64,
     seek_ms_p50: f64,
     seek_ms_p99: f64,

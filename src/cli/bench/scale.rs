@@ -34,7 +34,7 @@ mod table;
 mod tests;
 mod trial;
 
-/// With `--beyond`, no more vehicles than this are tried.
+/// The maximum number of vehicles that `--beyond` tries.
 const MOST_EMBEDDED: u16 = 16_384;
 const MOST_ARDUPILOT: u16 = 1024;
 
@@ -150,7 +150,6 @@ fn sitl_bench(
         .map_err(|error| Failure::Invalid(format!("sortie: {error:#}")))
 }
 
-/// A series of measurements.
 struct ScaleSeries<'a> {
     options: &'a ScaleArguments,
     bench: Option<&'a SitlBench>,

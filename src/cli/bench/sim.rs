@@ -18,7 +18,6 @@ use crate::wire::{Decoder, Encoder};
 const WARM_UP: Duration = Duration::from_secs(30);
 /// The streamed messages: `GLOBAL_POSITION_INT` and `ATTITUDE`.
 const STREAMED: [u32; 2] = [33, 30];
-/// The rate of each streamed message.
 const RATE_HZ: u64 = 10;
 /// The output of this many steps is collected before it is counted.
 const STEPS_PER_COUNT: u64 = 100;

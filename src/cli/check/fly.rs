@@ -41,7 +41,6 @@ struct CheckFlight {
     /// Simulated seconds per second of one flight, while one flight per processor runs at the same
     /// time.
     realtime_factor: f64,
-    /// Whether the result is as required.
     good: bool,
 }
 
@@ -169,7 +168,7 @@ fn flown(mission: &Arc<Mission>, pilot: CheckPilot, script: &Script, seed: u64) 
 }
 
 impl CheckFlight {
-    /// The fault of the result, with a hint for its repair.
+    /// The fault of the result, with a hint on how to fix it.
     fn wrong(&self) -> String {
         let score = self.score;
         match self.pilot {

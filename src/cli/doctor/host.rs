@@ -19,7 +19,7 @@ use crate::text::Text;
 /// The processor use of one idle or flying `ArduCopter` 4.6, in percent of a core, measured with up
 /// to 32 of them.
 const CORE_PERCENT: f64 = 3.1;
-/// The resident memory of such an instance.
+/// The resident memory of one idle or flying `ArduCopter`, in KiB.
 const MEMORY_KIB: u64 = 8 * 1024;
 /// Files that one instance keeps open in this program: its connection, its listener, its output.
 const FILES_EACH: u64 = 4;

@@ -226,7 +226,7 @@ fn warn(address: SocketAddr, options: &ServeArguments) {
     }
 }
 
-/// Cancels on any of the usual signals.
+/// Cancels the token on any of the signals that usually end a program.
 fn end_by_signal(cancel: CancellationToken) -> io::Result<tokio::task::JoinHandle<()>> {
     let mut terminate = signal(SignalKind::terminate())?;
     let mut interrupt = signal(SignalKind::interrupt())?;

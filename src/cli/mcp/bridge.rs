@@ -39,7 +39,6 @@ pub struct Bridge {
     followed: BTreeMap<u64, Followed>,
 }
 
-/// A call of a tool.
 #[derive(Debug)]
 struct ToolCall {
     id: Value,
@@ -243,7 +242,7 @@ fn without(mut content: Value, names: &[&str]) -> Value {
     content
 }
 
-/// A fault of the console in words.
+/// A fault of the console as text.
 fn reason(fault: &Value) -> String {
     let texts = ["message", "help"].map(|field| fault[field].as_str());
     let advice = (fault["asks"] == true).then_some("with `confirm`, it is carried out");

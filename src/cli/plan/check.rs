@@ -80,7 +80,6 @@ pub(super) fn check(options: &CheckArguments, locale: &Locale) -> Result<ExitCod
 pub(in crate::cli) struct Checking {
     reading: ReadOptions,
     rules: CheckOptions,
-    /// The ground with which heights are compared.
     ground: Option<GroundArguments>,
 }
 

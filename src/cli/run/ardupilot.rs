@@ -19,9 +19,7 @@ use crate::hangar::{
 };
 use crate::mission::Report;
 
-/// The longest wait for a vehicle to become ready.
 const READY_WITHIN: Duration = Duration::from_secs(120);
-/// The longest wait for instances to end.
 const ENDED_WITHIN: Duration = Duration::from_secs(10);
 /// The interval of checks while no vehicle sends anything.
 const LOOK_EVERY: Duration = Duration::from_millis(5);
@@ -88,7 +86,6 @@ async fn session(
     Ok(fleet.fly(live, recorder).await)
 }
 
-/// Waits for an interrupt.
 async fn interrupted() {
     let terminated = async {
         match signal(SignalKind::terminate()) {

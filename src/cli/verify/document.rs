@@ -70,7 +70,7 @@ pub(super) struct VerifyDocument {
     pub(super) verdict: Verdict,
     /// The id of the mission that was compared; `None` without a mission.
     pub(super) mission: Option<String>,
-    /// The seed of that mission.
+    /// The seed of the mission that was compared.
     pub(super) seed: Option<u64>,
     /// The score that follows from the record; `None` without a mission.
     pub(super) score: Option<u16>,

@@ -124,8 +124,8 @@ fn all_pairs_that_come_too_close_are_named() {
     );
 }
 
-/// The text names one failure and counts the others; those of vehicles that collide belong to their
-/// conflict.
+/// The text names one failure and counts the others; the failures of vehicles that collide are part
+/// of their conflict.
 #[test]
 fn further_failures_are_counted() {
     let endless = |name, from_m| {

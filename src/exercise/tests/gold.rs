@@ -25,7 +25,6 @@ fn there_and_back(up_m: u32, lines: &str) -> String {
     )
 }
 
-/// Whether an objective was met.
 fn is_met(report: &Report, id: &str) -> bool {
     let mut objectives = report.objectives.iter();
     objectives.any(|objective| objective.id == id && objective.met)

@@ -280,7 +280,6 @@ fn answers_are_for_the_command_that_waits_longest_and_those_of_a_burst_for_its_r
     assert_eq!((rest.count, rest.state), (16, RowState::Accepted));
 }
 
-/// The command that sets a mode.
 fn mode(number: f32) -> Outgoing {
     command(3, MavCmd::MAV_CMD_DO_SET_MODE, 1.0, number)
 }

@@ -51,8 +51,8 @@ impl Record {
             && process::executable(pid).as_ref() == Some(&self.executable)
     }
 
-    /// Processes that the recorded one started and left behind: those in its session whose working
-    /// folder is `folder` or lies below it.
+    /// Processes that the recorded process started and left behind: all processes of its session
+    /// whose working folder is `folder` or lies below it.
     fn orphans(self, folder: &Path) -> impl Iterator<Item = Self> {
         let folder = folder.canonicalize().ok();
         let is_here = move |pid: u32| {
@@ -102,7 +102,7 @@ impl Record {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
 pub struct Leftover {
     pub program: String,
-    /// The id of its process.
+    /// The process id.
     pub pid: u32,
     /// The folder in which the process ran.
     pub folder: String,

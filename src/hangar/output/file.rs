@@ -1,4 +1,4 @@
-//! The log files of output.
+//! The log files of an instance's output.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, Write as _};

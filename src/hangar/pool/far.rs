@@ -28,7 +28,6 @@ pub(super) struct Far {
     cancel: CancellationToken,
 }
 
-/// The launched vehicles, and the subscribers.
 struct FarFleet {
     ours: Mutex<BTreeMap<InstancePlace, Ours>>,
     seen: watch::Sender<Seen>,

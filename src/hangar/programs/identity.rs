@@ -174,7 +174,6 @@ fn judge(
     }
 }
 
-/// A program that is being identified.
 struct IdentityTrial {
     process: RunningProcess,
     output: Option<ChildStdout>,

@@ -1,4 +1,4 @@
-//! Accepts connections, and closes those beyond the limit and those that are too slow.
+//! Accepts connections, and closes slow ones and those beyond the limit.
 
 use std::convert::Infallible;
 use std::net::SocketAddr;

@@ -23,7 +23,7 @@ const PORT_OPENED: Duration = Duration::from_secs(1);
 /// The default number of lines of output.
 const LINES: usize = 100;
 
-/// The query of a wait for readiness.
+/// The query parameters of a request that waits for readiness.
 #[derive(Debug, Deserialize, IntoParams)]
 #[serde(deny_unknown_fields)]
 #[into_params(parameter_in = Query)]

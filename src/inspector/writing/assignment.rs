@@ -19,7 +19,6 @@ impl<'a> Part<'a> {
         Self { text, span }
     }
 
-    /// The part without blanks around it.
     fn trimmed(&self) -> Self {
         let start = self.span.start + self.text.len() - self.text.trim_start().len();
         let text = self.text.trim();
@@ -64,7 +63,6 @@ fn assignment(text: &str, at: usize) -> Result<Assignment<'_>, Diagnostic> {
     Ok(Assignment { name, value })
 }
 
-/// The end of the value that begins at `start`.
 fn value_end(text: &str, start: usize) -> Result<usize, Diagnostic> {
     let rest = &text[start..];
     let closing = match rest.as_bytes().first() {

@@ -7,7 +7,6 @@ use crate::language::names::NameList;
 use crate::text;
 use crate::text::Text;
 
-/// The maximum number of choices listed in a usage line.
 const CHOICES_IN_USAGE: usize = 10;
 
 /// The words of a switch.
@@ -22,7 +21,7 @@ impl Switch {
     pub const KIND: Kind = Kind::Choice(Self::VARIANTS);
 }
 
-/// The kind of value of an argument; it also provides the completions.
+/// The kind of value of an argument; it also determines the completions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
     /// No value, only the keyword.

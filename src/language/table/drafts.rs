@@ -41,7 +41,6 @@ fn number(given: &Arguments, name: &'static str) -> Result<usize, Problem> {
     given.required(name).map(|number| number as usize)
 }
 
-/// The place that a line names, if it names one.
 fn spot(given: &Arguments) -> Option<Spot> {
     let offset = (given.number("north"), given.number("east"));
     match (given.point("point"), offset) {

@@ -17,7 +17,6 @@ pub(super) mod tasks;
 /// The table's rows of this group.
 pub(super) const ROWS: &[VerbRow] = &[PLAN, FENCE, RALLY];
 
-/// A verb about a list.
 const fn list_verb(name: &'static str) -> Verb {
     Verb {
         name,

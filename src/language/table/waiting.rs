@@ -183,7 +183,7 @@ fn wait(given: &Arguments, until: Until) -> Built {
     Ok(Meaning::Wait(Wait { until, timeout }))
 }
 
-/// Converts a time; the ranges of the table exclude negative and infinite ones.
+/// Converts a time; the ranges of the table exclude negative and infinite times.
 fn seconds(time: f64) -> Duration {
     Duration::try_from_secs_f64(time).unwrap_or(DEFAULT_TIMEOUT)
 }

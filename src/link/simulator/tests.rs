@@ -71,7 +71,6 @@ fn all_streams(system: u8) -> Outgoing {
     }
 }
 
-/// Counts the heartbeats within a time.
 async fn heartbeats(rig: &mut Rig, time: Duration) -> usize {
     let until = Instant::now() + time;
     let mut count = 0;
@@ -81,7 +80,6 @@ async fn heartbeats(rig: &mut Rig, time: Duration) -> usize {
     count
 }
 
-/// Waits for the acknowledgement of a command.
 async fn acknowledged(rig: &mut Rig) {
     loop {
         let inbound = rig.next().await;

@@ -20,7 +20,6 @@ const READ_LEN: usize = 4096;
 /// The maximum number of reads of a stream per round, so that sending cannot stop the simulation; far above the fastest
 /// serial port.
 const READS_PER_ROUND: usize = 4;
-/// The maximum number of datagrams read per round.
 const DATAGRAMS_PER_ROUND: usize = 16;
 /// The capacity above which a buffer is freed once it is empty.
 const OUTPUT_KEPT: usize = 4096;

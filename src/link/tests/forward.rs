@@ -44,7 +44,6 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> Far<S> {
         }
     }
 
-    /// Sends a message; returns its bytes.
     async fn say(&mut self, outgoing: &Outgoing) -> Vec<u8> {
         let mut bytes = Vec::new();
         self.encoder.encode(outgoing, &mut bytes);
@@ -68,7 +67,6 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> Far<S> {
 }
 
 impl Shared {
-    /// A console without links.
     fn new() -> Self {
         let (news, news_out) = mpsc::channel(64);
         let (inbound, mut drained) = mpsc::channel(64);

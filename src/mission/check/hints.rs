@@ -20,7 +20,7 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The first text in backquotes that begins with a verb, with or without targets.
+/// The first text in backticks that begins with a verb, with or without targets.
 fn command_line(text: &str) -> Option<String> {
     let quoted = text.split('`').skip(1).step_by(2);
     let is_target =

@@ -22,7 +22,6 @@ struct AlertQuestion {
     place: usize,
     /// The condition that answers the alert.
     ok: Expression,
-    /// The vehicle that the alert is about, if any.
     vehicle: Option<VehicleId>,
 }
 

@@ -243,7 +243,7 @@ impl Engine {
         self.drifts.push(drift);
     }
 
-    /// The state that conditions can see now.
+    /// The state that conditions can read now.
     pub fn scope<'a>(&'a self, weather: &Weather, sight: &Sight<'a>) -> Scope<'a> {
         Scope {
             sight: *sight,

@@ -34,7 +34,6 @@ pub(in crate::mission) use token::LONGEST;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Expression(ExpressionNode);
 
-/// Part of an expression.
 #[derive(Debug, Clone, PartialEq)]
 enum ExpressionNode {
     Number(f64),
@@ -62,7 +61,6 @@ enum ExpressionOperator {
     Over,
 }
 
-/// The value of a part at one time.
 #[derive(Debug, Clone, PartialEq)]
 enum PartValue {
     Number(f64),
@@ -70,7 +68,6 @@ enum PartValue {
     Text(String),
 }
 
-/// The type of a part.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Type {
     Number,

@@ -19,7 +19,7 @@ use crate::vehicle::{VehicleId, Vehicles};
 /// A vehicle slower than this counts as hovering.
 const PAUSED_M_S: f64 = 0.7;
 
-/// The parts of a flight's state that conditions can see.
+/// The parts of a flight's state that conditions can read.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sight<'a> {
     pub now: Duration,

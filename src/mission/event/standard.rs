@@ -1,4 +1,5 @@
-//! Events that an instructor can trigger in every mission that allows it, without an entry in its file.
+//! Events that an instructor can trigger in every mission that allows them, without entries in its
+//! file.
 
 use std::time::Duration;
 

@@ -87,7 +87,7 @@ impl Change {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Target {
     Value(f64),
-    /// An increase on the current value.
+    /// An increase over the current value.
     More(f64),
 }
 

@@ -11,7 +11,6 @@ use crate::mission::event::{Event, Trigger};
 use crate::mission::format::{FileTable, flag, list, number, table as table_of, text, time, word};
 use crate::text::Text;
 
-/// The maximum number of actions of one event.
 const MOST_ACTIONS: usize = 50;
 
 /// The trigger keys present in the file.

@@ -26,7 +26,7 @@ fn the_guide_has_the_reference_of_the_format() {
     );
 }
 
-/// The words of the guide in backquotes.
+/// The words of the guide in backticks.
 fn code(text: &str) -> BTreeSet<&str> {
     let parts = text.split('`').skip(1).step_by(2);
     let word = |c: char| !(c.is_alphanumeric() || matches!(c, '_' | '-' | '.'));

@@ -6,7 +6,6 @@ use crate::text;
 
 /// The ceiling of zones that do not set one.
 const HIGHEST_M: f64 = 10_000.0;
-/// The maximum number of corners of one polygon.
 const MOST_CORNERS: usize = 1000;
 
 pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {

@@ -19,7 +19,6 @@ pub(super) struct CluesGiven {
     given: Vec<GivenClue>,
 }
 
-/// A hint that was requested.
 #[derive(Debug, Clone, Copy)]
 struct GivenClue {
     at: Duration,
@@ -50,8 +49,8 @@ impl CluesGiven {
         self.attempt
     }
 
-    /// The cost of the hints so far. On the first attempt, only the hint with the whole command costs points; in
-    /// lessons about the console, none does.
+    /// The cost of the hints so far. On the first attempt, only the hint with the whole command
+    /// costs points; in lessons about the console, all hints are free.
     pub fn used(&self, mission: &Mission) -> HintsUsed {
         let mut used = HintsUsed {
             free_level: match (self.attempt, mission.summary.tier) {

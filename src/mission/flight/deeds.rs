@@ -86,8 +86,8 @@ impl Flight {
         self.before_launch().is_ok().then_some(self.pledge)
     }
 
-    /// Copies the prediction and the goal of an attempt in which nothing flew. The record contains them as if given
-    /// again.
+    /// Copies the prediction and the goal of an attempt in which nothing flew. The record contains
+    /// them as if they had been given again.
     pub fn renew(&mut self, pledge: Pledge) {
         let prediction = pledge.prediction.map(|points| Deed::Predict { points });
         for deed in prediction.into_iter().chain(pledge.goal.map(Deed::Goal)) {
@@ -193,7 +193,6 @@ impl Flight {
         }
     }
 
-    /// The position of a spot, in the mission's frame.
     fn point(&self, vehicle: VehicleId, spot: Spot) -> Result<Point, Text> {
         match spot {
             Spot::At(place) => Ok(self.mission.site.origin.point(place)),

@@ -61,7 +61,7 @@ impl Goals {
         }
     }
 
-    /// The trackers, for details that only they have.
+    /// The objectives' trackers, in the order of the mission file.
     pub fn trackers(&self) -> impl Iterator<Item = &dyn Tracker> {
         self.trackers.iter().map(AsRef::as_ref)
     }

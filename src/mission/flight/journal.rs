@@ -17,7 +17,6 @@ pub(super) struct FlightJournal {
     events: Vec<JournalEvent>,
     safety: SafetyLog,
     feedback: Feedback,
-    /// Notices not yet taken.
     notices: Vec<Notice>,
 }
 
@@ -40,7 +39,6 @@ pub(super) enum JournalSubject {
     Command(EntryId),
 }
 
-/// An event for the report.
 #[derive(Debug)]
 struct JournalEvent {
     at: Duration,

@@ -20,14 +20,11 @@ use crate::vehicle::{Severity, VehicleId};
 const DROP_UP_TO_M: f64 = 40.0;
 /// The maximum height for spraying: higher up, the wind carries the spray away.
 const SPRAY_UP_TO_M: f64 = 20.0;
-/// A vehicle this close to a pad counts as on it.
 const ON_PAD_M: f64 = 3.0;
 /// How long a vehicle must stay disarmed on a pad before its loads are replaced.
 const TURN_AROUND: Duration = Duration::from_secs(20);
-/// The maximum speed at which a sample can be taken.
 const SAMPLE_UP_TO_M_S: f64 = 1.0;
 
-/// The loads of one vehicle.
 #[derive(Debug, Clone)]
 struct CraftLoads {
     full: BTreeMap<Load, u32>,
@@ -66,7 +63,7 @@ impl CraftLoads {
         with_some.or_else(|| pieces.next()).copied()
     }
 
-    /// Advances the service on a pad by a tick; true when that refills its loads.
+    /// Advances the service on a pad by a tick; returns true when that refills the loads.
     fn serve(&mut self, craft: &Craft) -> bool {
         let on_pad = craft.pad_distance_m.is_some_and(|far| far <= ON_PAD_M);
         let stands = on_pad && !craft.armed && !craft.airborne && !craft.lost;
@@ -82,7 +79,7 @@ impl CraftLoads {
         done
     }
 
-    /// Advances the sprayer by a tick; true when that uses up a second of its load.
+    /// Advances the sprayer by a tick; returns true when that uses up a second of its load.
     fn spray(&mut self) -> bool {
         let Some(open) = self.spraying.as_mut() else {
             return false;

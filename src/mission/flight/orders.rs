@@ -50,7 +50,7 @@ impl OrderCount {
         self.tally
     }
 
-    /// The tally of the ledger as it is now.
+    /// The tally of the ledger in its current state.
     pub fn tally_of(&self, ledger: &Ledger) -> CommandTally {
         self.log.tally(ledger)
     }

@@ -33,7 +33,7 @@ impl Flight {
         self.recorder = None;
     }
 
-    /// The report; also ends the record.
+    /// Ends the record and returns the report.
     pub fn close(&mut self, ledger: &Ledger) -> Report {
         let report = self.report(ledger);
         if let Some(recorder) = &mut self.recorder {

@@ -18,13 +18,10 @@ pub(super) struct SwarmAccount {
     usage: Vec<VehicleUsage>,
     times: SwarmTimes,
     course: WorkloadCourse,
-    /// The newest command to vehicles.
     newest: Option<NewestOrder>,
-    /// The newest command to each vehicle.
     latest: BTreeMap<VehicleId, EntryId>,
 }
 
-/// A command to vehicles.
 #[derive(Debug)]
 struct NewestOrder {
     id: EntryId,
@@ -64,7 +61,7 @@ impl SwarmAccount {
         self.course.answer(now, level);
     }
 
-    /// The newest question about the workload that was answered.
+    /// The number of the newest workload question that was answered, from 1; `None` if none was.
     pub fn answered_question(&self) -> Option<u64> {
         self.course.answered_question()
     }

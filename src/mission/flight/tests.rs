@@ -172,7 +172,8 @@ fn a_hint_that_is_not_there_is_no_refused_command() {
     }
 }
 
-/// Rules broken by flying until this much battery is left, and then landing or giving up.
+/// The rules broken by flying until `left_percent` of the battery is left, and then landing or
+/// giving up.
 fn broken_at_the_end(left_percent: u8, lands: bool) -> Vec<SafetyKind> {
     let mut pilot = Pilot::new(1);
     pilot.take_off(20.0);

@@ -27,7 +27,6 @@ pub struct Inject {
 #[derive(Debug)]
 pub(super) struct Threats {
     engine: Engine,
-    /// Whether an event has ended the mission as failed.
     failed: bool,
 }
 

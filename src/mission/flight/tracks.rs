@@ -7,9 +7,7 @@ use crate::mission::craft::Craft;
 use crate::mission::report::distance_m;
 use crate::vehicle::VehicleId;
 
-/// The distance between the points of a track.
 const TRACK_STEP_M: f64 = 5.0;
-/// The maximum number of points of a track.
 const TRACK_POINTS: usize = 2000;
 
 /// The tracks of one flight.

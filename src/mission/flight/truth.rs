@@ -15,7 +15,7 @@ use crate::text::rounded;
 /// A report of an object that the mission does not require counts as correct within this distance of the object.
 const UNASKED_WITHIN_M: f64 = 15.0;
 impl Flight {
-    /// The truth as it is now.
+    /// The truth at the current mission time.
     pub(super) fn truth_report(&self) -> TruthReport {
         let mut truth = TruthReport {
             pads: self
@@ -104,8 +104,8 @@ impl Flight {
         flown.map(report).collect()
     }
 
-    /// The least strict report that the objectives require for a hazard, by its distance from the
-    /// object; `None` if they require none.
+    /// Of the reports that the objectives require for a hazard, the one with the greatest permitted
+    /// distance from the object; `None` if they require none.
     fn sought(&self, hazard: usize) -> Option<Sought> {
         let sought = self
             .mission

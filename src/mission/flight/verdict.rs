@@ -10,7 +10,6 @@ use crate::scoring::{EventKind, FlightOutcome};
 use crate::text;
 use crate::vehicle::Severity;
 
-/// The remaining times at which the trainee is warned, in seconds.
 const WARN_BEFORE_S: [u64; 2] = [60, 30];
 
 impl Flight {
@@ -61,7 +60,6 @@ impl Flight {
         mandatory.all(is_due)
     }
 
-    /// The state of the mandatory objectives.
     fn mandatory<'a>(
         &'a self,
         standings: &'a [ObjectiveStanding],

@@ -102,7 +102,6 @@ impl Flight {
         self.crafts.iter().flat_map(of).collect()
     }
 
-    /// The lesson's current step; `None` if there is none to show.
     fn lesson(&self) -> Option<LessonStep> {
         if self.grounding().is_some() {
             return None;
@@ -150,8 +149,8 @@ impl Flight {
         self.crafts.iter().any(|craft| craft.flown) && self.crafts.iter().all(is_down)
     }
 
-    /// Whether no vehicle is in the air any more, and the motors of one that has just landed on its
-    /// own still run.
+    /// Whether no vehicle is in the air any more, while the motors of a vehicle that has just
+    /// landed on its own are still running.
     fn has_touched_down(&self) -> bool {
         let stops_soon = |craft: &Craft| craft.flown && craft.armed && craft.comes_down;
         self.crafts.iter().any(stops_soon) && !self.crafts.iter().any(|it| it.airborne)

@@ -48,7 +48,7 @@ pub(in crate::mission) struct FileKey {
 pub(in crate::mission) enum Presence {
     Needed,
     Optional,
-    /// The value where the key is missing.
+    /// The value used if the key is missing.
     Default(String),
 }
 

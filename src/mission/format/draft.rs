@@ -57,7 +57,7 @@ pub(in crate::mission) struct Declared {
 }
 
 impl Draft {
-    /// A draft before anything is read.
+    /// A draft before any section is read.
     pub fn of(root: &DeTable<'_>) -> Self {
         Self {
             declared: Declared::of(root),
@@ -113,7 +113,7 @@ impl Draft {
         Some(self.surveys[index].clone())
     }
 
-    /// A place of the file, or a pad.
+    /// A place in the file, or a pad, by name.
     pub fn place(&mut self, name: &Spanned<String>) -> Option<Point> {
         let named = self
             .places
@@ -127,7 +127,7 @@ impl Draft {
         Some(points[index])
     }
 
-    /// A place of the file, or a pad, with its name and the position of the reference.
+    /// A place in the file, or a pad, with its name and the position of the reference.
     pub fn named_place(&mut self, name: &Spanned<String>) -> Option<NamedPlace> {
         Some(NamedPlace {
             at: self.place(name)?,

@@ -19,7 +19,6 @@ pub(in crate::mission) struct FileFaults {
     found: Vec<Diagnostic>,
     /// Texts without a translation, which are not faults.
     untranslated: Vec<Diagnostic>,
-    /// Whether the file has any translation.
     translated: bool,
 }
 
@@ -56,7 +55,7 @@ impl FileFaults {
         untranslated
     }
 
-    /// Adds a fault for an unknown name, with the known ones as advice.
+    /// Adds a fault for an unknown name, with the known names as advice.
     pub fn unknown(&mut self, what: &str, written: &Spanned<String>, known: &[&str]) {
         let list = if known.is_empty() {
             "none".to_owned()
@@ -111,7 +110,7 @@ impl FileFaults {
     }
 }
 
-/// The fault of a value outside its bounds.
+/// The fault for a value outside its bounds.
 pub(in crate::mission) fn not_between(
     name: &str,
     bounds: &RangeInclusive<f64>,

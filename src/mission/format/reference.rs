@@ -1,4 +1,4 @@
-//! The reference of mission files in Markdown, generated from their description.
+//! The reference for mission files, in Markdown, generated from their description.
 
 use std::fmt::Write as _;
 
@@ -6,10 +6,10 @@ use super::POINT_RANGE;
 use super::description::{FileKey, FileShape, FileTableDescription, Presence};
 use super::value::spaced;
 
-/// The maximum number of names that are listed in a row; longer lists have their own table in the guide.
+/// The maximum number of names listed within a row; longer lists have their own table in the guide.
 const FEW: usize = 4;
 
-/// The reference of a file: its head, then each section with its keys and kinds.
+/// The reference for a mission file: its head, then each section with its keys and kinds.
 pub(in crate::mission) fn reference(file: &FileTableDescription) -> String {
     let (sections, head): (Vec<&FileKey>, Vec<&FileKey>) = file
         .keys

@@ -7,7 +7,7 @@ use serde_json::{Map, Value, json};
 
 use super::description::{FileKey, FileShape, FileTableDescription, KindDescription, Presence};
 
-/// The schema of a file as text.
+/// The schema of a file, as JSON text.
 pub(in crate::mission) fn schema(file: &FileTableDescription) -> String {
     let mut root = keys_schema(&file.keys, None);
     root.insert(

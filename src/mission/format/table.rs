@@ -34,14 +34,12 @@ pub(in crate::mission) fn describe<T>(reader: Reader<T>) -> FileTableDescription
 #[derive(Debug)]
 pub(in crate::mission) struct FileTable<'a> {
     content: TableContent<'a>,
-    /// The table's position in the file.
     place: Range<usize>,
     asked: Vec<AskedKey>,
     /// The faults of required keys that are missing.
     missing: Vec<(String, Diagnostic)>,
     /// Whether it is the whole file, whose keys are too many to name in a fault.
     is_root: bool,
-    /// Its own id, once read.
     id: String,
     draft: &'a mut Draft,
 }
@@ -51,7 +49,6 @@ pub(super) struct AskedKey {
     pub name: String,
     /// The position of its value, if it has one.
     place: Option<Range<usize>>,
-    /// Whether its value is invalid.
     is_wrong: bool,
 }
 

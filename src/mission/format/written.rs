@@ -1,4 +1,5 @@
-//! Positions of the values in a mission file, for faults found only after all of it has been read.
+//! Positions of the values in a mission file, for faults that are found only after the whole file
+//! has been read.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -53,7 +54,7 @@ impl WrittenValue {
         self.keys.get(key)
     }
 
-    /// The items of an array; empty for anything else.
+    /// The items of an array; empty for other values.
     pub fn items(&self) -> &[Self] {
         &self.items
     }

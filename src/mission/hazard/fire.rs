@@ -35,7 +35,6 @@ const SPRAY_PUTS_OUT: f64 = 0.6;
 /// Smoke rises to about this height before it drifts.
 const SMOKE_RISES_M: f64 = 12.0;
 
-/// An area with a different fuel.
 #[derive(Debug, Clone, Copy)]
 struct FuelPatch {
     /// West, south, east, north.
@@ -43,7 +42,6 @@ struct FuelPatch {
     fuel: Fuel,
 }
 
-/// A place and time at which a fire starts.
 #[derive(Debug, Clone, Copy)]
 struct Ignition {
     at: Point,
@@ -58,7 +56,6 @@ struct FireHazard {
     jitter_m: f64,
 }
 
-/// A fire, with its random stream.
 #[derive(Debug, Clone)]
 struct Blaze {
     grid: FireGrid,
@@ -330,7 +327,6 @@ impl Fire {
         !more_to_come && self.blaze.grid.burning().next().is_none()
     }
 
-    /// Lights the ignitions that are due.
     fn light(&mut self) {
         let step = Duration::from_secs_f64(STEP_S);
         for ignition in &self.ignitions {

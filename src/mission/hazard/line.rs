@@ -28,7 +28,6 @@ struct PowerLine {
     gap_m: f64,
 }
 
-/// A wire on pylons.
 #[derive(Debug, Clone, PartialEq)]
 struct Wire {
     pylons: Vec<Point>,
@@ -40,7 +39,6 @@ struct Wire {
 #[derive(Debug)]
 struct Strung {
     objects: Vec<Object>,
-    /// Points of the wire, with their heights.
     points: Vec<(Point, f64)>,
 }
 

@@ -10,7 +10,6 @@ use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 use crate::text;
 
-/// The greatest distance at which a person can reach a kit.
 const KIT_WITHIN_M: f64 = 8.0;
 /// The greatest distance from its place at which a node counts as placed.
 const NODE_WITHIN_M: f64 = 6.0;
@@ -28,7 +27,6 @@ pub(super) struct People {
     now: Duration,
 }
 
-/// The outcome for one person.
 #[derive(Debug, Clone, Copy)]
 struct Fate {
     /// The time until which help is useful; `None` without a limit.

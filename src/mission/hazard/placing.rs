@@ -11,8 +11,8 @@ use crate::mission::zone::Shape;
 /// Positions tried for one object before the best one is taken.
 const TRIES: usize = 400;
 
-/// `count` points in a shape, at least `gap_m` from one another and from those in `taken`. If there
-/// is no room, the candidate with the largest gap is used.
+/// `count` points in a shape, at least `gap_m` from one another and from the points in `taken`. If
+/// there is no room, the candidate with the largest gap is used.
 pub(super) fn spread(
     shape: &Shape,
     count: usize,

@@ -42,7 +42,6 @@ struct PlumeHazard {
     intermittency: f64,
 }
 
-/// The plume of one flight.
 #[derive(Debug)]
 struct PlumeField {
     leak: Leak,

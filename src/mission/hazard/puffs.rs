@@ -18,7 +18,6 @@ use crate::mission::{Point, TICK};
 
 /// The maximum number of puffs: one every two seconds for five minutes.
 const MOST_PUFFS: usize = 150;
-/// The spread of a new puff.
 const FIRST_SPREAD_M: f64 = 0.5;
 /// A puff is ignored at more than this many spreads from its centre.
 const FELT_SPREADS: f64 = 5.0;

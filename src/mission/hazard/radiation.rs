@@ -13,7 +13,6 @@ use crate::mission::format::{
 };
 use crate::mission::weather::Weather;
 
-/// The natural background, in uSv/h.
 const BACKGROUND_USV_H: f64 = 0.1;
 /// The minimum distance between a detector and a source.
 const NEAREST_M: f64 = 0.5;
@@ -46,7 +45,6 @@ struct GammaSource {
     activity_gbq: f64,
 }
 
-/// A straight upright wall.
 #[derive(Debug, Clone, Copy)]
 struct Wall {
     from: Point,

@@ -171,7 +171,7 @@ fn what_one_vehicle_sees_does_not_depend_on_the_order_or_on_the_others() {
     assert_eq!(second, fly(&[2]));
 }
 
-/// The share of looks of 5 s from a height that show that a contact is not a person.
+/// The share of 5 s looks from a height that identify a contact as not a person.
 fn told_apart(height_m: f64) -> f64 {
     let world = world(Vec::new(), Light::Night);
     let contact = Contact {

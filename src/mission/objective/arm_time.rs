@@ -21,7 +21,6 @@ struct ArmTracker {
     vehicles: Vec<Arming>,
 }
 
-/// The times at which one vehicle was first ready and first armed.
 #[derive(Debug, Clone, Copy, Default)]
 struct Arming {
     ready: Option<Duration>,

@@ -56,7 +56,6 @@ struct SlowMoment {
 #[derive(Debug)]
 struct CheckedTracker {
     plan: Checked,
-    /// The number of steps so far.
     steps: u32,
     slow: BTreeMap<VehicleId, Vec<SlowMoment>>,
     /// Each report, and whether its place had been looked at closely.

@@ -18,7 +18,6 @@ struct FormationObjective {
     keep: Keep,
 }
 
-/// The formation to keep on the way.
 #[derive(Debug, Clone)]
 struct Keep {
     spacing_m: [f64; 2],

@@ -29,7 +29,6 @@ struct HoverTracker {
     holds: Vec<HoverHold>,
 }
 
-/// The state of one vehicle's hover.
 #[derive(Debug, Clone, Copy, Default)]
 struct HoverHold {
     around: Option<Point>,

@@ -12,7 +12,6 @@ use crate::mission::world::World;
 use crate::mission::zone::Zone;
 use crate::text;
 
-/// A link to keep while vehicles work in a zone.
 #[derive(Debug, Clone)]
 struct LinkObjective {
     zone: Zone,

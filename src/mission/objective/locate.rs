@@ -38,7 +38,6 @@ struct LocateTracker {
     wanted: Vec<LocateTarget>,
 }
 
-/// The result of the reports.
 struct LocateReports {
     /// The distance from each object to its nearest report; `None` without a report close enough to count.
     distances_m: Vec<Option<f64>>,
@@ -111,7 +110,6 @@ impl ObjectiveKind for Locate {
 }
 
 impl LocateTracker {
-    /// The reports whose kind matches.
     fn reports<'a>(&'a self, marks: &'a [Mark]) -> impl Iterator<Item = &'a Mark> {
         marks.iter().filter(|mark| {
             let named = |wanted: &LocateTarget| mark.kind.is_none_or(|kind| kind == wanted.kind);

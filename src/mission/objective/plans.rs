@@ -16,7 +16,6 @@ use crate::vehicle_id::ranges;
 /// A condition for the first flight of each vehicle's plan.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum PlanRule {
-    /// The plan was rehearsed.
     Rehearsed,
     /// A plan with a fault was replaced.
     Mended,
@@ -74,7 +73,6 @@ impl ObjectiveKind for PlanRule {
 }
 
 impl PlanStarts {
-    /// The vehicles to which the rule applies.
     fn concerned<'a>(&'a self, crafts: &'a [Craft]) -> impl Iterator<Item = &'a Craft> {
         let faults = self.faults.iter().copied().chain(std::iter::repeat(None));
         let seats = crafts.iter().zip(faults);
@@ -109,7 +107,7 @@ impl PlanStarts {
         }
     }
 
-    /// The vehicles that have flown against the rule, as in `1-2`.
+    /// The vehicles that have flown without meeting the rule, as in `1-2`.
     fn against(&self, crafts: &[Craft]) -> String {
         let against = self.concerned(crafts);
         let against = against.filter(|craft| self.has_flown(craft, false));

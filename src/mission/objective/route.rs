@@ -8,7 +8,6 @@ use crate::geo::maths;
 use crate::mission::format::{FileTable, gate, list, number};
 use crate::mission::world::World;
 
-/// The maximum number of gates of one route.
 const MOST_GATES: usize = 100;
 
 /// Gates as the mission describes them: east, north and up from the origin.

@@ -168,7 +168,7 @@ impl Tracker for SampleCells {
     }
 }
 
-/// The first few names and the number of the others.
+/// The first few names and the number of the remaining names.
 fn shortened(names: &[&str]) -> Text {
     const SHOWN: usize = 6;
     if names.len() <= SHOWN {

@@ -16,7 +16,6 @@ use crate::mission::{Point, TICK};
 use crate::text;
 use crate::text::Text;
 
-/// The maximum number of places of one `visit`.
 const MOST_PLACES: usize = 100;
 const ANY_HEIGHT: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
 
@@ -35,7 +34,6 @@ struct Gates {
     route: GateRoute,
 }
 
-/// One point to reach.
 #[derive(Debug, Clone)]
 struct Stop {
     name: String,
@@ -174,11 +172,10 @@ impl ObjectiveKind for Visit {
     }
 }
 
-/// The progress of the vehicles at the stops.
 #[derive(Debug)]
 struct Stops {
     places: Vec<Stop>,
-    /// How long a vehicle has stayed at each, in seconds.
+    /// How long a vehicle has stayed at each stop, in seconds.
     stayed_s: Vec<f64>,
     passed: Vec<bool>,
     ordered: bool,

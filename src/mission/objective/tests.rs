@@ -183,7 +183,6 @@ fn a_map_of_a_fire_is_as_good_as_what_was_seen_of_it_and_how_lately() {
     assert!(away.abs() < 1e-9, "{away}");
 }
 
-/// The position where the fire starts.
 fn truth_of_fire(file: &str, seed: u64) -> Point {
     let world = World::new(&mission(file), seed);
     let burning = world.objects().find(|(_, object)| object.present);

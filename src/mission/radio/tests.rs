@@ -6,7 +6,6 @@ fn model(id: &str) -> Model {
     Model::by_id(id).expect("a known one")
 }
 
-/// The ground station of the tests below.
 fn ground() -> RadioNode {
     let radio = Radio {
         own: None,

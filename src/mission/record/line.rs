@@ -15,7 +15,8 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum RecordLine {
-    /// A step with what has changed since the one before. Steps without a change have no line, except one a second.
+    /// A step and the changes since the step before. Steps without changes have no line, except one
+    /// step a second.
     Tick {
         /// Mission time in ms.
         t: u64,

@@ -24,7 +24,6 @@ pub(super) struct ObservedVehicle {
     mode: Option<ModeLine>,
     #[serde(default, skip_serializing_if = "Option::is_none")]
     landed: Option<LandedState>,
-    /// Whether it reports that it can be armed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     ready: Option<bool>,
     #[serde(
@@ -152,8 +151,8 @@ impl ObservedVehicle {
     }
 
     /// The first value of this state that no state in `known` contains, as text; `None` if each
-    /// value is in one of them. A lost link is not compared, because the console decides that on
-    /// its own.
+    /// value is in at least one of them. A lost link is not compared, because the console decides
+    /// on its own when a link is lost.
     pub fn unseen<'a>(&self, known: &(impl Iterator<Item = &'a Self> + Clone)) -> Option<Text> {
         let lacks = |is_so: &dyn Fn(&Self) -> bool| !known.clone().any(is_so);
         let unheard = self.unheard.flatten();

@@ -24,7 +24,6 @@ pub struct Stored {
     /// The damage to the file after its readable part.
     pub damage: Option<Text>,
     pub(super) lines: Arc<Vec<RecordLine>>,
-    /// Whether the checksum of the lines before the end differs from the one that the end states.
     is_altered: bool,
     ending: RecordEnding,
 }
@@ -165,7 +164,8 @@ impl Stored {
     /// Scores the record again; `without_end` applies if it has no end.
     ///
     /// # Errors
-    /// This program cannot read the mission in it.
+    ///
+    /// This program cannot read the mission in the record.
     pub fn rescore(&self, without_end: WithoutEnd) -> Result<Rescored, Text> {
         let mut replay = self.reenact()?;
         drop(replay.advance(Duration::MAX));
@@ -181,7 +181,8 @@ impl Stored {
     /// The flight before its first step, ready to be repeated step by step.
     ///
     /// # Errors
-    /// This program cannot read the mission in it.
+    ///
+    /// This program cannot read the mission in the record.
     pub fn reenact(&self) -> Result<Reenactment, Text> {
         let mission = self.head.flown()?;
         let mut flight = Flight::new(Arc::new(mission), self.head.seed);
@@ -206,7 +207,8 @@ impl Head {
     /// The mission as it was flown.
     ///
     /// # Errors
-    /// This program cannot read the mission in it, or its drones.
+    ///
+    /// This program cannot read the mission or the drones in the record.
     pub fn flown(&self) -> Result<Mission, Text> {
         let mission = Mission::parse(&self.source)
             .map_err(|faults| unreadable(&faults, &self.mission, &self.source))?;
@@ -236,9 +238,7 @@ pub struct Reenactment {
     entries: BTreeMap<u32, EntryId>,
     now: Option<Duration>,
     lines: Arc<Vec<RecordLine>>,
-    /// The index of the next line.
     next: usize,
-    /// Notices since the last call.
     said: Vec<Notice>,
 }
 
@@ -292,7 +292,7 @@ impl Reenactment {
             .map(|demand| (demand.vehicle, demand.want))
     }
 
-    /// How often the commands to a vehicle were sent, counting only those in a state that
+    /// How often the commands to a vehicle were sent, counting only commands in a state that
     /// `is_wanted` accepts.
     pub(super) fn tries_of(&self, vehicle: VehicleId, is_wanted: impl Fn(RowState) -> bool) -> u32 {
         let rows = self.ledger.entries().flat_map(|entry| &entry.rows);

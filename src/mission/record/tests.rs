@@ -20,7 +20,6 @@ fn occasion(stake: Stake) -> Occasion {
     }
 }
 
-/// A flight with a recorder.
 fn recorded() -> Pilot {
     let mut pilot = Pilot::new(7);
     pilot.flight.set_attempt(3);
@@ -179,7 +178,8 @@ fn a_record_is_small() {
     assert!(do_nothing().report().score < 300);
 }
 
-/// A flight of the mission with a relay, with an inject, a vehicle out of radio range for a while, and a pause.
+/// A flight of the mission with a relay, in which an inject is triggered, a vehicle is out of radio
+/// range for a while, and the trainee pauses.
 fn troubled() -> (Report, String) {
     let source = include_str!("../../../missions/12-relay-chain.toml");
     let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 7);

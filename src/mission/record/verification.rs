@@ -106,7 +106,8 @@ impl Stored {
     /// Flies the record again from the inputs of its simulated vehicles.
     ///
     /// # Errors
-    /// This program cannot read the mission in it.
+    ///
+    /// This program cannot read the mission in the record.
     pub fn verify(&self, inputs: &StoredInputs) -> Result<Verification, Text> {
         let mission = self.head.flown()?;
         let mut config = mission.world(self.head.seed);
@@ -155,7 +156,6 @@ pub fn refly(config: &mut WorldConfig, inputs: &StoredInputs) -> Option<Divergen
     }
 }
 
-/// The message that two files of a record name different programs.
 fn other_program(one: &str, other: &str) -> Text {
     text!("verify-programs", one = one, other = other)
 }

@@ -59,7 +59,7 @@ pub(crate) enum Band {
 }
 
 impl DetectorSpec {
-    /// The maximum distance, east or north, at which it sees anything from a height.
+    /// The maximum distance, east or north, at which it can see an object from a height.
     pub fn reach_m(&self, height_m: f64) -> f64 {
         match self {
             Self::Ground(_) => self.strip_reach_m(height_m),
@@ -90,7 +90,7 @@ impl DetectorSpec {
         across.abs() <= width / 2.0 + TOUCH_M && along.abs() <= length / 2.0 + TOUCH_M
     }
 
-    /// The maximum distance at which it can cover anything.
+    /// The maximum distance of a point that it can cover.
     pub fn strip_reach_m(&self, height_m: f64) -> f64 {
         match self {
             Self::Ground(ground) => ground.swath_m,

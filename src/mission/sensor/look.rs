@@ -58,7 +58,7 @@ pub(crate) struct Look {
     pub every_s: Option<f64>,
     /// The kind that the object is taken for.
     pub taken_for: FindKind,
-    /// Standard deviation of its position, on each axis.
+    /// Standard deviation of the object's reported position, on each axis.
     pub error_m: f64,
     /// Sightings within this distance belong to one object.
     pub merge_within_m: f64,
@@ -273,7 +273,6 @@ impl Camera {
         task_performance(cycles / DETECT_CYCLES) * self.contrast(light) >= 0.5
     }
 
-    /// The contrast of a person or a structure.
     fn contrast(&self, light: Light) -> f64 {
         match (self.band, light) {
             (Band::Visible, Light::Day) | (Band::Thermal, Light::Night) => 1.0,

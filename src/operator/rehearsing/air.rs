@@ -32,7 +32,6 @@ pub(super) struct KnownAir {
     is_mission: bool,
 }
 
-/// How the mean wind grows with height.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct WindProfile {
     /// The value of [`PROFILE`].
@@ -58,16 +57,14 @@ impl WindProfile {
     }
 }
 
-/// The source of the wind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum AirSource {
-    /// The user gives it.
+    /// The user gives the wind.
     Given,
-    /// A vehicle estimates it, at this height above home in metres, if that is known.
+    /// A vehicle estimates the wind, at this height above home in metres, if the height is known.
     Estimated(VehicleId, Option<f32>),
-    /// The mission sets the weather.
     Mission,
-    /// The parameters of simulated vehicles.
+    /// The wind is set by the parameters of simulated vehicles.
     Simulator,
     Unknown,
 }
@@ -142,7 +139,7 @@ impl KnownAir {
         }
     }
 
-    /// The parameters that set the profile; empty if those of the vehicles apply.
+    /// The parameters that set the profile; empty if the vehicles' own parameters apply.
     pub(super) fn parameters(&self) -> Vec<(String, f32)> {
         let named = |values: &[(&str, f32)]| -> Vec<(String, f32)> {
             let values = values.iter();

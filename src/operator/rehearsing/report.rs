@@ -11,7 +11,6 @@ use crate::text;
 use crate::text::{Text, clock_s, figure};
 use crate::vehicle::{Mode, Severity, VehicleId};
 
-/// The maximum number of conflicts that are reported.
 const MOST_CONFLICTS: usize = 5;
 
 /// A vehicle of a rehearsal.

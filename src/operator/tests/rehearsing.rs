@@ -89,7 +89,6 @@ fn conditions(rehearsal: &PlanRehearsal) -> String {
     rehearsal.fly(Duration::ZERO).notices[0].text.to_string()
 }
 
-/// The state and the text of each row.
 fn rows(rehearsed: &Rehearsed) -> Vec<(RowState, String)> {
     let rows = rehearsed.rows.iter();
     let words = |row: &RowUpdate| row.explanation.as_ref().map(ToString::to_string);

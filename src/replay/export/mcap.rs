@@ -15,7 +15,6 @@ use crate::inspector::{ElementReading, FieldReading, name_of, read};
 use crate::replay::Film;
 use crate::wire::{Anatomy, Content, Decoder, SystemId};
 
-/// The schema of Foxglove's map messages.
 const LOCATION_SCHEMA: &str = r#"{"title":"foxglove.LocationFix","type":"object","properties":{
 "timestamp":{"type":"object","title":"time","properties":{"sec":{"type":"integer"},"nsec":{"type":"integer"}}},
 "frame_id":{"type":"string"},"latitude":{"type":"number"},"longitude":{"type":"number"},"altitude":{"type":"number"},

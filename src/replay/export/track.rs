@@ -50,7 +50,6 @@ struct Stated {
     origin: Option<Origin>,
 }
 
-/// The origin of local positions.
 #[derive(Debug, Clone, Copy)]
 struct Origin {
     place: LatLon,
@@ -118,7 +117,7 @@ pub(super) fn tracks(film: &Film) -> Result<Tracks, Text> {
     Ok(tracks.filter(|(_, track)| !track.is_empty()).collect())
 }
 
-/// A vehicle's position at a time of the recording, if known.
+/// A vehicle's position at a time in the recording, if known.
 pub(super) fn place(film: &Film, track: &[TrackPoint], at: Duration) -> Option<TrackPoint> {
     let unix_us = film.unix_us(at);
     let passed = track.partition_point(|point| point.unix_us <= unix_us);

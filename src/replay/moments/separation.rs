@@ -17,7 +17,7 @@ const FLYING_ABOVE_M: f64 = 2.0;
 /// Two vehicles have passed each other once their distance has grown by this much.
 const PASSED_M: f64 = 1.0;
 
-/// Two vehicles, the one with the lower number first.
+/// Two vehicles, the vehicle with the lower number first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct Pair {
     one: VehicleId,
@@ -120,7 +120,7 @@ impl Lookout {
     }
 }
 
-/// Whether a vehicle flies, so that its distance from others counts.
+/// Whether a vehicle flies: only then does its distance from others count.
 fn is_flying(vehicle: &Vehicle) -> bool {
     let is_high = vehicle.altitude_m().is_none_or(|it| it > FLYING_ABOVE_M);
     vehicle.airborne() && is_high
@@ -147,7 +147,6 @@ mod tests {
         }
     }
 
-    /// The times, vehicles and texts of the moments.
     fn told(lookout: &mut Lookout) -> Vec<(u64, Vec<VehicleId>, String)> {
         let found = lookout.found().unwrap_or_default().into_iter();
         found

@@ -17,7 +17,6 @@ pub(super) struct Traffic {
     since: Duration,
 }
 
-/// The traffic in one direction.
 #[derive(Debug, Clone, Copy, Default)]
 struct Flow {
     bytes: u64,

@@ -137,7 +137,7 @@ pub(super) fn record() -> Recorded {
     }
 }
 
-/// Writes a journal with a refused command, one of another station, and a bookmark.
+/// Writes a journal with a refused command, a command of another station, and a bookmark.
 pub(super) fn write_journal(frames: &std::path::Path) {
     let head = Head::new(Subject::Free, BEGAN_US);
     let verb = crate::language::verb("arm").expect("it is one");

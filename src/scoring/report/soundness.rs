@@ -7,11 +7,8 @@ use crate::scoring::Component;
 const POINTS_OFF: f64 = 1.2;
 /// The tolerance of a sum of points, which are rounded to tenths.
 const TENTH: f64 = 0.051;
-/// The tolerance of shares.
 const SHARE_OFF: f64 = 0.005;
-/// The minimum factor for hints.
 const LEAST_FACTOR: f64 = 0.7;
-/// The points of a perfect flight.
 const PERFECT: f64 = 1000.0;
 
 impl Report {

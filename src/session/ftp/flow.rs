@@ -26,7 +26,6 @@ const MOST_DRY_BURSTS: u8 = 4;
 /// The largest distance of an answer's number from that of the newest request, in either direction.
 const WINDOW: u32 = 4096;
 
-/// A burst that has been requested.
 #[derive(Debug, Clone)]
 struct RequestedBurst {
     sequence: u32,
@@ -61,7 +60,6 @@ pub(super) struct FileFlow {
     /// Requested pieces, by the number of the request: the range, and the time.
     pieces: BTreeMap<u32, (Range<u32>, Duration)>,
     heard_at: Duration,
-    /// When something new last arrived.
     news_at: Duration,
     bytes_per_s: f64,
 }

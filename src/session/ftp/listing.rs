@@ -3,7 +3,6 @@
 use super::packet::FtpAnswer;
 use super::{FtpFault, FtpNak};
 
-/// The maximum number of entries read from one folder.
 const MOST_ENTRIES: u32 = 4096;
 
 /// An entry of a vehicle's folder.
@@ -19,7 +18,7 @@ pub struct FtpEntry {
 #[derive(Debug, Clone, Default)]
 pub(super) struct FolderListing {
     entries: Vec<FtpEntry>,
-    /// The number of entries that the server has listed, including those that are skipped.
+    /// The number of entries that the server has listed, including skipped entries.
     counted: u32,
 }
 

@@ -7,7 +7,6 @@ pub type FtpPayload = [u8; 251];
 
 /// The maximum number of bytes of data in one packet.
 pub(super) const MOST_DATA: usize = 239;
-/// The number of bytes before the data.
 const HEADER: usize = 12;
 const ACCEPTED: u8 = 128;
 const REFUSED: u8 = 129;
@@ -30,7 +29,7 @@ pub(super) enum FtpOpcode {
 /// A request to a vehicle's file server.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct FtpRequest {
-    /// The request's number among the console's; packets carry its lower 16 bits.
+    /// The request's number among the console's requests; packets carry its lower 16 bits.
     pub sequence: u32,
     pub session: u8,
     pub opcode: FtpOpcode,
@@ -102,8 +101,9 @@ impl FtpAnswer {
 
 /// The numbers of requests.
 ///
-/// An answer has the number after that of its request, and those of a burst count on from there. `ArduPilot` repeats
-/// its last answer if a request has the number before that answer, so numbers that a burst may have used are skipped.
+/// An answer has the number after that of its request, and the further answers of a burst count on
+/// from there. `ArduPilot` repeats its last answer if a request has the number before that answer,
+/// so numbers that a burst may have used are skipped.
 #[derive(Debug, Clone, Default)]
 pub(super) struct FtpSequence {
     last: u32,

@@ -151,7 +151,6 @@ impl FileServer {
         self.answer(request, 128, &size.to_le_bytes())
     }
 
-    /// Bytes of the open file, or the code of a refusal.
     fn bytes(&mut self, session: u8, offset: usize, size: usize) -> Result<Vec<u8>, u8> {
         if self.quirks.forgets_after.is_some_and(|it| self.sent >= it) {
             self.quirks.forgets_after = None;

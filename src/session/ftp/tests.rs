@@ -18,7 +18,6 @@ struct Channel {
     delay: u32,
 }
 
-/// A client and a server.
 struct Scene {
     client: FtpClient,
     server: FileServer,

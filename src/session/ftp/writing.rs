@@ -6,8 +6,8 @@ use super::exchange::Exchange;
 use super::packet::{FtpAnswer, FtpOpcode, FtpRequest, FtpSequence, MOST_DATA};
 use super::{FtpFault, FtpNak, MOST_REFUSALS, PATIENCE, UNTIL_IDLE};
 
-/// A file that is being written, one packet at a time: the server repeats an answer that was lost, and a packet is
-/// therefore never written out of order.
+/// A file that is being written, one packet at a time. The server repeats an answer that was lost,
+/// so packets are never written out of order.
 #[derive(Debug, Clone)]
 pub(super) struct FileWriting {
     path: String,

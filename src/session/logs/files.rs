@@ -118,10 +118,12 @@ fn ask(folder: &str, ftp: &mut FtpClient) -> FtpTicket {
     ftp.ask(FtpTask::List { folder })
 }
 
-/// The paths of the logs whose files have the listed size; `None` if the folder does not contain these logs.
+/// The paths of the logs whose files have the listed size; `None` if the folder does not contain
+/// these logs.
 ///
-/// A vehicle lists its logs from 1, the oldest first, but their files keep their numbers. File numbers wrap around at
-/// some point, so the oldest file is not always the one with the lowest number. The newest may have grown since.
+/// A vehicle lists its logs from 1, the oldest first, but their files keep their numbers. File
+/// numbers wrap around at some point, so the oldest file is not always the one with the lowest
+/// number. The newest file may have grown since.
 fn files_of(
     logs: &[ListedLog],
     folder: &str,

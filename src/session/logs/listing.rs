@@ -11,7 +11,7 @@ use crate::wire::{MavAddress, Outgoing};
 
 /// If nothing new arrives for this long, the list or its missing part is requested again.
 const SILENCE: Duration = Duration::from_secs(1);
-/// After this many requests without anything new, the vehicle counts as having stopped sending.
+/// After this many requests that bring nothing new, the vehicle counts as having stopped sending.
 const FRUITLESS: u8 = 20;
 
 /// The reading of a list.
@@ -20,9 +20,8 @@ pub(super) struct Listing {
     entries: BTreeMap<u16, ListedLog>,
     /// The number of logs and the highest log number, once the vehicle has announced them.
     announced: Option<(u16, u16)>,
-    /// When it was last requested, or something new last arrived; `None` before the first request.
+    /// The time of the last request or of the last new entry; `None` before the first request.
     heard_at: Option<Duration>,
-    /// The number of consecutive requests that brought nothing new.
     fruitless: u8,
 }
 

@@ -33,7 +33,6 @@ pub(super) struct Reading {
     is_again: bool,
     /// The file, if it was complete before.
     file: Option<String>,
-    /// Bytes that have not been written yet.
     unwritten: Vec<FileBytes>,
     written_at: Duration,
 }
@@ -47,7 +46,6 @@ enum LogRoute {
     File(String, FtpTicket),
     /// All bytes have arrived, and the vehicle is asked for the checksum of its file.
     Checking(String, FtpTicket),
-    /// The vehicle has sent the checksum.
     Summed(String, u32),
     /// The checksum differs: the file is opened once more to see whether it has grown.
     Measuring(FtpTicket),
@@ -130,7 +128,7 @@ impl Reading {
         }
     }
 
-    /// Handles an event of the client for files.
+    /// Handles an event of the file client.
     pub fn hear(&mut self, ticket: FtpTicket, event: FtpEvent, ftp: &mut FtpClient, now: Duration) {
         match &self.route {
             LogRoute::File(path, asked) if *asked == ticket => {
@@ -207,7 +205,7 @@ impl Reading {
         }
     }
 
-    /// Cancels the task of the client for files.
+    /// Cancels the task of the file client.
     pub fn leave(&self, ftp: &mut FtpClient) {
         match &self.route {
             LogRoute::File(_, ticket)
@@ -305,7 +303,6 @@ impl Reading {
         Ok(Some(self.whole(file, Some(LogWay { carrier, check }))))
     }
 
-    /// Requests the checksum of the vehicle's file.
     fn checking(&self, path: String, ftp: &mut FtpClient) -> LogRoute {
         let task = FtpTask::Checksum {
             path: path.clone(),

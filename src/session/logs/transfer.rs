@@ -31,7 +31,6 @@ const PATIENCE: Duration = Duration::from_secs(30);
 /// later.
 const MOST_GAPS: usize = 10_000;
 
-/// A stream that was requested.
 #[derive(Debug, Clone)]
 struct Stream {
     range: Range<u32>,
@@ -51,7 +50,6 @@ pub(super) struct Transfer {
     /// Requested pieces, by their start: the end, and the time of the request.
     pieces: BTreeMap<u32, (u32, Duration)>,
     heard_at: Duration,
-    /// When something new last arrived.
     news_at: Duration,
     fruitless: u8,
     bytes_per_s: f64,
@@ -68,7 +66,7 @@ pub(super) enum Received {
 }
 
 impl Transfer {
-    /// Begins to read the missing bytes, and rereads those in `samples` for comparison.
+    /// Begins to read the missing bytes, and rereads the bytes in `samples` for comparison.
     pub fn new(number: u16, mut gaps: GapMap, samples: Vec<FileBytes>, now: Duration) -> Self {
         for sample in &samples {
             gaps.open(sample.range());
@@ -166,7 +164,7 @@ impl Transfer {
         }
     }
 
-    /// Whether bytes differ from those that were read before.
+    /// Whether bytes differ from the bytes that were read before.
     fn differs(&self, bytes: &FileBytes) -> bool {
         self.samples.iter().any(|sample| {
             let (ours, theirs) = (sample.range(), bytes.range());

@@ -4,7 +4,7 @@ use super::ListedLog;
 use crate::text;
 use crate::text::{Text, figure, utc_of};
 
-/// The maximum number of logs in a text. The newest are listed, since those are usually wanted.
+/// The maximum number of logs in a text. The newest are listed, since they are usually wanted.
 const MOST_NAMED: usize = 10;
 
 fn kilobytes(bytes: u64) -> String {

@@ -40,7 +40,7 @@ pub(super) fn home(kind: ListKind) -> usize {
     usize::from(kind == ListKind::Plan)
 }
 
-/// The items of a list without those of the vehicle itself.
+/// The items of a list without the items that belong to the vehicle itself.
 pub(super) fn own(kind: ListKind, items: &[Item]) -> &[Item] {
     items.get(home(kind)..).unwrap_or_default()
 }

@@ -48,7 +48,7 @@ pub(super) fn goal(
     }
 }
 
-/// A file's name for a vehicle: `{id}` stands for its number.
+/// A file's name for a vehicle: `{id}` stands for the vehicle's number.
 pub(super) fn named(file: &str, vehicle: &Vehicle) -> String {
     file.replace("{id}", &vehicle.id.to_string())
 }

@@ -23,7 +23,6 @@ pub(super) struct Job {
     order: Option<VehicleCommand>,
     command: PlanCommand,
     transaction: Box<Transaction>,
-    /// Warnings about the list that is sent.
     warnings: Vec<Text>,
     /// The progress last reported, and whether the link was lost then.
     told: Option<(u8, bool)>,
@@ -38,11 +37,9 @@ pub(super) struct FinishedJob {
     pub is_of_stock: bool,
 }
 
-/// The result of a transfer.
 struct TransferResult {
     /// The list that the vehicle holds, if known.
     held: Option<Vec<Item>>,
-    /// How the order has ended.
     ending: RowEnding,
 }
 
@@ -236,7 +233,6 @@ impl Job {
         }
     }
 
-    /// An outcome with the warnings about the list.
     fn warned(&self, outcome: Text) -> Text {
         let Some(warned) = judging::warned(&self.warnings) else {
             return outcome;

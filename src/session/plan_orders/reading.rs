@@ -148,7 +148,7 @@ impl Reading {
         }
     }
 
-    /// Handles an event of the client for files.
+    /// Handles an event of the file client.
     pub fn hear_file(&mut self, ticket: FtpTicket, event: &FtpEvent, now: Duration) {
         let Way::File(own, file) = &mut self.way else {
             return;

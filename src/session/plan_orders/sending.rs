@@ -27,7 +27,7 @@ const COUNTS: u8 = 8;
 /// How long after the last requested item an upload counts as ended: a vehicle ends it after 8 s
 /// without an item.
 const GIVEN_UP_AFTER: Duration = Duration::from_millis(8500);
-/// A refusal counts if no request follows within this time, in which four would have come.
+/// A refusal counts if no request follows within this time, in which four would normally arrive.
 const REFUSED_AFTER: Duration = Duration::from_secs(4);
 
 /// An upload in progress.

@@ -235,7 +235,6 @@ fn a_list_that_another_program_has_changed_is_replaced_only_by_a_second_order() 
     assert_eq!(rig.ended(s(30)), RowState::Done);
 }
 
-/// The notices of the console since the last call, as text.
 fn said(rig: &mut Rig) -> Vec<String> {
     let notices = std::mem::take(&mut rig.notices);
     notices.iter().map(|it| it.text.to_string()).collect()

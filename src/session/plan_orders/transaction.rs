@@ -32,12 +32,9 @@ pub(super) struct Transaction {
     new: Option<Vec<Item>>,
     /// The list that the user knows to be on board; `None` if it has not been read yet.
     known: Option<Vec<Item>>,
-    /// The list that the vehicle held before the transfer.
     old: Vec<Item>,
     by_file: bool,
-    /// Whether the old list is being restored.
     restores: bool,
-    /// Whether the old list was stored by this transfer.
     is_stored: bool,
     /// The number of attempts to write the current list.
     writes: u8,
@@ -267,7 +264,6 @@ impl Transaction {
         content.is_some_and(|content| is_same(&content.document))
     }
 
-    /// Begins to write the current list.
     fn write(&mut self, desk: &mut Desk<'_>) {
         let new = self.new.as_deref().unwrap_or_default();
         let items = if self.restores { &self.old } else { new };

@@ -31,7 +31,6 @@ pub(in crate::session) struct Download {
     /// Whether the vehicle is known to support integer items. Then lost messages alone must not lead to the use of
     /// floats, which have a precision of 2 m at best.
     is_int_certain: bool,
-    /// The number of items, once known.
     total: Option<u16>,
     items: Vec<Item>,
     /// How many times the current request was sent, and when last.

@@ -40,7 +40,8 @@ struct Scene {
     manner: Manner,
     now: Duration,
     asked: Vec<MavMessage>,
-    /// Whether each message is lost, in either direction, in order; after the end of the list, none is.
+    /// Whether each message is lost, in either direction, in order; after the last entry, no
+    /// message is lost.
     losses: Vec<bool>,
 }
 

@@ -31,7 +31,7 @@ pub(in crate::session) enum Answer {
     Refused(MavMissionResult),
 }
 
-/// The form of items: positions as integers, or as floats for vehicles that support only those.
+/// The form of items: positions as integers, or as floats for vehicles that support only floats.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::session) enum Form {
     Int,

@@ -158,7 +158,6 @@ impl Scene {
         );
     }
 
-    /// The answer to the last question.
     fn answer(&mut self, seal: Seal) {
         let ts1 = self.questions.last().copied().unwrap_or(-7);
         self.answer_to(ts1, seal);

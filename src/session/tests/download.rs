@@ -8,14 +8,12 @@ use rand_chacha::ChaCha8Rng;
 use super::*;
 use crate::parameters::Fetching;
 
-/// The time step of these tests.
 const STEP: Duration = Duration::from_millis(20);
 
 /// A vehicle with many parameters behind a lossy link.
 struct Far {
     scene: Scene,
     count: u16,
-    /// Messages in transit, with their arrival times.
     coming: Vec<(Duration, MavMessage)>,
     random: ChaCha8Rng,
     loss: f64,
@@ -25,7 +23,7 @@ struct Far {
     reads: usize,
     most_at_once: usize,
     is_answering: bool,
-    /// The time between two values of a list; 0 is 2300 a second.
+    /// The time between two values of a list; 0 means 2300 values a second.
     pace_ms: u64,
     way: Duration,
 }

@@ -12,7 +12,7 @@ fn last(scene: &Scene, entry: u32) -> RowState {
     *scene.states(entry).last().expect("a row")
 }
 
-/// A vehicle on the way to a target, then ordered home by entry 2, which it has accepted.
+/// A vehicle that was on its way to a target, and has then accepted a return with entry 2.
 fn returning() -> Scene {
     let mut scene = under_way();
     scene.order(2, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));

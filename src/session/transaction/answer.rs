@@ -86,8 +86,9 @@ impl Transaction {
         }
     }
 
-    /// Whether telemetry shows the effect, and the answer can no longer be on its way. The effect of a chain shows only
-    /// at its end, and the first steps may bring it about: until the deadline, the last one is sent again.
+    /// Whether telemetry shows the effect, and the answer can no longer be on its way. The effect
+    /// of a chain shows only at its end, and the first steps may bring it about: until the
+    /// deadline, the last step is sent again.
     fn is_answer_lost(&mut self, vehicle: &Vehicle, deadline: Duration, now: Duration) -> bool {
         if self.request.next.is_some() || self.effect_shows(vehicle) != Some(true) {
             self.shown_since = None;

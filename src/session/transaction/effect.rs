@@ -39,7 +39,6 @@ impl Transaction {
         }
     }
 
-    /// Whether the vehicle has started to carry out the command.
     fn has_begun(&self, vehicle: &Vehicle) -> bool {
         self.holds_since.is_some() || self.claim.contradicted(vehicle).is_none()
     }

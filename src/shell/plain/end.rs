@@ -73,7 +73,6 @@ impl Beginning {
     }
 }
 
-/// The number of vehicles that must be heard; 1 if their number is unknown.
 fn expected(options: &ConsoleOptions) -> usize {
     match &options.opening {
         Opening::Mission(mission) => mission.seats.count,

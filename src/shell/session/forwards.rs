@@ -18,9 +18,7 @@ use crate::vehicle::Severity;
 /// The open forwards of a session, and the state last shown.
 #[derive(Default)]
 pub(super) struct SessionForwards {
-    /// The open forwards, each with its last notice.
     open: Vec<(ForwardFeed, LinkHeard)>,
-    /// The state that was last shown.
     shown: Vec<ForwardSummary>,
 }
 

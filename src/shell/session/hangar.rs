@@ -31,13 +31,10 @@ const LOOK_EVERY: Duration = Duration::from_millis(500);
 /// The maximum number of waiting events.
 const NEWS_KEPT: usize = 64;
 
-/// The results of launches and requests.
 enum ProcessNews {
-    /// The hangars are open.
     Opened(Arc<Hangars>),
     /// All vehicles are launched; these are their links.
     Launched(Vec<LaunchedVehicle>),
-    /// The vehicles could not be launched.
     NotLaunched(Text),
     Failed(Text),
     /// The output of a vehicle's process, beginning with the line of this number.
@@ -52,7 +49,6 @@ pub(super) struct Processes {
     hangars: Option<Arc<Hangars>>,
     seen: Option<watch::Receiver<Seen>>,
     usage: BTreeMap<InstancePlace, ProcessUsage>,
-    /// The number of restarts of each vehicle's process.
     restarts: BTreeMap<VehicleId, u32>,
     looking: Option<Looking>,
 }
@@ -63,7 +59,6 @@ struct Looking {
     vehicle: VehicleId,
     /// The number of the next line.
     next: u64,
-    /// The time of the last request.
     asked_at: Option<Duration>,
     is_asked: bool,
 }
@@ -124,7 +119,6 @@ impl Processes {
         }
     }
 
-    /// The next news, if any.
     fn hear(&mut self) -> Option<ProcessNews> {
         let news = self.news.try_recv().ok()?;
         if let ProcessNews::Opened(hangars) = &news {
@@ -134,7 +128,6 @@ impl Processes {
         Some(news)
     }
 
-    /// The state of the processes, if it has changed.
     fn changed(&mut self, now: Duration) -> Option<Vec<Instance>> {
         let seen = self.seen.as_mut()?;
         if !seen.has_changed().unwrap_or(false) {
@@ -244,7 +237,6 @@ impl Processes {
         Some(printed.into())
     }
 
-    /// The hangar and the instance of a vehicle.
     fn place(&self, vehicle: VehicleId) -> Option<(Arc<Hangars>, InstancePlace)> {
         let seen = self.seen.as_ref()?.borrow();
         let mine = |(_, instance): &&(InstancePlace, hangar::Instance)| {
@@ -254,15 +246,14 @@ impl Processes {
         Some((self.hangars.clone()?, *place))
     }
 
-    /// A handle with which to wait until the processes have ended, after `self` was dropped.
+    /// A handle to wait for the processes to end after `self` is dropped.
     pub fn ending(&self) -> SessionEnding {
         SessionEnding(self.seen.clone())
     }
 }
 
 impl RunningSession {
-    /// A handle with which to wait until the session's processes have ended, after `self` was
-    /// dropped.
+    /// A handle to wait for the session's processes to end after `self` is dropped.
     pub fn ending(&self) -> SessionEnding {
         let processes = self.processes.as_ref();
         processes.map_or_else(SessionEnding::default, Processes::ending)

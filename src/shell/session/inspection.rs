@@ -11,7 +11,6 @@ use crate::doctor::{Chart, Way, diagnose};
 use crate::inspector::TallyKey;
 use crate::link::{LinkStatus, Tap};
 
-/// The time between the doctor's examinations.
 const EXAMINE_EVERY: Duration = Duration::from_secs(1);
 /// The time between counts of the messages.
 const LOOK_EVERY: Duration = Duration::from_millis(250);
@@ -37,7 +36,8 @@ impl Inspection {
         self.taps.push(tap);
     }
 
-    /// Notes a pause, in which nothing could be heard: the doctor waits until messages can arrive again.
+    /// Notes a pause, during which no message could arrive; the doctor then waits until messages
+    /// can arrive again.
     pub fn rest(&mut self, now: Duration) {
         self.next_exam = now + EXAMINE_EVERY;
     }

@@ -17,11 +17,10 @@ use crate::wire::{ComponentId, SystemId};
 /// How long a link must stay up before it is reported as up again.
 const UP_HOLDS: Duration = Duration::from_secs(2);
 
-/// The status of a session's links, and the state last reported of each.
+/// The status of a session's links, and the last reported state of each.
 #[derive(Default)]
 pub(super) struct SessionLinks {
     all: Vec<watch::Receiver<LinkStatus>>,
-    /// The state and the last notice of each.
     heard: Vec<LinkHeard>,
     /// The number of ended links at the last display.
     ended: usize,
@@ -70,7 +69,6 @@ impl SessionLinks {
 
 /// The state and the last notice of a link.
 pub(super) struct LinkHeard {
-    /// The last state seen.
     seen: LinkNews,
     since: Duration,
     /// The last notice given.
@@ -86,8 +84,8 @@ impl LinkHeard {
         }
     }
 
-    /// The notice that is due, if any. A link counts as up again only after `UP_HOLDS`; one that
-    /// goes up and down repeats the same notice, which is folded.
+    /// The notice that is due, if any. A link counts as up again only after `UP_HOLDS`; a link that
+    /// keeps going up and down repeats the same notice, which is folded.
     pub fn note(&mut self, news: LinkNews, now: Duration) -> Option<LinkNews> {
         if news == LinkNews::Silent {
             return None;
@@ -114,7 +112,7 @@ impl LinkHeard {
     }
 }
 
-/// A state of a link worth a notice.
+/// A state of a link that is worth a notice.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum LinkNews {
     /// Nothing has been heard yet.
@@ -123,7 +121,7 @@ pub(super) enum LinkNews {
     Up,
     /// The link does not carry data, for this reason.
     Down(Text),
-    /// The link is closed for good, such as that of a recording played to its end.
+    /// The link is closed for good: for example, its recording has been played to the end.
     Ended,
 }
 

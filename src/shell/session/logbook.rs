@@ -25,8 +25,8 @@ pub(super) struct Logbook {
 }
 
 impl Logbook {
-    /// Starts the record of a flight and sets its attempt number; `earlier` are the attempts before
-    /// it.
+    /// Starts the record of a flight and sets its attempt number; `earlier` holds the attempts
+    /// before it.
     pub fn begin(
         runs: &Runs,
         flight: &mut Flight,
@@ -104,7 +104,7 @@ impl Logbook {
         &self.occasion
     }
 
-    /// The attempts at the mission, the one with this report last.
+    /// The attempts at the mission; the attempt with this report is last.
     pub fn tries(&self, report: &Report) -> Vec<TryReport> {
         let mut tries = self.earlier.clone();
         tries.push(TryReport {

@@ -26,7 +26,6 @@ use crate::vehicle::{Severity, VehicleId};
 pub(super) struct MissionRun {
     driver: FlightDriver,
     logbook: Option<Logbook>,
-    /// The simulator of its vehicles.
     backend: FlightBackend,
     /// The embedded simulator's step counter, from which mission time is derived; `None` for
     /// processes.
@@ -49,7 +48,7 @@ pub(in crate::shell) struct Finished {
     pub occasion: Occasion,
     /// The unique id of the run.
     pub run_id: String,
-    /// Whether its record is complete.
+    /// Whether the run's record is complete.
     pub is_recorded: bool,
 }
 
@@ -91,7 +90,8 @@ impl MissionRun {
         }
     }
 
-    /// Starts its record, and sets its attempt number; `earlier` are the attempts before it.
+    /// Starts the record of the mission, and sets its attempt number; `earlier` holds the attempts
+    /// before it.
     pub fn record(&mut self, runs: &Runs, occasion: Occasion, earlier: Vec<TryReport>) {
         let occasion = Occasion {
             backend: self.backend,
@@ -147,7 +147,8 @@ impl MissionRun {
         events
     }
 
-    /// Adds the attempts to the report, and stores it for the career.
+    /// Adds the attempts to the report, and keeps it with the stake of the flight until the result
+    /// is taken.
     fn finish(&mut self, report: &mut Report) {
         let Some(logbook) = &self.logbook else {
             return;
@@ -208,7 +209,6 @@ impl MissionRun {
     }
 }
 
-/// The time of a number of simulator steps.
 fn simulated(steps: u64) -> Duration {
     Duration::from_nanos((STEP.as_nanos() as u64).saturating_mul(steps))
 }
@@ -219,8 +219,8 @@ fn heard(said: Vec<Notice>, now: Duration) -> impl Iterator<Item = Event> {
         .map(move |notice| Event::Notice(Notice { at: now, ..notice }))
 }
 
-/// Sends demands to vehicles that are heard, oldest first, until one fails; that one and all later
-/// ones stay queued.
+/// Sends demands to vehicles that are heard, oldest first, until a demand fails; this demand and
+/// all later ones stay queued.
 fn tell_demands(
     wanted: &mut VecDeque<Demand>,
     is_heard: impl Fn(VehicleId) -> bool,

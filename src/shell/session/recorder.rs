@@ -31,7 +31,6 @@ pub(super) struct FlightRecorder {
     ends_at: Option<Duration>,
     /// Whether the record has ended, while the session continues.
     has_ended: bool,
-    /// An error to report.
     fault: Option<Text>,
     /// Whether dropped frames have been reported.
     has_told_loss: bool,
@@ -120,8 +119,8 @@ impl FlightRecorder {
         self.recording.is_some() && !self.has_ended
     }
 
-    /// Ends the record, after the session's simulator was asked to end. A record that is not to be
-    /// kept, or is empty, is removed.
+    /// Ends the record; the session's simulator must have been asked to end. An empty record, or
+    /// one that is not to be kept, is removed.
     pub fn end(&mut self, is_kept: bool) {
         self.inputs.wait_for_end(LAST_INPUTS_WITHIN);
         self.pass_inputs();

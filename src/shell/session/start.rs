@@ -81,7 +81,6 @@ pub(in crate::shell) struct SessionBackend {
 }
 
 impl SessionPlan {
-    /// The rules of joint manoeuvres.
     fn swarm_rules(&self) -> Rules {
         match self {
             Self::Mission(mission) => mission.swarm_rules(),
@@ -298,7 +297,7 @@ fn titled(mission: &Mission, occasion: &Occasion) -> Text {
     }
 }
 
-/// The places of free flight: its start, under the names of a mission's pad and of home.
+/// The named places of free flight: "home" and "pad", both at its start.
 fn free_flight_places() -> BTreeMap<String, LatLon> {
     ["home", "pad"]
         .map(|name| (name.to_owned(), FREE_FLIGHT_START.at))

@@ -125,8 +125,8 @@ impl LogPart {
         Ok(sum.value())
     }
 
-    /// Removes bytes beyond the end, left over from a longer log with that number; returns the
-    /// length.
+    /// Removes bytes beyond the end, left over from a longer log with the same number; returns the
+    /// length of the file.
     pub fn trim(&self, size: u32) -> Result<u64, StoreError> {
         let trimmed = self.open().and_then(|file| {
             if file.metadata()?.len() > u64::from(size) {

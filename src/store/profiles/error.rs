@@ -20,7 +20,7 @@ pub enum ProfileError {
     /// A newer version of the program wrote the file.
     Newer {
         path: PathBuf,
-        /// The version of its tables.
+        /// The version of the file's tables.
         found: i32,
         /// The newest version that this program supports.
         known: i32,

@@ -12,11 +12,11 @@ use crate::scoring::{FlightBackend, Report, TryReport};
 /// A finished run, to be stored.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RunEntry {
-    /// Its unique id: the name of its recording.
+    /// The run's unique id: the name of its recording.
     pub id: String,
     /// When the flight ended, in UTC.
     pub when: String,
-    /// Its entry in the career.
+    /// The run's entry in the career.
     pub flight: CareerFlight,
     /// The report: revision, seed, ledger, events, score.
     pub report: Report,
@@ -38,7 +38,7 @@ pub struct PastRun {
     pub backend: FlightBackend,
     /// The recorded run's file, if it was recorded.
     pub recording: Option<String>,
-    /// Its entry in the career.
+    /// The run's entry in the career.
     pub flight: CareerFlight,
 }
 
@@ -133,7 +133,7 @@ impl Profiles {
         Ok(runs)
     }
 
-    /// A profile's attempts at one revision of a mission, which are comparable, oldest first.
+    /// A profile's comparable attempts at a mission, those at one revision, oldest first.
     ///
     /// # Errors
     /// The database cannot be read.

@@ -1,4 +1,4 @@
-//! Opening the database: to write, or only to read if folder or file must not be written.
+//! Opening the database: for writing, or read-only if the folder or the file must not be written.
 
 use std::cmp::Ordering;
 use std::fs::{self, File, OpenOptions};
@@ -152,7 +152,6 @@ pub(super) fn private(path: &Path) -> io::Result<File> {
     sharing::open(file.create(true).truncate(false).write(true), path)
 }
 
-/// A file of `SQLite` beside the database.
 fn beside(path: &Path, name: &str) -> PathBuf {
     PathBuf::from(format!("{}-{name}", path.display()))
 }

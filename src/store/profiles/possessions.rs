@@ -49,7 +49,7 @@ impl Profiles {
             .collect())
     }
 
-    /// Stores a design; it replaces one of the same name.
+    /// Stores a design; it replaces a design of the same name.
     ///
     /// # Errors
     /// The database cannot be written.

@@ -11,7 +11,7 @@ use crate::store::utc;
 use crate::text;
 use crate::text::Text;
 
-/// The two backups: the one after the newest run, and the one before it.
+/// The two backups: after the newest run, and before it.
 const COPIES: [&str; 2] = ["backup", "backup-before"];
 /// The result of a successful check.
 const SOUND: &str = "ok";
@@ -21,7 +21,8 @@ const SOUND: &str = "ok";
 pub struct Rescue {
     /// The new path of the damaged file.
     pub damaged: PathBuf,
-    /// The copy that replaced it; `None` if no good one existed and the profiles start empty.
+    /// The copy that replaced the damaged file; `None` if there was no good copy: the profiles then
+    /// start empty.
     pub copy: Option<PathBuf>,
     pub fault: Text,
 }
@@ -42,8 +43,8 @@ impl Rescue {
     }
 }
 
-/// Checks a database before use. A damaged one is renamed, together with its log, and the newest
-/// good copy replaces it. If several consoles detect the damage, only one of them does this.
+/// Checks a database before use. A damaged database is renamed, together with its log, and the
+/// newest good copy replaces it. If several consoles detect the damage, only one of them does this.
 pub(super) fn rescue(path: &Path) -> io::Result<Option<Rescue>> {
     if damage(path).is_none() {
         return Ok(None);
@@ -123,7 +124,6 @@ pub(super) fn copies(path: &Path) -> [PathBuf; 2] {
     COPIES.map(|name| beside(path, name))
 }
 
-/// The newest intact copy, if any.
 fn good_copy(path: &Path) -> Option<PathBuf> {
     copies(path)
         .into_iter()
@@ -170,8 +170,8 @@ fn sync_folder(path: &Path) -> io::Result<()> {
     File::open(folder.unwrap_or(Path::new(".")))?.sync_all()
 }
 
-/// Backs the database up. The copy is checked before it replaces the last one. If another console
-/// is making a backup, this one does not.
+/// Backs up the database. The copy is checked before it replaces the last one. If another console
+/// is making a backup, this console does not.
 pub(super) fn back_up(connection: &Connection, path: &Path) -> rusqlite::Result<()> {
     let [newest, before] = COPIES.map(|name| beside(path, name));
     let fresh = beside(path, "backup-new");

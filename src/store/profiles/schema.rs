@@ -82,7 +82,8 @@ pub(super) const DOCUMENTS: [DocumentColumn; 3] = [
 /// The version of the tables that this program writes.
 pub(super) const VERSION: i32 = STEPS.len() as i32;
 
-/// Migrates the tables in one transaction. Returns the resulting version: one newer than [`VERSION`] is left as it is.
+/// Migrates the tables in one transaction. Returns the resulting version; tables newer than
+/// [`VERSION`] are not changed.
 pub(super) fn migrate(connection: &mut Connection) -> rusqlite::Result<i32> {
     let found = version(connection)?;
     if found >= VERSION {

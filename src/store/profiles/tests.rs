@@ -313,7 +313,6 @@ fn a_folder_that_cannot_be_written_is_named() {
     assert!(refused.to_string().contains("profiles.sqlite"), "{refused}");
 }
 
-/// An action of a console on a profile.
 #[derive(Debug, Clone)]
 enum Deed {
     Fly(u8, u16, u32),

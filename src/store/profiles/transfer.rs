@@ -16,7 +16,6 @@ use crate::store::runs::is_moment;
 
 mod claim;
 
-/// The version of the format.
 const SCHEMA: u32 = 1;
 /// The maximum size of a profile file, in bytes.
 const LARGEST: u64 = 256 * 1024 * 1024;
@@ -29,7 +28,7 @@ const LONGEST_LINE: usize = 200;
 pub struct ProfileFile {
     /// The version of the format.
     sortie_profile: u32,
-    /// Its name at the export.
+    /// The profile's name when it was exported.
     pub name: String,
     since: String,
     settings: ProfileSettings,
@@ -64,7 +63,7 @@ impl ProfileFile {
     /// Reads the file of an exported profile.
     ///
     /// # Errors
-    /// It cannot be read, or is not a profile; the error names the file.
+    /// The file cannot be read, or is not a profile; the error names the file.
     pub fn open(path: &Path) -> Result<Self, ProfileError> {
         let shown = path.display();
         let mut text = String::new();
@@ -94,7 +93,7 @@ impl ProfileFile {
     /// Reads an exported profile.
     ///
     /// # Errors
-    /// It is not a profile, has an unknown version, or contains impossible entries.
+    /// The text is not a profile, has an unknown version, or contains impossible entries.
     pub fn read(source: &str) -> Result<Self, ProfileError> {
         let fault = |fault: String| ProfileError::NoProfile { fault };
         let file: Self =
@@ -137,7 +136,7 @@ impl ProfileFile {
             .or_else(|| designs.find_map(|row| faulty_line("design", &row.name)))
     }
 
-    /// The key of the trainee's exams, which makes them differ from those of others.
+    /// The key of the trainee's exams, which makes them differ from other trainees' exams.
     fn exam_key(&self) -> ExamKey {
         self.settings.exam_key(&self.name, &self.since)
     }

@@ -31,23 +31,23 @@ const LARGEST_JOURNAL: u64 = 256 * 1024 * 1024;
 /// The files of one record; `None` for each missing file.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct RecordFiles {
-    /// Their common name without suffix.
+    /// The files' common name, without suffix.
     pub stem: String,
-    /// The frames of its links.
+    /// The frames of the record's links.
     pub frames: Option<PathBuf>,
     pub journal: Option<PathBuf>,
     /// The record of the mission's run.
     pub run: Option<PathBuf>,
     /// The path of the review, whether it exists or not.
     pub review: PathBuf,
-    /// The inputs of its simulated vehicles.
+    /// The inputs of the record's simulated vehicles.
     pub inputs: Option<PathBuf>,
     /// The size of frames and journal, in bytes.
     pub bytes: u64,
 }
 
 impl RecordFiles {
-    /// The frames of its links.
+    /// The frames of the record's links.
     ///
     /// # Errors
     /// A text if they are missing.
@@ -99,7 +99,7 @@ impl RecordFiles {
         self.bytes += len;
     }
 
-    /// The first line of its journal.
+    /// The first line of the record's journal.
     ///
     /// # Errors
     /// The record has no journal, or the journal cannot be read.
@@ -113,10 +113,10 @@ impl RecordFiles {
         Ok(serde_json::from_slice(&first)?)
     }
 
-    /// Its journal, if it has one.
+    /// The record's journal, if it has one.
     ///
     /// # Errors
-    /// A text if it cannot be read, or is not a journal.
+    /// A text if the file cannot be read, or is not a journal.
     pub fn read_journal(&self) -> Result<Option<Journal>, Text> {
         use std::io::Read as _;
 
@@ -141,7 +141,8 @@ impl RecordFiles {
         runs::outline(self.run.as_deref()?).ok()
     }
 
-    /// Whether the console that wrote it was killed: the journal has no end, and no console is writing it.
+    /// Whether the console that wrote the record was killed: the journal has no end, and no console
+    /// is writing it.
     pub fn is_cut_off(&self) -> bool {
         let last = self.journal.as_deref().map(runs::last_line);
         let is_end = |line: &[u8]| {
@@ -155,7 +156,7 @@ impl RecordFiles {
     /// because careers count the run. Without a run, the inputs are removed too.
     ///
     /// # Errors
-    /// One of them cannot be removed.
+    /// One of the files cannot be removed.
     pub fn delete(&self) -> Result<(), StoreError> {
         // The journal is deleted last: without it, the others could not be found again. Without a
         // run, the inputs prove nothing.

@@ -20,7 +20,7 @@ const LONGEST: u64 = 64 * 1024 * 1024;
 const LARGEST_LOG: u64 = 2 * 1024 * 1024 * 1024;
 
 impl RecordFiles {
-    /// The common beginning of its files' names.
+    /// The common beginning of the names of the record's files.
     fn common_name(&self) -> Option<String> {
         let name = self.review.file_name()?.to_str()?;
         name.strip_suffix(REVIEW).map(str::to_owned)
@@ -66,11 +66,11 @@ impl RecordFiles {
         (logs, faults)
     }
 
-    /// Stores a log next to the record, which does not change. An earlier one of the same vehicle is replaced. Returns
-    /// the path.
+    /// Stores a log next to the record; the record itself is not changed. An earlier log of the
+    /// same vehicle is replaced. Returns the path.
     ///
     /// # Errors
-    /// It cannot be written.
+    /// The log cannot be written.
     pub fn write_joined(&self, log: &JoinedLog) -> Result<PathBuf, StoreError> {
         let name = self.common_name().unwrap_or_else(|| self.stem.clone());
         let name = format!("{name}{MARK}{}{JSON}", log.vehicle);
@@ -90,7 +90,7 @@ impl RecordFiles {
     /// Removes the logs that were joined to the record.
     ///
     /// # Errors
-    /// One of them cannot be removed.
+    /// One of the logs cannot be removed.
     pub fn delete_joined(&self) -> Result<(), StoreError> {
         for path in self.joined_paths() {
             fs::remove_file(&path).map_err(|error| unwritable(&path, error))?;

@@ -12,7 +12,6 @@ use crate::record::{Happening, JournalLine};
 use crate::text;
 use crate::text::Text;
 
-/// The time between writes.
 const WRITE_EVERY: Duration = Duration::from_millis(250);
 
 /// A record being written. Dropping it writes the remaining data.
@@ -36,12 +35,10 @@ struct RecordingState {
     lines: String,
     /// Waiting lines of the inputs.
     inputs: String,
-    /// The time of the last line.
     last_at: Duration,
     is_over: bool,
     /// The number of bytes written so far.
     bytes: u64,
-    /// Why writing has stopped.
     fault: Option<RecordingFault>,
     has_stopped: bool,
 }
@@ -122,17 +119,18 @@ impl Recording {
         })
     }
 
-    /// The name of its files without suffix.
+    /// The name of the record's files, without suffix.
     pub fn stem(&self) -> &str {
         &self.stem
     }
 
-    /// The path of its frames.
+    /// The path of the record's frames.
     pub fn frames(&self) -> &Path {
         &self.frames
     }
 
-    /// Adds a line to the journal; a time earlier than that of the last line is raised to it.
+    /// Adds a line to the journal; a time earlier than that of the last line is replaced by the
+    /// time of the last line.
     pub fn note(&self, line: JournalLine) {
         let mut state = self.shared.state();
         let line = line.not_before(state.last_at);
@@ -241,7 +239,6 @@ impl RecordWriter {
         Ok(())
     }
 
-    /// The number of bytes written so far.
     fn len(&self) -> u64 {
         let inputs = self.inputs.as_ref().map_or(0, AppendFile::len);
         self.frames.len() + self.journal.len() + inputs

@@ -41,10 +41,10 @@ impl RecordFiles {
         write().map_err(|error| unwritable(&self.review, error))
     }
 
-    /// Removes its review, if there is one.
+    /// Removes the record's review, if there is one.
     ///
     /// # Errors
-    /// It cannot be removed.
+    /// The review cannot be removed.
     pub fn delete_review(&self) -> Result<(), StoreError> {
         match fs::remove_file(&self.review) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
@@ -56,8 +56,8 @@ impl RecordFiles {
 }
 
 impl Records {
-    /// The newest review of each mission, by the mission's id, of the flights of one profile; `whose` is its name, or
-    /// `None` for flights without a profile.
+    /// The newest review of each mission that one profile has flown, by the mission's id; `whose`
+    /// is the name of the profile, or `None` for flights without a profile.
     pub fn newest_reviews(&self, whose: Option<&str>) -> BTreeMap<String, Review> {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         let mut names: Vec<_> = entries

@@ -40,17 +40,18 @@ impl RecordFiles {
         flown.filter_map(|(ending, path)| Some((ending, path.as_ref()?)))
     }
 
-    /// The files of its signatures.
+    /// The paths of the record's signature files.
     pub fn signatures(&self) -> Vec<PathBuf> {
         let paths = self.flown().map(|(_, path)| signature::signature_of(path));
         paths.filter(|path| path.is_file()).collect()
     }
 
-    /// Signs each file of the record; the signatures contain the comment `about`. Existing signatures are replaced.
-    /// Returns the signature files.
+    /// Signs each file of the record; the signatures contain the comment `about`. Existing
+    /// signatures are replaced. Returns the signature files.
     ///
     /// # Errors
-    /// A console still writes the record, a file cannot be read, or a signature cannot be written.
+    /// A console is still writing the record, a file cannot be read, or a signature cannot be
+    /// written.
     pub fn sign(&self, key: &RecordKey, about: &str) -> Result<Vec<PathBuf>, SignatureError> {
         if self.is_written() {
             return Err(SignatureError::BeingWritten);

@@ -207,7 +207,6 @@ fn exam(runs: &Runs, seed: u64) -> RunFile {
     exam_of(runs, seed, Duration::from_secs(12))
 }
 
-/// The record of an exam with a given length of flight.
 fn exam_of(runs: &Runs, seed: u64, length: Duration) -> RunFile {
     let source = include_str!("../../../missions/drills/d00-arm-and-hover.toml");
     let mission = Arc::new(

@@ -12,13 +12,13 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone)]
 pub(in crate::swarm) struct Member {
     pub id: VehicleId,
-    /// Its position at the start.
+    /// The position at the start.
     pub from: DVec3,
     /// The height at which the vehicle crosses, in metres.
     pub layer_m: f64,
-    /// The start of its work.
+    /// The position where the work begins.
     pub to: DVec3,
-    /// Its course during the work.
+    /// The path to fly during the work.
     pub course: Vec<DVec3>,
     /// The index of the next point of the course.
     pub next: usize,
@@ -31,11 +31,11 @@ pub(in crate::swarm) struct Standing {
     /// The longest remaining distance so far.
     pub most_m: f64,
     pub percent: u8,
-    /// Whether its row has ended.
+    /// Whether the member's row has ended.
     pub is_done: bool,
     pub(super) told: Option<(Duration, DVec3)>,
     pub(super) lost_since: Option<Duration>,
-    /// The position where it waits, and the vehicle that it waits for.
+    /// The position where the member waits, and the vehicle that it waits for.
     pub(super) waits: Option<(DVec3, VehicleId)>,
 }
 

@@ -136,7 +136,6 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Reports a formation's progress.
     fn tell_move(&mut self, all_in_place: bool, view: &WorldView<'_>, outcome: &mut StepOutcome) {
         let (Work::Formation(march), Some(moving)) = (&self.work, &mut self.moving) else {
             return;
@@ -187,8 +186,9 @@ impl ActiveManoeuvre {
 }
 
 impl Tail {
-    /// Moves the followers as if on a rope: they do not swing out when the leader turns, and one closer than the
-    /// rope's length backs away. A step in height keeps them apart where the leader turns back.
+    /// Moves the followers as if on a rope: they do not swing out when the leader turns, and a
+    /// follower closer than the rope's length backs away. A step in height keeps them apart where
+    /// the leader turns back.
     pub fn follow(&mut self, leader: MovingPoint, points: &[Option<DVec3>]) {
         let mut ahead = leader;
         for (index, at) in points.iter().enumerate() {

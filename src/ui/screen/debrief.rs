@@ -75,7 +75,6 @@ fn tone_role(tone: DebriefTone, passed: bool) -> Role {
     }
 }
 
-/// The colour role of an event in the timeline.
 fn event_role(mark: TimelineMark) -> Role {
     match mark {
         TimelineMark::Command => Role::Muted,

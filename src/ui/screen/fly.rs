@@ -101,7 +101,6 @@ fn draw_map(state: &State, panel: Panel<'_>, notices_too: bool, buffer: &mut Buf
     below(panel.area, rows)
 }
 
-/// The level of detail for a vehicle on a screen of this width.
 fn detail(width: u16) -> Detail {
     if width >= THREE_COLUMNS {
         Detail::Engineer

@@ -102,7 +102,7 @@ fn draw_heads(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     below(panel.area, 1)
 }
 
-/// Draws the trainee's name and account, and the recommended next step.
+/// Draws the trainee's name, level, credits and licence, and the recommended next step.
 fn draw_trainee(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(career) = state.training().career() else {
         let line = Line::from(vec![

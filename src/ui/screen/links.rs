@@ -23,11 +23,10 @@ mod forwards;
 
 /// The width of a label, in columns.
 const LABEL: usize = 16;
-/// The number of senders whose losses are listed.
+/// The maximum number of senders whose losses are listed.
 const LOSSES_SHOWN: usize = 5;
-/// The number of radios under test that are listed.
+/// The maximum number of radios under test that are listed.
 const RADIOS_SHOWN: usize = 8;
-/// Rows of a history curve.
 const CURVE_ROWS: u16 = 2;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -51,7 +50,6 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     draw_link(state, cursor, panel.at(rest), buffer);
 }
 
-/// Draws the lines of all links.
 fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let links = state.session().links();
     let room = usize::from(panel.area.height.saturating_sub(2));
@@ -202,7 +200,6 @@ fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The counters with their labels.
 fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
     let mut lines = vec![(text!("links-state"), look.text(&link.state))];
     lines.extend(

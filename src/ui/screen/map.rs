@@ -13,11 +13,9 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::{draw as draw_map, draw_legend, length, next_place, stamp};
 use crate::ui::widget::{below, clip_rows, columns, mission, put, row_of, upper, urgent, wrap};
 
-/// The maximum number of rows of a lesson.
 const LESSON_ROWS: usize = 3;
 /// The width of the north mark with a gap, in columns.
 const NORTH_MARK: u16 = 4;
-/// The number of rows of the scales below the map.
 const SCALE_ROWS: u16 = 2;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -62,8 +60,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the step of a lesson, otherwise the next open objective, so that a trainee need not leave the map to read it.
-/// It is placed where it does not cover its target.
+/// Draws the step of a lesson, otherwise the next open objective, so a trainee need not leave the
+/// map to read it. The text is placed where it does not cover its target.
 fn draw_task(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = panel.columns(0, panel.area.width.saturating_sub(NORTH_MARK));
     let step = state.session().mission().and_then(mission::lesson);

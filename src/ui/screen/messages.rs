@@ -165,7 +165,6 @@ fn tree_line(
     ])
 }
 
-/// The figures of a line of the tree.
 fn figures(branch: &Branch, tree_width: u16) -> String {
     let Rate { hz, bytes_s } = branch.rate;
     let words = [
@@ -189,7 +188,6 @@ fn interval(interval: Duration) -> String {
     }
 }
 
-/// The label of a line of the tree.
 fn label(room: &Messages, node: Node, look: &Look) -> String {
     let traffic = room.traffic().get(node.link());
     match node {

@@ -21,7 +21,6 @@ mod detail;
 mod list;
 mod status;
 
-/// Rows of the status above the list.
 const STATUS_ROWS: u16 = 2;
 /// The minimum number of rows of the list.
 const LIST_LEAST: u16 = 8;

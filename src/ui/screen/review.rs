@@ -21,7 +21,7 @@ use crate::ui::widget::{clock, footer, put, row_of, wrap};
 
 mod curves;
 
-/// Beside the map, the moments get one column in this many, at most `WIDEST_LIST`.
+/// The moments' share of the width beside the map: one column in this many, at most `WIDEST_LIST`.
 const LIST_SHARE: u16 = 2;
 const WIDEST_LIST: u16 = 80;
 /// The number of rows below the moments for the details of the moment under the cursor.
@@ -130,7 +130,7 @@ fn draw_moments(state: &State, view: &ReplayView, all: Panel<'_>, buffer: &mut B
     }
 }
 
-/// Draws a moment in full, the points attached to it, and the keys that add one.
+/// Draws a moment in full, the points attached to it, and the keys that add a point.
 fn draw_detail(state: &State, moment: &Moment, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.at(panel.titled(&panel.say("review-moment"), buffer));
     let how = text!(

@@ -22,7 +22,6 @@ mod wealth;
 /// The number of rows of credits and experience on a screen that shows everything.
 const WEALTH_ROWS: u16 = 12;
 
-/// The trainee's career and the look with which it is drawn.
 struct StandingSubject<'a> {
     state: &'a State,
     career: &'a Career,
@@ -119,7 +118,6 @@ impl StandingSubject<'_> {
         Panel::new(self.look, area).focused(title, self.has_cursor(pane), buffer)
     }
 
-    /// Whether the cursor is in a pane.
     fn has_cursor(&self, pane: Pane) -> bool {
         self.state.rooms().standing().pane() == pane
     }

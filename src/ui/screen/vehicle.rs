@@ -42,7 +42,6 @@ const ATTITUDE_COLUMNS: u16 = 33;
 /// The number of rows of the heading tape with the line of angles.
 const TAPE_ROWS: u16 = 3;
 
-/// The data that the panes are drawn from.
 struct VehicleSubject<'a> {
     vehicle: &'a Vehicle,
     state: &'a State,

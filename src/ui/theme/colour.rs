@@ -57,8 +57,8 @@ fn distance(a: [u8; 3], b: [u8; 3]) -> u32 {
         .sum()
 }
 
-/// Maps a grey to the nearest grey, and a colour to the basic one of its hue; by distance alone, a soft red would
-/// become dark grey.
+/// Maps a grey to the nearest grey, and any other colour to the basic colour of its hue; by
+/// distance alone, a soft red would become dark grey.
 fn nearest_basic(rgb: [u8; 3]) -> Color {
     let nearest = match hue_deg(rgb) {
         None => {

@@ -39,7 +39,7 @@ struct StyleEntry {
     reverse: bool,
 }
 
-/// The themes being read, each inherited by the one before it.
+/// The themes being read, each inherited by the theme before it.
 pub struct Lineage<'a> {
     themes: &'a Themes,
     names: Vec<String>,
@@ -51,7 +51,6 @@ impl<'a> Lineage<'a> {
         Self { themes, names }
     }
 
-    /// The styles inherited from `parent`, or a fault.
     fn inherited(&self, parent: &Spanned<String>) -> Result<Styles, Diagnostic> {
         let name = parent.get_ref();
         if let Some(circle) = self.circle(name) {

@@ -31,7 +31,7 @@ pub enum ThemeError {
         /// A suggestion with the most similar name.
         guess: String,
     },
-    /// Its file has faults.
+    /// The theme's file has faults.
     #[error("{}", one_by_one(file, faults))]
     Faulty {
         file: ThemeFile,
@@ -55,7 +55,7 @@ impl From<&ThemeError> for Text {
 }
 
 impl Themes {
-    /// Adds a theme file; it replaces one of the same name.
+    /// Adds a theme file; it replaces a file of the same name.
     pub fn add(&mut self, name: String, file: ThemeFile) {
         self.own.insert(name, file);
     }
@@ -70,7 +70,7 @@ impl Themes {
     /// The theme of that name.
     ///
     /// # Errors
-    /// It does not exist, or its file has faults.
+    /// The theme does not exist, or its file has faults.
     pub fn named(&self, name: &str) -> Result<Theme, ThemeError> {
         if let Some(file) = self.own.get(name) {
             return self

@@ -18,7 +18,7 @@ const STEP: usize = 6;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
     pub value: f64,
-    /// Its label: at most five letters.
+    /// The bar's label: at most five letters.
     pub label: String,
     pub style: Style,
 }

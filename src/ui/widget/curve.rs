@@ -89,8 +89,7 @@ pub fn draw_line(
     }
 }
 
-/// Draws the curve as dots, joining neighbours by vertical strokes, so that a steep curve has no
-/// gaps.
+/// Draws the curve as dots. Vertical strokes join neighbours, so a steep curve has no gaps.
 fn draw_dots(curve: &Curve<'_>, area: Rect, buffer: &mut Buffer) {
     draw_strokes(curve, LineWeight::Light, area, buffer);
 }

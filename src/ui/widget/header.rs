@@ -140,7 +140,6 @@ fn vehicles(state: &State, short: bool) -> Option<Text> {
     Some(Text::joined("   ", shown))
 }
 
-/// The recorded date and time in a replay.
 fn recorded_at(state: &State, short: bool) -> Option<Text> {
     let view = state.replay()?;
     Some(replay::time_of_day(view, short).into())

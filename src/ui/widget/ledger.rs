@@ -23,7 +23,6 @@ mod remarks;
 
 use remarks::{explanations, outcome};
 
-/// The indent of an outcome.
 const INDENT: usize = 2;
 
 /// Draws the newest entries that fit.

@@ -53,7 +53,6 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The number of rows for vehicles' texts.
 fn rows_for_texts(state: &State, rows: usize) -> usize {
     let now = state.now();
     let is_new = |line: &&NoticeLine| now.saturating_sub(line.notice.at) <= KEPT_IN_VIEW;

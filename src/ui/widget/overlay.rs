@@ -15,7 +15,6 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{centred, put, wrap};
 
-/// The width of one column of the help.
 const HELP_COLUMN: u16 = 74;
 
 /// The widths of a question with its frame, and of the frame, in columns.
@@ -37,7 +36,7 @@ pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buf
     }
 }
 
-/// Draws a question in full with its reason, so that no word is cut.
+/// Draws a question in full with its reason; no word is cut.
 fn draw_confirm(state: &State, question: &Confirm, panel: Panel<'_>, buffer: &mut Buffer) {
     let width = usize::from(CONFIRM_WIDTH - CONFIRM_FRAME);
     let answer = question.wanted();

@@ -43,8 +43,8 @@ struct Above<'a> {
     said: Vec<Line<'static>>,
 }
 
-/// Draws the box above the footer, with the height of its content, and returns the position of the terminal's cursor.
-/// The line is the box's last row, so that it stays in place.
+/// Draws the box above the footer, with the height of its content, and returns the position of the
+/// terminal's cursor. The line is the box's last row, so it stays in place.
 pub fn draw(state: &State, palette: &Palette, panel: Panel<'_>, buffer: &mut Buffer) -> Position {
     let above = Above::of(state, palette, panel);
     let place = at_the_bottom(panel.area, (FRAME_ROWS + 1 + above.rows()) as u16);
@@ -244,7 +244,6 @@ fn draw_carets(
     put(buffer, here.area, 0, &line);
 }
 
-/// A row of the list of completions.
 struct ChoiceRow<'a> {
     line: Line<'a>,
     is_chosen: bool,
@@ -278,7 +277,6 @@ fn choices<'a>(palette: &'a Palette, rows: usize, width: usize, look: &Look) -> 
     if whole.len() > rows { shown(1) } else { whole }
 }
 
-/// The space for a completion.
 #[derive(Clone, Copy)]
 struct ChoiceSize {
     /// The widths of the name, and of the whole row, in columns.

@@ -1,4 +1,4 @@
-//! The prompts that ask for a line.
+//! The prompts for a line.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
@@ -100,7 +100,6 @@ fn title(purpose: &Purpose, look: &Look) -> String {
     }
 }
 
-/// Advice below the line.
 fn advice(state: &State, purpose: &Purpose) -> Text {
     match purpose {
         Purpose::Connect => Text::default(),

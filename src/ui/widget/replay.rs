@@ -310,7 +310,7 @@ pub fn moment_text(moment: &Moment, look: &Look) -> String {
     }
 }
 
-/// A time of the recording, followed by the mission's if one was flown.
+/// A time of the recording, followed by the mission's time if a mission was flown.
 pub fn both_times(view: &ReplayView, at: Duration) -> String {
     match view.clock.mission_time(at) {
         Some(elapsed) => format!("{} {}", clock(at), clock(elapsed)),

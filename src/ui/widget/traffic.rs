@@ -35,7 +35,7 @@ pub fn lines<'a>(
     lines
 }
 
-/// The colour of a threat.
+/// The theme role for a threat.
 pub fn threat_role(threat: TrafficThreat) -> Role {
     match threat {
         TrafficThreat::Critical => Role::Danger,

@@ -1,7 +1,7 @@
 //! Equipment: electronics, radios, sensors, loads.
 //!
 //! Masses, powers and prices are those of typical parts of late 2025. Above 500 credits, prices
-//! grow more slowly than real ones, with an exponent of 0.55, so that a trainee can earn the most
+//! grow more slowly than real ones, with an exponent of 0.55, so a trainee can earn the most
 //! expensive sensor.
 
 use crate::workshop::part::Spec::{Autopilot, Load, Navigation, Payload};

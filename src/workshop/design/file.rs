@@ -12,7 +12,6 @@ use crate::text;
 use crate::workshop::catalogue::{part, parts_for};
 use crate::workshop::part::PartSlot;
 
-/// The version of the format.
 const SCHEMA: i64 = 1;
 /// The maximum number of characters in a name.
 const LONGEST_NAME: usize = 40;

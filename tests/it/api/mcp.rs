@@ -54,7 +54,6 @@ impl Bridge {
         serde_json::from_str(&line).expect("a message")
     }
 
-    /// The answer to a request.
     fn ask(&mut self, method: &str, params: &Value) -> Value {
         self.sent += 1;
         let id = self.sent;

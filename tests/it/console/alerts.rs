@@ -111,7 +111,6 @@ fn a_bell_that_is_switched_off_is_silent() {
     assert!(console.effects.is_empty());
 }
 
-/// The lines of the notices.
 fn notices(console: &Console) -> Vec<String> {
     let lines = console.state().notices().lines();
     lines.map(|line| line.notice.text.to_string()).collect()

@@ -28,7 +28,6 @@ fn said(console: &Console) -> String {
     message.map_or_else(String::new, |message| message.text.to_string())
 }
 
-/// Moves the cursor to a mission.
 fn go_to(console: &mut Console, mission: &str) {
     console.press("home");
     for _ in 0..20 {

@@ -9,8 +9,8 @@ use sortie::vehicle::{Aircraft, Severity, Vehicle};
 use crate::fixtures;
 use crate::harness::Console;
 
-/// A vehicle 30 m above home whose receiver hears an aircraft from the west, this many metres to
-/// the north of it.
+/// A vehicle 30 m above home. Its receiver reports an eastbound aircraft 800 m to the west and
+/// `north_m` to the north of the vehicle.
 fn watcher(north_m: f64, seconds: u64) -> Vehicle {
     let mut vehicle = fixtures::airborne(1, 0.0, 30.0);
     let here = vehicle.global.as_mut().expect("a place");

@@ -350,7 +350,6 @@ async fn everything_is_well_with_a_real_flight() {
     assert!(worst >= Weight::Remark, "{:?}", patient.causes());
 }
 
-/// Cuts bytes into frames.
 fn frames_of(bytes: &[u8]) -> Vec<Vec<u8>> {
     let mut decoder = sortie::wire::Decoder::new();
     decoder.push(bytes);

@@ -53,7 +53,7 @@ impl Document {
         code_of(&self.prose())
     }
 
-    /// The targets of its links.
+    /// The targets of the document's links.
     pub fn links(&self) -> Vec<String> {
         let prose = self.prose();
         let text: String = prose.split('`').step_by(2).collect();
@@ -62,14 +62,14 @@ impl Document {
         targets.map(|(target, _)| target.to_owned()).collect()
     }
 
-    /// The anchors of its headings, as Git hosts generate them.
+    /// The anchors of the document's headings, as Git hosts generate them.
     pub fn anchors(&self) -> BTreeSet<String> {
         let prose = self.prose();
         let headings = prose.lines().filter(|line| line.starts_with('#'));
         headings.map(anchor).collect()
     }
 
-    /// The rows of its tables.
+    /// The rows of the document's tables.
     pub fn rows(&self) -> Vec<String> {
         let prose = self.prose();
         let rows = prose.lines().filter(|line| line.starts_with('|'));

@@ -58,7 +58,6 @@ impl Console {
     }
 }
 
-/// The files in a folder with their contents, sorted by name.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let paths: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();

@@ -34,7 +34,6 @@ pub(super) fn modules() -> Vec<ModuleSource> {
     found
 }
 
-/// The name of a package in code.
 fn package_name(folder: &Path) -> String {
     let manifest = fs::read_to_string(folder.join("Cargo.toml")).expect("a package");
     let manifest: toml::Table = manifest.parse().expect("TOML");

@@ -11,7 +11,6 @@ use super::{SHORT, command, flights, folder_of_anna, json, said, with};
 /// The number of killed programs, unless `SORTIE_KILLS` sets another one.
 const KILLS: u32 = 6;
 
-/// The records of flights.
 fn records(data: &Path) -> BTreeSet<PathBuf> {
     let folder = fs::read_dir(data.join("runs")).into_iter().flatten();
     folder.flatten().map(|entry| entry.path()).collect()
@@ -35,7 +34,6 @@ fn finished(data: &Path) -> BTreeSet<String> {
     records.filter_map(name).collect()
 }
 
-/// The recordings of the flights in Anna's profile.
 fn stored(data: &Path) -> Vec<String> {
     let report = json(&said(
         data,
@@ -70,12 +68,11 @@ fn is_killed(data: &Path, arguments: &[&str], until: Moment) -> bool {
     false
 }
 
-/// The moment of the kill.
 #[derive(Debug, Clone, Copy)]
 enum Moment {
     /// When the record has this length in bytes.
     Long(u64),
-    /// This many checks after the record was complete.
+    /// This many checks after the record is complete.
     Whole(u32),
 }
 

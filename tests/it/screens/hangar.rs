@@ -6,7 +6,6 @@ use sortie::text::Language;
 use crate::console::hangar::{crashed, hear, instance, start};
 use crate::harness::Console;
 
-/// A session with instances in every stage.
 fn all_stages(language: Language) -> Console {
     let mut console = start(Console::in_language(language), Activity::Free, 8);
     let complete = |vehicle, stage| Instance {

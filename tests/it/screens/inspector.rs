@@ -300,7 +300,6 @@ fn hundreds_of_sources_scroll() {
     shows(&console, &["HEARTBEAT (0)", "autopilot"]);
 }
 
-/// The screen in a language.
 fn translated(console: &Console, language: Language) -> String {
     let look = Look {
         locale: Arc::new(Locale::new(language)),

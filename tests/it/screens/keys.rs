@@ -206,7 +206,6 @@ fn all_rebound() -> String {
     file
 }
 
-/// The key event of a press, if it stands for one.
 fn event(press: Press) -> Option<KeyEvent> {
     let (code, modifiers) = match press {
         Press::Plain(code) => (code, KeyModifiers::NONE),
@@ -294,7 +293,6 @@ fn no_message_names_a_key() {
     }
 }
 
-/// The files of a language's messages, with their content.
 fn messages(language: Language) -> Vec<(String, String)> {
     let folder = format!("{}/locales/{}", env!("CARGO_MANIFEST_DIR"), language.code());
     let entries = fs::read_dir(&folder).expect("the language has a folder");

@@ -22,7 +22,6 @@ fn shipped(language: Language) -> Console {
     })
 }
 
-/// A running mission, in its room.
 fn flying() -> Console {
     let mut console = Console::new();
     console.start(Activity::Mission {

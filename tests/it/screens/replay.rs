@@ -61,7 +61,6 @@ fn replaying() -> Console {
     console
 }
 
-/// Shows a position of the recording.
 fn shows(console: &mut Console, position: ReplayPosition) {
     console.hear(ReplayEvent::At(ReplayPosition {
         indexed: LENGTH,

@@ -16,7 +16,7 @@ use sortie::wire::{Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM};
 
 use super::{Behaviour, CRASH_FILE, LIFE, MEMORY_FILE};
 
-/// How long it waits for bytes before the next steps of its world.
+/// How long the stand-in waits for bytes before the next steps of its world.
 const ROUND: Duration = Duration::from_millis(5);
 /// The maximum lost time (of a stopped process or a busy machine) that is caught up at once.
 const CATCH_UP: Duration = Duration::from_millis(250);

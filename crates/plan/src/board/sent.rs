@@ -54,7 +54,7 @@ mod tests {
     use crate::board::plan_item;
     use crate::command;
 
-    /// All heights up to 300 m, in centimetres.
+    /// All heights from -50 m to 300 m, in steps of a centimetre.
     #[test]
     fn heights_survive_any_number_of_transfers() {
         for centimetres in -5_000..30_000 {

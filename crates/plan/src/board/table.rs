@@ -2,11 +2,11 @@
 
 use crate::command;
 
-/// How the seven parameters of each command are stored, one letter each: `.` not at all, `B` and `b` as an unsigned and
-/// a signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths, `o` as a flag, `1` its lowest bit, `L` as
-/// part of a place, and four that only loiters and landings have: `t` turns, `r` and `s` radii with a direction, `d` the
-/// direction alone.
-/// The third value is the name in MAVLink, without `MAV_CMD_`.
+/// How the seven parameters of each command are stored, one letter each: `.` not at all, `B` and
+/// `b` as an unsigned and a signed byte, `H` and `h` as 16 bits, `f` as a float, `c` in hundredths,
+/// `o` as a flag, `1` as the lowest bit of the value, `L` as part of a place. Only loiters and
+/// landings have four more letters: `t` for turns, `r` and `s` for radii with a direction, `d` for
+/// the direction alone. The third value is the name in MAVLink, without `MAV_CMD_`.
 const COMMANDS: &[(u16, &[u8; 7], &str)] = &[
     (command::WAYPOINT, b"H...LLL", "NAV_WAYPOINT"),
     (command::LOITER_UNLIMITED, b"..s.LLL", "NAV_LOITER_UNLIM"),

@@ -39,8 +39,8 @@ pub fn unstorable_values(item: &Item) -> impl Iterator<Item = UnstorableValue> {
     })
 }
 
-/// How far a stored value may be from the written one: fractions and, for large radii, units are cut off. `None` where
-/// the vehicle stores the value exactly, or not as a number.
+/// How far a stored value may be from the written one: fractions are cut off, and in large radii
+/// the last digit too. `None` where the vehicle stores the value exactly, or not as a number.
 fn rounding(letter: u8, written: f32) -> Option<f32> {
     match letter {
         b't' if written > 0.0 && written < 1.0 => Some(1.0 / 256.0),

@@ -33,7 +33,8 @@ pub(super) fn check(items: &[Item], vehicle: VehicleKind, findings: &mut Vec<Fin
     findings.extend(endless.map(whole));
 }
 
-/// The items that a plan without an end repeats; `None` if it ends, or if the vehicle ends it at a ring of jumps.
+/// The items that a plan without an end repeats; `None` if the plan ends, or if the vehicle ends it
+/// at a ring of jumps.
 fn endless(items: &[Item], reached: &Reached) -> Option<FindingKind> {
     let seen = || items.iter().enumerate().filter(|(at, _)| reached.seen[*at]);
     let ends = reached.ends_openly
@@ -52,7 +53,6 @@ fn endless(items: &[Item], reached: &Reached) -> Option<FindingKind> {
     })
 }
 
-/// Whether the plan is over after an item.
 fn ends_at(items: &[Item], at: usize) -> bool {
     let Some(item) = items.get(at) else {
         return true;
@@ -62,12 +62,11 @@ fn ends_at(items: &[Item], at: usize) -> bool {
     command::is_end(item.command) && !(lands && at + 1 < items.len())
 }
 
-/// Whether a jump is repeated without end.
 fn is_endless(jump: &Item) -> bool {
     jump.params[1] as i16 == -1
 }
 
-/// The index in the list to which a jump leads.
+/// The index of the item to which a jump leads.
 fn target(items: &[Item], item: &Item) -> Option<usize> {
     match item.command {
         command::DO_JUMP => {

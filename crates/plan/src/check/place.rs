@@ -8,7 +8,7 @@ use super::{
 use crate::areas::{AreaShape, Fence, FenceArea};
 use crate::{Document, HeightFrame, Home, Item, ListKind, command};
 
-/// A distance from home that vehicles of this size do not reach, in metres.
+/// A distance from home that small vehicles do not reach, in metres.
 pub const FAR_M: f64 = 50_000.0;
 
 pub(super) fn check(
@@ -84,7 +84,6 @@ pub(super) fn check(
     }
 }
 
-/// The fence limit that a rally point exceeds, if any.
 fn rally_fault(item: &Item, home: Option<Home>, options: &CheckOptions) -> Option<RallyFault> {
     let home = home?;
     let distance_m = LatLon::from_e7(home.x, home.y).distance_m(item.point()) as f32;
@@ -100,7 +99,6 @@ fn rally_fault(item: &Item, home: Option<Home>, options: &CheckOptions) -> Optio
     Some(RallyFault::Ceiling { height_m, most_m })
 }
 
-/// The place of an item, if it has a valid one.
 fn place_of(item: &Item) -> Option<LatLon> {
     let point = item.point();
     let is_set = command::has_place(item.command) && (item.x, item.y) != (0, 0);
@@ -149,7 +147,6 @@ fn crosses([a, b]: [[f64; 2]; 2], [c, d]: [[f64; 2]; 2]) -> bool {
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }
 
-/// The shortest distance between a point and a leg.
 fn nearest_m(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let leg = [to[0] - from[0], to[1] - from[1]];
     let way = [point[0] - from[0], point[1] - from[1]];

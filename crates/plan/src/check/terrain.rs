@@ -17,22 +17,21 @@ const RETURN_HEIGHT_M: f64 = 15.0;
 /// The length below which a leg counts as a climb or descent in place, in metres.
 const IN_PLACE_M: f64 = 1.0;
 
-/// A leg above the ground.
+/// A leg of a plan and its height above the ground.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// The item to which it leads, counted from 0.
+    /// The item to which the leg leads, counted from 0.
     pub item: usize,
-    /// Its length over the ground, in metres.
+    /// The length of the leg over the ground, in metres.
     pub length_m: f64,
     /// Whether its heights are measured from the ground at both ends, so the vehicle follows the
     /// ground.
     pub follows_ground: bool,
-    /// The minimum height above the ground, in metres, and where it is, in metres from the start; `None` if a part of
-    /// the leg is not covered.
+    /// The minimum height above the ground, and its distance from the start of the leg, both in
+    /// metres; `None` if a part of the leg is not covered.
     pub lowest: Option<[f64; 2]>,
 }
 
-/// A height with its reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Level {
     AboveSea(f64),
@@ -46,9 +45,9 @@ struct Point {
     level: Level,
 }
 
-/// The legs of a plan from place to place, with their heights above the ground. Heights above home
-/// are measured from the ground at home if its height is known, because the vehicle stands on it;
-/// otherwise from the height in the file.
+/// The legs of a plan from place to place, with their heights above the ground. If the height of
+/// the ground at home is known, heights above home are measured from that ground, because the
+/// vehicle stands on it; otherwise from home's height in the file.
 pub fn legs(document: &Document, ground_m: &dyn Fn(LatLon) -> Option<f64>) -> Vec<Leg> {
     let home = document
         .home
@@ -81,7 +80,8 @@ fn home_m(home: Home, ground_m: &dyn Fn(LatLon) -> Option<f64>) -> f64 {
     ground_m(place_of(home)).unwrap_or(f64::from(home.z))
 }
 
-/// Where an item leads from a point; `None` if it does not move the vehicle, or its height is not known.
+/// Where an item leads from a point; `None` if the item does not move the vehicle, or its height is
+/// unknown.
 fn next_point(item: &Item, here: Option<Point>, home: Option<(LatLon, f64)>) -> Option<Point> {
     if item.command == command::RETURN_TO_LAUNCH {
         let (at, home_m) = home?;
@@ -192,7 +192,6 @@ pub fn check_terrain(
     findings
 }
 
-/// A finding if the height of home differs too much from that of the ground.
 fn home_fault(home: Home, ground_m: &dyn Fn(LatLon) -> Option<f64>) -> Option<FindingKind> {
     let ground = ground_m(place_of(home))?;
     let is_off = (ground - f64::from(home.z)).abs() > HOME_SLACK_M;

@@ -44,7 +44,6 @@ fn content(bytes: &[u8]) -> Result<Vec<u8>, ArchiveFault> {
     Err(ArchiveFault::NoKml)
 }
 
-/// Unpacks the file of a directory entry.
 fn unpacked(bytes: &[u8], entry: usize) -> Result<Vec<u8>, ArchiveFault> {
     let (method, packed) = (short(bytes, entry + 10)?, long(bytes, entry + 20)?);
     let size = long(bytes, entry + 24)?;

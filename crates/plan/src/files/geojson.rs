@@ -1,4 +1,4 @@
-//! `GeoJSON` (RFC 7946). Heights of other programs' shapes count as heights above sea level.
+//! `GeoJSON` (RFC 7946). In shapes from other programs, heights are above sea level.
 
 use std::collections::BTreeMap;
 

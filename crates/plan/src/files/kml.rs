@@ -1,7 +1,7 @@
 //! KML 2.2: placemarks with points, lines, rings, polygons and tracks.
 //!
-//! Heights of other programs' shapes count as their `altitudeMode` specifies: above sea level
-//! (`absolute`), above the ground (`relativeToGround`), or not at all.
+//! In shapes from other programs, `altitudeMode` determines the meaning of heights: above sea level
+//! (`absolute`), above the ground (`relativeToGround`), or none.
 
 use std::fmt::Write as _;
 

@@ -50,7 +50,6 @@ fn head(root: &Node) -> Result<(), Fault> {
     check_version(root, &[1], "1").map(drop)
 }
 
-/// The version of a part, if it is one of `known`.
 fn check_version(node: &Node, known: &[u32], listed: &'static str) -> Result<u32, Fault> {
     let version = node.need("version")?;
     let number = version.number()?;

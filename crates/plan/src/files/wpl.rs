@@ -1,7 +1,8 @@
 //! `QGC WPL`: a line for each item, twelve fields each.
 //!
-//! The first item is home if it is a waypoint above sea level, as with ArduPilot; otherwise the file counts its items
-//! without home, and its jumps are renumbered. An all-zero home means that there is none.
+//! The first item is home if it is a waypoint above sea level, as with ArduPilot; otherwise the
+//! file counts its items without home, and its jumps are renumbered. A home with only zeros counts
+//! as missing.
 
 use std::fmt::Write as _;
 use std::ops::Range;

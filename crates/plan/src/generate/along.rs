@@ -59,7 +59,7 @@ pub(super) fn lanes(
     Ok(works)
 }
 
-/// A line beside another, at a distance: to the right if the distance is positive.
+/// A line parallel to another at a distance: to its right if the distance is positive.
 fn beside(line: &[DVec2], off_m: f64) -> Vec<DVec2> {
     let normal = |index: usize| {
         let pair = line.get(index..index + 2)?;

@@ -65,7 +65,7 @@ fn turns(circle: Circle, pace: &Pace) -> Effort {
     Effort::level(way_m / speed_m_s, speed_m_s)
 }
 
-/// Writes the plan of each vehicle that has work, with the effort it takes.
+/// Writes the plan of each vehicle that has work, and adds the effort of its flight.
 pub(super) fn compose(
     scene: &Scene,
     team: &[Home],
@@ -104,7 +104,6 @@ pub(super) fn compose(
     Ok(parts)
 }
 
-/// Writes the items of one plan.
 struct Writer<'a> {
     scene: &'a Scene,
     /// How far the first vehicle's home is above this one's, in metres.

@@ -24,7 +24,6 @@ const CIRCLE_CORNERS: u32 = 12;
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Field {
     areas: Vec<FenceArea<[f64; 2]>>,
-    /// The places at which a path may bend.
     bends: Vec<DVec2>,
 }
 

@@ -10,8 +10,8 @@ use crate::pattern::distance_to_segment;
 /// margin.
 pub(super) const ASIDE_M: f64 = 6.0;
 
-/// By how much a path must come closer to a place than its vehicle's own climb or descent does, to
-/// count as too close, in metres.
+/// A path counts as too close to a place if it comes closer than its vehicle's own climb or descent
+/// by more than this, in metres.
 const BESIDE_M: f64 = 0.5;
 
 /// Where a vehicle crosses, and where it climbs and descends.
@@ -37,8 +37,8 @@ impl Crossing {
         }
     }
 
-    /// Whether it comes too close to a place. If one of its own columns is closer than the limit, as on neighbouring
-    /// pads, the distance of that column is the limit.
+    /// Whether the vehicle comes too close to a place. If one of its own columns is closer than the
+    /// limit, as on neighbouring pads, the distance of that column is the limit.
     fn comes_near(&self, point: DVec2) -> bool {
         let own = self.columns.iter().map(|mine| mine.distance(point));
         let limit = match own.fold(f64::INFINITY, f64::min) {
@@ -49,7 +49,8 @@ impl Crossing {
         legs.any(|[from, to]| distance_to_segment(point, *from, *to) < limit)
     }
 
-    /// Whether it passes where the other climbs or descends, and therefore has to be above.
+    /// Whether the vehicle passes where the other one climbs or descends, and therefore has to be
+    /// above it.
     fn passes_over(&self, other: &Self) -> bool {
         let mut columns = other.columns.iter();
         columns.any(|column| self.comes_near(*column))
@@ -81,9 +82,9 @@ pub(super) fn gap_m([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
     ends.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// Sets the height at which each vehicle crosses: above all work, and apart from those whose paths are close. A vehicle
-/// that passes where another climbs or descends is above it, unless each passes the other. A single vehicle crosses at
-/// the height of its work.
+/// Sets the height at which each vehicle crosses: above all work, and different for vehicles whose
+/// paths are close. A vehicle that passes where another climbs or descends is above it, unless each
+/// passes the other. A single vehicle crosses at the height of its work.
 pub(super) fn set(scene: &Scene, works: &mut [Work], layer_m: f64) {
     let top_m = top_m(works);
     if let [only] = works {

@@ -7,7 +7,7 @@ use super::layers::{ASIDE_M, are_apart, set};
 use super::tour::Way;
 use super::{GenerateError, Idle, Manner, Scene, Work};
 
-/// The bisection steps for the limit of the energy, and for the cut of a vehicle.
+/// The bisection steps for the energy limit, and for the end of a vehicle's share.
 const LIMIT_STEPS: u32 = 24;
 const CUT_STEPS: u32 = 22;
 /// The maximum number of times that the shares are cut, each time with the crossing heights of the
@@ -33,7 +33,7 @@ pub(super) struct Shares {
     pub(super) idle: Vec<(usize, Idle)>,
 }
 
-/// One of the ways, divided among the vehicles that are worth their transit.
+/// Divides the best of the ways among the vehicles that are worth their transit.
 pub(super) fn works(
     scene: &Scene,
     manner: &Manner,
@@ -71,7 +71,6 @@ fn spares(scene: &Scene, works: &[Work]) -> Vec<usize> {
     found.into_iter().map(|(_, vehicle)| vehicle).collect()
 }
 
-/// Work to be divided.
 struct Sharing<'a> {
     scene: &'a Scene,
     manner: &'a Manner,
@@ -163,7 +162,7 @@ impl Sharing<'_> {
     }
 }
 
-/// Sets the heights for the next cut: those of the last cut, or with `apart` a separate one for
+/// Sets the heights for the next cut: those of the last cut or, with `apart`, a separate height for
 /// each vehicle.
 fn next_layers(works: &[Work], layer_m: f64, apart: bool, layers: &mut [f64]) {
     let mut order: Vec<&Work> = works.iter().collect();
@@ -183,7 +182,7 @@ struct Crew<'a> {
     scene: &'a Scene,
     manner: &'a Manner,
     way: &'a Way,
-    /// The heights at which they cross.
+    /// The heights at which the vehicles cross.
     layers: &'a [f64],
     order: Vec<usize>,
 }

@@ -7,7 +7,6 @@ use super::tour::{Begin, Way, cells, tour};
 use super::{Course, GenerateError, Scene};
 use crate::pattern::{Lane, Strips, distance_to_segment, is_in_rings};
 
-/// The maximum number of directions that are tried.
 const MOST_COURSES: usize = 24;
 /// The number of points across an area at which its coverage is tested.
 const SAMPLES: f64 = 100.0;
@@ -69,7 +68,6 @@ fn found_cells(
     cells(&rows, strips.along())
 }
 
-/// The directions to try.
 fn courses(
     outline: &[DVec2],
     spacing_m: f64,

@@ -68,7 +68,6 @@ fn square(centre: DVec2, side_m: f64) -> Vec<DVec2> {
         .to_vec()
 }
 
-/// The places that a vehicle flies to, with their heights.
 fn flown(part: &Part) -> Vec<(DVec2, f64)> {
     let items = part.document.plan.iter().filter(|item| item.is_waypoint());
     items
@@ -80,7 +79,6 @@ fn is_at(height_m: f64, wanted_m: f64) -> bool {
     (height_m - wanted_m).abs() < 0.01
 }
 
-/// The legs that a vehicle flies at a height.
 fn legs_at(part: &Part, height_m: f64) -> Vec<[DVec2; 2]> {
     let level = |pair: &[(DVec2, f64)]| {
         let is_level = pair.iter().all(|(_, height)| is_at(*height, height_m));
@@ -354,7 +352,7 @@ fn lanes_that_are_too_close_together_are_refused_at_once() {
     assert!(made(1).is_ok(), "one vehicle has one lane");
 }
 
-/// An expanding square leads around the areas that its vehicles stay out of, as their transits do.
+/// An expanding square leads around exclusion areas, as the transits of its vehicles do.
 #[test]
 fn a_square_leads_around_forbidden_areas() {
     let centre = DVec2::new(150.0, 30.0);

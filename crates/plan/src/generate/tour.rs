@@ -8,13 +8,13 @@ use crate::pattern::Lane;
 /// A cut closer than this to the end of a stroke is moved to that end, in metres.
 const SNAP_M: f64 = 2.0;
 
-/// Strokes, each a line that is worked along, in the order in which they are flown.
+/// Strokes in the order in which they are flown; each is a line along which a vehicle works.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Way {
     strokes: Vec<Vec<DVec2>>,
     /// The bends between each stroke and the next.
     links: Vec<Vec<DVec2>>,
-    /// The length of all strokes up to the end of each, in metres.
+    /// For each stroke, the length of all strokes up to its end, in metres.
     ends: Vec<f64>,
 }
 
@@ -180,8 +180,8 @@ fn overlap(a: &Lane, b: &Lane, along: DVec2) -> bool {
     a_start < b_end && b_start < a_end
 }
 
-/// The strokes of all cells: those of the first cell as `begin` specifies, then repeatedly those of
-/// the remaining cell with the nearest corner.
+/// The strokes of all cells: first the first cell as `begin` specifies, then repeatedly the
+/// remaining cell with the nearest corner.
 pub(super) fn tour(cells: &[Vec<Lane>], begin: Begin) -> Vec<Vec<DVec2>> {
     let mut left: Vec<&Vec<Lane>> = cells.iter().collect();
     if left.is_empty() {

@@ -23,7 +23,7 @@ pub struct Lane {
 }
 
 impl Lane {
-    /// Its length, in metres.
+    /// The length of the lane, in metres.
     pub fn length_m(&self) -> f64 {
         self.from.distance(self.to)
     }
@@ -57,7 +57,8 @@ pub struct Strips {
 }
 
 impl Strips {
-    /// Strips at most `spacing_m` wide. Without a course they run along the edge that needs the fewest of them.
+    /// Strips at most `spacing_m` wide. Without a course they run along the edge for which the
+    /// fewest are needed.
     ///
     /// # Errors
     /// The area has no extent, or needs too many strips.
@@ -174,8 +175,8 @@ pub fn is_in_rings(point: DVec2, rings: &[Vec<DVec2>]) -> bool {
 ///
 /// The area is cut into strips of equal width, at most `spacing_m`. Each line runs along the middle
 /// of its strip, wherever any part of the strip is in the area. Where a concave area has a gap in a
-/// strip, the line continues over the gap. Without a course the lines run along the edge that needs
-/// the fewest of them.
+/// strip, the line continues over the gap. Without a course the lines run along the edge for which
+/// the fewest are needed.
 ///
 /// # Errors
 /// See [`Strips::over`].
@@ -229,7 +230,6 @@ fn narrowest(corners: &[DVec2]) -> Option<DVec2> {
         .map(|(_, along)| along)
 }
 
-/// The extent of the area along a strip.
 fn extent(corners: &[DVec2], strips: &Strips, index: usize) -> (f64, f64) {
     let strip = strips.strip(index);
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));

@@ -1,5 +1,5 @@
-//! The receiver's list of the aircraft around, and its reports to ground stations: one aircraft at a time, the whole
-//! list at most once a second.
+//! The receiver's list of the surrounding aircraft, and its reports to ground stations: one
+//! aircraft at a time, the whole list at most once a second.
 
 use std::time::Duration;
 
@@ -10,9 +10,9 @@ use crate::Serial;
 use crate::parameters::Parameters;
 use crate::place::Place;
 
-/// An aircraft that has not been heard for longer is dropped.
+/// An aircraft that has not been heard for longer than this is dropped.
 const KEPT_FOR: Duration = Duration::from_secs(5);
-/// The minimum time between two beginnings of the list on a serial port.
+/// The minimum time between two starts of the list on a serial port.
 const LIST_EVERY: Duration = Duration::from_secs(1);
 
 /// The aircraft that the receiver has heard.
@@ -28,7 +28,6 @@ struct HeardAircraft {
     at: Duration,
 }
 
-/// The progress through the list on one serial port.
 #[derive(Debug, Clone, Copy, Default)]
 struct ListCursor {
     next: usize,
@@ -36,7 +35,7 @@ struct ListCursor {
 }
 
 impl Receiver {
-    /// Drops aircraft that have not been heard for a while.
+    /// Drops aircraft that have not been heard for longer than `KEPT_FOR`.
     pub(super) fn expire(&mut self, now: Duration) {
         self.heard
             .retain(|one| now.saturating_sub(one.at) <= KEPT_FOR);
@@ -83,8 +82,8 @@ impl Receiver {
         }
     }
 
-    /// The next aircraft for a serial port; `None` at the end of the list until a second after it
-    /// was begun.
+    /// The next aircraft for a serial port; `None` at the end of the list until one second after
+    /// the list was begun.
     pub(super) fn next(&mut self, serial: Serial, now: Duration) -> Option<ADSB_VEHICLE_DATA> {
         let cursor = &mut self.cursors[serial.index()];
         if cursor.next >= self.heard.len() {

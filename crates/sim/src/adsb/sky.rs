@@ -59,7 +59,6 @@ pub(super) struct Sky {
     flights: Vec<SimAircraft>,
 }
 
-/// An aircraft that the simulator flies for ADS-B receivers.
 #[derive(Debug, Clone)]
 struct SimAircraft {
     icao: u32,
@@ -140,7 +139,6 @@ impl Sky {
         }
     }
 
-    /// A number from a normal distribution with this mean and standard deviation.
     fn normal(&mut self, [mean, deviation]: [f64; 2]) -> f64 {
         let (radius, angle): (f64, f64) = (self.rng.random(), self.rng.random());
         let length = (-2.0 * maths::ln(1.0 - radius)).sqrt();

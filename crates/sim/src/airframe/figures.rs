@@ -18,7 +18,7 @@ pub(crate) struct Figures {
     /// `refVoltage`, `refCurrent`: voltage and current in the hover.
     pub(super) reference_voltage_v: f64,
     pub(super) reference_current_a: f64,
-    /// `refAlt`: altitude of that measurement, metres above sea level.
+    /// `refAlt`: altitude of the hover measurement, metres above sea level.
     pub(super) reference_altitude_m: f64,
     /// `refBatRes`: resistance of the battery, in ohms.
     pub(super) battery_resistance_ohm: f64,

@@ -138,7 +138,6 @@ impl AirframeFile {
         })
     }
 
-    /// An error at a field.
     fn wrong(&self, name: &str, what: &str) -> AirframeError {
         let quoted = format!("\"{name}\"");
         let before = &self.text[..self.text.rfind(&quoted).unwrap_or(0)];

@@ -13,8 +13,8 @@ pub(crate) struct Motor {
     /// +1 for a propeller that turns counterclockwise and so turns the body clockwise, -1 for the
     /// opposite.
     pub(crate) spin: f64,
-    /// Its factors in the autopilot's mixer: for a roll to the right, a pitch up and a turn to the right, each at most
-    /// one half.
+    /// The motor's factors in the autopilot's mixer: for a roll to the right, a pitch up and a turn
+    /// to the right, each at most one half.
     pub(crate) mix: DVec3,
 }
 

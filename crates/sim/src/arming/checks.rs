@@ -299,7 +299,6 @@ impl ArmingChecks<'_> {
             .then(|| "waiting for terrain data".into())
     }
 
-    /// A wrong or missing source of the estimator.
     fn source_obstacle(&self) -> Option<Reason> {
         let [with_position, without] = &self.rules.values.sources;
         let used = if self.mode.needs_position() {

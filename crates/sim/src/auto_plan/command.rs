@@ -68,7 +68,8 @@ const NAMES: &[(u16, &str)] = &[
     (cmd::NAV_ATTITUDE_TIME, "NavAttitudeTime"),
 ];
 
-/// Commands carried out by the mission itself: complete at once, and never reported as reached.
+/// Commands that the mission itself carries out: they complete at once and are never reported as
+/// reached.
 const QUIET: &[u16] = &[
     cmd::DO_SET_RELAY,
     cmd::DO_REPEAT_RELAY,

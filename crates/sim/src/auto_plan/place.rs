@@ -11,11 +11,11 @@ use sortie_geo::LatLon;
 
 /// The maximum number of items on a return path.
 const ITEMS_MAX: usize = 255;
-/// The largest valid height, in metres.
 const HEIGHT_MAX_M: f32 = 1e6;
 
 impl AutoPlan {
-    /// The nearest `DO_LAND_START`. An item without a place counts at the place of the next navigation command.
+    /// The nearest `DO_LAND_START`. For an item without a place, the place of the next navigation
+    /// command is used.
     pub(crate) fn landing_start(&self, vehicle: &Vehicle) -> Option<u16> {
         let items = &vehicle.plans.mission;
         let distance = |at: u16| {
@@ -96,7 +96,6 @@ impl AutoPlan {
     }
 }
 
-/// Whether items with this command have a place.
 fn has_place(command: u16) -> bool {
     sequence::is_navigation(command)
         || matches!(
@@ -109,7 +108,6 @@ fn has_place(command: u16) -> bool {
         )
 }
 
-/// The distance of a point from a leg.
 fn distance_to_leg(here_m: DVec3, from_m: DVec3, to_m: DVec3) -> f64 {
     let leg_m = to_m - from_m;
     let along = (here_m - from_m).dot(leg_m) / leg_m.length_squared().max(1e-9);
@@ -138,8 +136,8 @@ pub(super) fn item_place(vehicle: &Vehicle, item: &Item) -> Option<glam::DVec2> 
     Some(glam::DVec2::new(north, east))
 }
 
-/// The height of an item, in metres down from the start; in an unsupported frame it counts from
-/// home.
+/// The height of an item, in metres down from the start; in an unsupported frame, it is measured
+/// from home.
 pub(super) fn item_down_m(vehicle: &Vehicle, item: &Item) -> f64 {
     let height = if item.z.is_finite() { item.z } else { 0.0 };
     let height_m = f64::from(height.clamp(-HEIGHT_MAX_M, HEIGHT_MAX_M));

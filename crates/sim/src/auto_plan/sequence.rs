@@ -15,7 +15,7 @@ const BEFORE_TAKEOFF: u16 = 16;
 /// The number of times that each jump, by its index in the list, has been taken.
 pub(super) type Jumps = BTreeMap<u16, i16>;
 
-/// Whether the command navigates; others act or wait in parallel with a navigation command.
+/// Whether the command is a navigation command; others act or wait in parallel with one.
 pub(super) fn is_navigation(command: u16) -> bool {
     command <= cmd::NAV_LAST
         || matches!(

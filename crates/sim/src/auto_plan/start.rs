@@ -247,7 +247,7 @@ impl AutoPlan {
 }
 
 /// The seconds from now until the time of day (UTC) of a `NAV_DELAY`: hour, minute and second.
-/// Leading fields may be -1, which matches any value; zero without a time.
+/// Leading fields may be -1, which matches any value; 0 if all fields are -1.
 pub(super) fn until_time_of_day_s(item: &Item, uptime: Duration) -> f64 {
     let now_s = (EPOCH_US as f64 / 1e6 + uptime.as_secs_f64()) % 86_400.0;
     let units_s = [3600.0, 60.0, 1.0];

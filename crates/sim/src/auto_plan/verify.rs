@@ -14,7 +14,6 @@ use crate::vehicle::Vehicle;
 
 /// The gain of the final approach to a height: fitted to 4 m in 3.8 s.
 const HEIGHT_GAIN_PER_S: f64 = 1.5;
-/// The distance within which a height counts as reached, in metres.
 const HEIGHT_REACHED_M: f64 = 0.05;
 
 impl AutoPlan {
@@ -134,8 +133,9 @@ impl AutoPlan {
         left.abs() < HEIGHT_REACHED_M || passed
     }
 
-    /// Handles a landing. Afterwards the vehicle disarms and the mission resets, unless a takeoff
-    /// follows and `MIS_OPTIONS` allows it; returns true in that case.
+    /// Handles a landing. Afterwards, the mission continues if a takeoff follows and `MIS_OPTIONS`
+    /// allows it; otherwise the vehicle disarms and the mission resets. Returns whether the mission
+    /// continues.
     fn has_landed(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         if self.wait == PlanWait::LandingPlace {
             if matches!(&vehicle.flight.task, Task::Route(route) if route.reached) {

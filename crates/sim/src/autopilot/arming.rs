@@ -53,7 +53,6 @@ impl Autopilot {
         reasons.into_iter().map(Reason::from).collect()
     }
 
-    /// The reason if the vehicle does not arm in its current mode.
     fn mode_obstacle(&self) -> Option<Reason> {
         let mode = self.vehicle.flight.mode;
         let may_arm = mode.number == mode::AUTO && self.vehicle.tuning.flight.auto.may_arm;

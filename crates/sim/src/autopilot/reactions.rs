@@ -12,7 +12,6 @@ use crate::task::Task;
 
 /// The delay before the descent of a landing begun by a failsafe.
 const PAUSE: Duration = Duration::from_secs(4);
-/// The id of `FENCE_STATUS`.
 const FENCE_STATUS: u32 = 162;
 
 /// A check that may trigger a failsafe.
@@ -122,7 +121,6 @@ impl Autopilot {
         self.vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
     }
 
-    /// Enters LAND, with a delay before the descent.
     fn land_after_pause(&mut self) {
         let already = self.vehicle.flight.mode.number == mode::LAND;
         if self.set_mode(mode::LAND) && !already {

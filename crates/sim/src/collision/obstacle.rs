@@ -17,9 +17,9 @@ const CELLS_MAX: f64 = 4096.0;
 pub struct Obstacle {
     /// The position of its base's centre.
     pub placement: Placement,
-    /// Its outline from above, around that position.
+    /// The outline from above, around that position.
     pub shape: Shape,
-    /// Its height, in metres.
+    /// The height of the obstacle, in metres.
     pub height_m: f64,
 }
 
@@ -75,7 +75,7 @@ struct Solid {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum ObstacleOutline {
-    /// Half the length and the width, and the direction of the length.
+    /// Half the length and half the width, and the direction of the length.
     Box(DVec2, DVec2),
     Cylinder(f64),
 }

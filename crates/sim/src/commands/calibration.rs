@@ -10,10 +10,11 @@ use super::{Command, done};
 use crate::autopilot::Autopilot;
 use crate::link::Link;
 
-/// The parameter that accepts the existing calibration.
+/// The parameter value that accepts the existing calibration.
 const FORCE: f32 = 76.0;
 const FORCE_WHOLE: i32 = 76;
-/// The fifth parameter of a calibration in one position: of the level, and of the accelerometers.
+/// Values of the fifth parameter for a calibration in one position: of the level, and of the
+/// accelerometers.
 const LEVEL: i32 = 2;
 const SIMPLE: i32 = 4;
 const BRIEFLY_APART: Duration = Duration::from_secs(5);

@@ -14,14 +14,13 @@ use crate::link::Link;
 use crate::mode;
 use crate::task::{Takeoff, Task};
 
-/// The second parameter that makes disarming work in the air.
+/// The value of the second parameter with which disarming works in the air.
 const FORCE: f32 = 21196.0;
-/// The second parameter that makes arming skip optional checks.
+/// The value of the second parameter with which arming skips the optional checks.
 const FORCE_ARMING: f32 = 2989.0;
 /// The maximum climb of a takeoff in a piloted mode with the throttle down, in metres: above it,
-/// the throttle counts again.
+/// the throttle takes effect again.
 const PILOTED_TAKEOFF_M: f64 = 1.0;
-/// The highest altitude in a command, in metres.
 const ALTITUDE_MAX_M: f64 = 83_000.0;
 /// Bits of the base mode: the custom mode is valid; the message sets the safety switch.
 const CUSTOM_MODE: i32 = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED.bits() as i32;

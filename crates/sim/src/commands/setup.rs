@@ -9,11 +9,11 @@ use crate::autopilot::Autopilot;
 use crate::frame::{self, HeightOrigin};
 use crate::link::Link;
 
-/// The sixth parameter that forces a reboot of an armed vehicle.
+/// The value of the sixth parameter that forces a reboot of an armed vehicle.
 const FORCE_REBOOT: i32 = 20_190_226;
-/// The first parameter of `PREFLIGHT_STORAGE` that restores the defaults.
+/// The value of the first parameter of `PREFLIGHT_STORAGE` that restores the defaults.
 const ERASE: f32 = PreflightStorageParameterAction::PARAM_RESET_FACTORY_DEFAULT as u8 as f32;
-/// The first parameters of `PREFLIGHT_REBOOT_SHUTDOWN` that the vehicle supports.
+/// The values of the first parameter of `PREFLIGHT_REBOOT_SHUTDOWN` that the vehicle supports.
 const REBOOT: f32 = RebootShutdownAction::REBOOT_SHUTDOWN_ACTION_REBOOT as u8 as f32;
 const REBOOT_TO_BOOTLOADER: f32 =
     RebootShutdownAction::REBOOT_SHUTDOWN_ACTION_REBOOT_TO_BOOTLOADER as u8 as f32;

@@ -30,7 +30,7 @@ pub(super) struct Barometer {
 }
 
 impl Barometer {
-    /// Corrects the height estimate's error (metres up); returns whether it was a jump.
+    /// Corrects the height estimate's error (metres up); returns whether the correction was a jump.
     pub(super) fn step(
         &mut self,
         now: Duration,

@@ -16,7 +16,7 @@ const FIRST: u8 = 1;
 /// Why the autopilot does not use its GPS receiver.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum GpsUnused {
-    /// None is configured (`GPS1_TYPE` 0).
+    /// No receiver is configured (`GPS1_TYPE` 0).
     Absent,
     /// A switch of the remote control has turned it off.
     SwitchedOff,
@@ -26,7 +26,7 @@ pub(crate) enum GpsUnused {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct GpsFault {
     pub(crate) disabled: bool,
-    /// Why the autopilot does not use a working receiver; `None` if it does.
+    /// Why the autopilot does not use a working receiver; `None` if it uses the receiver.
     pub(crate) unused: Option<GpsUnused>,
     pub(crate) jammed: bool,
     /// Degrees north, degrees east, metres up.
@@ -46,7 +46,7 @@ pub(crate) struct GpsFault {
 pub(crate) struct BarometerFault {
     pub(crate) disabled: bool,
     pub(crate) frozen: bool,
-    /// Its error, in metres up.
+    /// The barometer's error, in metres up.
     pub(crate) glitch_m: f64,
     pub(crate) drift_m_s: f64,
     /// The greatest random error of one reading, in metres.

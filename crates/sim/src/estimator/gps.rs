@@ -9,7 +9,6 @@ use super::faults::{GpsFault, GpsUnused};
 use sortie_geo::METRES_PER_DEGREE;
 use sortie_geo::maths;
 
-/// The satellites seen without a position.
 const SATELLITES_WITHOUT_FIX: u8 = 3;
 const FIXED: GpsFixType = GpsFixType::GPS_FIX_TYPE_RTK_FIXED;
 const NO_FIX: GpsFixType = GpsFixType::GPS_FIX_TYPE_NO_FIX;

@@ -10,7 +10,7 @@ use crate::mode;
 use crate::radio::Sticks;
 use crate::reaction::{FailsafeAction, Reaction};
 
-/// How long a low throttle must be seen, at 50 frames per second.
+/// How long the throttle must be low before it counts, at 50 frames per second.
 const LOW_FOR: Duration = Duration::from_millis(50);
 /// The throttle of a receiver that has lost its transmitter, in microseconds.
 const LOST_THROTTLE_US: f64 = 950.0;

@@ -363,7 +363,6 @@ fn closest_point(to: DVec2, start: DVec2, end: DVec2) -> DVec2 {
     start + way * ((to - start).dot(way) / length).clamp(0.0, 1.0)
 }
 
-/// Where two segments cross.
 fn crossing(from: DVec2, to: DVec2, start: DVec2, end: DVec2) -> Option<DVec2> {
     let (way, edge) = (to - from, end - start);
     let across = way.perp_dot(edge);

@@ -98,12 +98,12 @@ pub(crate) struct RecordedLog {
 }
 
 impl RecordedLog {
-    /// The name of its file, such as `00000012.BIN`.
+    /// The name of the log's file, such as `00000012.BIN`.
     pub(crate) fn file_name(&self) -> String {
         format!("{:08}.BIN", self.number)
     }
 
-    /// The length of its file in bytes, computed without the file.
+    /// The length of the log's file in bytes, computed without the file.
     pub(crate) fn len(&self) -> usize {
         let groups = [
             (self.groups.gps, GPS),
@@ -125,7 +125,7 @@ impl RecordedLog {
             + self.texts.len() * record_len(TEXT)
     }
 
-    /// Its file: formats, parameters, then the records in order of time.
+    /// The log's file: formats, parameters, then the records in order of time.
     pub(crate) fn file(&self) -> Vec<u8> {
         let mut file = FlashFile(Vec::with_capacity(self.len()));
         for (kind, length, name, format, columns) in FORMATS {
@@ -164,7 +164,7 @@ impl RecordedLog {
         file.0
     }
 
-    /// The time of its beginning, in milliseconds since boot.
+    /// The time at which the log begins, in milliseconds since boot.
     pub(crate) fn begin_ms(&self) -> u32 {
         let first = [
             self.samples.first().map(|sample| sample.boot_ms),
@@ -180,7 +180,6 @@ fn record_len(kind: u8) -> usize {
     format.map_or(0, |(_, length, ..)| usize::from(*length))
 }
 
-/// A file that is being written.
 struct FlashFile(Vec<u8>);
 
 impl FlashFile {

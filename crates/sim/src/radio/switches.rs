@@ -14,7 +14,7 @@ pub(crate) const MOTOR_EMERGENCY_STOP: u16 = 31;
 pub(crate) const MOTOR_INTERLOCK: u16 = 32;
 pub(crate) const ARM_OR_EMERGENCY_STOP: u16 = 165;
 /// Functions that act at boot, by the position in which their switch is found: the reference of the
-/// sticks, the fence, the trainer of ACRO, the motors, overrides, the GPS, stand-by.
+/// sticks, the fence, the ACRO trainer, the motors, overrides, the GPS, stand-by.
 const ACTING_AT_BOOT: &[u16] = &[
     3,
     11,
@@ -57,7 +57,7 @@ impl SwitchPosition {
             .copied()
     }
 
-    /// Its number in `DO_AUX_FUNCTION`.
+    /// The position's number in `DO_AUX_FUNCTION`.
     pub(crate) fn number(self) -> u8 {
         match self {
             Self::Low => 0,
@@ -66,7 +66,7 @@ impl SwitchPosition {
         }
     }
 
-    /// Its name in texts.
+    /// The position's name in texts.
     pub(crate) fn name(self) -> &'static str {
         match self {
             Self::Low => "LOW",
@@ -85,7 +85,6 @@ pub(crate) struct SwitchMove {
     pub(crate) position: SwitchPosition,
 }
 
-/// One switch, as read so far.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Switch {
     position: Option<SwitchPosition>,

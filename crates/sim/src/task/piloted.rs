@@ -351,8 +351,8 @@ pub(super) fn manual(cockpit: &mut Cockpit<'_>) -> Act {
     }
 }
 
-/// The thrust for a throttle stick, as a multiple of the vehicle's weight: the middle hovers, with `ArduCopter`'s
-/// curve.
+/// The thrust for a throttle stick, as a multiple of the vehicle's weight: 1 at the middle, with
+/// `ArduCopter`'s curve.
 fn thrust_weights(share: f64, middle: f64, hover: f64) -> f64 {
     let input = if share < middle {
         0.5 * share / middle

@@ -38,7 +38,6 @@ enum ReturnStage {
         down_m: f64,
     },
     Land(Landing),
-    /// Flies back along the breadcrumbs.
     Retrace(Box<Route>),
 }
 

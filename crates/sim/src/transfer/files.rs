@@ -32,7 +32,6 @@ const SESSION_TIMEOUT: Duration = Duration::from_secs(3);
 const BURST: usize = 500;
 const BURST_PER_STEP: usize = 2;
 
-/// A burst of messages that is being sent.
 #[derive(Debug, Clone)]
 struct SentBurst {
     request: FtpRequest,

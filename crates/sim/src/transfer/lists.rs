@@ -152,7 +152,6 @@ impl Talk<'_> {
         self.raw(COUNT, Writer::default().short(count).bytes(&to).done());
     }
 
-    /// Requests the next item from the uploader.
     fn ask(&mut self, kind: ListKind) {
         let now = self.autopilot.vehicle.uptime();
         let Some(upload) = &mut self.state(kind).upload else {
@@ -353,7 +352,6 @@ impl Talk<'_> {
         }
     }
 
-    /// Keeps one item of an upload.
     fn store(&mut self, kind: ListKind, seq: u16, item: &Item) -> Result<(), MavMissionResult> {
         let place = usize::from(seq);
         let item = items::kept(kind, item)?;

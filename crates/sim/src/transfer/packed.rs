@@ -25,7 +25,7 @@ pub(super) struct PackRequest {
     with_defaults: bool,
 }
 
-/// Whether this is the name of the file, with or without a query.
+/// Whether a name is that of the parameter file, with or without a query.
 pub(super) fn is_name(name: &str) -> bool {
     let rest = name.strip_prefix(FILE);
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('?'))
@@ -37,7 +37,8 @@ pub(super) fn estimated_len(parameters: &Parameters) -> usize {
 }
 
 impl PackRequest {
-    /// Reads `start`, `count` and `withdefaults` from a name; `None` if one is invalid.
+    /// Reads `start`, `count` and `withdefaults` from the query in a name; `None` if a value is
+    /// invalid.
     pub(super) fn read(name: &str) -> Option<Self> {
         let mut wanted = Self::default();
         let query = name.split_once('?').map_or("", |(_, query)| query);

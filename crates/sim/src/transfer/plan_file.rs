@@ -55,7 +55,7 @@ pub(super) fn pack(vehicle: &Vehicle, kind: ListKind) -> Vec<u8> {
     writer.done()
 }
 
-/// An item; the coordinates that its command does not store are those of `other`.
+/// An item; coordinates that its command does not store are taken from `other`.
 fn repeating(item: &Item, other: &Item) -> Item {
     let other = Item {
         command: item.command,

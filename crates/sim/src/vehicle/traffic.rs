@@ -9,7 +9,7 @@ use crate::Serial;
 
 /// The number of steps between two reports of each aircraft; together they take 1 s.
 const REPORT_STEPS: u64 = 100;
-/// Nothing is reported before this time.
+/// Nothing is reported before this time since boot.
 const SILENT_FOR: Duration = Duration::from_secs(10);
 
 impl Vehicle {

@@ -123,7 +123,6 @@ fn stage(career: &Career, offer: &Offer) -> Fact {
     }
 }
 
-/// The result of the mission's exam, if taken.
 fn exam(career: &Career, offer: &Offer) -> Option<Fact> {
     let result = career.standing.best(&offer.id)?.exam?;
     let (what, tone) = if result.passed {

@@ -178,7 +178,6 @@ fn point_at_or_say(state: &mut State, size: GridSize, place: Option<LatLon>) {
     }
 }
 
-/// Puts the cursor on a place, scrolling if needed.
 fn point_at(state: &mut State, size: GridSize, place: LatLon) {
     let map = &mut state.rooms.map;
     map.cursor = Some(place);

@@ -7,7 +7,7 @@ use crate::geo::{Extent, LatLon};
 
 /// The margin added on a side when something leaves the frame, as a fraction of the frame's size.
 const GROWTH: f64 = 0.4;
-/// The minimum of that margin, in metres.
+/// The minimum of the margin added on a side, in metres.
 const LEAST_MARGIN_M: f64 = 10.0;
 /// The margin around everything, as a share of its size.
 const EDGE: f64 = 0.03;

@@ -12,12 +12,12 @@ use crate::vehicle::{FencePlan, FenceShape, Plan, Vehicle, VehicleId};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sketch {
     pub kind: SketchKind,
-    /// Its label; may be empty.
+    /// The line's label; may be empty.
     pub label: String,
     pub points: Vec<LatLon>,
     /// Whether the last point is joined to the first.
     pub closed: bool,
-    /// The vehicle whose plan it belongs to.
+    /// The vehicle whose plan contains the line.
     pub vehicle: Option<VehicleId>,
 }
 
@@ -92,7 +92,6 @@ impl Sketch {
         }
     }
 
-    /// Assigns the sketch to a vehicle's plan.
     fn of_plan(self, vehicle: &Vehicle) -> Self {
         Self {
             vehicle: Some(vehicle.id),

@@ -2,7 +2,6 @@
 
 use crate::geo::LatLon;
 
-/// The maximum number of points of a trail.
 const MOST_POINTS: usize = 256;
 /// The initial distance between two points, in metres.
 const SPACING_M: f64 = 1.0;

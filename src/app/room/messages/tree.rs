@@ -16,7 +16,7 @@ const FEW_SYSTEMS: usize = 3;
 pub enum Node {
     /// A link, by its number.
     Link(usize),
-    /// A system at the other end of the link, or of this program.
+    /// A system at the other end of the link, or one of this program's own.
     System(usize, Direction, u32, SystemId),
     /// A component of the system.
     Component(usize, FrameSource),
@@ -54,7 +54,7 @@ impl Node {
         }
     }
 
-    /// Whether it is a descendant of another node.
+    /// Whether this node is a descendant of another one.
     pub fn is_below(self, other: Self) -> bool {
         let mut at = self.parent();
         while let Some(parent) = at {
@@ -88,7 +88,7 @@ pub struct Branch {
     pub jitter: Option<Duration>,
     /// A message's longest silence since the last reset; `None` for other lines.
     pub silence: Option<Duration>,
-    /// Whether it is open; `None` for a message.
+    /// Whether the branch is open; `None` for a message.
     pub is_open: Option<bool>,
 }
 

@@ -24,7 +24,6 @@ mod workload;
 
 /// The minimum width for two columns.
 const TWO_COLUMNS: u16 = 110;
-/// The greatest width of a line.
 const WIDEST: usize = 88;
 /// The maximum number of columns for the state of an objective.
 const DETAIL: usize = 24;
@@ -193,7 +192,6 @@ impl MissionPage<'_> {
         }
     }
 
-    /// The key that opens the command line with a text.
     fn words_key(&self, words: &'static str) -> Text {
         let place = Place::In(Room::Mission);
         self.state.keymap.key(Meaning::words(words), place)
@@ -317,7 +315,6 @@ impl MissionPage<'_> {
     }
 }
 
-/// One objective as text.
 struct ObjectiveRow {
     mark: &'static str,
     tone: Tone,

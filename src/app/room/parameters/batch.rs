@@ -14,12 +14,10 @@ const MOST_UNDER_WAY: usize = 8;
 /// The values being set.
 #[derive(Debug, Clone)]
 pub struct Batch {
-    /// Values not sent yet.
     waiting: VecDeque<ParameterSetting>,
     under_way: Vec<(EntryId, ParameterSetting)>,
     /// The number of commands that may be under way now.
     window: usize,
-    /// Number of values that vehicles confirmed.
     confirmed: usize,
     /// Number of values that vehicles refused or did not answer.
     failed: usize,

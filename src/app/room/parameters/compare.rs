@@ -29,7 +29,7 @@ pub struct Comparison {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Other {
     File {
-        /// Its path as typed.
+        /// The file's path as typed.
         path: String,
         values: BTreeMap<String, f32>,
     },
@@ -65,7 +65,7 @@ impl Comparison {
 pub enum Marks {
     /// The parameter in the row under the cursor.
     UnderCursor,
-    /// The unmarked ones, so all are marked afterwards.
+    /// The unmarked parameters, so all are marked afterwards.
     Unmarked,
     /// Every parameter that the list shows.
     All,

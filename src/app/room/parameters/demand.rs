@@ -13,7 +13,7 @@ use crate::vehicle::VehicleId;
 
 /// The maximum number of lists downloaded at a time: vehicles may share a slow radio.
 const AT_ONCE: usize = 4;
-/// A vehicle that has not started to send its list within this time is asked again.
+/// If a vehicle has not started to send its list within this time, the list is requested again.
 const BEGIN_WITHIN: Duration = Duration::from_secs(5);
 
 /// Requests the lists that are needed and missing; called at every tick, because the need depends on the screen.

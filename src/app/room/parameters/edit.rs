@@ -19,7 +19,7 @@ const EDITS_KEPT: usize = 50_000;
 /// A value that a command set, or tried to set, on a vehicle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Edit {
-    /// The command's entry of the ledger, with its outcome.
+    /// The command's entry in the ledger, with its outcome.
     pub entry: EntryId,
     pub value: f64,
 }

@@ -13,7 +13,7 @@ use crate::vehicle::VehicleId;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row<'a> {
     pub name: &'a str,
-    /// The parameter of the vehicle shown, if it has it.
+    /// The shown vehicle's parameter; `None` if the vehicle lacks it.
     pub now: Option<ListedParameter>,
     /// The difference in the comparison.
     pub finding: Option<ParameterFinding>,

@@ -15,7 +15,8 @@ pub enum FigureRow {
     DraftHeading,
     /// The draft with this index in the trial.
     Draft(usize),
-    /// The end of that draft's flight, on narrow screens, unless it is a landing.
+    /// The end of the flight of the draft with this index, on narrow screens, unless it is a
+    /// landing.
     End(usize),
     PairHeading,
     /// The pair with this index among the closest approaches.

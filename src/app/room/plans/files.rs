@@ -21,7 +21,8 @@ use crate::vehicle_id::ranges;
 /// The extension for a file name without one; this format holds all lists.
 const ENDING: &str = "plan";
 
-/// The file name to propose for a draft: its own, if it has one.
+/// The file name to propose for a draft: that of its file; without a file, the draft's name with an
+/// extension that can be written.
 pub(super) fn proposed(draft: &Draft) -> String {
     if let Some(file) = draft.file() {
         file.to_owned()

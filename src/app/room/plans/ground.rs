@@ -17,7 +17,6 @@ pub(super) struct GroundFiles {
     /// The folder of the files; `None` if the ground counts as level.
     folder: Option<String>,
     terrain: Terrain,
-    /// The squares already requested.
     asked: BTreeSet<Square>,
     /// Whether the user must be shown the next answer.
     is_announced: bool,

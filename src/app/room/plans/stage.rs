@@ -16,19 +16,19 @@ use crate::verb::CountsAs;
 /// How far a vehicle has progressed with a draft's plan. Later stages matter more to the user.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PlanStage {
-    /// It does not carry the plan.
+    /// The vehicle does not carry the plan.
     Elsewhere,
-    /// It has flown the plan and is on the ground, disarmed.
+    /// The vehicle has flown the plan and is on the ground, disarmed.
     Flown,
-    /// It carries the plan and is disarmed.
+    /// The vehicle carries the plan and is disarmed.
     OnBoard,
-    /// It carries the plan and is on the ground, armed.
+    /// The vehicle carries the plan and is on the ground, armed.
     Armed,
-    /// It is in the air, but is not flying a plan.
+    /// The vehicle is in the air, but is not flying a plan.
     Aloft,
-    /// It has paused in the plan.
+    /// The vehicle has paused in the plan.
     Paused,
-    /// It is flying its plan.
+    /// The vehicle is flying its plan.
     Flying,
 }
 
@@ -36,7 +36,6 @@ pub enum PlanStage {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NextStep {
     pub stage: PlanStage,
-    /// The vehicles in that stage.
     vehicles: Vec<VehicleId>,
     /// The number of vehicles concerned, in any stage.
     count: usize,
@@ -129,7 +128,7 @@ fn has_flown(state: &State, vehicle: VehicleId) -> bool {
 }
 
 impl NextStep {
-    /// The step in words, with the vehicles if it concerns only some of them.
+    /// The step as text, with the vehicles if it concerns only some of them.
     pub fn text(&self, state: &State) -> Text {
         let upload = state.key(Action::Plans(PlansAction::UploadDraft));
         let text = match self.stage {

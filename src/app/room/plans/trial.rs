@@ -34,9 +34,10 @@ pub(super) fn ask(
     Ok(Effects::from(Effect::TryDrafts(trial)))
 }
 
-/// The trial to fly. With `vehicles`, each flies its own draft, otherwise the current one. Without, all drafts that are
-/// meant for vehicles are flown; if there are none, each of several selected vehicles flies the current draft, as after
-/// an upload; otherwise all drafts with plans are flown.
+/// The trial to fly. With `vehicles`, each of them flies its own draft or, if it has none, the
+/// current one. Without `vehicles`, all drafts that are meant for vehicles are flown; if there are
+/// none, each of several selected vehicles flies the current draft, as after an upload; otherwise
+/// all drafts with plans are flown.
 ///
 /// # Errors
 /// No draft has a plan, or a vehicle has no position.
@@ -140,7 +141,6 @@ impl<'a> Casting<'a> {
         (!idle.is_empty()).then(|| text!("draft-trial-idle", vehicles = idle))
     }
 
-    /// The drafts without a vehicle, as text; `None` if there are none.
     fn unassigned(&self) -> Option<Text> {
         let first = self.others.first()?.name();
         let names = names(self.others.iter().copied());
@@ -176,7 +176,6 @@ fn alone(state: &State, draft: &Draft) -> TrialDraft {
     }
 }
 
-/// The content of a draft with this home.
 fn from(draft: &Draft, home: Option<Home>) -> Arc<Document> {
     let document = draft.document();
     if document.home == home {

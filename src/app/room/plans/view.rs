@@ -17,7 +17,7 @@ const DETAILS: u16 = 9;
 const LOW: u16 = 5;
 /// Rows of the height profile and its rule on large screens.
 const HIGH: u16 = 11;
-/// The minimum rows of a large screen.
+/// The minimum number of rows of a large screen.
 const TALL: u16 = 36;
 /// Pairs of a minimum screen width and the width of the list on such a screen, in columns; `NARROW`
 /// applies to narrower screens.
@@ -59,7 +59,6 @@ pub fn layout(screen: GridSize) -> PlansLayout {
     }
 }
 
-/// All places of a document.
 fn places(document: &Document) -> Vec<LatLon> {
     let lists = ListKind::ALL.into_iter();
     let items = lists.flat_map(|kind| document.list(kind).iter().filter_map(place));

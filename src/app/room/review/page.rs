@@ -78,7 +78,7 @@ impl Page<'_> {
         }
     }
 
-    /// Why the result is not known: the recording is still being read, or has none.
+    /// Why the result is not known: the recording is still being read, or contains no result.
     fn unread(&mut self) {
         let position = &self.view.position;
         let is_read = position.indexed >= self.view.length;
@@ -133,7 +133,6 @@ impl Page<'_> {
         }
     }
 
-    /// The counts of each kind of moment.
     fn counts(&mut self) {
         let counted = [
             (MomentKind::Refusal, "review-count-refusals"),

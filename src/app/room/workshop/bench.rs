@@ -7,7 +7,6 @@ use crate::workshop::{
     Air, Design, DesignFinding, FindingSeverity, Part, PartSlot, Sheet, parts_for,
 };
 
-/// The maximum number of changes that can be undone.
 const MOST_UNDONE: usize = 200;
 
 /// A design being edited.
@@ -312,7 +311,8 @@ impl Bench {
         }
     }
 
-    /// The first fault that a change causes: any in its slot, or a new one in another slot.
+    /// The first fault that a change causes: any fault in the changed slot, or a new one in another
+    /// slot.
     fn misfit(&self, slot: PartSlot, after: &[DesignFinding]) -> Option<Text> {
         let mut faults = after
             .iter()

@@ -210,7 +210,7 @@ fn is_taken(state: &State, name: &str) -> bool {
     own(state, name).is_some()
 }
 
-/// Whether a profile treats two names as the same; it ignores case.
+/// Whether a profile treats two names as the same; case is ignored.
 fn same(one: &str, other: &str) -> bool {
     one.eq_ignore_ascii_case(other)
 }

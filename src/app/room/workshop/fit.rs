@@ -22,7 +22,7 @@ pub struct Fit {
 pub struct Stand {
     /// The comparison, including the part under the cursor if there is one.
     pub line: FitLine,
-    /// The value without that part, if it differs.
+    /// The value without the part under the cursor, if it differs.
     pub before: Option<Text>,
 }
 

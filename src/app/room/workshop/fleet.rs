@@ -14,9 +14,9 @@ use crate::workshop::{Design, FindingSeverity};
 /// A drone's place in the fleet of a mission, and the design for it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seat<'a> {
-    /// Its number, from 1.
+    /// The seat's number, from 1.
     pub number: usize,
-    /// The design chosen for it; `None` if the mission lends a drone.
+    /// The design chosen for the seat; `None` if the mission lends a drone.
     pub design: Option<&'a Design>,
 }
 

@@ -77,7 +77,6 @@ pub(super) fn buy(state: &mut State) {
     }
 }
 
-/// The title of a mission by its id.
 fn title(state: &State, mission: &str) -> Text {
     let career = state.training.career.as_ref();
     let offer = career.and_then(|career| career.course.offer(mission));

@@ -14,7 +14,7 @@ use crate::workshop::{Design, Sheet};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stored<'a> {
     pub design: &'a Design,
-    /// Whether it is the trainee's own.
+    /// Whether the design is the trainee's own.
     pub is_own: bool,
 }
 
@@ -108,7 +108,7 @@ pub(super) fn compare_or_choose(state: &mut State) {
 /// A design in the list: the trainee's own, or a shared one.
 pub(super) struct ListedDesign {
     pub design: Design,
-    /// Whether it is the trainee's own.
+    /// Whether the design is the trainee's own.
     pub is_own: bool,
 }
 

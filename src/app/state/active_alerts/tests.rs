@@ -5,7 +5,6 @@ fn at(seconds: u64) -> Duration {
     Duration::from_secs(seconds)
 }
 
-/// A vehicle with a battery charge in percent.
 fn charged(id: u8, percent: u8) -> Vehicle {
     let mut vehicle = Vehicle::new(id, 1);
     vehicle.batteries.push(Battery {

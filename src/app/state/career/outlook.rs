@@ -1,4 +1,5 @@
-//! The outlook: what to do next, what a mission can still earn, and how much advice it gets.
+//! The outlook: the recommended next mission, the rewards that a mission can still earn, and the
+//! advice that the trainee still needs.
 
 use super::Career;
 use crate::campaign::{
@@ -6,7 +7,6 @@ use crate::campaign::{
 };
 use crate::mission::Progress;
 
-/// The score of a perfect flight.
 const PERFECT: u16 = 1000;
 
 impl Career {

@@ -70,7 +70,7 @@ impl SitlBench {
     /// Starts a process for each place, and returns the byte streams of their serial 0.
     ///
     /// # Errors
-    /// The reason why one of them cannot be started.
+    /// The reason why a process cannot be started.
     pub fn launch(&self, starts: &[Start]) -> anyhow::Result<(Instances<'_>, Vec<DuplexStream>)> {
         let launch = |(index, &start): (usize, &Start)| Launch {
             home: LaunchHome::from(start),

@@ -13,7 +13,6 @@ pub(super) struct ScaleProgress {
     said_at: Instant,
     /// The measurement in progress, as the line names it.
     subject: String,
-    /// When this repeat began.
     begun: Instant,
     /// The duration of a repeat without the boot of its vehicles.
     repeat: Duration,

@@ -65,10 +65,11 @@ enum RunningSimulation<'a> {
 }
 
 impl<'a> ScaleSwarm<'a> {
-    /// Starts the vehicles, embedded ones without a bench, and the console's fleets on them.
+    /// Starts the vehicles (embedded ones if `bench` is `None`) and the console's fleets that
+    /// control them.
     ///
     /// # Errors
-    /// The reason why one of them cannot be started.
+    /// The reason why the vehicles or a fleet cannot be started.
     pub fn start(bench: Option<&'a SitlBench>, size: u16) -> anyhow::Result<Self> {
         let size = usize::from(size);
         let row = WorldConfig::row(
@@ -152,7 +153,7 @@ impl<'a> ScaleSwarm<'a> {
     /// How many vehicles can be armed, and how many were started.
     ///
     /// # Errors
-    /// The reason why one of them can never be armed.
+    /// The reason why a vehicle can never be armed.
     pub fn ready(&self) -> anyhow::Result<(usize, usize)> {
         let ready = match &self.running {
             RunningSimulation::Embedded { .. } => {

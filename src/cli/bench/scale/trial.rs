@@ -14,7 +14,6 @@ use crate::vehicle::Vehicle;
 
 /// The interval of reading the vehicles' messages.
 const LOOK_EVERY: Duration = Duration::from_millis(20);
-/// The height of the takeoff command.
 const TAKEOFF_M: f64 = 10.0;
 /// The distance from a vehicle to its target, which is due north.
 const TARGET_NORTH_M: f64 = 1000.0;
@@ -149,7 +148,8 @@ impl ScaleTrial<'_> {
         })
     }
 
-    /// Gives a command and waits for its spacing; returns a text with the number of vehicles that have not obeyed.
+    /// Gives a command, waits for the spacing, and then for the effect; returns a text with the
+    /// number of vehicles that have not obeyed.
     fn command(
         &mut self,
         name: &str,

@@ -44,7 +44,6 @@ prop_compose! {
     }
 }
 
-/// A console's reaction to a request.
 #[derive(Debug, Clone, Copy)]
 enum Reaction {
     State,

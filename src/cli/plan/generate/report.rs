@@ -132,7 +132,6 @@ fn print_faults(cast: &Cast, locale: &Locale) -> Result<bool, Failure> {
     Ok(faulty)
 }
 
-/// The path to which a vehicle's plan is written.
 fn path_of(write: Option<&Path>, number: usize) -> PathBuf {
     let pattern = match write {
         Some(path) if path.to_string_lossy().contains(NUMBER) => path.to_path_buf(),

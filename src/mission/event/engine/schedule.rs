@@ -16,10 +16,8 @@ pub(super) struct Schedule {
     fired: Vec<bool>,
 }
 
-/// The state of one event.
 #[derive(Debug, Clone, Copy, Default)]
 struct EventWatch {
-    /// The time at which the event is due.
     due: Option<Duration>,
     /// Whether its condition held at the last evaluation.
     held: bool,

@@ -99,7 +99,6 @@ pub(super) fn condition(
     Ok(part.node)
 }
 
-/// Checks that a part has the type.
 fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
     if part.is == wanted {
         return Ok(());
@@ -108,7 +107,6 @@ fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
     Err(Diagnostic::new(part.span.clone(), message))
 }
 
-/// Reads the tokens and builds the parts of a condition.
 struct ConditionParser<'a> {
     reader: Reader<'a>,
     depth: usize,

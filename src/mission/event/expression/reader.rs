@@ -9,7 +9,7 @@ use crate::mission::zone::Zone;
 #[derive(Debug, Clone, Copy, Default)]
 pub(in crate::mission) struct ExpressionNames<'a> {
     pub zones: &'a [Zone],
-    /// The ids of objectives; then those of hazards, events and movers.
+    /// The ids of objectives, and in the next fields those of hazards, events and movers.
     pub objectives: &'a [String],
     pub hazards: &'a [String],
     pub events: &'a [String],

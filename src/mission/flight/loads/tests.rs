@@ -18,7 +18,6 @@ fn entry(pilot: &mut Pilot) -> EntryId {
     pilot.ledger.open(now, given("1 arm"), &[1])
 }
 
-/// The outcome of the deed, and its text.
 fn act(pilot: &mut Pilot, deed: &Deed) -> (RowState, String) {
     let entry = entry(pilot);
     let row = pilot.flight.act(entry, deed, &[1]).remove(0);

@@ -14,21 +14,18 @@ pub(crate) enum Fuel {
     Bare,
 }
 
-/// The burning properties of a fuel.
 struct Burning {
     /// Speed of a front in calm air, in m/s.
     calm_m_s: f64,
-    /// The share of the wind's speed that is added to the front's.
+    /// The share of the wind's speed that is added to the front's speed.
     of_wind: f64,
-    /// How long the fuel burns after the front has passed, in seconds.
     stays_s: f64,
-    /// Smoke particles, in g/s per square metre.
     smoke_g_s_m2: f64,
 }
 
-/// Estimates, to be replaced by those of a fire expert. The factor 0.1 of the wind's speed is the rule of thumb of Cruz
-/// and Alexander (2019) for fuels in the open. Shrubs are sheltered, and litter lies under trees, so their factors are
-/// lower.
+/// Estimates, to be replaced by the values of a fire expert. The factor 0.1 of the wind's speed is
+/// the rule of thumb of Cruz and Alexander (2019) for fuels in the open. Shrubs are sheltered, and
+/// litter lies under trees, so their factors are lower.
 const GRASS: Burning = Burning {
     calm_m_s: 0.05,
     of_wind: 0.10,

@@ -19,7 +19,6 @@ pub(super) const STEP_S: f64 = 1.0;
 const ROUGHNESS: f64 = 0.2;
 /// The number of embers from a burning cell that start a fire elsewhere, per second and m/s of wind.
 const EMBERS_PER_S: f64 = 2e-5;
-/// The minimum and maximum distance that embers fly, in metres.
 const EMBERS_FLY_M: [f64; 2] = [20.0, 120.0];
 /// The maximum deviation of embers from the wind's direction, in degrees.
 const EMBERS_SPREAD_DEG: f64 = 20.0;
@@ -52,7 +51,7 @@ pub(crate) enum CellState {
 pub(super) struct FireCell {
     pub fuel: Fuel,
     pub state: CellState,
-    /// The speed of a front in this cell, as a multiple of the formula's.
+    /// The speed of a front in this cell, as a multiple of the speed that the formula gives.
     pub pace: f64,
 }
 
@@ -226,7 +225,6 @@ impl FireGrid {
             && holds(self.neighbour(from, 0, row))
     }
 
-    /// The indices of the cells where embers land.
     fn embers(&self, burning: &[usize], wind: Wind, random: &mut ChaCha8Rng) -> Vec<usize> {
         let chance = EMBERS_PER_S * self.embers * wind.speed_m_s * STEP_S;
         let mut down = Vec::new();

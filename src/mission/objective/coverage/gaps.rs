@@ -4,7 +4,6 @@ use super::CoverageGrid;
 use crate::mission::Point;
 use crate::mission::objective::GroundPatch;
 
-/// The maximum number of squares in a debrief.
 const MOST: usize = 400;
 /// The approximate number of squares on the map of a flight under way.
 const MOST_SWEPT: f64 = 1000.0;

@@ -19,14 +19,13 @@ mod ending;
 
 /// The maximum by which the mission's clock may be ahead of the simulator step recorded with it.
 const NOTED_WITHIN: Duration = Duration::from_millis(100);
-/// The maximum time between a demand of the mission and its parameter being set.
+/// The maximum time between a demand of the mission and the change of the parameter.
 const SET_WITHIN: Duration = Duration::from_secs(10);
 
 /// Compares a record with its flight, step by step.
 pub(super) struct RecordCheck {
     reenactment: Reenactment,
     reflight: Reflight,
-    /// The recorded state of the vehicles so far.
     recorded: BTreeMap<VehicleId, ObservedVehicle>,
     /// Vehicles with a bad radio, and the time until which its effects may last.
     muffled: BTreeMap<VehicleId, Duration>,
@@ -38,16 +37,14 @@ pub(super) struct RecordCheck {
     ticked: Duration,
     /// Simulated time of the last line compared.
     seen_to: Duration,
-    /// Whether the vehicles flew on after the last line of a record without an end.
     went_on: bool,
 }
 
-/// The timing of a record, from its first line.
 #[derive(Clone, Copy)]
 struct RecordClock {
     /// Whether the simulator had its own clock.
     is_paced: bool,
-    /// The mission's time and the simulator's in that line.
+    /// The mission time and the simulator time in the first line.
     mission: Duration,
     simulated: Duration,
 }
@@ -71,7 +68,6 @@ impl RecordClock {
     }
 }
 
-/// A simulator parameter's demanded value, and when it was demanded.
 struct WantedParameter {
     value: f64,
     at: Duration,
@@ -92,7 +88,8 @@ impl RecordCheck {
         }
     }
 
-    /// Follows the lines of a record; one without an end is compared as far as it and its input log go.
+    /// Compares the lines of a record in order. A record without an end is compared as far as it
+    /// and its input log go.
     pub(super) fn run(&mut self, stored: &Stored) -> Result<(), Divergence> {
         let is_open = stored.is_open();
         for line in stored.lines.iter() {
@@ -186,7 +183,7 @@ impl RecordCheck {
         Ok(())
     }
 
-    /// Compares everything that is recorded about the vehicles with a good radio.
+    /// Compares all recorded values of the vehicles with a good radio.
     fn compare_all(&self, at: Duration, from: Duration, to: Duration) -> Result<(), Divergence> {
         for (id, recorded) in &self.recorded {
             if self.muffled.get(id).is_none_or(|until| *until < at) {
@@ -278,7 +275,6 @@ impl RecordCheck {
     }
 }
 
-/// The number of simulator steps up to a time.
 fn steps(at: Duration) -> u64 {
     (at.as_nanos() / STEP.as_nanos()) as u64
 }

@@ -210,9 +210,8 @@ pub(super) struct Witness {
     /// Its known states, each with the time from which it held.
     shown: VecDeque<(Duration, ObservedVehicle)>,
     listener: TextListener,
-    /// Its texts with their times.
     texts: VecDeque<(Duration, String)>,
-    /// The times of refusals of operator commands.
+    /// The times at which the vehicle refused operator commands.
     refused: Vec<Duration>,
 }
 

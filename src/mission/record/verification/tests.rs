@@ -241,7 +241,6 @@ fn clocks_and_airframes_that_cannot_be_are_named() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(6))]
 
-    /// Changed digits never cause a panic.
     #[test]
     fn mutated_records_are_judged_without_a_panic(at in 0.0..1.0f64, byte in b'0'..=b'9', of_inputs: bool) {
         let text = if of_inputs { INPUTS } else { RUN };

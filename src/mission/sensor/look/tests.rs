@@ -16,7 +16,6 @@ fn camera(id: &str) -> &'static Camera {
     }
 }
 
-/// A view from directly above an object.
 fn above(object: &Object, height_m: f64, speed_m_s: f64, light: Light) -> View<'_> {
     View {
         object,

@@ -15,7 +15,6 @@ const WIND: [(&str, f32); 3] = [
     ("SIM_WIND_TURB", 1.0),
 ];
 
-/// How a flight differs from its rehearsal.
 #[derive(Debug)]
 struct Deviation {
     time_s: [f64; 2],
@@ -77,7 +76,6 @@ fn random_plan(seed: u64) -> Vec<Item> {
     plan
 }
 
-/// The rehearsal that the console prepares for the vehicle.
 fn prepared(rig: &Rig) -> PlanRehearsal {
     let context = Context {
         vehicles: &[1],
@@ -100,7 +98,6 @@ fn prepared(rig: &Rig) -> PlanRehearsal {
     rehearsal
 }
 
-/// Rehearses a plan, then flies it.
 fn compared(plan: &[Item]) -> Deviation {
     let mut rig = Rig::carrying(plan);
     for (name, value) in WIND {
@@ -140,7 +137,7 @@ fn all_agree(seeds: impl IntoIterator<Item = u64>) {
     }
 }
 
-/// In wind, a rehearsal predicts the time within 3 % and the energy within 5 %.
+/// In wind, a rehearsal predicts the time to within 3 % and the energy to within 5 %.
 #[test]
 fn flights_in_wind_take_the_time_and_the_energy_of_their_rehearsals() {
     all_agree([2, 5, 9]);

@@ -81,8 +81,8 @@ impl LogKeeper for Memory {
     }
 }
 
-/// A vehicle with logs at the other end of a session. It answers one request at a time, and drops those that arrive in
-/// the meantime.
+/// A vehicle with logs at the other end of a session. It answers one request at a time, and drops
+/// requests that arrive in the meantime.
 pub(super) struct Shelf {
     pub(super) scene: Scene,
     pub(super) keeper: Arc<Memory>,

@@ -12,7 +12,6 @@ pub(super) struct PrintedMission {
     /// The states of the objectives by index, and the hint, as last seen.
     objectives: BTreeMap<usize, ObjectiveState>,
     hint: Option<Text>,
-    /// The number of contacts.
     contacts: usize,
 }
 

@@ -20,7 +20,8 @@ pub(super) struct PrintedNotices {
 }
 
 impl PrintedNotices {
-    /// The lines of new notices since the last call, and of the last one if it was repeated.
+    /// The lines of the notices since the last call, and of the last printed notice if it was
+    /// repeated.
     pub fn news(&mut self, state: &State) -> Vec<Text> {
         let mut texts = Vec::new();
         let said = self.newest.as_ref();

@@ -10,7 +10,7 @@ use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
 use crate::vehicle::{Battery, Vehicle};
 use crate::wire::MavAddress;
 
-/// A console that has heard two vehicles, each with this percentage of charge left.
+/// Lets `app` hear two vehicles, each with `percent` % of charge left.
 fn heard(app: &mut App, percent: u8) {
     for id in [1, 2] {
         let mut vehicle = Vehicle::new(id, 1);

@@ -11,7 +11,6 @@ use crate::vehicle::Vehicle;
 
 const FORMATION: &str = include_str!("../../../../missions/02-formation.toml");
 
-/// The number of steps that the embedded simulator runs per second.
 const STEPS_PER_S: u64 = 100;
 
 const fn s(s: u64) -> Duration {
@@ -23,7 +22,6 @@ fn flight() -> Flight {
     Flight::new(Mission::parse(FORMATION).expect("it is good").into(), 1)
 }
 
-/// A console's view of a session.
 struct Console(App);
 
 impl Console {
@@ -55,7 +53,7 @@ impl Console {
     }
 }
 
-/// The view of a session without processes that hears these vehicles.
+/// The view of a session that hears these vehicles and has no processes.
 fn shown(heard: &[u8]) -> FlightView {
     Console::start(None, heard).session().clone()
 }
@@ -77,7 +75,6 @@ fn instance(vehicle: VehicleId, stage: SitlStage) -> Instance {
     }
 }
 
-/// The vehicles reported as lost.
 fn lost(events: &[Event]) -> Vec<VehicleId> {
     let gone = |event: &Event| match event {
         Event::Notice(notice) if notice.text == text!("mission-vehicle-gone") => notice.vehicle,

@@ -1,6 +1,7 @@
-//! Checks of an imported profile. A file proves nothing on its own. Of each flight, only its report counts, for
-//! missions of this course and in the order in which they were flown. Claims that the report does not support are left
-//! out or count as practice, and all entries are marked as imported.
+//! Checks of an imported profile. A file proves nothing on its own. A flight counts only by its
+//! report, only if its mission belongs to this course, and in the order in which the flights were
+//! flown. Claims that the report does not support are left out or count as practice, and all
+//! entries are marked as imported.
 
 use std::collections::BTreeSet;
 
@@ -19,8 +20,8 @@ use crate::text::Text;
 use crate::workshop::Design;
 
 impl ProfileFile {
-    /// The profile reduced to the claims that its reports support, and remarks on those that are left out or become
-    /// practice.
+    /// The profile reduced to the claims that its reports support, and remarks on the claims that
+    /// are left out or become practice.
     #[must_use]
     pub fn borne_out(self) -> (Self, Vec<Text>) {
         let missions = course_missions();
@@ -66,7 +67,6 @@ struct Claims<'a> {
     missions: &'a [Mission],
     course: &'a MissionCourse,
     exams: ExamKey,
-    /// The trainee's standing so far.
     standing: CareerStanding,
     ids: BTreeSet<String>,
     /// The reports of the flights that counted.

@@ -18,7 +18,6 @@ use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::gauge::Gauge;
 use crate::ui::widget::{aligned, clip, clock, put, width};
 
-/// The score of a perfect flight.
 const PERFECT: f64 = 1000.0;
 /// The length of the score's bar, and of the bars of its components, in cells.
 const SCORE_BAR: usize = 24;
@@ -29,7 +28,8 @@ const NAME: usize = 12;
 const COMPONENTS: u16 = 40;
 /// The number of columns before the curve of the height.
 const AXIS: u16 = 6;
-/// A component counts as good from the first share of its points on, and as poor below the second.
+/// The share of its points from which a component counts as good, and the share below which it
+/// counts as poor.
 const GOOD: f64 = 0.8;
 const POOR: f64 = 0.5;
 

@@ -144,7 +144,6 @@ fn draw_lines(lines: &[Line<'_>], area: Rect, buffer: &mut Buffer) {
     }
 }
 
-/// The career's facts with their labels.
 fn fact_lines(state: &State, item: HomeItem, look: &Look, columns: usize) -> Vec<Line<'static>> {
     let HomeItem::Mission(at) = item else {
         return Vec::new();
@@ -220,7 +219,6 @@ fn key_lines(keys: &[KeyHint], columns: usize, look: &Look) -> Vec<Line<'static>
     lines
 }
 
-/// The best recorded attempt, as text.
 fn best_words(state: &State, item: HomeItem) -> Option<Text> {
     let HomeItem::Mission(at) = item else {
         return None;

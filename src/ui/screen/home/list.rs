@@ -14,7 +14,6 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, row_of, stars, width};
 
-/// Headings of the missions by difficulty.
 const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tier-3"];
 /// The maximum number of items for which groups are separated by blank lines.
 const FEW: usize = 12;
@@ -38,7 +37,6 @@ enum Sign {
     Due,
     Passed,
     Locked,
-    /// The mission can be flown.
     Open,
 }
 
@@ -88,7 +86,6 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws the meaning of the signs.
 fn draw_signs(panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (sign, meaning)) in SIGNS.into_iter().enumerate() {
         let text = format!("  {} {}", sign.symbol(), panel.say(meaning));

@@ -13,7 +13,6 @@ use crate::ui::widget::{below, clip, put};
 
 /// The width of the figures after the name, in columns.
 const FIGURES: usize = 58;
-/// The number of rows taken by the frame of the pane.
 const FRAME_ROWS: u16 = 2;
 
 /// Draws a line for each forward; returns the area below them.

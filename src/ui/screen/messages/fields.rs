@@ -193,7 +193,6 @@ fn draw_rows(rows: &[Row], field: Option<usize>, panel: Panel<'_>, buffer: &mut 
     }
 }
 
-/// The fields as lines of at most `width` columns.
 fn rows(
     room: &Messages,
     selected: Selected<'_>,

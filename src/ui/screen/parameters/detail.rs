@@ -58,7 +58,6 @@ pub fn draw(name: &str, lines: &[Line<'static>], panel: Panel<'_>, buffer: &mut 
     }
 }
 
-/// The state of a parameter on a vehicle.
 struct ParameterState {
     value: Option<String>,
     before: Option<String>,

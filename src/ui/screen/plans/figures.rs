@@ -20,7 +20,6 @@ const FAR: usize = 8;
 const FENCE: usize = 7;
 /// The width of a distance of a pair, in columns.
 const METRES: usize = 7;
-/// The text between the names of a pair.
 const AND: &str = " + ";
 
 /// The widths of names, in columns.
@@ -54,7 +53,6 @@ impl NameColumns {
     }
 }
 
-/// A line of the table.
 struct FigureLine {
     text: String,
     role: Role,
@@ -126,7 +124,6 @@ fn draft_heading(columns: NameColumns, panel: Panel<'_>) -> String {
     heading
 }
 
-/// The mark and the role of a flight.
 fn of_flight(pilot: &TrialPilot) -> (&'static str, Role) {
     if pilot.flown.is_as_planned() {
         (" ", Role::Text)

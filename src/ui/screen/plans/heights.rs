@@ -31,7 +31,6 @@ fn ground_m(shown: &Shown<'_>, along_m: f64) -> Option<f64> {
     ground_above_home(shown.document, at, shown.room.ground())
 }
 
-/// The scale of the curve.
 struct Scale {
     size: GridSize,
     length_m: f64,
@@ -181,7 +180,6 @@ fn is_over_terrain(shown: &Shown<'_>, stop: &Stop) -> bool {
     item.and_then(PlanFrame::of) == Some(PlanFrame::Terrain)
 }
 
-/// Whether the vehicle follows the ground between two stops.
 fn follows_ground(shown: &Shown<'_>, from: &Stop, to: &Stop) -> bool {
     !shown.room.ground().is_empty()
         && is_over_terrain(shown, from)

@@ -31,7 +31,6 @@ const WITH_LEG: usize = 58;
 const WITH_PARAMETERS: usize = 90;
 /// The width of everything but the parameters, in columns.
 const USED: usize = 67;
-/// The longest time shown, in seconds.
 const LONGEST_S: f64 = 359_999.0;
 
 /// Draws the heading and as many lines around the cursor as fit.

@@ -26,7 +26,6 @@ const FURTHER: usize = 3;
 /// mentioned beside a command.
 const ALL_REPORTS: usize = 4;
 
-/// A report of one or several lines.
 #[derive(Default)]
 struct Report {
     lines: Vec<Line<'static>>,
@@ -97,7 +96,6 @@ pub(super) fn draw(
     }
 }
 
-/// The number of rows of each report.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct ReportRows {
     found: usize,
@@ -173,7 +171,6 @@ fn is_same(a: &Finding, b: &Finding) -> bool {
     a.list == b.list && a.kind == b.kind
 }
 
-/// A fault, with the items that have it.
 struct SharedFault<'a> {
     first: &'a Finding,
     items: Vec<usize>,
@@ -194,7 +191,6 @@ fn shared(findings: &[Finding]) -> Vec<SharedFault<'_>> {
     faults
 }
 
-/// The outcome of the last trial.
 fn tried(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Report {
     let mut report = Report::default();
     if let Some(tried) = shown.room.tried() {
@@ -298,7 +294,6 @@ fn upload(entries: &[&LedgerEntry]) -> (Text, Role) {
     }
 }
 
-/// The next possible step.
 fn next(state: &State, shown: &Shown<'_>, panel: Panel<'_>) -> Report {
     let mut report = Report::default();
     if let Some(step) = next_step(state, &shown.findings) {

@@ -95,11 +95,10 @@ fn draft_spans(state: &State, tab: Tab, columns: usize, panel: Panel<'_>) -> Vec
     }
 }
 
-/// A draft that is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct Tab {
     index: usize,
-    /// Whether its name is shown in addition to its sign.
+    /// Whether the name is shown in addition to the sign.
     is_named: bool,
 }
 

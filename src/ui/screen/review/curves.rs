@@ -34,14 +34,13 @@ const HEIGHTS: CurveScale = CurveScale {
     step: 10.0,
     limits: (f64::NEG_INFINITY, f64::INFINITY),
 };
-/// Charges are drawn over the part that was used, so that small differences are visible.
+/// Charges are drawn over the part that was used, so small differences are visible.
 const BATTERIES: CurveScale = CurveScale {
     includes: None,
     step: 10.0,
     limits: (0.0, 100.0),
 };
 
-/// How a chart is scaled to its values.
 #[derive(Debug, Clone, Copy)]
 struct CurveScale {
     /// A value that the scale always includes.
@@ -52,7 +51,6 @@ struct CurveScale {
 }
 
 impl CurveScale {
-    /// The lowest and the highest value of the chart.
     fn bounds(self, values: impl Iterator<Item = f64>) -> (f64, f64) {
         let ends = values.chain(self.includes).fold(None, |ends, value| {
             let (low, high) = ends.unwrap_or((value, value));
@@ -74,7 +72,7 @@ const OTHER: Role = Role::Text;
 /// The width of each line in the legend, in columns.
 const SAMPLE: u16 = 3;
 
-/// Draws the charts side by side, with the curve of this flight on top of that of the other one.
+/// Draws the charts side by side, with the curve of this flight on top of the other flight's curve.
 pub(super) fn draw(ghost: &Ghost, own: &ComparedFlight, panel: Panel<'_>, buffer: &mut Buffer) {
     draw_legend(ghost, own, panel, buffer);
     let panel = panel.below(1);

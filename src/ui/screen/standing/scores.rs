@@ -21,7 +21,6 @@ const CHART: u16 = 12;
 /// columns.
 const NAME: usize = 30;
 const FIGURES: usize = 36;
-/// The score of a perfect flight.
 const PERFECT: f64 = 1000.0;
 
 /// Draws the list, and below it the chart.

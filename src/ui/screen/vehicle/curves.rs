@@ -74,7 +74,6 @@ struct LabelledCurve {
 }
 
 impl LabelledCurve {
-    /// The lowest and the highest known reading.
     fn range(&self) -> Option<(f32, f32)> {
         let known = self.readings.iter().copied().flatten();
         known.fold(None, |range, value| match range {

@@ -9,7 +9,8 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::vehicle::Attitude;
 
-/// Degrees of pitch from the centre of the indicator to its upper edge: more than a copter normally leans (30).
+/// Degrees of pitch from the centre of the indicator to its upper edge: more than a copter normally
+/// leans (30°).
 const HALF_VIEW_DEG: f64 = 40.0;
 /// The pitch ladder: the spacing of its rungs, and their half width as a share of the half height.
 const RUNG_EVERY_DEG: f64 = 20.0;
@@ -102,7 +103,6 @@ fn draw_vehicle(panel: Panel<'_>, buffer: &mut Buffer) {
     buffer.set_string(x, y, mark, panel.style(Role::Title));
 }
 
-/// The content of a cell.
 fn cell(view: &HorizonView, symbols: Symbols, place: Position, area: Rect) -> (char, Role) {
     let (columns, rows) = match symbols {
         Symbols::Braille => (2, 4),

@@ -62,7 +62,6 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// A description of the curve.
 fn about(state: &State, is_payload: bool) -> Text {
     let Some(figures) = &state.rooms().workshop().bench().sheet().figures else {
         return text!("bench-no-curve");

@@ -70,7 +70,6 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// The columns of the list.
 struct PartColumns {
     name: usize,
     licence: usize,

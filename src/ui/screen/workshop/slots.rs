@@ -107,7 +107,6 @@ impl SlotLine<'_> {
         Line::from(spans)
     }
 
-    /// The number of pieces of the part on the drone.
     fn pieces(&self, design: &Design) -> u32 {
         let count = self.there.count as u32;
         if self.there.slot.is_per_motor() {

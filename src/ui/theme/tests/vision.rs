@@ -172,7 +172,7 @@ fn what_lies_on_a_map_and_the_drones_stay_apart_for_every_kind_of_colour_vision(
     assert!(faults.is_empty(), "{}", faults.join("\n"));
 }
 
-/// The minimum distance between a drone's colour and one with a meaning, with all cones: the
+/// The minimum distance between a drone's colour and a colour with a meaning, with all cones: the
 /// vehicle's number is next to it.
 const LEAST_OF_DRONES: f64 = 17.0;
 

@@ -65,7 +65,7 @@ impl Stroke {
         Self { role, on: 1, of: 5 }
     }
 
-    /// A few cells of such a line, for the legend.
+    /// A few cells of a line with this stroke, for the legend.
     pub fn sample(self, symbols: Symbols) -> String {
         let y = f64::from(DOTS_DOWN / 2);
         let mut canvas = Canvas::new(GridSize::new(5, 1), symbols);

@@ -1,5 +1,5 @@
-//! Contacts and reports on the map. A sign before the name shows how well a contact is confirmed, so that colours are
-//! not needed.
+//! Contacts and reports on the map. A sign before the name shows how well a contact is confirmed,
+//! so colours are not needed.
 
 use std::collections::BTreeSet;
 

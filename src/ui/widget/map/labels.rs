@@ -28,7 +28,7 @@ pub enum LabelKind {
     Word,
     /// A sign of one character, and a name after it unless there is no room.
     Signed,
-    /// A number: next to another one, it would be read as part of it.
+    /// A number; next to another number, it would be read as part of that one.
     Number,
 }
 
@@ -174,8 +174,9 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
     }
 }
 
-/// The labels without those that would overlap another one: later ones take precedence. If only a name has no room, its
-/// sign stays. Vehicles are drawn over everything, so a name that they would partly cover is left out in the same way.
+/// The labels without those that would overlap another one: later labels take precedence. If there
+/// is no room for a name, only its sign stays. Vehicles are drawn over everything, so a name that
+/// they would partly cover is left out in the same way.
 fn readable(labels: Vec<Label>, vehicles: &[MapCell]) -> Vec<Label> {
     let mut taken: BTreeSet<MapCell> = BTreeSet::new();
     let mut words: BTreeSet<MapCell> = BTreeSet::new();

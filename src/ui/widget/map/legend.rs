@@ -150,7 +150,6 @@ fn keep_out(state: &State, look: &Look) -> Option<(String, Role, &'static str)> 
     is_any.then_some((sign, border.role, "map-legend-keep-out"))
 }
 
-/// The shades of the ground that are on the map.
 fn shades(state: &State, look: &Look) -> Vec<(String, Role, &'static str)> {
     let swept = swept::sign(look.symbols).to_string().repeat(3);
     let fire = fire::sample(look.symbols);

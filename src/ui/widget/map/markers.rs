@@ -22,7 +22,6 @@ const ARROWS: [char; 8] = ['↑', '↗', '→', '↘', '↓', '↙', '←', '↖
 const FOUR_ARROWS: [char; 4] = ['↑', '→', '↓', '←'];
 const ASCII_ARROWS: [char; 4] = ['^', '>', 'v', '<'];
 
-/// A vehicle as the map shows it.
 struct Marker {
     id: VehicleId,
     column: u16,

@@ -19,7 +19,6 @@ const EDGE: (f64, f64) = (0.05, 10.0);
 /// The maximum number of places shown; if there are more, they are the cells of a survey, whose area is drawn anyway.
 const MOST_PLACES: usize = 8;
 
-/// A word at a cell of the sketch.
 struct SketchWord {
     cell: (u16, u16),
     text: String,

@@ -37,10 +37,9 @@ const GATE: Sign = ('G', Role::Info, "truth-gate");
 const PAD: Sign = ('H', Role::Title, "map-legend-home");
 const SIGNS: [Sign; 8] = [FOUND, MISSED, OVER, UNASKED, DECOY, FALSE, GATE, PAD];
 
-/// A sign at its place.
 struct SignAt {
     sign: Sign,
-    /// Its number, if their order matters.
+    /// The sign's number, if the order of the signs matters.
     number: Option<usize>,
     at: [f64; 2],
 }
@@ -135,7 +134,6 @@ fn place([east_m, north_m]: [f64; 2]) -> LatLon {
     ORIGIN.moved(north_m, east_m)
 }
 
-/// All places on the map.
 fn places(truth: &TruthReport) -> impl Iterator<Item = LatLon> {
     let squares = truth.squares.iter().chain(&truth.gaps);
     let corners = squares.flat_map(|it| Outline::square(place(it.at), it.side_m).corners());

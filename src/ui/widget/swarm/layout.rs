@@ -11,11 +11,10 @@ pub struct Shown {
     pub column: Column,
     pub title: String,
     pub width: u16,
-    /// Whether it is aligned to the right, as numbers are.
+    /// Whether the column is aligned to the right, as numbers are.
     pub right: bool,
 }
 
-/// The layout of a column.
 struct ColumnForm {
     column: Column,
     title: &'static str,

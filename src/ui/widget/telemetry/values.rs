@@ -313,7 +313,6 @@ fn link(vehicle: &Vehicle, state: &State) -> Text {
     Text::joined("  ", parts.collect())
 }
 
-/// The number of reboots, if any.
 fn reboots(vehicle: &Vehicle) -> String {
     let count = Some(vehicle.link.reboots).filter(|&count| count > 0);
     count.map_or(String::new(), |count| count.to_string())

@@ -37,7 +37,8 @@ impl Element {
         start..start + self.text.trim().len()
     }
 
-    /// All elements with a name, at any level, but none inside another of the same name.
+    /// Collects all elements with a name, at any level, except those inside another element of that
+    /// name.
     pub(super) fn find_all<'a>(&'a self, name: &str, into: &mut Vec<&'a Self>) {
         for child in &self.children {
             if child.name == name {

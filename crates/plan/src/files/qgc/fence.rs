@@ -68,7 +68,7 @@ fn read_areas(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     Ok(())
 }
 
-/// The return point, at a height above home in metres.
+/// Reads the return point; `height_m` is above home.
 fn read_return(
     [lat, lon]: [&Node; 2],
     height_m: f32,
@@ -95,7 +95,7 @@ fn read_polygon(polygon: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
     read_corners(polygon.need("polygon")?, command, parsed)
 }
 
-/// The corners of a polygon, with the command of its kind.
+/// Reads the corners of a polygon; `command` is the one for its kind.
 fn read_corners(outline: &Node, command: u16, parsed: &mut Parsed) -> Result<(), Fault> {
     let corners = outline.list()?;
     if corners.len() < 3 {

@@ -220,7 +220,8 @@ fn old_fences_and_rally_points_of_mavproxy_are_read() {
     );
 }
 
-/// Three points are a triangle, and a ring that ends at its first point has no return point; both have enough corners.
+/// Three points are a triangle, and a ring that ends at its first point has no return point: all
+/// points are corners.
 #[test]
 fn old_fences_without_a_return_point_are_read_in_any_order() {
     let triangle = ["50.45 30.52", "50.45 30.54", "50.46 30.54"];

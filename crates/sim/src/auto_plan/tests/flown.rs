@@ -28,7 +28,7 @@ fn follow(ground: &mut Ground, real: &[(f64, &[&str])], share: f64) {
     }
 }
 
-/// The recorded mission of 20 November 2026, with its interventions.
+/// The mission recorded on 20 November 2026.
 fn recorded() -> Vec<Item> {
     vec![
         act(22, [0.0; 4], 20.0),
@@ -171,8 +171,9 @@ fn a_mission_with_a_jump_waits_for_its_start_and_ends_hovering() {
     assert_eq!(ground.current(), (0, 5, 2, 0));
 }
 
-/// Flown by the same firmware on 21 November 2026: 60 m legs with corners, climbs and descents between them, and a
-/// landing at a place. After it the mission is back before its first item, still in AUTO.
+/// Flown by the same firmware on 21 November 2026: 60 m legs with corners, climbs and descents
+/// between them, and a landing at a place. After the landing, the mission is back before its first
+/// item and the mode is still AUTO.
 #[test]
 fn corners_are_cut_as_by_the_real_vehicle_and_a_landing_begins_the_mission_anew() {
     let mut ground = ready_with(&[

@@ -23,7 +23,7 @@ fn under_way(items: &[Item]) -> Ground {
     ground
 }
 
-/// A vehicle just past its takeoff, after an item has become the current one.
+/// A vehicle that flies a mission, at the moment at which `current` becomes its current item.
 fn under_way_from(items: &[Item], current: u16) -> Ground {
     let mut ground = ready_with(items);
     ground.start_mission();

@@ -227,8 +227,8 @@ impl Autopilot {
         }
     }
 
-    /// Releases the parachute, if it is enabled and the vehicle is high enough; the motors stop. No
-    /// parachute brakes the fall, as in SITL without one.
+    /// Releases the parachute, if it is enabled and the vehicle is high enough; the motors stop.
+    /// The fall is not braked, as in SITL without a parachute.
     pub(crate) fn release_parachute(&mut self) {
         let vehicle = &mut self.vehicle;
         if !self.workbench.parachute {

@@ -100,7 +100,7 @@ pub(super) fn position_target_global_int(autopilot: &Autopilot) -> Option<MavMes
     ))
 }
 
-/// The point the vehicle flies to, if any; after a takeoff it has none.
+/// The point to which the vehicle flies; `None` without one, as after a takeoff.
 pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     match &autopilot.vehicle.flight.task {
         Task::Goto { .. } if autopilot.vehicle.flight.holds_takeoff() => None,

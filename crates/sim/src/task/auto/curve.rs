@@ -259,7 +259,6 @@ impl SpeedCurve {
         self.ramp_end_s = now_s + block_s + first.rise_s;
     }
 
-    /// Appends the remaining cruise and the braking to rest.
     fn cruise_and_brake(&mut self, top_m_s: f64, bounds: &CurveBounds) {
         let brake = Ramp::between(top_m_s, 0.0, bounds);
         let left_m = self.length_m - self.sum(self.ramp_end_s).way_m - brake.length_m();

@@ -15,12 +15,11 @@ const TRIGGERS: Duration = Duration::from_millis(400);
 /// A takeoff is over within this share of its height.
 const ENDS_SHARE: f64 = 0.01;
 
-/// A takeoff to a height.
+/// The state of a takeoff to a height.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 enum Ascent {
     #[default]
     Not,
-    /// The motors spool up.
     Spools,
     /// The vehicle climbs to a height, in metres down from the start.
     ClimbsTo(f64),

@@ -10,7 +10,7 @@ pub(crate) enum LineEnd {
 }
 
 impl LineEnd {
-    /// Its name in texts.
+    /// The point's name in texts.
     pub(crate) fn name(self) -> char {
         match self {
             Self::A => 'A',

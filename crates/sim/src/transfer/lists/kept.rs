@@ -18,7 +18,7 @@ pub(in crate::transfer) fn as_sent(vehicle: &Vehicle, kind: ListKind, seq: usize
     vehicle.plans.list(kind).get(seq).copied()
 }
 
-/// Replaces a whole list by checked items; `false` if there are too many.
+/// Replaces a whole list with checked items; `false` if there are too many.
 pub(in crate::transfer) fn replace(
     autopilot: &mut Autopilot,
     kind: ListKind,
@@ -54,12 +54,12 @@ pub(in crate::transfer) fn take_fence(autopilot: &mut Autopilot, items: Vec<Item
     replace(autopilot, ListKind::Fence, items)
 }
 
-/// Whether an item is valid in a mission of that length: jumps must lead to an existing item.
+/// Whether an item is valid in a mission of `items` items: jumps must lead to an existing item.
 pub(in crate::transfer) fn leads_somewhere(item: &Item, items: usize) -> bool {
     board::wrong_jump(item, items).is_none()
 }
 
-/// Updates the parameters with the lengths of the lists.
+/// Updates the parameters that contain the lengths of the lists.
 pub(in crate::transfer) fn announce(autopilot: &mut Autopilot, kind: ListKind) {
     let length = autopilot.vehicle.plans.list(kind).len() as f32;
     let (name, total) = match kind {

@@ -10,7 +10,6 @@ use mavlink::dialects::ardupilotmega::MavMissionResult::{
 use super::Peer;
 use crate::plan::Item;
 
-/// The time-out after which an item is requested again.
 const ASK_AGAIN_AFTER: Duration = Duration::from_secs(1);
 /// An upload ends when no item has arrived for this long.
 const GIVE_UP_AFTER: Duration = Duration::from_secs(8);

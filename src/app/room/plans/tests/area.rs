@@ -343,7 +343,7 @@ fn divided_work_keeps_out_of_forbidden_areas() {
     }
 }
 
-/// A small area does not need six vehicles: a notice says why some have no part.
+/// A small area does not need six vehicles: a notice states why some have no part.
 #[test]
 fn vehicles_that_are_not_needed_are_named_with_the_reason() {
     let mut desk = Desk::new();

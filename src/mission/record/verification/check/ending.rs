@@ -24,15 +24,15 @@ impl RecordCheck {
         }
     }
 
-    /// Whether a line is later than the last one of an input log without an end.
+    /// Whether a line is later than the last line of an input log without an end.
     pub(super) fn is_beyond_cut(&self, shown: &ShownVehicles<'_>) -> bool {
         let at = shown.simulated.unwrap_or(shown.mission);
         self.reflight.is_cut && at > self.reflight.lasts()
     }
 
-    /// Flies on to the end of the input log; returns whether the vehicles show anything that the
-    /// record should have after its last line. A killed console loses what happened in the last
-    /// moments, so that is not counted.
+    /// Flies on to the end of the input log; returns whether the vehicles show changes that the
+    /// record should contain after its last line. A killed console loses the last moments, so
+    /// changes in that time are not counted.
     pub(super) fn goes_on(&mut self) -> Result<bool, Divergence> {
         let lasts = self.reflight.lasts();
         let lost = SHOWN_WITHIN.mul_f64(self.reflight.pace).min(LATE_AT_MOST);
@@ -71,7 +71,7 @@ impl RecordCheck {
     }
 
     /// Checks that the record contains every command that a vehicle refused; if the record has no
-    /// end, only those that had time to be recorded.
+    /// end, only the refusals that had time to be recorded.
     fn compare_refusals(&self, stored: &Stored) -> Result<(), Divergence> {
         let is_open = stored.is_open();
         let until = if is_open {
