@@ -67,7 +67,7 @@ grammar-field-value = the value of `{ $field }` is missing
 grammar-field-value-help = write each field as `NAME=VALUE`
 grammar-field-open = the closing `{ $sign }` is missing
 grammar-field-escape = unknown escape: write `\\`, `\"` or `\x41`
-grammar-field-number = { $field } takes a number, not a text
+grammar-field-number = { $field } takes a number, not text
 grammar-field-long = { $field } has room for { $most } bytes
 grammar-field-list = { $field } is a list of up to { $most } numbers
 grammar-field-list-help = write it as `{ $field }=[1,2]`

@@ -173,7 +173,7 @@ fn faults_in_the_shape_of_a_value_have_a_place_a_reason_and_advice() {
         (
             "ATTITUDE",
             "roll=\"1\"",
-            ["\"1\"", "roll takes a number, not a text", ""],
+            ["\"1\"", "roll takes a number, not text", ""],
         ),
         (
             "PARAM_SET",
