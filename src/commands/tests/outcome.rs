@@ -120,7 +120,8 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
         speed_m_s: 3.0,
     });
     let loiter = flying("LOITER");
-    let cases: [Refusal; 9] = [
+    let parked = on_the_ground("STABILIZE");
+    let cases: [Refusal; 10] = [
         (
             "arm",
             &text,
@@ -143,7 +144,15 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             &ground,
             &takeoff,
             4,
-            "takeoff refused: it is not armed",
+            "takeoff refused: it is not armed: `arm`, then `takeoff`",
+        ),
+        (
+            "takeoff",
+            &[],
+            &parked,
+            &takeoff,
+            4,
+            "takeoff refused: it is in STABILIZE and not armed: `guided`, `arm`, then `takeoff`",
         ),
         (
             "takeoff",

@@ -2,8 +2,9 @@
 //!
 //! A vehicle looks closely while it is near the place, slow enough and at the right height. The
 //! looks of all vehicles together must last for `dwell`, and include `crossings` straight passes
-//! across the place, in different directions. Only looks before the report count. Whether the
-//! report is correct plays no role, so the state is no secret in flight.
+//! across the place, in different directions. Only looks before the report count, and each second
+//! of `dwell` for one report: a stop between two places is no look at both. Whether the report is
+//! correct plays no role, so the state is no secret in flight.
 
 use std::collections::BTreeMap;
 
@@ -51,6 +52,8 @@ struct Checked {
 struct SlowMoment {
     step: u32,
     at: Point,
+    /// Whether it has counted for a report.
+    is_used: bool,
 }
 
 #[derive(Debug)]
@@ -246,6 +249,37 @@ impl CheckedTracker {
         self.plan.is_shown_by(&looks.collect::<Vec<_>>())
     }
 
+    /// Whether each of these places has had looks of its own that last for `dwell`; uses them up.
+    /// The places with the fewest looks choose first, those that are near no other place.
+    fn allot(&mut self, places: &[Point]) -> Vec<bool> {
+        let needed = (self.plan.dwell_s / TICK.as_secs_f64() - 1e-9).ceil() as usize;
+        let radius_m = self.plan.radius_m;
+        let is_near = |at: Point, place: Point| distance_m(at, place) <= radius_m;
+        let near_count = |place: Point| {
+            let moments = self.slow.values().flatten();
+            moments.filter(|it| !it.is_used && is_near(it.at, place)).count()
+        };
+        let mut order: Vec<usize> = (0..places.len()).collect();
+        order.sort_by_key(|index| near_count(places[*index]));
+        let mut served = vec![false; places.len()];
+        for index in order {
+            let rivals = |moment: &SlowMoment| {
+                places.iter().filter(|place| is_near(moment.at, **place)).count()
+            };
+            let moments = self.slow.values_mut().flatten();
+            let near = moments.filter(|it| !it.is_used && is_near(it.at, places[index]));
+            let mut near: Vec<&mut SlowMoment> = near.collect();
+            if near.len() >= needed {
+                near.sort_by_key(|moment| rivals(moment));
+                for moment in near.into_iter().take(needed) {
+                    moment.is_used = true;
+                }
+                served[index] = true;
+            }
+        }
+        served
+    }
+
     /// The number of reports whose places had been looked at.
     fn count(&self, marks: &[Mark]) -> usize {
         let is_checked = |mark: &&Mark| self.judged.iter().any(|(it, good)| it == *mark && *good);
@@ -262,14 +296,21 @@ impl Tracker for CheckedTracker {
                 self.slow
                     .entry(craft.id)
                     .or_default()
-                    .push(SlowMoment { step, at });
+                    .push(SlowMoment {
+                        step,
+                        at,
+                        is_used: false,
+                    });
             }
         }
-        for mark in scene.marks {
-            if self.judged.iter().all(|(judged, _)| judged != mark) {
-                let is_checked = self.is_checked(mark.at);
-                self.judged.push((mark.clone(), is_checked));
-            }
+        let judged = &self.judged;
+        let is_new = |mark: &&Mark| judged.iter().all(|(judged, _)| judged != *mark);
+        let new: Vec<&Mark> = scene.marks.iter().filter(is_new).collect();
+        let places: Vec<Point> = new.iter().map(|mark| mark.at).collect();
+        let served = self.allot(&places);
+        for (mark, is_served) in new.into_iter().zip(served) {
+            let is_checked = is_served && self.is_checked(mark.at);
+            self.judged.push((mark.clone(), is_checked));
         }
     }
 
@@ -324,6 +365,40 @@ mod tests {
         assert!(!plan(7.0, 0).is_shown_by(std::slice::from_ref(&one)));
         assert!(plan(12.0, 0).is_shown_by(&[one, two]));
         assert!(!plan(0.0, 0).is_shown_by(&[]));
+    }
+
+    /// A tracker after stops of 6 s at these places, with a radius of 10 m.
+    fn after_stops(at: &[Point]) -> CheckedTracker {
+        let moments = at.iter().flat_map(|at| [*at; 60]);
+        let moments = (1..).zip(moments).map(|(step, at)| SlowMoment {
+            step,
+            at,
+            is_used: false,
+        });
+        CheckedTracker {
+            plan: Checked {
+                radius_m: 10.0,
+                ..plan(4.0, 0)
+            },
+            steps: 0,
+            slow: [(1, moments.collect())].into(),
+            judged: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn a_stop_between_two_places_is_a_look_at_one_of_them() {
+        let places = [[0.0, 7.0], [8.0, 7.0]];
+        let served = |stops: &[Point]| {
+            let served = after_stops(stops).allot(&places);
+            served.into_iter().filter(|served| *served).count()
+        };
+        assert_eq!(served(&[[4.0, 0.0]]), 1);
+        // Each stop is before its place, and the second is nearer to the first place.
+        assert_eq!(served(&[[-4.9, 0.0], [3.1, 0.0]]), 2);
+        let mut tracker = after_stops(&[[4.0, 0.0]]);
+        assert_eq!(tracker.allot(&places[..1]), [true]);
+        assert_eq!(tracker.allot(&places[1..]), [false], "reported later");
     }
 
     #[test]
