@@ -91,7 +91,6 @@ refused-protected-item = item { $item } ({ $command }) changes home or the fence
 refused-value = { $name } stayed { $value }: { $wanted } was not accepted
 
 reason-no-orbit = this autopilot cannot orbit: use mode CIRCLE
-reason-not-armed = it is not armed
 reason-armed = it is armed
 reason-flying = it is already flying
 reason-takeoff-mode = it is in { $mode }: `guided`, then `takeoff`

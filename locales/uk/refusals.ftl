@@ -94,7 +94,6 @@ refused-protected-item = пункт { $item } ({ $command }) змінює дім
 refused-value = значення { $name } лишилося { $value }: { $wanted } не прийнято
 
 reason-no-orbit = цей автопілот не підтримує orbit: скористайтеся режимом CIRCLE
-reason-not-armed = двигуни не активовано
 reason-armed = двигуни активні
 reason-flying = апарат уже летить
 reason-takeoff-mode = зараз режим { $mode }: спершу `guided`, потім `takeoff`

@@ -12,8 +12,8 @@ scoring-crashes = аварії
 
 # Умови золота.
 gate-no-crash = жодного втраченого дрона
-gate-at-least = { $what }: не менш як { $number }
-gate-at-most = { $what }: не більш як { $number }
+gate-at-least = { $what }: від { $number }
+gate-at-most = { $what }: до { $number }
 gate-equal = { $what }: рівно { $number }
 
 scoring-gold = золото

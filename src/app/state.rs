@@ -299,7 +299,11 @@ impl<R> State<R> {
             })
         );
         // A guided lesson asks for one thing at a time.
-        is_open && !is_exam && progress.lesson.is_none() && self.replay.is_none() && self.config.workload.ask
+        is_open
+            && !is_exam
+            && progress.lesson.is_none()
+            && self.replay.is_none()
+            && self.config.workload.ask
     }
 
     /// Whether the trainee can still enter a prediction and a goal for the flight.

@@ -293,7 +293,12 @@ fn gold_needs_its_gates_and_says_which() {
 #[test]
 fn conditions_of_gold_name_objectives_by_their_titles() {
     let title = |id: &str| (id == "checked").then(|| Text::verbatim("a near look at each find"));
-    let said = |written: &str| Gate::parse(written).expect("well formed").text(title).to_string();
+    let said = |written: &str| {
+        Gate::parse(written)
+            .expect("well formed")
+            .text(title)
+            .to_string()
+    };
     assert_eq!(said("checked >= 1"), "a near look at each find: at least 1");
     assert_eq!(said("crashes == 0"), "no drone lost");
     assert_eq!(said("crashes <= 1"), "crashes: at most 1");

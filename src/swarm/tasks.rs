@@ -321,9 +321,9 @@ fn beside(points: &[LatLon], aside_m: f64) -> Vec<LatLon> {
     let parts = points.windows(2).flat_map(|part| {
         let along = DVec2::from(part[0].offset_to(part[1]));
         let aside = along.normalize_or_zero().perp() * aside_m;
-        [part[0], part[1]].into_iter().flat_map(move |end| {
-            [aside, -aside].map(|aside| end.moved(aside.x, aside.y))
-        })
+        [part[0], part[1]]
+            .into_iter()
+            .flat_map(move |end| [aside, -aside].map(|aside| end.moved(aside.x, aside.y)))
     });
     parts.collect()
 }

@@ -46,7 +46,11 @@ impl FlightView {
             let is_above = |end: &WayEnd| end.height_m.is_some_and(|height_m| height_m > ceiling_m);
             ends.iter().any(is_above).then(|| {
                 let ceiling = figure(ceiling_m, 0);
-                text!("hazard-above-ceiling", ceiling = ceiling, fence = &area.name)
+                text!(
+                    "hazard-above-ceiling",
+                    ceiling = ceiling,
+                    fence = &area.name
+                )
             })
         })
     }

@@ -87,7 +87,10 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     palette.chosen = None;
     judge(state, &mut palette);
     // A line in another layout is completed as it will be read, once it is being continued.
-    let read = palette.reading.clone().filter(|_| typed_cursor == typed.len());
+    let read = palette
+        .reading
+        .clone()
+        .filter(|_| typed_cursor == typed.len());
     let cursor = read.as_ref().map_or(typed_cursor, String::len);
     let line = read.unwrap_or(typed);
     look_into_folder(state, &line, cursor);

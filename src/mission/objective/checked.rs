@@ -257,14 +257,19 @@ impl CheckedTracker {
         let is_near = |at: Point, place: Point| distance_m(at, place) <= radius_m;
         let near_count = |place: Point| {
             let moments = self.slow.values().flatten();
-            moments.filter(|it| !it.is_used && is_near(it.at, place)).count()
+            moments
+                .filter(|it| !it.is_used && is_near(it.at, place))
+                .count()
         };
         let mut order: Vec<usize> = (0..places.len()).collect();
         order.sort_by_key(|index| near_count(places[*index]));
         let mut served = vec![false; places.len()];
         for index in order {
             let rivals = |moment: &SlowMoment| {
-                places.iter().filter(|place| is_near(moment.at, **place)).count()
+                places
+                    .iter()
+                    .filter(|place| is_near(moment.at, **place))
+                    .count()
             };
             let moments = self.slow.values_mut().flatten();
             let near = moments.filter(|it| !it.is_used && is_near(it.at, places[index]));
@@ -293,14 +298,11 @@ impl Tracker for CheckedTracker {
         for craft in scene.vehicles {
             if let Some(at) = self.plan.slow_at(craft) {
                 let step = self.steps;
-                self.slow
-                    .entry(craft.id)
-                    .or_default()
-                    .push(SlowMoment {
-                        step,
-                        at,
-                        is_used: false,
-                    });
+                self.slow.entry(craft.id).or_default().push(SlowMoment {
+                    step,
+                    at,
+                    is_used: false,
+                });
             }
         }
         let judged = &self.judged;

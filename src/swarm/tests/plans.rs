@@ -79,8 +79,15 @@ fn a_survey_says_how_much_of_its_area_it_covers() {
         per_metre: 1.1,
     });
     let wide = said(camera, 41.25).expect("it is known");
-    assert!(wide.starts_with("covers 80 % of the area") && wide.contains("33.0 m"), "{wide}");
-    assert!(said(camera, 27.0).expect("it is known").starts_with("covers 100 %"));
+    assert!(
+        wide.starts_with("covers 80 % of the area") && wide.contains("33.0 m"),
+        "{wide}"
+    );
+    assert!(
+        said(camera, 27.0)
+            .expect("it is known")
+            .starts_with("covers 100 %")
+    );
     assert_eq!(said(None, 27.0), None);
 }
 

@@ -364,7 +364,7 @@ mod tests {
         for (ended, said, role) in [
             (0, "2 effect seen", Role::Ok),
             (1, "1 effect seen, 1 superseded", Role::Ok),
-            (2, "2 over", Role::Muted),
+            (2, "2 superseded", Role::Muted),
         ] {
             let ledger = done_and_ended("all arm", ended);
             let entry = ledger.entries().next().expect("it was opened");

@@ -68,7 +68,10 @@ fn a_line_typed_in_the_ukrainian_layout_says_how_it_is_read_and_one_enter_gives_
     assert_eq!(console.state().typing().last_line(), Some("takeoff 10"));
     console.give("set lang uk").press(":").write("ефлущаа 10");
     let screen = console.screen(80, 24);
-    assert!(screen.contains("буде прочитано як `takeoff 10`"), "{screen}");
+    assert!(
+        screen.contains("буде прочитано як `takeoff 10`"),
+        "{screen}"
+    );
 }
 
 #[test]
@@ -106,7 +109,12 @@ fn a_key_pressed_twice_writes_its_word_once() {
         assert_eq!(palette_line(&console), line, "{key}");
         console.press("esc");
     }
-    console.press("w").write(" x").press("backspace").press("backspace").write("w");
+    console
+        .press("w")
+        .write(" x")
+        .press("backspace")
+        .press("backspace")
+        .write("w");
     assert_eq!(palette_line(&console), "hintw", "typed on purpose");
     // A place may begin with the letter of the key that has written `goto `.
     console.press("esc").press("g").write("gate1");

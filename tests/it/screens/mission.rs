@@ -169,9 +169,15 @@ fn the_hint_keeps_a_row_however_full_the_pane_is() {
 /// The left pane of the flight screen, with single spaces.
 fn left_pane(console: &Console) -> String {
     let screen = console.screen(80, 24);
-    let rows = screen.lines().map(|row| row.chars().take(40).collect::<String>());
+    let rows = screen
+        .lines()
+        .map(|row| row.chars().take(40).collect::<String>());
     let words: Vec<String> = rows
-        .flat_map(|row| row.split_whitespace().map(str::to_owned).collect::<Vec<_>>())
+        .flat_map(|row| {
+            row.split_whitespace()
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        })
         .collect();
     words.join(" ")
 }
@@ -189,7 +195,11 @@ fn a_long_hint_is_whole_beside_counts_and_above_a_long_message() {
     progress.objectives.extend(progress.objectives.clone());
     console.hear(SessionEvent::Mission(Box::new(progress)));
     console.press("F");
-    assert!(left_pane(&console).contains(hint), "{}", console.screen(80, 24));
+    assert!(
+        left_pane(&console).contains(hint),
+        "{}",
+        console.screen(80, 24)
+    );
     let message = "a message that is so long that it takes two rows of a screen with eighty columns, \
                    above the last row";
     console.hear(SessionEvent::Speedup(PaceChange {
