@@ -145,7 +145,7 @@ impl Gate {
 impl Gate {
     /// The condition in words. `title` gives the title of an objective by its id.
     pub fn text(&self, title: impl Fn(&str) -> Option<Text>) -> Text {
-        let loses_none = self.comparison != GateComparison::AtLeast && self.number == 0.0;
+        let loses_none = self.comparison != GateComparison::AtLeast && self.number.abs() < 1e-9;
         if self.measure == GateMeasure::Crashes && loses_none {
             return text!("gate-no-crash");
         }
