@@ -42,7 +42,7 @@ pub fn write(state: &mut State, words: &str) {
     };
     open(state, line);
     if let Some(Overlay::Palette(palette)) = &mut state.overlay {
-        palette.written = words.to_owned();
+        words.clone_into(&mut palette.written);
     }
 }
 
