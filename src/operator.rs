@@ -196,7 +196,7 @@ impl Operator {
             Ok(plans) => plans,
             Err(reason) => return refused(entry, order, &reason, scene.now),
         };
-        let share = plans.share_words();
+        let said = [plans.cover_words(), plans.share_words()];
         let idle = plans.idle;
         let uploads = plans.plans.into_iter().map(|(vehicle, document)| {
             let source = PlanSource::document(Arc::new(document));
@@ -210,7 +210,7 @@ impl Operator {
         }
         let left = self.divided.divide(&order.targets);
         let left = left_over(&carrying(&left, scene.vehicles));
-        let remarks: Vec<Text> = share.into_iter().chain(left.clone()).collect();
+        let remarks: Vec<Text> = said.into_iter().flatten().chain(left.clone()).collect();
         if let Some(first) = commands.values_mut().next().filter(|_| !remarks.is_empty()) {
             remark(first, &Text::joined("; ", remarks));
         }

@@ -239,7 +239,12 @@ fn gold_missing(
     let short = (!has_points).then(|| text!("gold-points", points = rules.medals.gold));
     let failed = (!facts.mandatory_met()).then(|| text!("gold-mandatory"));
     let others = copied.into_iter().chain(short).chain(failed);
-    missing.map(Gate::text).chain(others).collect()
+    let title = |id: &str| {
+        let named = facts.objectives.iter().find(|it| it.id == id);
+        named.map(|objective| objective.title.clone())
+    };
+    let missing = missing.map(|gate| gate.text(title));
+    missing.chain(others).collect()
 }
 
 /// Rounds an amount, but returns `all` only if nothing was lost, so that an incomplete amount never

@@ -213,6 +213,7 @@ impl Conductor {
         let mut rows = std::mem::take(&mut planner.rows);
         if let Some(act) = act {
             self.release(&taken, &call.verb.name.into(), vehicles, now);
+            self.waiting.steering.retain(|(id, _)| !taken.contains(id));
             rows.splice(0..0, std::mem::take(&mut self.waiting.rows));
             self.acts.push(act);
         }
@@ -232,6 +233,8 @@ impl Conductor {
                 left.retain(|id| !claimed.contains(id));
             }
             self.release(&left, &ordered.verb.name.into(), vehicles, now);
+            // A stop that waits for the next step would end the new movement.
+            self.waiting.steering.retain(|(id, _)| !left.contains(id));
             let meeting = gathering::meeting(ordered.command, &left, vehicles, self.rules);
             let notice = meeting.map(|text| Notice::general(now, Severity::Warning, text));
             self.waiting.notices.extend(notice);

@@ -81,7 +81,7 @@ order-wait-help = in the console, give the next command when you are ready
 macro-line = line { $number } of the macro `{ $name }`, `{ $line }`: { $fault }
 macro-endless = the macro was stopped after { $count } lines: does it call itself?
 
-palette-layout = the same keys in Latin letters
+palette-reads-as = reads as `{ $line }`
 palette-given-before = earlier line
 palette-selects = select for the next commands
 

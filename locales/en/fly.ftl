@@ -40,7 +40,7 @@ fly-paused = paused
 fly-landing = landing
 fly-lost = LOST
 fly-done = done
-fly-over = over
+fly-over = superseded
 fly-no-effect = no effect
 fly-timed-out = timed out
 fly-try = try { $count }
@@ -184,7 +184,7 @@ hint-scroll = scroll
 hint-again = fly again
 hint-home = home
 
-commands-pane = commands
+commands-pane = ledger
 commands-none = no command yet: press { $key } and type one
 commands-none-replayed = no command so far
 commands-none-fit = no command matches: { $key } shows all

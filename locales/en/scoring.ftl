@@ -10,6 +10,12 @@ scoring-attention = attention
 scoring-utilisation = utilisation
 scoring-crashes = crashes
 
+# Conditions of gold.
+gate-no-crash = no drone lost
+gate-at-least = { $what }: at least { $number }
+gate-at-most = { $what }: at most { $number }
+gate-equal = { $what }: exactly { $number }
+
 scoring-gold = gold
 scoring-silver = silver
 scoring-bronze = bronze

@@ -82,7 +82,7 @@ order-wait-help = у консолі дайте наступну команду, 
 macro-line = рядок { $number } макросу `{ $name }`, `{ $line }`: { $fault }
 macro-endless = макрос зупинено після { $count } рядків: чи не викликає він сам себе?
 
-palette-layout = ті самі клавіші латиницею
+palette-reads-as = буде прочитано як `{ $line }`
 palette-given-before = попередній рядок
 palette-selects = вибрати для наступних команд
 

@@ -40,7 +40,7 @@ fly-paused = пауза
 fly-landing = посадка
 fly-lost = НЕМАЄ
 fly-done = виконано
-fly-over = минуло
+fly-over = замінено
 fly-no-effect = без ефекту
 fly-timed-out = без відп.
 fly-try = спроба { $count }
@@ -182,7 +182,7 @@ hint-scroll = гортати
 hint-again = ще раз
 hint-home = початок
 
-commands-pane = команди
+commands-pane = журнал команд
 commands-none = ще немає команд: { $key } відкриває командний рядок
 commands-none-replayed = команд ще не було
 commands-none-fit = жодна команда не відповідає фільтру: { $key } показує всі

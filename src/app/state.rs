@@ -276,7 +276,7 @@ impl<R> State<R> {
         self.session.task.listing.as_deref()
     }
 
-    /// Whether a question about the workload is open now: it is due by mission time and has not been answered. Exams
+    /// Whether a question about the workload is open now: it is due by mission time and has not been answered. Lessons and exams
     /// and replays have none, and the user can turn them off.
     pub fn asks_workload(&self) -> bool {
         let session = &self.session;
@@ -297,7 +297,12 @@ impl<R> State<R> {
                 ..
             })
         );
-        is_open && !is_exam && self.replay.is_none() && self.config.workload.ask
+        // A guided lesson asks for one thing at a time.
+        is_open
+            && !is_exam
+            && progress.lesson.is_none()
+            && self.replay.is_none()
+            && self.config.workload.ask
     }
 
     /// Whether the trainee can still enter a prediction and a goal for the flight.

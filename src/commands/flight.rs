@@ -72,14 +72,22 @@ impl FlightCommand {
     pub(super) fn likely_reason(&self, vehicle: &Vehicle) -> Option<Text> {
         match self {
             Self::SetMode { name } => Some(text!("reason-mode", mode = name)),
-            Self::Takeoff { .. } if !vehicle.armed() => Some(text!("reason-not-armed")),
-            Self::Takeoff { .. } if vehicle.airborne() => Some(text!("reason-flying")),
-            Self::Takeoff { .. } => vehicle
-                .mode()
-                .filter(|mode| !mode.is("GUIDED"))
-                .map(|mode| text!("reason-takeoff-mode", mode = vehicle.name_of(mode))),
+            Self::Takeoff { .. } => takeoff_reason(vehicle),
             Self::Land | Self::ReturnToLaunch | Self::Hold | Self::Resume => None,
         }
+    }
+}
+
+/// What a takeoff still needs, in the order of the steps; `None` if nothing is known to be missing.
+fn takeoff_reason(vehicle: &Vehicle) -> Option<Text> {
+    let other_mode = vehicle.mode().filter(|mode| !mode.is("GUIDED"));
+    let other_mode = other_mode.map(|mode| vehicle.name_of(mode));
+    match other_mode {
+        Some(mode) if !vehicle.armed() => Some(text!("reason-takeoff-mode-arm", mode = mode)),
+        None if !vehicle.armed() => Some(text!("reason-takeoff-arm")),
+        _ if vehicle.airborne() => Some(text!("reason-flying")),
+        Some(mode) => Some(text!("reason-takeoff-mode", mode = mode)),
+        None => None,
     }
 }
 

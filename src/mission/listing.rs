@@ -152,12 +152,7 @@ impl Mission {
             requires: self.career.requires.clone(),
             rewards: self.career.rewards.clone(),
             outlay: self.seats.outlay.clone(),
-            gold_requires: self
-                .scoring
-                .gold_requires
-                .iter()
-                .map(crate::scoring::Gate::text)
-                .collect(),
+            gold_requires: self.listed_gates(),
             swarm_rules: self.swarm_rules(),
         }
     }
@@ -195,6 +190,16 @@ impl Mission {
             }
         }
         listed
+    }
+
+    /// The conditions of gold in words, with the titles of the objectives.
+    fn listed_gates(&self) -> Vec<Text> {
+        let title = |id: &str| {
+            let named = self.objectives.iter().find(|it| it.id == id);
+            named.map(|objective| objective.title.clone())
+        };
+        let gates = self.scoring.gold_requires.iter();
+        gates.map(|gate| gate.text(title)).collect()
     }
 
     /// The objectives. Their targets do not depend on the flight, so they are taken from a flight

@@ -30,11 +30,12 @@ impl GateMeasure {
         component.map_or_else(|| Self::Objective(name.to_owned()), Self::Component)
     }
 
-    fn title(&self) -> Text {
+    /// Its display name; `title` gives the title of an objective by its id.
+    fn title(&self, title: impl Fn(&str) -> Option<Text>) -> Text {
         match self {
             Self::Component(component) => component.title(),
             Self::Crashes => text!("scoring-crashes"),
-            Self::Objective(id) => id.as_str().into(),
+            Self::Objective(id) => title(id).unwrap_or_else(|| id.as_str().into()),
         }
     }
 
@@ -142,17 +143,18 @@ impl Gate {
 }
 
 impl Gate {
-    /// The condition as text, with the quantity's display name.
-    pub fn text(&self) -> Text {
-        let sign = COMPARISONS
-            .iter()
-            .find(|(_, comparison)| *comparison == self.comparison)
-            .map_or("", |(sign, _)| sign);
-        let parts = vec![
-            self.measure.title(),
-            sign.into(),
-            self.number.to_string().into(),
-        ];
-        Text::joined(" ", parts)
+    /// The condition in words. `title` gives the title of an objective by its id.
+    pub fn text(&self, title: impl Fn(&str) -> Option<Text>) -> Text {
+        let loses_none = self.comparison != GateComparison::AtLeast && self.number.abs() < 1e-9;
+        if self.measure == GateMeasure::Crashes && loses_none {
+            return text!("gate-no-crash");
+        }
+        let what = self.measure.title(title);
+        let number = self.number.to_string();
+        match self.comparison {
+            GateComparison::AtLeast => text!("gate-at-least", what = what, number = number),
+            GateComparison::AtMost => text!("gate-at-most", what = what, number = number),
+            GateComparison::Equal => text!("gate-equal", what = what, number = number),
+        }
     }
 }

@@ -284,7 +284,24 @@ fn gold_needs_its_gates_and_says_which() {
     let score = score(&rules(), &facts);
     assert!(score.points >= 850);
     assert_eq!(score.medal, Some(Medal::Silver));
-    assert_eq!(score.gold_missing, ["safety >= 0.85"]);
+    let missing: Vec<String> = score.gold_missing.iter().map(ToString::to_string).collect();
+    assert_eq!(missing, ["safety: at least 0.85"]);
+}
+
+/// Ids and signs are for the authors of missions.
+#[test]
+fn conditions_of_gold_name_objectives_by_their_titles() {
+    let title = |id: &str| (id == "checked").then(|| Text::verbatim("a near look at each find"));
+    let said = |written: &str| {
+        Gate::parse(written)
+            .expect("well formed")
+            .text(title)
+            .to_string()
+    };
+    assert_eq!(said("checked >= 1"), "a near look at each find: at least 1");
+    assert_eq!(said("crashes == 0"), "no drone lost");
+    assert_eq!(said("crashes <= 1"), "crashes: at most 1");
+    assert_eq!(said("time == 1"), "time: exactly 1");
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Makes a plan for each vehicle from a task, for `plan survey` and for `draft survey`: where each
 //! plan begins, its default height and spacing, and its fence. [`generate`] plans the routes.
 
+use glam::DVec2;
+
 use super::planner::SQUARE_TURNS;
 use super::site::Site;
 use super::{Conductor, Rules};
@@ -15,7 +17,7 @@ use crate::plan::pattern::square;
 use crate::plan::{Document, Home, Item};
 use crate::preflight::{idle_words, ungenerated};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, figure};
 use crate::vehicle::{Vehicle, VehicleId, Vehicles};
 use crate::vehicle_id::ranges;
 
@@ -35,6 +37,7 @@ impl Conductor {
     ) -> Result<DividedPlans, Text> {
         let team = TaskTeam::new(self.rules, targets, vehicles)?;
         let (task, height_m) = team.task(task)?;
+        let cover = self.cover(&task, height_m);
         let manner = Manner {
             height_m,
             layer_m: self.rules.clearance().above_m,
@@ -60,7 +63,41 @@ impl Conductor {
         Ok(DividedPlans {
             plans: named.collect(),
             idle: idle.collect(),
+            cover,
         })
+    }
+
+    /// The part of its area that a survey covers; `None` for other tasks, and without a sensor.
+    fn cover(&self, task: &Task, height_m: f64) -> Option<Cover> {
+        let Task::Survey { spacing_m, .. } = task else {
+            return None;
+        };
+        let strip_m = self.rules.strip_m(height_m)?;
+        Some(Cover {
+            strip_m,
+            spacing_m: *spacing_m,
+        })
+    }
+}
+
+/// How much of an area parallel lines cover.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cover {
+    /// The width of the sensor's strip at the height of the lines, in metres.
+    pub strip_m: f64,
+    /// The line spacing in metres.
+    pub spacing_m: f64,
+}
+
+impl Cover {
+    fn words(self) -> Text {
+        let share = (self.strip_m / self.spacing_m).min(1.0);
+        text!(
+            "outcome-plan-covers",
+            percent = figure(100.0 * share, 0),
+            strip = figure(self.strip_m, 1),
+            spacing = figure(self.spacing_m, 1)
+        )
     }
 }
 
@@ -70,6 +107,8 @@ pub struct DividedPlans {
     pub plans: Vec<(VehicleId, Document)>,
     /// The vehicles without a part.
     pub idle: Vec<(VehicleId, Idle)>,
+    /// The part of the area that a survey covers, if it is known.
+    pub cover: Option<Cover>,
 }
 
 impl DividedPlans {
@@ -84,6 +123,11 @@ impl DividedPlans {
                 why = Text::joined("; ", self.idle_words())
             )
         })
+    }
+
+    /// The part of the area that a survey covers, before it is flown; `None` if it is unknown.
+    pub fn cover_words(&self) -> Option<Text> {
+        self.cover.map(Cover::words)
     }
 
     /// The vehicles without a part, and why they have none; empty if all have one.
@@ -242,10 +286,11 @@ fn search(pattern: Pattern, datum: LatLon, radius_m: Option<f64>, spacing_m: f64
 /// The outermost places of a task; empty if the positions of its vehicles are unknown.
 pub fn outermost_places(
     task: &PlanTask,
+    rules: Rules,
     targets: &[VehicleId],
     vehicles: &Vehicles,
 ) -> Vec<LatLon> {
-    let team = TaskTeam::new(Rules::default(), targets, vehicles);
+    let team = TaskTeam::new(rules, targets, vehicles);
     let Ok((task, _)) = team.and_then(|team| team.task(task)) else {
         return Vec::new();
     };
@@ -261,11 +306,25 @@ pub fn outermost_places(
             .map(|point| datum.moved(point.x, point.y))
             .collect(),
         Task::Sector { datum, radius_m } => around(datum, radius_m),
-        Task::Line { points, .. } => points,
+        Task::Line { points, spacing_m } => {
+            beside(&points, spacing_m * (targets.len() as f64 - 1.0) / 2.0)
+        }
         Task::Orbit {
             centre, radius_m, ..
         } => around(centre, radius_m),
     }
+}
+
+/// The ends of a line's parts, moved to both sides by a distance in metres.
+fn beside(points: &[LatLon], aside_m: f64) -> Vec<LatLon> {
+    let parts = points.windows(2).flat_map(|part| {
+        let along = DVec2::from(part[0].offset_to(part[1]));
+        let aside = along.normalize_or_zero().perp() * aside_m;
+        [part[0], part[1]]
+            .into_iter()
+            .flat_map(move |end| [aside, -aside].map(|aside| end.moved(aside.x, aside.y)))
+    });
+    parts.collect()
 }
 
 /// Where a vehicle's flight begins and ends: where it stands, or home if it is in the air; `None`

@@ -19,6 +19,7 @@ mod forwards;
 pub mod hangar;
 mod keymap;
 mod map;
+mod pace;
 mod palette;
 mod panes;
 pub mod parameters;

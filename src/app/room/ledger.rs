@@ -339,6 +339,6 @@ fn became(state: RowState) -> &'static str {
         RowState::Refused => "refused failed",
         RowState::TimedOut => "timed-out failed",
         RowState::Superseded => "superseded",
-        RowState::Overtaken => "overtaken failed",
+        RowState::Overtaken => "superseded overtaken failed",
     }
 }

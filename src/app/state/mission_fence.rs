@@ -1,50 +1,128 @@
-//! Orders that lead out of a mission's fence, which breaks a rule of the mission.
+//! Orders that lead out of a mission's fence, or above its ceiling, which breaks a rule of the mission.
 
 use super::FlightView;
-use crate::commands::{Act, Command, MotionCommand, Order};
+use crate::commands::{Act, Command, FlightCommand, Manoeuvre, MotionCommand, Order, PlanTask};
 use crate::geo::{LatLon, Outline};
 use crate::mission::{Area, AreaKind};
-use crate::plan::generate::USUAL_HEIGHT_M;
-use crate::swarm::outermost_places;
+use crate::plan::generate::{Course, USUAL_HEIGHT_M};
+use crate::swarm::{Rules, outermost_places};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, figure};
 use crate::vehicle::{FenceArea, FencePlan, FenceShape};
 
-/// A place to which an order leads, and the height above home in metres, if the order sets one.
-type WayEnd = (LatLon, Option<f64>);
+/// Where an order leads.
+#[derive(Debug, Clone, Copy)]
+struct WayEnd {
+    /// `None` if the order leads to no other place.
+    place: Option<LatLon>,
+    /// The height above home in metres, if the order sets one.
+    height_m: Option<f64>,
+}
+
+impl WayEnd {
+    fn at_height(height_m: Option<f64>) -> Self {
+        Self {
+            place: None,
+            height_m,
+        }
+    }
+}
 
 impl FlightView {
     /// Why an order needs a confirmation: it leads out of a fence of the mission, or above its ceiling.
     pub(super) fn fence_hazard(&self, order: &Order) -> Option<Text> {
         let ends = self.ends(order);
         let kept = self.kept_fence(order);
-        let is_left = |area: &&Area| {
+        let areas = self.task.areas.iter();
+        let mut fences = areas.filter(|area| area.kind == AreaKind::Geofence);
+        fences.find_map(|area| {
             let is_kept = kept.is_some_and(|fence| lies_within(fence, area));
-            let is_beyond = |(place, height_m): &WayEnd| {
-                let is_outside = !is_kept && !area.contains(*place);
-                let heights = height_m.zip(area.ceiling_m);
-                is_outside || heights.is_some_and(|(height_m, ceiling_m)| height_m > ceiling_m)
-            };
-            area.kind == AreaKind::Geofence && ends.iter().any(is_beyond)
-        };
-        let left = self.task.areas.iter().find(is_left)?;
-        Some(text!("hazard-outside-fence", fence = &left.name))
+            let is_outside =
+                |end: &WayEnd| !is_kept && end.place.is_some_and(|place| !area.contains(place));
+            if ends.iter().any(is_outside) {
+                return Some(text!("hazard-outside-fence", fence = &area.name));
+            }
+            let ceiling_m = area.ceiling_m?;
+            let is_above = |end: &WayEnd| end.height_m.is_some_and(|height_m| height_m > ceiling_m);
+            ends.iter().any(is_above).then(|| {
+                let ceiling = figure(ceiling_m, 0);
+                text!(
+                    "hazard-above-ceiling",
+                    ceiling = ceiling,
+                    fence = &area.name
+                )
+            })
+        })
     }
 
-    /// The places to which a `goto` or a task leads.
+    /// Where an order leads its targets, as far as it is known before.
     fn ends(&self, order: &Order) -> Vec<WayEnd> {
         let targets = order.targets.iter().filter_map(|id| self.vehicles.get(id));
         match &order.act {
             Act::Command(Command::Motion(MotionCommand::Goto { destination, .. })) => targets
                 .filter_map(|vehicle| destination.of(vehicle))
+                .map(|(place, height_m)| WayEnd {
+                    place: Some(place),
+                    height_m,
+                })
                 .collect(),
-            Act::Plans(task) => {
-                let height_m = Some(task.up_m().unwrap_or(USUAL_HEIGHT_M));
-                let places = outermost_places(task, &order.targets, &self.vehicles).into_iter();
-                places.map(|place| (place, height_m)).collect()
-            }
-            Act::Command(_) | Act::Deed(_) | Act::Manoeuvre(_) | Act::Rehearse { .. } => Vec::new(),
+            Act::Command(
+                Command::Motion(MotionCommand::Altitude { altitude_m })
+                | Command::Flight(FlightCommand::Takeoff { altitude_m }),
+            ) => vec![WayEnd::at_height(Some(*altitude_m))],
+            Act::Plans(task) => self.task_ends(task, order),
+            Act::Manoeuvre(manoeuvre) => self.manoeuvre_ends(manoeuvre, order),
+            Act::Command(_) | Act::Deed(_) | Act::Rehearse { .. } => Vec::new(),
         }
+    }
+
+    /// The outermost places of a task, at its height.
+    fn task_ends(&self, task: &PlanTask, order: &Order) -> Vec<WayEnd> {
+        let listing = self.task.listing.as_ref();
+        let rules = listing.map_or_else(Rules::default, |listing| listing.swarm_rules);
+        let height_m = Some(task.up_m().unwrap_or(USUAL_HEIGHT_M));
+        let places = outermost_places(task, rules, &order.targets, &self.vehicles);
+        let ends = places.into_iter().map(|place| WayEnd {
+            place: Some(place),
+            height_m,
+        });
+        ends.collect()
+    }
+
+    fn manoeuvre_ends(&self, manoeuvre: &Manoeuvre, order: &Order) -> Vec<WayEnd> {
+        let first = order.targets.first().and_then(|id| self.vehicles.get(id));
+        let here_m = first.and_then(|first| first.global).map(|it| it.altitude_m);
+        let task = match manoeuvre {
+            Manoeuvre::Survey {
+                ground,
+                spacing_m,
+                up_m,
+                ..
+            } => PlanTask::Survey {
+                ground: ground.clone(),
+                spacing_m: *spacing_m,
+                up_m: up_m.or(here_m),
+                course: Course::Best,
+            },
+            Manoeuvre::Search {
+                pattern,
+                datum,
+                radius_m,
+                spacing_m,
+                up_m,
+            } => PlanTask::Search {
+                pattern: *pattern,
+                datum: *datum,
+                radius_m: *radius_m,
+                spacing_m: *spacing_m,
+                up_m: up_m.or(here_m),
+            },
+            Manoeuvre::Formation { up_m, .. }
+            | Manoeuvre::Follow { up_m, .. }
+            | Manoeuvre::Chain { up_m, .. } => return vec![WayEnd::at_height(*up_m)],
+            Manoeuvre::Spread { .. } | Manoeuvre::Disband => return Vec::new(),
+        };
+        self.task_ends(&task, order)
     }
 
     /// The fence in force on board the first target, inside which the plans of a task stay; `None`
@@ -110,13 +188,16 @@ mod tests {
         view
     }
 
-    fn asks(view: &FlightView, line: &str) -> bool {
+    fn read(line: &str) -> Order {
         let context = Context {
-            vehicles: &[1],
+            vehicles: &[1, 2],
             ..Context::default()
         };
-        let order = read_order(line, &context, &[1]).expect("a good line");
-        view.hazard(&order).is_some()
+        read_order(line, &context, &[1]).expect("a good line")
+    }
+
+    fn asks(view: &FlightView, line: &str) -> bool {
+        view.hazard(&read(line)).is_some()
     }
 
     #[test]
@@ -141,6 +222,13 @@ mod tests {
             ("1 plan orbit 50.46 30.52 radius 20", true),
             ("1 plan survey around 50.46 30.53 radius 50", true),
             ("1 land", false),
+            ("1 takeoff 50", false),
+            ("1 takeoff 60", true),
+            ("1 altitude 60", true),
+            ("1 survey around 50.45 30.52 radius 50", false),
+            ("1 survey around 50.45 30.52 radius 50 up 60", true),
+            ("1 survey around 50.46 30.53 radius 50", true),
+            ("1 formation line up 60", true),
         ] {
             assert_eq!(asks(&view, line), out, "{line}");
         }
@@ -159,6 +247,29 @@ mod tests {
         };
         assert!(!asks(&view, &format!("{around} radius 60 spacing 20")));
         assert!(asks(&view, &format!("{around} radius 80 spacing 20")));
+    }
+
+    /// Lanes lie side by side along the line, at the default spacing of 20 m.
+    #[test]
+    fn the_outer_lanes_beside_a_line_count() {
+        let mut view = view(AreaKind::Geofence);
+        let second = Vehicle {
+            id: 2,
+            ..Vehicle::clone(&view.vehicles[&1])
+        };
+        view.insert(Arc::new(second));
+        let along = "plan line 50.4499 30.52132 50.4501 30.52132";
+        assert!(!asks(&view, &format!("1 {along}")));
+        assert!(asks(&view, &format!("1-2 {along}")));
+        assert!(!asks(&view, &format!("1-2 {along} spacing 4")));
+    }
+
+    #[test]
+    fn the_question_says_whether_the_place_or_the_height_is_wrong() {
+        let view = view(AreaKind::Geofence);
+        let said = |line: &str| view.hazard(&read(line)).expect("it asks").to_string();
+        assert!(said("1 takeoff 60").contains("ceiling of 50 m"));
+        assert!(said("1 goto 50.46 30.52").contains("out of the mission's fence"));
     }
 
     #[test]

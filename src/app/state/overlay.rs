@@ -58,6 +58,10 @@ pub struct Palette {
     pub(in crate::app) hint: Option<Text>,
     /// The effect of Enter on the line so far; `None` while it is incomplete.
     pub(in crate::app) outcome: Option<Text>,
+    /// The line as Enter reads it, if it was typed in another keyboard layout.
+    pub(in crate::app) reading: Option<String>,
+    /// The text that a key has written, until the line is edited.
+    pub(in crate::app) written: String,
     /// The fault of a finished word, or of the line when Enter was pressed.
     pub(in crate::app) fault: Option<Diagnostic>,
     /// The line before the first press of Tab.
@@ -97,6 +101,11 @@ impl Palette {
     /// The effect of Enter on the line so far; `None` while it is incomplete.
     pub fn outcome(&self) -> Option<&Text> {
         self.outcome.as_ref()
+    }
+
+    /// The line as Enter reads it, if it was typed in another keyboard layout.
+    pub fn reading(&self) -> Option<&str> {
+        self.reading.as_deref()
     }
 
     /// The fault of a finished word, or of the line when Enter was pressed.

@@ -11,7 +11,7 @@ use crate::app::effect::{Effect, Effects, PaceChange, SessionEffect};
 use crate::app::event::{Event, SessionEvent, VehicleEvent};
 use crate::app::state::{Activity, rate};
 use crate::ledger::{RowState, RowUpdate};
-use crate::mission::{Progress, Stake};
+use crate::mission::{ObjectiveState, Progress, Stake};
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -157,7 +157,7 @@ fn new_alert(state: &State, known: &BTreeSet<(VehicleId, AlertKind)>) -> Option<
 /// The reason why an event needs attention; `None` if it needs none.
 fn reason(state: &State, event: &Event) -> Option<Text> {
     match event {
-        Event::Vehicle(VehicleEvent::Row(row)) => end_of_movement(state, row),
+        Event::Vehicle(VehicleEvent::Row(row)) => said_by_vehicle(state, row),
         Event::Session(SessionEvent::Mission(progress)) => said_by_mission(state, progress),
         Event::Notice(notice) => {
             (notice.severity <= Severity::Warning).then(|| notice.text.clone())
@@ -179,16 +179,30 @@ fn reason(state: &State, event: &Event) -> Option<Text> {
     }
 }
 
-fn end_of_movement(state: &State, row: &RowUpdate) -> Option<Text> {
+/// A command that ended otherwise than intended, or the end of the last movement under way.
+fn said_by_vehicle(state: &State, row: &RowUpdate) -> Option<Text> {
     let verb = state.session.commands.ledger.entry(row.entry)?.verb;
-    let is_end = row.state.is_failure() || (verb.movement.moves() && row.state.is_final());
+    let is_end = verb.movement.moves() && row.state.is_final();
+    let is_broken_off = is_end && row.state == RowState::Superseded;
+    let needs_a_person = row.state.is_failure() || is_broken_off;
     let (verb, vehicle) = (verb.name, row.vehicle);
-    is_end.then(|| {
+    (needs_a_person || is_end && !moves_after(state, row)).then(|| {
         if row.state == RowState::Done {
             return text!("speedup-done", verb = verb, vehicle = vehicle);
         }
         let state = row.state.text();
         text!("speedup-row", verb = verb, vehicle = vehicle, state = state)
+    })
+}
+
+/// Whether another movement is still under way after an update of this one.
+fn moves_after(state: &State, update: &RowUpdate) -> bool {
+    let moving = state.session.commands.ledger.entries();
+    let mut moving = moving.filter(|entry| entry.verb.movement.moves());
+    moving.any(|entry| {
+        let mut rows = entry.rows.iter();
+        let is_ended = |vehicle| entry.id == update.entry && vehicle == update.vehicle;
+        rows.any(|row| !row.state.is_final() && !is_ended(row.vehicle))
     })
 }
 
@@ -200,8 +214,14 @@ fn said_by_mission(state: &State, progress: &Progress) -> Option<Text> {
         let new = alerts.iter().find(|it| !is_known(&it.text));
         return new.or(alerts.first()).map(|it| it.text.clone());
     }
-    let feedback = progress.feedback.clone();
-    feedback.filter(|_| progress.feedback != known.feedback)
+    let mut objectives = progress.objectives.iter().zip(&known.objectives);
+    let (changed, _) = objectives.find(|(new, old)| new.state != old.state)?;
+    let title = &changed.title;
+    Some(match changed.state {
+        ObjectiveState::Met => text!("speedup-met", objective = title),
+        ObjectiveState::Missed => text!("speedup-missed", objective = title),
+        ObjectiveState::Open => text!("speedup-open", objective = title),
+    })
 }
 
 fn most(state: &State) -> f64 {

@@ -9,7 +9,7 @@ use super::{offer, order, typing};
 use crate::app::State;
 use crate::app::action::{Action, LineAction};
 use crate::app::effect::{Effect, Effects, FileEffect};
-use crate::app::keymap::{Place, latin};
+use crate::app::keymap::{Meaning, Place, latin};
 use crate::app::state::{Folder, Overlay, Palette};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Completion, VehicleChoice, words};
@@ -32,7 +32,7 @@ pub fn open(state: &mut State, line: String) {
     edited(state, palette);
 }
 
-/// Opens the command line. A vehicle list being typed becomes the targets.
+/// Opens the command line with the text of a key. A vehicle list being typed becomes the targets.
 pub fn write(state: &mut State, words: &str) {
     let targets = std::mem::take(&mut state.typing.targets);
     let line = if targets.is_empty() {
@@ -41,6 +41,20 @@ pub fn write(state: &mut State, words: &str) {
         format!("{targets} {words}")
     };
     open(state, line);
+    if let Some(Overlay::Palette(palette)) = &mut state.overlay {
+        words.clone_into(&mut palette.written);
+    }
+}
+
+/// Whether a key only repeats the one that has just written a whole word: pressed twice, the key of
+/// `hint` must not give `hintw`.
+fn repeats(state: &State, palette: &Palette, key: KeyEvent) -> bool {
+    let written = &palette.written;
+    let is_whole_word = written.ends_with(char::is_alphanumeric);
+    let is_untouched = palette.input.value().ends_with(written.as_str());
+    let meaning = state.keymap.resolve(key, Place::In(state.room));
+    let is_same = matches!(meaning, Some(Meaning::Write(words)) if words == written);
+    is_whole_word && is_untouched && is_same
 }
 
 /// Handles a key while the command line is open.
@@ -52,9 +66,11 @@ pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
         Some(Action::Line(LineAction::CompleteBack)) => complete(state, palette, false),
         Some(Action::Line(LineAction::Older)) => browse(state, palette, true),
         Some(Action::Line(LineAction::Newer)) => browse(state, palette, false),
+        _ if repeats(state, &palette, key) => state.overlay = Some(Overlay::Palette(palette)),
         _ => {
             if typing::edit(&mut palette.input, key) {
                 palette.history_at = None;
+                palette.written.clear();
                 edited(state, palette);
             } else {
                 state.overlay = Some(Overlay::Palette(palette));
@@ -66,11 +82,18 @@ pub fn key(state: &mut State, mut palette: Palette, key: KeyEvent) -> Effects {
 
 /// Updates the completions after a change to the line.
 pub fn edited(state: &mut State, mut palette: Palette) {
-    let line = palette.input.value().to_owned();
-    let cursor = byte_cursor(&palette.input);
+    let typed = palette.input.value().to_owned();
+    let typed_cursor = byte_cursor(&palette.input);
     palette.chosen = None;
-    look_into_folder(state, &line, cursor);
     judge(state, &mut palette);
+    // A line in another layout is completed as it will be read, once it is being continued.
+    let read = palette
+        .reading
+        .clone()
+        .filter(|_| typed_cursor == typed.len());
+    let cursor = read.as_ref().map_or(typed_cursor, String::len);
+    let line = read.unwrap_or(typed);
+    look_into_folder(state, &line, cursor);
     let mut found = state.with_context(|context| language::complete(&line, cursor, context));
     // Exact matches come first, then prefixes, then words that contain the letters; commands before modes.
     found.sort_by_key(|completion| {
@@ -86,14 +109,6 @@ pub fn edited(state: &mut State, mut palette: Palette) {
         let is_new = |offered: &Completion| found.iter().all(|it| it.text != offered.text);
         let offered: Vec<Completion> = offered.into_iter().filter(is_new).collect();
         found.extend(offered);
-    }
-    if cursor == line.len() {
-        let latin = in_latin(state, &line).map(|text| Completion {
-            text,
-            hint: text!("palette-layout"),
-            replaces: 0..line.len(),
-        });
-        found.splice(0..0, latin);
     }
     palette.completions = found;
     palette.before_tab = line;
@@ -144,17 +159,29 @@ pub fn listed(state: &mut State, path: &str, names: Vec<String>) {
     }
 }
 
-/// The line with Ukrainian letters converted to the Latin keys in their positions, if the result is
-/// a valid command.
+/// A line in the Ukrainian keyboard layout as the Latin keys in its positions; `None` if the line is
+/// valid as typed, or is no command in Latin letters either.
 fn in_latin(state: &State, line: &str) -> Option<String> {
     let letters = line.chars().map(|letter| latin(letter).unwrap_or(letter));
-    let typed = letters.collect::<String>();
-    (typed != line && order::read(state, &typed).is_ok()).then_some(typed)
+    let read = letters.collect::<String>();
+    if read == line || order::read(state, line).is_ok() {
+        return None;
+    }
+    let has_verb = |line: &str| {
+        let said = state.with_context(|context| language::said(line, context));
+        said.is_ok()
+    };
+    // Its arguments may follow.
+    let is_begun = || has_verb(&read) && !has_verb(line);
+    let is_command = order::read(state, &read).is_ok() || is_begun();
+    is_command.then_some(read)
 }
 
 /// Evaluates the line so far: its targets, its usage, its faults, and what Enter would do.
 fn judge(state: &State, palette: &mut Palette) {
-    let line = palette.input.value();
+    palette.reading = in_latin(state, palette.input.value());
+    let typed = palette.input.value();
+    let line = palette.reading.as_deref().unwrap_or(typed);
     palette.recipients = recipients(state, line);
     palette.hint = state
         .with_context(|context| language::hint(line, context))
@@ -164,6 +191,8 @@ fn judge(state: &State, palette: &mut Palette) {
     match order::read(state, line) {
         Ok(Given::Own(_)) => {}
         Ok(Given::Order(order)) => palette.outcome = Some(order::announced(state, &order)),
+        // Enter shows the fault in the line as it is read.
+        Err(_) if palette.reading.is_some() => {}
         Err(fault) => {
             let being_written = byte_cursor(&palette.input);
             palette.fault = Some(fault).filter(|fault| is_finished(line, fault, being_written));
@@ -188,6 +217,10 @@ fn byte_cursor(input: &Input) -> usize {
 /// Inserts the next or the previous completion; a single one is followed by a space.
 fn complete(state: &mut State, mut palette: Palette, forward: bool) {
     let count = palette.completions.len();
+    if let Some(read) = palette.reading.take_if(|_| count == 0) {
+        palette.input = Input::new(read);
+        return edited(state, palette);
+    }
     if count == 0 {
         state.overlay = Some(Overlay::Palette(palette));
         return;
@@ -251,11 +284,12 @@ pub fn give(state: &mut State, line: &str) -> Effects {
     submit(state, palette)
 }
 
-fn submit(state: &mut State, palette: Palette) -> Effects {
-    let line = palette.input.value().to_owned();
-    if line.trim().is_empty() {
+fn submit(state: &mut State, mut palette: Palette) -> Effects {
+    let typed = palette.input.value();
+    if typed.trim().is_empty() {
         return Effects::none();
     }
+    let line = in_latin(state, typed).unwrap_or_else(|| typed.to_owned());
     match carry_out(state, &line) {
         Ok(mut effects) => {
             state.typing.remember(line.trim());
@@ -264,17 +298,13 @@ fn submit(state: &mut State, palette: Palette) -> Effects {
         }
         Err(fault) => {
             state.typing.macro_lines.clear();
-            match in_latin(state, &line) {
-                // Show the converted line before it is sent.
-                Some(latin) => open(state, latin),
-                // The line stays as typed, with the faulty word marked.
-                None => {
-                    state.overlay = Some(Overlay::Palette(Palette {
-                        fault: Some(fault),
-                        ..palette
-                    }));
-                }
+            // The line stays as it was read, with the faulty word marked.
+            if line != palette.input.value() {
+                palette.input = Input::new(line);
+                palette.reading = None;
             }
+            palette.fault = Some(fault);
+            state.overlay = Some(Overlay::Palette(palette));
             Effects::none()
         }
     }

@@ -103,6 +103,25 @@ type Refusal<'a> = (
 );
 
 #[test]
+fn a_refused_takeoff_names_every_missing_step_in_order() {
+    let takeoff = Command::Flight(FlightCommand::Takeoff { altitude_m: 5.0 });
+    let said = |vehicle: &Vehicle| {
+        let result = AckResult::from_wire(4);
+        explain("takeoff", result, &[], vehicle, &takeoff).to_string()
+    };
+    assert_eq!(
+        said(&on_the_ground("STABILIZE")),
+        "takeoff refused: it is in STABILIZE and not armed: `guided`, `arm`, then `takeoff`"
+    );
+    let mut armed = on_the_ground("STABILIZE");
+    armed.heartbeat.as_mut().expect("it was heard").armed = true;
+    assert_eq!(
+        said(&armed),
+        "takeoff refused: it is in STABILIZE: `guided`, then `takeoff`"
+    );
+}
+
+#[test]
 fn refusals_are_explained_by_the_texts_else_by_the_state() {
     let air = flying("GUIDED");
     let mut ground = on_the_ground("GUIDED");
@@ -143,7 +162,7 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
             &ground,
             &takeoff,
             4,
-            "takeoff refused: it is not armed",
+            "takeoff refused: it is not armed: `arm`, then `takeoff`",
         ),
         (
             "takeoff",

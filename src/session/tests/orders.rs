@@ -136,7 +136,7 @@ fn an_urgent_command_goes_before_everything_that_waits() {
     scene.order(3, "rtl", Command::Flight(FlightCommand::ReturnToLaunch));
     assert_eq!(scene.states(1).last(), Some(&RowState::Superseded));
     assert_eq!(scene.states(2).last(), Some(&RowState::Superseded));
-    assert_eq!(scene.explanation(2), "replaced by rtl");
+    assert_eq!(scene.explanation(2), "by rtl");
     assert_eq!(scene.states(3), [RowState::Sent]);
     assert!(scene.longs(ARM).is_empty());
 }

@@ -51,6 +51,19 @@ fn another_movement_takes_a_vehicle_out_and_the_others_close_up() {
     assert!(!stage.conductor.has(1));
 }
 
+/// A stop that waits for the next step must not end a movement of the same step.
+#[test]
+fn a_movement_right_after_the_end_of_a_formation_wins() {
+    let mut stage = Stage::flying(2, 10.0);
+    stage.say("all formation column spacing 12");
+    assert!(stage.watch(90.0, |stage| stage.is_done("formation")));
+    stage.say("all formation off");
+    stage.say("all altitude 25");
+    assert!(stage.watch(60.0, |stage| stage.is_done("altitude")));
+    let rows = stage.rows("altitude");
+    assert!(rows.iter().all(|row| row.1 == RowState::Done), "{rows:?}");
+}
+
 #[test]
 fn a_vehicle_without_a_line_of_a_survey_is_not_reported_as_having_flown_one() {
     let mut stage = Stage::flying(3, 8.0);

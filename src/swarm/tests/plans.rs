@@ -1,7 +1,7 @@
 //! Plans for several vehicles.
 
 use super::*;
-use crate::commands::{Ground, PlanTask};
+use crate::commands::{Datum, Ground, PlanTask};
 use crate::plan::command;
 use crate::plan::generate::Course;
 use crate::vehicle::Place;
@@ -51,6 +51,44 @@ fn planned_spacing_m(swath: Option<Swath>) -> f64 {
     easts_m.sort_by(f64::total_cmp);
     let gaps_m = easts_m.windows(2).map(|pair| pair[1] - pair[0]);
     gaps_m.fold(0.0, f64::max)
+}
+
+/// The answer to `plan survey` says before the flight what it will cover.
+#[test]
+fn a_survey_says_how_much_of_its_area_it_covers() {
+    let said = |swath, spacing_m| {
+        let task = PlanTask::Survey {
+            ground: Ground::Around {
+                centre: Datum::Global(HOME.moved(60.0, 0.0)),
+                radius_m: 50.0,
+            },
+            spacing_m: Some(spacing_m),
+            up_m: Some(30.0),
+            course: Course::Degrees(0.0),
+        };
+        let rules = Rules {
+            swath,
+            ..Rules::default()
+        };
+        let plans = Conductor::new(rules).plans(&task, &[1], &standing(), &[]);
+        let words = plans.expect("there are plans").cover_words();
+        words.map(|words| words.to_string())
+    };
+    let camera = Some(Swath {
+        at_ground_m: 0.0,
+        per_metre: 1.1,
+    });
+    let wide = said(camera, 41.25).expect("it is known");
+    assert!(
+        wide.starts_with("covers 80 % of the area") && wide.contains("33.0 m"),
+        "{wide}"
+    );
+    assert!(
+        said(camera, 27.0)
+            .expect("it is known")
+            .starts_with("covers 100 %")
+    );
+    assert_eq!(said(None, 27.0), None);
 }
 
 #[test]

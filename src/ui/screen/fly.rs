@@ -8,7 +8,7 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::widget::telemetry::Detail;
 use crate::ui::widget::{
-    alerts, below, columns, ledger, map, mission, notices, swarm, telemetry, upper, urgent,
+    alerts, below, columns, footer, ledger, map, mission, notices, swarm, telemetry, upper, urgent,
 };
 
 /// The minimum width for separate columns of telemetry and mission, and for the detailed telemetry.
@@ -17,7 +17,9 @@ const THREE_COLUMNS: u16 = 160;
 const SIDE_WIDTH: u16 = 40;
 /// The width of the mission in a column of its own.
 const MISSION_WIDTH: u16 = 56;
-/// The minimum number of rows of the telemetry pane above a mission.
+/// The number of rows that the table keeps beside a long hint.
+const TABLE_LEAST: u16 = 3;
+/// The minimum number of rows of the telemetry pane above a mission, unless a long hint needs them.
 const TELEMETRY_LEAST: u16 = 5;
 /// The minimum number of rows of a notices pane over the whole width.
 const NOTICES_LEAST: u16 = 6;
@@ -29,18 +31,39 @@ const NOTICES_MOST: u16 = 10;
 /// The number of rows that the ledger keeps below a map.
 const LEDGER_LEAST: u16 = 6;
 
-pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+pub fn draw(state: &State, whole: Panel<'_>, buffer: &mut Buffer) {
+    let hint_rows = hint_height(state, whole.look, whole.area.width);
+    let panel = if hint_rows > 0 {
+        // A long message must not cover the hint.
+        let covered = footer::height(state, whole).saturating_sub(1);
+        whole.upper(whole.area.height.saturating_sub(covered))
+    } else {
+        whole
+    };
     let alert_rows = alerts::height(state);
     alerts::draw(state, panel.upper(alert_rows), buffer);
     let below_alerts = panel.below(alert_rows);
     let urgent_rows = urgent::height(state);
     urgent::draw(state, below_alerts.upper(urgent_rows), buffer);
     let body = below_alerts.below(urgent_rows);
-    // The table gets at most half of the screen.
+    // The table gets at most half of the screen, and leaves the hint its rows.
     let wanted = swarm::height(state, body.look, body.area.width);
-    let rows = wanted.min(usize::from(body.area.height / 2)) as u16;
+    let left = body.area.height.saturating_sub(hint_rows);
+    let most = (body.area.height / 2).min(left.max(TABLE_LEAST));
+    let rows = wanted.min(usize::from(most)) as u16;
     swarm::draw(state, body.upper(rows), buffer);
     draw_panes(state, body.below(rows), buffer);
+}
+
+/// The number of rows of the mission's hint with the pane's title; 0 without a hint.
+fn hint_height(state: &State, look: &Look, width: u16) -> u16 {
+    let columns = if width >= THREE_COLUMNS {
+        MISSION_WIDTH
+    } else {
+        SIDE_WIDTH
+    };
+    let progress = state.session().mission();
+    progress.map_or(0, |progress| mission::hint_height(progress, columns, look))
 }
 
 /// Draws the panes below the table; the notices get the rows that telemetry and mission leave free.
@@ -168,7 +191,9 @@ fn draw_side(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> SidePanes 
         .height
         .saturating_sub(mission::height(progress, side.width, panel.look));
     let most = telemetry::height(state, panel.look, side.width, detail).max(TELEMETRY_LEAST);
-    let rows = left.clamp(TELEMETRY_LEAST, most);
+    let hint = mission::hint_height(progress, side.width, panel.look);
+    let beside_hint = side.height.saturating_sub(hint);
+    let rows = left.clamp(TELEMETRY_LEAST, most).min(beside_hint);
     telemetry::draw(state, panel.at(upper(side, rows)), detail, buffer);
     mission::draw(state, panel.at(below(side, rows)), buffer);
     only_beside(log)

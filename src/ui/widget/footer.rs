@@ -34,6 +34,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
+/// The number of rows of the footer below a room of the panel's width; the timeline of a replay may take one more.
+pub fn height(state: &State, panel: Panel<'_>) -> u16 {
+    message(state, panel).map_or(1, |lines| lines.len() as u16)
+}
+
 /// A message beside the timeline of a replay, or above it if there is no room.
 fn with_timeline<'a>(
     state: &State,

@@ -209,14 +209,19 @@ pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
         return look.text(&entry.state_of(row));
     }
     // The progress of each vehicle in percent would be too much here.
-    let mut counts: BTreeMap<(u8, bool), (Text, usize)> = BTreeMap::new();
+    let mut counts: BTreeMap<u8, (Text, usize)> = BTreeMap::new();
     for row in &entry.rows {
         let name = if row.state.is_final() {
             entry.state_of(row)
         } else {
             row.state.name()
         };
-        let at = (order(row.state), row.is_over());
+        // One word stands for all that another command or source has ended.
+        let at = match row.state {
+            RowState::Done if row.is_over() => order(RowState::Superseded),
+            RowState::Overtaken => order(RowState::Superseded),
+            state => order(state),
+        };
         let (_, count) = counts.entry(at).or_insert((name, 0));
         *count += 1;
     }
@@ -357,8 +362,8 @@ mod tests {
         let look = Look::default();
         for (ended, said, role) in [
             (0, "2 effect seen", Role::Ok),
-            (1, "1 effect seen, 1 over", Role::Ok),
-            (2, "2 over", Role::Muted),
+            (1, "1 effect seen, 1 superseded", Role::Ok),
+            (2, "2 superseded", Role::Muted),
         ] {
             let ledger = done_and_ended("all arm", ended);
             let entry = ledger.entries().next().expect("it was opened");
@@ -374,7 +379,7 @@ mod tests {
         let entry = ledger.entries().next().expect("it was opened");
         let view = FlightView::default();
         let line = short_line(entry, &view, 50, &look).to_string();
-        assert_eq!(line, "00:00 all goto n 120.5 e …  1 effect seen, 1 over…");
+        assert_eq!(line, "00:00 all goto n 12…  1 effect seen, 1 superseded…");
     }
 
     #[test]

@@ -55,12 +55,15 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         Line::styled(words, panel.style(Role::Muted))
     });
     let hint = hint_lines(progress, width, panel.look);
-    // The hint keeps a row: it is shown only here.
-    let most = usize::from(rest.height).saturating_sub(hint.len().min(1));
-    for line in objectives.chain(readings).chain(counts).take(most) {
-        put(buffer, rest, 0, &line);
-        rest = below(rest, 1);
+    let lines: Vec<Line<'_>> = objectives.chain(readings).chain(counts).collect();
+    // The hint comes first: it is shown only here, and the room of the mission shows the rest.
+    let most = rest.height.saturating_sub(hint.len() as u16);
+    let shown = upper(rest, most.min(lines.len() as u16));
+    for (row, line) in (0..shown.height).zip(&lines) {
+        put(buffer, shown, row, line);
     }
+    panel.at(shown).mark_scroll(0, lines.len(), buffer);
+    rest = below(rest, shown.height);
     if let Some(grid) = Grid::of(&progress.cells) {
         // The map also shows the cells.
         let rows = grid.rows() as u16;
@@ -77,6 +80,14 @@ fn draw_hint(lines: Vec<String>, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, line) in (0..).zip(shown) {
         let line = Line::styled(line, panel.style(Role::Accent));
         put(buffer, panel.area, row, &line);
+    }
+}
+
+/// The number of rows that show the whole hint below the pane's title; 0 without a hint.
+pub fn hint_height(progress: &Progress, width: u16, look: &Look) -> u16 {
+    match hint_lines(progress, usize::from(width), look).len() {
+        0 => 0,
+        lines => lines as u16 + 1,
     }
 }
 

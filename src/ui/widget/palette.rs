@@ -27,7 +27,7 @@ const FRAME: usize = 4;
 /// The height of the screen below which the box covers the mission pane, and the number of rows of
 /// the lesson's step in the box.
 const LOW: u16 = 36;
-const LESSON_ROWS: usize = 2;
+const LESSON_ROWS: usize = 4;
 /// The numbers of rows of a fault, and of a verb's usage.
 const FAULT_ROWS: usize = 4;
 const HINT_ROWS: usize = 3;
@@ -143,7 +143,7 @@ fn lesson(state: &State, height: u16, width: usize, look: &Look) -> Vec<Line<'st
         .collect()
 }
 
-/// The fault, the verb's usage, and the effect of Enter.
+/// The line as it is read, the fault, the verb's usage, and the effect of Enter.
 fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> Vec<Line<'static>> {
     let fault = palette.fault().map(|fault| {
         let said = match &fault.help {
@@ -163,7 +163,11 @@ fn explanation(palette: &Palette, grammar: &Text, width: usize, look: &Look) -> 
         None => fault.is_none().then(|| look.text(grammar)),
     };
     let outcome = palette.outcome().map(|text| look.text(text));
+    let reading = palette
+        .reading()
+        .map(|line| look.text(&text!("palette-reads-as", line = line)));
     let parts = [
+        (reading.as_deref(), 1, Role::Accent),
         (fault.as_deref(), FAULT_ROWS, Role::Danger),
         (hint.as_deref(), HINT_ROWS, Role::Muted),
         (outcome.as_deref(), 1, Role::Ok),

@@ -90,7 +90,7 @@ fn commands_are_filtered_by_vehicle_verb_and_outcome() {
     assert_eq!(shown(console.press("v")), [0, 2]);
     let screen = console.screen(80, 24);
     assert!(
-        screen.contains("commands  only vehicle 4: 2 of 3"),
+        screen.contains("ledger  only vehicle 4: 2 of 3"),
         "{screen}"
     );
     assert_eq!(shown(console.press("v")), [0, 1, 2]);

@@ -51,20 +51,74 @@ fn rooms_missions_settings_and_old_lines_are_found_by_any_of_their_words() {
 }
 
 #[test]
-fn a_line_typed_in_the_ukrainian_layout_is_offered_and_shown_before_it_is_sent() {
+fn a_line_typed_in_the_ukrainian_layout_says_how_it_is_read_and_one_enter_gives_it() {
     let mut console = Console::flying(1);
     console.press(":").write("пгшвув");
-    assert_eq!(offered(&console), ["guided"]);
-    let effects = console.press("enter").effects.clone();
-    assert!(effects.is_empty(), "{effects:?}");
-    assert_eq!(palette_line(&console), "guided");
-    assert!(!console.press("enter").effects.is_empty());
-    console.press(":").write("ефлущаа 20");
-    console.press("tab");
-    assert_eq!(palette_line(&console), "takeoff 20 ");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("reads as `guided`"), "{screen}");
+    assert_eq!(console.press("enter").sent_to(), [1]);
+    // While its arguments are missing, it is no fault either.
+    console.press(":").write("ефлущаа ");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("reads as `takeoff `"), "{screen}");
+    assert!(!screen.contains("unknown"), "{screen}");
+    console.write("10").press("enter");
+    assert_eq!(console.sent_to(), [1]);
+    assert!(console.state().overlay().is_none());
+    assert_eq!(console.state().typing().last_line(), Some("takeoff 10"));
+    console.give("set lang uk").press(":").write("ефлущаа 10");
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("буде прочитано як `takeoff 10`"),
+        "{screen}"
+    );
+}
+
+#[test]
+fn a_line_in_the_ukrainian_layout_is_completed_and_faulted_in_latin_letters() {
+    let mut console = Console::flying(1);
+    console.press(":").write("ефлущаа 20").press("tab");
+    assert!(palette_line(&console).starts_with("takeoff 20"));
+    console.press("ctrl-u").write("ефлущаа фи").press("enter");
+    assert_eq!(palette_line(&console), "takeoff ab");
+    assert!(!fault(&console).is_empty());
     // A line that is invalid in any keyboard layout stays as it was typed.
     console.press("ctrl-u").write("пгшвувв").press("enter");
     assert_eq!(palette_line(&console), "пгшвувв");
+}
+
+#[test]
+fn a_dangerous_line_in_the_ukrainian_layout_asks_and_valid_text_stays_as_typed() {
+    let mut console = Console::flying(1);
+    console.press(":").write("лшдд").press("enter");
+    let asks = matches!(
+        console.state().overlay(),
+        Some(sortie::app::state::Overlay::Confirm(_))
+    );
+    assert!(asks && console.effects.is_empty());
+    console.press("esc").press(":").write("bookmark поворот");
+    let screen = console.screen(80, 24);
+    assert!(!screen.contains("reads as"), "{screen}");
+}
+
+#[test]
+fn a_key_pressed_twice_writes_its_word_once() {
+    let mut console = Console::flying(1);
+    for (key, line) in [("w", "hint"), ("h", "hold"), ("ц", "hint"), ("ф", "arm")] {
+        console.press(key).press(key);
+        assert_eq!(palette_line(&console), line, "{key}");
+        console.press("esc");
+    }
+    console
+        .press("w")
+        .write(" x")
+        .press("backspace")
+        .press("backspace")
+        .write("w");
+    assert_eq!(palette_line(&console), "hintw", "typed on purpose");
+    // A place may begin with the letter of the key that has written `goto `.
+    console.press("esc").press("g").write("gate1");
+    assert!(palette_line(&console).ends_with(" gate1"));
 }
 
 #[test]

@@ -415,7 +415,7 @@ fn a_step_of_a_lesson_shows_on_the_map_too() {
         let step = step.and_then(|it| it.lesson.as_ref()).expect("a step");
         let words = step.text.to_string();
         let last = words.rsplit(' ').next().expect("a word");
-        assert!(text.contains("now: Commands go to"), "{text}");
+        assert!(text.contains("now: Each step is explained"), "{text}");
         assert!(text.contains(last), "{words}\n{text}");
     }
 }

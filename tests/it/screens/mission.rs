@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use sortie::app::effect::PaceChange;
 use sortie::app::event::{SessionEvent, TerminalEvent};
 use sortie::app::state::{Activity, Room};
 use sortie::campaign::Stake;
@@ -162,6 +163,53 @@ fn the_hint_keeps_a_row_however_full_the_pane_is() {
     console.hear(SessionEvent::Mission(Box::new(progress)));
     let screen = console.press("F").screen(80, 24);
     assert!(screen.contains("hint: take off"), "{screen}");
+}
+
+/// The left pane of the flight screen, with single spaces.
+fn left_pane(console: &Console) -> String {
+    let screen = console.screen(80, 24);
+    let rows = screen
+        .lines()
+        .map(|row| row.chars().take(40).collect::<String>());
+    let words: Vec<String> = rows
+        .flat_map(|row| {
+            row.split_whitespace()
+                .map(str::to_owned)
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    words.join(" ")
+}
+
+#[test]
+fn a_long_hint_is_whole_beside_counts_and_above_a_long_message() {
+    let mut console = flying();
+    for id in 2..=6 {
+        console.vehicle(fixtures::airborne(id, 20.0, 20.1));
+    }
+    let hint = "Commands go to the drone under the cursor. Try one that it cannot carry out yet: press t, \
+                type `20`, Enter. The ledger shows why it is refused, and what you have to do before it.";
+    let mut progress = fixtures::progress();
+    progress.hint = Some(hint.into());
+    progress.objectives.extend(progress.objectives.clone());
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.press("F");
+    assert!(
+        left_pane(&console).contains(hint),
+        "{}",
+        console.screen(80, 24)
+    );
+    let message = "a message that is so long that it takes two rows of a screen with eighty columns, \
+                   above the last row";
+    console.hear(SessionEvent::Speedup(PaceChange {
+        speedup: 1.0,
+        because: Some(message.into()),
+    }));
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("above the last row"), "{screen}");
+    assert!(left_pane(&console).contains(hint), "{screen}");
+    // The objectives that have no row left are marked.
+    assert!(screen.contains('▼'), "{screen}");
 }
 
 #[test]
