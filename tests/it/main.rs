@@ -16,6 +16,7 @@ mod documents;
 mod fidelity;
 mod fixtures;
 mod fleet;
+mod fuzzing;
 mod hangar;
 mod hangar_commands;
 mod hangar_service;
