@@ -36,7 +36,7 @@ pub(super) struct Serials {
     pub(super) links: [Link; Serial::ALL.len()],
     pub(super) signing: Signing,
     pub(super) transfers: Box<Transfers>,
-    /// Whether a transfer is under way.
+    /// Whether a transfer is under way; kept here, so that a step without one does not read the transfers.
     pub(super) transferring: bool,
 }
 
