@@ -326,55 +326,25 @@ fn dispatch(
             }
             fly::connect(addresses, &forwards, &api, plain, settings)
         }
-        Some(CliCommand::Records(options)) => {
-            settings.complain();
-            records::records(&options, &settings)
-        }
+        Some(CliCommand::Records(options)) => records::records(&options, settings.complained()),
         Some(CliCommand::Replay(options)) => replay::replay(&options, settings),
-        Some(CliCommand::Run(options)) => {
-            settings.complain();
-            run::run(&options, &settings)
-        }
-        Some(CliCommand::Verify(options)) => {
-            settings.complain();
-            verify::verify(&options, &settings)
-        }
+        Some(CliCommand::Run(options)) => run::run(&options, settings.complained()),
+        Some(CliCommand::Verify(options)) => verify::verify(&options, settings.complained()),
         Some(CliCommand::Say(options)) => say::say(&options),
         Some(CliCommand::Watch(options)) => watch::watch(&options),
         Some(CliCommand::Mcp(options)) => mcp::serve(&options),
-        Some(CliCommand::Debrief(options)) => {
-            settings.complain();
-            debrief::debrief(&options, &settings)
-        }
-        Some(CliCommand::Plan(options)) => {
-            settings.complain();
-            plan::plan(&options, &settings)
-        }
+        Some(CliCommand::Debrief(options)) => debrief::debrief(&options, settings.complained()),
+        Some(CliCommand::Plan(options)) => plan::plan(&options, settings.complained()),
         Some(CliCommand::Sim(options)) => {
             settings.complain();
             sim::serve(&options)
         }
-        Some(CliCommand::Doctor(options)) => {
-            settings.complain();
-            doctor::doctor(&options, &settings)
-        }
-        Some(CliCommand::Hangar(options)) => {
-            settings.complain();
-            hangar::hangar(&options, &settings)
-        }
+        Some(CliCommand::Doctor(options)) => doctor::doctor(&options, settings.complained()),
+        Some(CliCommand::Hangar(options)) => hangar::hangar(&options, settings.complained()),
         Some(CliCommand::Check(options)) => check::check(&options, &settings),
-        Some(CliCommand::Profile(options)) => {
-            settings.complain();
-            profile::profile(&options, &settings)
-        }
-        Some(CliCommand::Report(options)) => {
-            settings.complain();
-            report::report(&options, &settings)
-        }
-        Some(CliCommand::Workshop(options)) => {
-            settings.complain();
-            workshop::workshop(&options, &settings)
-        }
+        Some(CliCommand::Profile(options)) => profile::profile(&options, settings.complained()),
+        Some(CliCommand::Report(options)) => report::report(&options, settings.complained()),
+        Some(CliCommand::Workshop(options)) => workshop::workshop(&options, settings.complained()),
         Some(CliCommand::Config(options)) => config::config(&options, &settings),
         Some(CliCommand::Bench(bench)) => bench::bench(&bench, &settings),
         Some(CliCommand::Completions { shell }) => manual::completions(shell),

@@ -19,8 +19,7 @@ use crate::config::Config;
 use crate::fleet::FleetClock;
 use crate::replay::Replay;
 use crate::store::{History, UnsavedDrafts};
-use crate::terminal::input::Input;
-use crate::terminal::{self, Keyboard, Screen};
+use crate::terminal::{Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
 
@@ -31,6 +30,7 @@ mod drive;
 mod effects;
 mod files;
 mod ghost;
+mod input;
 mod last_rehearsal;
 mod missions;
 mod options;
@@ -48,20 +48,16 @@ pub use api::ApiOptions;
 use api::Programs;
 use career::Careers;
 pub use drive::drive;
+use input::hear_last_answer;
 use missions::{Tries, listings};
 pub use options::{ConsoleOptions, Opening, Preferences};
 use pace::Pace;
 use session::{RunningSession, SessionEnding, SessionPlan};
 use sight::Sight;
-use signals::{Happened, Signals};
+use signals::Signals;
 
 /// The time between checks for changes by other consoles and commands.
 const LOOK_EVERY: Duration = Duration::from_secs(2);
-
-/// The maximum number of keys handled before a frame, so that a flood of them cannot block the screen.
-const KEYS_PER_FRAME: usize = 64;
-/// How long the program waits for answers from the terminal when it ends.
-const LAST_ANSWER_PATIENCE: Duration = Duration::from_millis(500);
 
 /// Runs the console until the user quits or the terminal disappears.
 ///
@@ -87,40 +83,17 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         pace.keep(console.speedup());
         tokio::select! {
             biased;
-            happened = signals.next() => match happened {
-                Happened::End => {
-                    console.is_cut_off = true;
-                    break;
-                }
-                Happened::Resized => console.measure().await,
-                Happened::Stopped => {
-                    hear_last_answer(&mut screen, &mut keyboard).await;
-                    screen.leave();
-                    terminal::stop();
-                }
-                Happened::Continued => {
-                    screen.take_again()?;
-                    console.measure().await;
-                    console.sight.forget();
-                }
-            },
+            happened = signals.next() => console.obey(happened, &mut screen, &mut keyboard).await?,
             () = pace.tick() => console.tick().await,
             arrival = programs.next() => console.serve(&mut programs, arrival).await,
-            input = keyboard.next() => {
-                let Some(input) = input else {
-                    console.is_cut_off = true;
-                    break;
-                };
-                console.hear(input, &mut screen).await;
-                // Keys typed in the meantime share one frame.
-                for _ in 0..KEYS_PER_FRAME {
-                    let Some(input) = keyboard.ready() else {
-                        break;
-                    };
-                    console.hear(input, &mut screen).await;
-                }
+            input = keyboard.next() => match input {
+                Some(input) => console.hear_all(input, &mut screen, &mut keyboard).await,
+                None => console.is_cut_off = true,
             },
             () = tokio::time::sleep(frame.unwrap_or_default()), if frame.is_some() => {}
+        }
+        if console.is_cut_off {
+            break;
         }
         programs.tell(console.app.state());
         console.draw(&mut screen).await?;
@@ -129,21 +102,6 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
     Ok(())
-}
-
-/// Reads the terminal's last answer, which would otherwise be typed into the shell.
-async fn hear_last_answer(screen: &mut Screen, keyboard: &mut Keyboard) {
-    let answer = async {
-        while screen.expects_answer() {
-            match keyboard.next().await {
-                None => break,
-                Some(Input::Answer) => screen.answered(),
-                Some(_) => {}
-            }
-        }
-    };
-    // After this time, the terminal counts as stalled.
-    drop(tokio::time::timeout(LAST_ANSWER_PATIENCE, answer).await);
 }
 
 /// The command history, oldest first. A history that cannot be read adds a warning.
@@ -160,10 +118,6 @@ fn earlier_lines(history: Option<&History>, warnings: &mut Vec<Text>) -> Vec<Str
         ));
         Vec::new()
     })
-}
-
-fn is_suspend(key: KeyEvent) -> bool {
-    key.code == KeyCode::Char('z') && key.modifiers == KeyModifiers::CONTROL
 }
 
 fn key(code: KeyCode) -> TerminalEvent {
@@ -299,44 +253,6 @@ impl Console {
             self.feed(TerminalEvent::SlowLine(slow)).await;
         }
         self.sight.draw(self.app.state(), screen)
-    }
-
-    async fn hear(&mut self, input: Input, screen: &mut Screen) {
-        if !matches!(input, Input::Answer) {
-            screen.pressed();
-        }
-        match input {
-            Input::Answer => screen.answered(),
-            Input::Key(key) if is_suspend(key) => {
-                self.suspend();
-                self.take_in().await;
-            }
-            Input::Key(key) => self.feed(TerminalEvent::Key(key)).await,
-            Input::Paste(text) => self.feed(TerminalEvent::Paste(text)).await,
-            Input::Click { column, row } => {
-                let chosen = self.sight.look.hits.at(column, row);
-                let event =
-                    chosen.map_or(TerminalEvent::Click { column, row }, TerminalEvent::Choose);
-                self.feed(event).await;
-            }
-        }
-    }
-
-    /// Checks the size of the terminal.
-    async fn measure(&mut self) {
-        if let Ok((columns, rows)) = crossterm::terminal::size() {
-            self.feed(TerminalEvent::Resize { columns, rows }).await;
-        }
-    }
-
-    fn suspend(&mut self) {
-        if !self.app.state().session().may_be_stopped() {
-            self.post(Event::Answer(text!("terminal-no-pause")));
-        } else if terminal::can_be_suspended() {
-            terminal::suspend_group();
-        } else {
-            self.post(Event::Answer(text!("terminal-no-shell")));
-        }
     }
 
     async fn tick(&mut self) {

@@ -37,7 +37,7 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
     for cell in &mut frame.buffer_mut().content {
         cell.set_style(style);
     }
-    if is_too_small((area.width, area.height)) {
+    if is_too_small(area.width, area.height) {
         screen::small::draw(state, Panel::new(look, area), frame.buffer_mut());
         return;
     }

@@ -363,6 +363,12 @@ impl CliSettings {
         }
     }
 
+    /// The settings, once the faults of the files have been printed on standard error.
+    pub fn complained(&self) -> &Self {
+        self.complain();
+        self
+    }
+
     /// The faults of the files, as warnings for the console.
     pub fn warnings(&self) -> Vec<Text> {
         let faults = self.faults.iter().flat_map(FileFault::texts);

@@ -57,7 +57,7 @@ impl ItemsChange {
         match self {
             Self::Delete => return delete(document, list, range),
             Self::Shift { north_m, east_m } => {
-                shift(document.list_mut(list), &range, (*north_m, *east_m));
+                shift(document.list_mut(list), &range, *north_m, *east_m);
             }
             Self::Place(spot) => {
                 let to = found(*spot, document, around)?;
@@ -100,7 +100,7 @@ fn delete(
         .map(|last| at.min(last)))
 }
 
-fn shift(items: &mut [Item], range: &Range<usize>, (north_m, east_m): (f64, f64)) {
+fn shift(items: &mut [Item], range: &Range<usize>, north_m: f64, east_m: f64) {
     for item in &mut items[range.clone()] {
         if let Some(here) = place(item) {
             (item.x, item.y) = here.moved(north_m, east_m).to_e7();
@@ -111,7 +111,8 @@ fn shift(items: &mut [Item], range: &Range<usize>, (north_m, east_m): (f64, f64)
 /// Moves items so that the first one with a place is at `to`.
 fn put(items: &mut [Item], range: &Range<usize>, to: LatLon) -> Result<(), Refusal> {
     if let Some(first) = items[range.clone()].iter().find_map(place) {
-        shift(items, range, first.offset_to(to));
+        let (north_m, east_m) = first.offset_to(to);
+        shift(items, range, north_m, east_m);
         return Ok(());
     }
     let mut placeable = items[range.clone()]

@@ -4,7 +4,7 @@ use super::argument::{Arguments, Problem};
 use super::console::ConsoleLine;
 use super::verb::{Meaning, Scope, VerbRow};
 use crate::commands::{Act, Command, Deed, Manoeuvre, PlanTask};
-use crate::verb::{Retry, Verb};
+use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
 
 mod console;
 mod devices;
@@ -72,6 +72,38 @@ const ASK: Retry = Retry::new(3, 1000, 4000);
 const SETPOINT: Retry = Retry::new(3, 1000, 4000);
 /// For commands that must not take effect twice.
 const ONCE: Retry = Retry::ONCE;
+
+/// A verb that changes a setting of a device.
+const fn setting(name: &'static str) -> Verb {
+    Verb {
+        name,
+        danger: Danger::None,
+        retry: ASK,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Setting,
+    }
+}
+
+/// A verb that asks the vehicle for something and changes nothing else.
+const fn question(name: &'static str) -> Verb {
+    Verb {
+        counts_as: CountsAs::Question,
+        ..setting(name)
+    }
+}
+
+/// A verb whose command can do anything to the vehicle: sent once, after a confirmation.
+const fn confirmed(name: &'static str) -> Verb {
+    Verb {
+        name,
+        danger: Danger::Confirm,
+        retry: ONCE,
+        precedence: Precedence::InTurn,
+        movement: Movement::None,
+        counts_as: CountsAs::Task,
+    }
+}
 
 type Built = Result<Meaning, Problem>;
 

@@ -57,24 +57,9 @@ fn kind_words(kind: &FindingKind) -> Text {
         }
         FindingKind::BreaksFence(broken) => broken_area(*broken),
         FindingKind::LegBreaksFence { area } => text!("plan-leg-breaks-fence", area = area + 1),
-        FindingKind::HomeBreaksFence(BrokenArea { area, is_exclusion }) => {
-            let area = area + 1;
-            if *is_exclusion {
-                text!("plan-home-inside-exclusion", area = area)
-            } else {
-                text!("plan-home-breaks-fence", area = area)
-            }
-        }
-        FindingKind::BeyondRadius { distance_m, most_m } => text!(
-            "plan-beyond-radius",
-            distance = figure(*distance_m, 0),
-            most = figure(*most_m, 0)
-        ),
-        FindingKind::AboveCeiling { height_m, most_m } => text!(
-            "plan-above-ceiling",
-            height = figure(*height_m, 0),
-            most = figure(*most_m, 0)
-        ),
+        FindingKind::HomeBreaksFence(broken) => home_in_broken_area(*broken),
+        FindingKind::BeyondRadius { distance_m, most_m } => beyond_radius(*distance_m, *most_m),
+        FindingKind::AboveCeiling { height_m, most_m } => above_ceiling(*height_m, *most_m),
         FindingKind::NoTakeoff => text!("plan-no-takeoff"),
         FindingKind::NoEnd => text!("plan-no-end"),
         FindingKind::Unreached => text!("plan-unreached"),
@@ -89,12 +74,8 @@ fn kind_words(kind: &FindingKind) -> Text {
         } => mixed_frames(*before, *here, *above_home_m),
         FindingKind::LowHeight {
             height_m,
-            may_slope: false,
-        } => text!("plan-low-height", height = figure(*height_m, 0)),
-        FindingKind::LowHeight {
-            height_m,
-            may_slope: true,
-        } => text!("plan-low-slope", height = figure(*height_m, 0)),
+            may_slope,
+        } => low_height(*height_m, *may_slope),
         FindingKind::LowOverGround {
             height_m,
             along_m,
@@ -117,6 +98,15 @@ fn kind_words(kind: &FindingKind) -> Text {
     }
 }
 
+fn home_in_broken_area(BrokenArea { area, is_exclusion }: BrokenArea) -> Text {
+    let area = area + 1;
+    if is_exclusion {
+        text!("plan-home-inside-exclusion", area = area)
+    } else {
+        text!("plan-home-breaks-fence", area = area)
+    }
+}
+
 fn broken_area(BrokenArea { area, is_exclusion }: BrokenArea) -> Text {
     let area = area + 1;
     if is_exclusion {
@@ -129,16 +119,27 @@ fn broken_area(BrokenArea { area, is_exclusion }: BrokenArea) -> Text {
 fn rally_words(fault: RallyFault) -> Text {
     match fault {
         RallyFault::Area(broken) => broken_area(broken),
-        RallyFault::Radius { distance_m, most_m } => text!(
-            "plan-beyond-radius",
-            distance = figure(distance_m, 0),
-            most = figure(most_m, 0)
-        ),
-        RallyFault::Ceiling { height_m, most_m } => text!(
-            "plan-above-ceiling",
-            height = figure(height_m, 0),
-            most = figure(most_m, 0)
-        ),
+        RallyFault::Radius { distance_m, most_m } => beyond_radius(distance_m, most_m),
+        RallyFault::Ceiling { height_m, most_m } => above_ceiling(height_m, most_m),
+    }
+}
+
+fn beyond_radius(distance_m: f32, most_m: f32) -> Text {
+    let (distance, most) = (figure(distance_m, 0), figure(most_m, 0));
+    text!("plan-beyond-radius", distance = distance, most = most)
+}
+
+fn above_ceiling(height_m: f32, most_m: f32) -> Text {
+    let (height, most) = (figure(height_m, 0), figure(most_m, 0));
+    text!("plan-above-ceiling", height = height, most = most)
+}
+
+fn low_height(height_m: f32, may_slope: bool) -> Text {
+    let height = figure(height_m, 0);
+    if may_slope {
+        text!("plan-low-slope", height = height)
+    } else {
+        text!("plan-low-height", height = height)
     }
 }
 

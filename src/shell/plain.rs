@@ -13,7 +13,8 @@
 use std::time::Duration;
 
 use super::api::Programs;
-use super::{Console, ConsoleOptions, Happened, Opening, Pace, Signals, key};
+use super::signals::{Happened, Signals};
+use super::{Console, ConsoleOptions, Opening, Pace, key};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;

@@ -83,6 +83,20 @@ impl HeightFrame {
 }
 
 impl Item {
+    /// An item of a fence without a height; `size` is the radius of a circle or the number of a polygon's corners, and
+    /// the place is in 1e-7 degrees.
+    pub(crate) fn of_fence(command: u16, size: f32, x: i32, y: i32) -> Self {
+        Self {
+            command,
+            frame: frame::SEA_LEVEL,
+            auto_continue: true,
+            params: [size, 0.0, 0.0, 0.0],
+            x,
+            y,
+            z: 0.0,
+        }
+    }
+
     /// The level that the item's altitude is measured from.
     pub const fn height_frame(&self) -> HeightFrame {
         HeightFrame::of(self.frame)

@@ -85,12 +85,21 @@ impl Ball {
     }
 }
 
+/// What stays the same about a vehicle: kept here, so that the check after each step reads only its moving body.
+#[derive(Debug)]
+struct VehicleFrame {
+    start: Start,
+    /// The start, relative to the first vehicle's.
+    offset_m: DVec3,
+    radius_m: f64,
+    mass_kg: f64,
+}
+
 /// The collisions of a world.
 #[derive(Debug, Default)]
 pub(super) struct Collisions {
     obstacles: Obstacles,
-    /// Each vehicle's start, and its position in the frame of the world. A reboot changes them.
-    frames: Vec<(Start, DVec3)>,
+    frames: Vec<VehicleFrame>,
     balls: Vec<Ball>,
     grid: CollisionGrid,
     pairs: Vec<(u32, u32)>,
@@ -137,34 +146,32 @@ impl Collisions {
     }
 
     fn ball(&mut self, vehicle: usize, autopilot: &Autopilot) -> Ball {
+        if vehicle == self.frames.len() {
+            let frame = self.frame(autopilot);
+            self.frames.push(frame);
+        }
+        let frame = &self.frames[vehicle];
         let body = &autopilot.vehicle.plant.body;
-        let radius_m = (0.5 * autopilot.vehicle.plant.airframe.size_m()).min(RADIUS_MAX_M);
-        let feet_m = self.offset(vehicle, autopilot.vehicle.datum.start) + body.position_m;
         Ball {
-            centre_m: feet_m - DVec3::Z * radius_m,
+            centre_m: frame.offset_m + body.position_m - DVec3::Z * frame.radius_m,
             velocity_m_s: body.velocity_m_s,
-            radius_m,
-            mass_kg: autopilot.vehicle.plant.airframe.mass_kg(),
+            radius_m: frame.radius_m,
+            mass_kg: frame.mass_kg,
             in_air: !body.on_ground,
             wrecked: body.wrecked,
         }
     }
 
-    /// A vehicle's start, relative to the first vehicle's.
-    fn offset(&mut self, vehicle: usize, start: Start) -> DVec3 {
-        if let Some((known, offset)) = self.frames.get(vehicle)
-            && *known == start
-        {
-            return *offset;
+    fn frame(&self, autopilot: &Autopilot) -> VehicleFrame {
+        let airframe = &autopilot.vehicle.plant.airframe;
+        let start = autopilot.vehicle.datum.start;
+        let origin = self.frames.first().map_or(start, |first| first.start);
+        VehicleFrame {
+            start,
+            offset_m: from_start(origin, start.at, start.altitude_amsl_m),
+            radius_m: (0.5 * airframe.size_m()).min(RADIUS_MAX_M),
+            mass_kg: airframe.mass_kg(),
         }
-        let origin = self.frames.first().map_or(start, |(first, _)| *first);
-        let offset = self.frames.first().map_or(DVec3::ZERO, |(_, first)| *first)
-            + from_start(origin, start.at, start.altitude_amsl_m);
-        match self.frames.get_mut(vehicle) {
-            Some(frame) => *frame = (start, offset),
-            None => self.frames.push((start, offset)),
-        }
-        offset
     }
 
     fn meet(&mut self, now: Duration) {
@@ -265,9 +272,11 @@ impl Collisions {
     }
 
     fn note(&mut self, at: Duration, vehicle: usize, with: Met, speed_m_s: f64) {
-        let (start, offset) = self.frames[vehicle];
+        let VehicleFrame {
+            start, offset_m, ..
+        } = self.frames[vehicle];
         let ball = self.balls[vehicle];
-        let own = ball.centre_m + DVec3::Z * ball.radius_m - offset;
+        let own = ball.centre_m + DVec3::Z * ball.radius_m - offset_m;
         self.events.push(Collision {
             at,
             vehicle,

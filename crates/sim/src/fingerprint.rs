@@ -41,6 +41,7 @@ impl VehicleSlot {
             links,
             signing: _,
             transfers,
+            transferring: _,
         } = serials;
         print.add(links);
         print.add(transfers);

@@ -188,21 +188,20 @@ impl World {
     /// Switches the vehicles on. Beyond 254 vehicles the system ids begin again at 1.
     pub fn new(config: &WorldConfig) -> Self {
         let usual = Airframe::shared_standard();
-        let slots = config
-            .starts
-            .iter()
-            .enumerate()
-            .map(|(vehicle, start)| {
-                let system = (vehicle % SYSTEMS) as u8 + 1;
-                let airframe = config.airframe(vehicle, &usual);
-                let wind = Wind::new(config.seed, vehicle as u64);
-                let mut autopilot = Autopilot::new(system, *start, airframe, wind);
-                if config.realistic_boot {
-                    autopilot = autopilot.booting_realistically();
-                }
-                VehicleSlot::new(autopilot)
-            })
-            .collect();
+        let mut slots: Vec<VehicleSlot> = Vec::with_capacity(config.starts.len());
+        for (vehicle, start) in config.starts.iter().enumerate() {
+            let system = (vehicle % SYSTEMS) as u8 + 1;
+            let airframe = config.airframe(vehicle, &usual);
+            let wind = Wind::new(config.seed, vehicle as u64);
+            let mut autopilot = Autopilot::new(system, *start, airframe, wind);
+            if config.realistic_boot {
+                autopilot = autopilot.booting_realistically();
+            }
+            if let Some(before) = slots.last() {
+                autopilot.vehicle.share_tuning(&before.autopilot.vehicle);
+            }
+            slots.push(VehicleSlot::new(autopilot));
+        }
         Self {
             slots,
             next_port: 0,

@@ -36,16 +36,19 @@ const PARAMETERS_PER_STEP: u16 = 23;
 pub(super) struct Serials {
     pub(super) links: [Link; Serial::ALL.len()],
     pub(super) signing: Signing,
-    pub(super) transfers: Transfers,
+    pub(super) transfers: Box<Transfers>,
+    /// Whether a transfer is under way; kept here, so that a step without one does not read the transfers.
+    pub(super) transferring: bool,
 }
 
 impl Serials {
     /// The serial ports after a boot.
-    pub(super) fn booted(vehicle: &Vehicle, signing: Signing, transfers: Transfers) -> Self {
+    pub(super) fn booted(vehicle: &Vehicle, signing: Signing, transfers: Box<Transfers>) -> Self {
         let now = vehicle.uptime();
         Self {
             links: Serial::ALL.map(|serial| Link::new(serial, &vehicle.parameters, now)),
             signing,
+            transferring: !transfers.is_idle(),
             transfers,
         }
     }
@@ -137,11 +140,13 @@ impl Port {
             links,
             signing,
             transfers,
+            transferring,
         } = serials;
         let link = &mut links[self.serial.index()];
         link.heard = true;
         link.transfer = self.transfer;
         inbound::handle(autopilot, transfers, link, frame);
+        *transferring = !transfers.is_idle();
         self.transfer = link.transfer;
         if let Some((key, timestamp)) = link.key.take() {
             signing.load(key, timestamp);
@@ -202,17 +207,19 @@ impl Port {
 
     /// Continues transfers; they pause for a slow reader.
     pub(super) fn transfer(&mut self, autopilot: &mut Autopilot, serials: &mut Serials) {
-        if self.pending.len() >= TRANSFERS_MAX {
+        if !serials.transferring || self.pending.len() >= TRANSFERS_MAX {
             return;
         }
         let Serials {
             links,
             signing,
             transfers,
+            transferring,
         } = serials;
         let link = &mut links[self.serial.index()];
         link.transfer = self.transfer;
         transfer::step(transfers, autopilot, link);
+        *transferring = !transfers.is_idle();
         for reply in link.replies.drain(..) {
             self.answer(&reply, signing);
         }

@@ -8,7 +8,6 @@ use super::autopilot::Autopilot;
 use super::autopilot::telemetry;
 use super::port::{Port, Serials};
 use super::signing::Signing;
-use super::transfer::Transfers;
 
 /// A vehicle and its connections.
 #[derive(Debug)]
@@ -22,7 +21,7 @@ pub(super) struct VehicleSlot {
 impl VehicleSlot {
     pub(super) fn new(autopilot: Autopilot) -> Self {
         Self {
-            serials: Serials::booted(&autopilot.vehicle, Signing::default(), Transfers::default()),
+            serials: Serials::booted(&autopilot.vehicle, Signing::default(), Box::default()),
             autopilot,
             ports: Vec::new(),
         }
@@ -141,8 +140,8 @@ impl VehicleSlot {
         }
         let mut signing = std::mem::take(&mut self.serials.signing);
         signing.reboot();
-        let transfers = std::mem::take(&mut self.serials.transfers).rebooted();
-        self.serials = Serials::booted(&self.autopilot.vehicle, signing, transfers);
+        let transfers = std::mem::take(&mut *self.serials.transfers).rebooted();
+        self.serials = Serials::booted(&self.autopilot.vehicle, signing, Box::new(transfers));
     }
 
     fn place(&self, number: u64) -> Option<usize> {

@@ -42,6 +42,11 @@ pub(super) fn load(autopilot: &mut Autopilot, kind: ListKind, items: &[Item]) ->
 }
 
 impl Transfers {
+    /// Whether no transfer is under way.
+    pub(super) fn is_idle(&self) -> bool {
+        self.lists.is_idle() && self.files.is_idle() && self.download.is_idle()
+    }
+
     /// The state after a reboot: files stay.
     pub(super) fn rebooted(self) -> Self {
         Self {
@@ -134,9 +139,6 @@ pub(super) fn handle(
 
 /// Continues the transfers of a link.
 pub(super) fn step(transfers: &mut Transfers, autopilot: &mut Autopilot, link: &mut Link) {
-    if transfers.lists.is_idle() && transfers.files.is_idle() && transfers.download.is_idle() {
-        return;
-    }
     let peer = Peer {
         link: link.transfer.0,
         ..Peer::default()

@@ -49,7 +49,8 @@ pub(super) struct Vehicle {
     pub(super) system: u8,
     pub(super) board_id: u64,
     pub(super) parameters: Parameters,
-    pub(super) tuning: Tuning,
+    /// Shared with other vehicles while their parameters are equal.
+    pub(super) tuning: Arc<Tuning>,
     pub(super) plant: Plant,
     /// The autopilot's estimate of the plant.
     pub(super) estimator: Estimator,
@@ -82,7 +83,7 @@ impl Vehicle {
             estimator: Estimator::new(build.board_id),
             datum: LocalDatum::at(build.start),
             flight: FlightState::resting(&plant.body),
-            tuning,
+            tuning: Arc::new(tuning),
             plant,
             safety: Safety::default(),
             fence: Geofence::default(),
@@ -188,11 +189,20 @@ impl Vehicle {
     /// Reads the parameters again after a change.
     pub(super) fn retune(&mut self) {
         let before = self.tuning.flight.speeds_m_s();
-        self.tuning = Tuning::read(&self.parameters);
-        self.tuning.faults.switch_gps(self.flight.gps_off);
+        let mut tuning = Tuning::read(&self.parameters);
+        tuning.faults.switch_gps(self.flight.gps_off);
+        self.tuning = Arc::new(tuning);
         let now = self.tuning.flight.speeds_m_s();
         if self.safety.armed {
             self.flight.speeds_changed(before, now);
+        }
+    }
+
+    /// Shares the tuning of another vehicle if it is equal: in a swarm that does not fit into the processor's caches,
+    /// fetching each vehicle's own copy takes longer than using it.
+    pub(super) fn share_tuning(&mut self, other: &Self) {
+        if self.tuning == other.tuning {
+            self.tuning = Arc::clone(&other.tuning);
         }
     }
 

@@ -6,7 +6,7 @@ use crate::geo::GridSize;
 pub const SMALLEST: (u16, u16) = (80, 24);
 
 /// Whether a terminal of this size, in columns and rows, is too small to show anything.
-pub fn is_too_small((columns, rows): (u16, u16)) -> bool {
+pub fn is_too_small(columns: u16, rows: u16) -> bool {
     columns < SMALLEST.0 || rows < SMALLEST.1
 }
 
@@ -40,7 +40,8 @@ impl Display {
 
     /// Whether the terminal is too small to show anything, so keys would be pressed blindly.
     pub fn is_too_small(&self) -> bool {
-        is_too_small(self.size)
+        let (columns, rows) = self.size;
+        is_too_small(columns, rows)
     }
 
     /// The throughput of the terminal's connection in bytes per second while it is too slow for the

@@ -34,8 +34,11 @@ mod tests {
 
     use super::*;
 
-    fn room((running, free): (u16, u16)) -> Capacity {
-        Capacity { running, free }
+    fn with_room(figures: &[(u16, u16)]) -> Vec<Capacity> {
+        figures
+            .iter()
+            .map(|&(running, free)| Capacity { running, free })
+            .collect()
     }
 
     #[test]
@@ -51,7 +54,7 @@ mod tests {
             (&[(3, 0), (0, 1)], 1, Some(&[1])),
             (&[(3, 0), (0, 1)], 2, None),
         ] {
-            let rooms: Vec<Capacity> = rooms.iter().copied().map(room).collect();
+            let rooms = with_room(rooms);
             let chosen = spread(&rooms, count);
             assert_eq!(chosen.as_deref(), expected, "{rooms:?} {count}");
         }
@@ -63,7 +66,7 @@ mod tests {
             rooms in proptest::collection::vec((0_u16..20, 0_u16..20), 0..6),
             count in 0_usize..60,
         ) {
-            let rooms: Vec<Capacity> = rooms.into_iter().map(room).collect();
+            let rooms = with_room(&rooms);
             let free: usize = rooms.iter().map(|room| usize::from(room.free)).sum();
             match spread(&rooms, count) {
                 None => prop_assert!(count > free),

@@ -2,14 +2,14 @@
 
 use strum::VariantNames as _;
 
-use super::{ASK, ONCE, command, raw, swarm};
+use super::{command, confirmed, question, raw, setting, swarm};
 use crate::commands::{
     Act, Command, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand, QueryCommand,
 };
 use crate::language::argument::{Argument, Arguments, Kind, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::signing::SigningChange;
-use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
+use crate::verb::{CountsAs, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[
     SERVO,
@@ -26,14 +26,7 @@ pub(super) static ROWS: &[VerbRow] = &[
 ];
 
 const SERVO: VerbRow = VerbRow {
-    verb: Verb {
-        name: "servo",
-        danger: Danger::None,
-        retry: ASK,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Setting,
-    },
+    verb: setting("servo"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &["servo 9 1500us"],
@@ -60,14 +53,7 @@ const SERVO: VerbRow = VerbRow {
 };
 
 const RELAY: VerbRow = VerbRow {
-    verb: Verb {
-        name: "relay",
-        danger: Danger::None,
-        retry: ASK,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Setting,
-    },
+    verb: setting("relay"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &[
@@ -99,14 +85,7 @@ const RELAY: VerbRow = VerbRow {
 };
 
 const REBOOT: VerbRow = VerbRow {
-    verb: Verb {
-        name: "reboot",
-        danger: Danger::Confirm,
-        retry: ONCE,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Task,
-    },
+    verb: confirmed("reboot"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &["2 reboot"],
@@ -116,14 +95,7 @@ const REBOOT: VerbRow = VerbRow {
 };
 
 const INTERVAL: VerbRow = VerbRow {
-    verb: Verb {
-        name: "interval",
-        danger: Danger::None,
-        retry: ASK,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Question,
-    },
+    verb: question("interval"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &["interval ATTITUDE 10", "interval 33 2Hz"],
@@ -142,14 +114,7 @@ const INTERVAL: VerbRow = VerbRow {
 };
 
 const REQUEST: VerbRow = VerbRow {
-    verb: Verb {
-        name: "request",
-        danger: Danger::None,
-        retry: ASK,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Question,
-    },
+    verb: question("request"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &["request AUTOPILOT_VERSION", "1 request 242"],
@@ -168,14 +133,7 @@ const REQUEST: VerbRow = VerbRow {
 };
 
 const PARAM: VerbRow = VerbRow {
-    verb: Verb {
-        name: "param",
-        danger: Danger::None,
-        retry: ASK,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Setting,
-    },
+    verb: setting("param"),
     scope: Scope::Everywhere,
     aliases: &["parameter"],
     examples: &["param get WPNAV_SPEED", "all param set WPNAV_SPEED 500"],
@@ -210,14 +168,7 @@ const TO_FOLDER: Argument =
     Argument::keyed("to", "folder", Kind::Rest, "argument-log-folder").optional();
 
 const LOGS: VerbRow = VerbRow {
-    verb: Verb {
-        name: "logs",
-        danger: Danger::None,
-        retry: ASK,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Question,
-    },
+    verb: question("logs"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &[
@@ -273,12 +224,8 @@ fn download(which: LogChoice, given: &Arguments) -> Meaning {
 /// key press.
 const SIGNING: VerbRow = VerbRow {
     verb: Verb {
-        name: "signing",
-        danger: Danger::Confirm,
-        retry: ONCE,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
         counts_as: CountsAs::Setting,
+        ..confirmed("signing")
     },
     scope: Scope::Everywhere,
     aliases: &[],

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use strum::VariantNames as _;
 
-use super::{ASK, Built, CHANGE, SETPOINT, command, given};
+use super::{Built, CHANGE, SETPOINT, command, given, setting};
 use crate::commands::{Command, Destination, Heading, MotionCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
@@ -354,14 +354,7 @@ const ROI: VerbRow = VerbRow {
 };
 
 const HOME: VerbRow = VerbRow {
-    verb: Verb {
-        name: "home",
-        danger: Danger::None,
-        retry: ASK,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Setting,
-    },
+    verb: setting("home"),
     scope: Scope::Everywhere,
     aliases: &["sethome"],
     examples: &["home here", "home 50.4501 30.5234 180"],

@@ -3,13 +3,12 @@
 use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{MavMessage, SETUP_SIGNING_DATA};
 
-use super::{Built, ONCE, command};
+use super::{Built, command, confirmed};
 use crate::commands::{Command, RawCommand, RawMessage};
 use crate::inspector::{Definitions, write};
 use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
-use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
 use crate::wire::is_secret;
 
 /// Any value that fits a float on the wire.
@@ -17,14 +16,7 @@ pub(super) const ANY: Kind = Kind::Number(Unit::None, -(f32::MAX as f64), f32::M
 const ANY_I32: Kind = Kind::Whole(Unit::None, i32::MIN as f64, i32::MAX as f64);
 
 pub(super) const LONG: VerbRow = VerbRow {
-    verb: Verb {
-        name: "long",
-        danger: Danger::Confirm,
-        retry: ONCE,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Task,
-    },
+    verb: confirmed("long"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &["long NAV_TAKEOFF 0 0 0 0 0 0 20", "long 400 1"],
@@ -50,14 +42,7 @@ pub(super) const LONG: VerbRow = VerbRow {
 };
 
 pub(super) const INT: VerbRow = VerbRow {
-    verb: Verb {
-        name: "int",
-        danger: Danger::Confirm,
-        retry: ONCE,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Task,
-    },
+    verb: confirmed("int"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &["int DO_REPOSITION 6 -1 1 0 0 504501000 305234000 40"],
@@ -99,14 +84,7 @@ fn int(given: &Arguments) -> Built {
 }
 
 pub(super) const SEND: VerbRow = VerbRow {
-    verb: Verb {
-        name: "send",
-        danger: Danger::Confirm,
-        retry: ONCE,
-        precedence: Precedence::InTurn,
-        movement: Movement::None,
-        counts_as: CountsAs::Task,
-    },
+    verb: confirmed("send"),
     scope: Scope::Everywhere,
     aliases: &[],
     examples: &[

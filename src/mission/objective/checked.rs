@@ -9,8 +9,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    DemandedEquipment, DemandedTime, Demands, Equipment, ObjectiveKind, ObjectiveScene,
-    ObjectiveStanding, Tracker, Trying,
+    DemandedTime, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
+    Trying,
 };
 use crate::geo::maths;
 use crate::mission::craft::Craft;
@@ -114,13 +114,9 @@ impl ObjectiveKind for Checked {
 
     fn demands(&self) -> Demands<'_> {
         Demands {
-            equipment: Some(DemandedEquipment {
-                key: "kind",
-                equipment: Equipment::AnySensor,
-            }),
             heights_m: self.heights_m,
             times: vec![DemandedTime::seconds("dwell", self.dwell_s)],
-            ..Demands::default()
+            ..Demands::equipment(Equipment::AnySensor)
         }
     }
 

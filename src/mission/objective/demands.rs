@@ -30,6 +30,19 @@ pub(crate) struct Demands<'o> {
     pub staying: Duration,
 }
 
+impl Demands<'_> {
+    /// Demands only equipment, by the key `kind`.
+    pub fn equipment(equipment: Equipment) -> Self {
+        Self {
+            equipment: Some(DemandedEquipment {
+                key: "kind",
+                equipment,
+            }),
+            ..Self::default()
+        }
+    }
+}
+
 /// Equipment required by a key of the mission file.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct DemandedEquipment {

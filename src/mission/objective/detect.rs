@@ -12,8 +12,7 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::{
-    DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Sought, Tracker, Trying,
+    Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought, Tracker, Trying,
 };
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
 use crate::mission::ground_truth::Object;
@@ -100,13 +99,7 @@ impl ObjectiveKind for Detect {
     }
 
     fn demands(&self) -> Demands<'_> {
-        Demands {
-            equipment: Some(DemandedEquipment {
-                key: "kind",
-                equipment: Equipment::Detector,
-            }),
-            ..Demands::default()
-        }
+        Demands::equipment(Equipment::Detector)
     }
 
     fn sought(&self) -> Option<Sought> {

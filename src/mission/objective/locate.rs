@@ -3,8 +3,8 @@
 //! The accuracy of reports is revealed only after the flight; otherwise reporting would be a way to find out.
 
 use super::{
-    DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Sought, Tracker, Trying, partial_credit,
+    Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought, Tracker, Trying,
+    partial_credit,
 };
 use crate::commands::FindKind;
 use crate::mission::Point;
@@ -75,13 +75,7 @@ impl ObjectiveKind for Locate {
     }
 
     fn demands(&self) -> Demands<'_> {
-        Demands {
-            equipment: Some(DemandedEquipment {
-                key: "kind",
-                equipment: Equipment::AnySensor,
-            }),
-            ..Demands::default()
-        }
+        Demands::equipment(Equipment::AnySensor)
     }
 
     fn sought(&self) -> Option<Sought> {

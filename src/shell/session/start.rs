@@ -102,6 +102,17 @@ impl SessionPlan {
 }
 
 impl SessionPlan {
+    /// What a session records, and its access to files and keys.
+    fn keeping(&self, backend: &SessionBackend, recorder: Option<&FlightRecorder>) -> Keeping {
+        let folder = backend.data.as_deref().map(LogFolder::within);
+        Keeping {
+            sink: recorder.map(FlightRecorder::sink),
+            logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
+            plans: Some(self.shelf(backend.occasion.stake, backend.data.as_deref())),
+            signer: backend.signer.clone(),
+        }
+    }
+
     /// Access to plan files for the session's vehicles. In a flight that counts, a plan must not
     /// move home or switch the fence.
     fn shelf(&self, stake: Stake, data: Option<&Path>) -> Arc<dyn PlanShelf> {
@@ -125,20 +136,23 @@ impl RunningSession {
         backend: &SessionBackend,
         before: SessionEnding,
     ) -> Result<(Self, Started), Text> {
+        let mut running = Self::without_vehicles(&plan, backend);
+        let mut started = running.begin(plan, backend, before).await?;
+        started.speedup = backend.speedup;
+        started.processes = running.processes.as_ref().map(|processes| processes.count);
+        running.share(&backend.forwards)?;
+        running.begin_record(backend, &started);
+        Ok((running, started))
+    }
+
+    fn without_vehicles(plan: &SessionPlan, backend: &SessionBackend) -> Self {
         let cancel = CancellationToken::new();
         let recorder = plan
             .is_recorded(backend)
             .then(|| FlightRecorder::new(&backend.clock));
-        let sink = recorder.as_ref().map(FlightRecorder::sink);
-        let folder = backend.data.as_deref().map(LogFolder::within);
-        let keeping = Keeping {
-            sink,
-            logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
-            plans: Some(plan.shelf(backend.occasion.stake, backend.data.as_deref())),
-            signer: backend.signer.clone(),
-        };
+        let keeping = plan.keeping(backend, recorder.as_ref());
         let (fleet, events) = Fleet::start_kept(keeping, backend.clock.clone(), cancel.clone());
-        let mut running = Self {
+        Self {
             plan: plan.clone(),
             fleet,
             events,
@@ -161,35 +175,37 @@ impl RunningSession {
             processes: None,
             recorder,
             cancel,
-        };
-        let row = || WorldConfig {
-            seed: backend.seed,
-            ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
-        };
-        let mut started = match plan {
-            SessionPlan::Mission(mission) => {
-                running.start_mission(mission, backend, before).await?
-            }
+        }
+    }
+
+    /// Starts or connects the vehicles.
+    async fn begin(
+        &mut self,
+        plan: SessionPlan,
+        backend: &SessionBackend,
+        before: SessionEnding,
+    ) -> Result<Started, Text> {
+        match plan {
+            SessionPlan::Mission(mission) => self.start_mission(mission, backend, before).await,
             SessionPlan::Free(_) => {
-                running.simulate(row(), backend, before).await?;
-                Started {
+                let row = WorldConfig {
+                    seed: backend.seed,
+                    ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
+                };
+                self.simulate(row, backend, before).await?;
+                Ok(Started {
                     places: free_flight_places(),
                     ..started(Activity::Free)
-                }
+                })
             }
             SessionPlan::Connect(addresses) => {
                 let names = addresses.iter().map(ToString::to_string).collect();
                 for address in addresses {
-                    running.fleet.connect(Transport::Address(address))?;
+                    self.fleet.connect(Transport::Address(address))?;
                 }
-                started(Activity::Connected { addresses: names })
+                Ok(started(Activity::Connected { addresses: names }))
             }
-        };
-        started.speedup = backend.speedup;
-        started.processes = running.processes.as_ref().map(|processes| processes.count);
-        running.share(&backend.forwards)?;
-        running.begin_record(backend, &started);
-        Ok((running, started))
+        }
     }
 
     /// Opens forwards. In a mission they are read-only: another ground station must not help to fly

@@ -28,59 +28,104 @@ pub(super) fn check(
     let Some(origin) = home.or(first) else {
         return;
     };
-    let metres = |point: &LatLon| <[f64; 2]>::from(origin.offset_to(*point));
-    let areas: Vec<_> = fence.areas.iter().map(|area| area.map(metres)).collect();
-    let broken = |point: [f64; 2]| {
-        let area = areas.iter().position(|area| area.is_broken_at(point))?;
-        let is_exclusion = !areas[area].keeps_in;
+    let field = FenceField::around(origin, &fence);
+    let home_m = home.map(|_| [0.0; 2]);
+    let at_home = home_m.and_then(|home_m| field.broken(home_m));
+    findings.extend(at_home.map(|area| Finding {
+        list: ListKind::Fence,
+        item: None,
+        kind: FindingKind::HomeBreaksFence(area),
+    }));
+    field.check_rally(document, options, findings);
+    field.check_plan(&document.plan, home_m, options, findings);
+}
+
+/// The areas of a fence, in metres north and east of an origin.
+struct FenceField {
+    origin: LatLon,
+    areas: Vec<FenceArea<[f64; 2]>>,
+}
+
+impl FenceField {
+    fn around(origin: LatLon, fence: &Fence) -> Self {
+        let metres = |point: &LatLon| <[f64; 2]>::from(origin.offset_to(*point));
+        Self {
+            origin,
+            areas: fence.areas.iter().map(|area| area.map(metres)).collect(),
+        }
+    }
+
+    fn metres(&self, point: LatLon) -> [f64; 2] {
+        self.origin.offset_to(point).into()
+    }
+
+    /// The area that a point breaks, if any.
+    fn broken(&self, point: [f64; 2]) -> Option<BrokenArea> {
+        let area = self
+            .areas
+            .iter()
+            .position(|area| area.is_broken_at(point))?;
+        let is_exclusion = !self.areas[area].keeps_in;
         Some(BrokenArea { area, is_exclusion })
-    };
-    if home.is_some()
-        && let Some(area) = broken([0.0; 2])
-    {
-        findings.push(Finding {
-            list: ListKind::Fence,
-            item: None,
-            kind: FindingKind::HomeBreaksFence(area),
-        });
     }
-    for (index, item) in document.rally.iter().enumerate() {
-        let fault = rally_fault(item, document.home, options);
-        let point = item.point();
-        let outside = broken(metres(&point)).map(RallyFault::Area);
-        let fault = outside.or(fault).filter(|_| point.is_valid());
-        findings.extend(fault.map(|fault| Finding {
-            list: ListKind::Rally,
-            item: Some(index),
-            kind: FindingKind::RallyIgnored(fault),
-        }));
+
+    fn check_rally(
+        &self,
+        document: &Document,
+        options: &CheckOptions,
+        findings: &mut Vec<Finding>,
+    ) {
+        for (index, item) in document.rally.iter().enumerate() {
+            let fault = rally_fault(item, document.home, options);
+            let point = item.point();
+            let outside = self.broken(self.metres(point)).map(RallyFault::Area);
+            let fault = outside.or(fault).filter(|_| point.is_valid());
+            findings.extend(fault.map(|fault| Finding {
+                list: ListKind::Rally,
+                item: Some(index),
+                kind: FindingKind::RallyIgnored(fault),
+            }));
+        }
     }
-    let mut before = home.map(|_| [0.0; 2]);
-    for (index, item) in document.plan.iter().enumerate() {
-        let Some(point) = place_of(item) else {
-            before = before.filter(|_| item.command != command::RETURN_TO_LAUNCH);
-            continue;
-        };
-        let here = metres(&point);
-        let mut add = |kind| findings.push(plan_finding(index, kind));
-        if home.is_some() {
-            check_distance(here, options, &mut add);
-        }
-        if !command::is_flown_to(item.command) {
-            continue;
-        }
-        let is_clear = before.is_none_or(|before| broken(before).is_none());
-        match (broken(here), before) {
-            (Some(area), _) => add(FindingKind::BreaksFence(area)),
-            (None, Some(before)) if is_clear => {
-                let crossed = areas.iter().position(|area| is_crossed(area, before, here));
-                if let Some(area) = crossed {
-                    add(FindingKind::LegBreaksFence { area });
-                }
+
+    /// Checks the places and legs of a plan that begins at home, if home is known.
+    fn check_plan(
+        &self,
+        plan: &[Item],
+        home_m: Option<[f64; 2]>,
+        options: &CheckOptions,
+        findings: &mut Vec<Finding>,
+    ) {
+        let mut before = home_m;
+        for (index, item) in plan.iter().enumerate() {
+            let Some(point) = place_of(item) else {
+                before = before.filter(|_| item.command != command::RETURN_TO_LAUNCH);
+                continue;
+            };
+            let here = self.metres(point);
+            let mut add = |kind| findings.push(plan_finding(index, kind));
+            if home_m.is_some() {
+                check_distance(here, options, &mut add);
             }
-            (None, _) => {}
+            if !command::is_flown_to(item.command) {
+                continue;
+            }
+            if let Some(kind) = self.leg_finding(before, here) {
+                add(kind);
+            }
+            before = Some(here);
         }
-        before = Some(here);
+    }
+
+    /// The fault of a leg: its end breaks an area, or the way there does.
+    fn leg_finding(&self, before: Option<[f64; 2]>, here: [f64; 2]) -> Option<FindingKind> {
+        if let Some(area) = self.broken(here) {
+            return Some(FindingKind::BreaksFence(area));
+        }
+        let before = before.filter(|&before| self.broken(before).is_none())?;
+        let mut areas = self.areas.iter();
+        let area = areas.position(|area| is_crossed(area, before, here))?;
+        Some(FindingKind::LegBreaksFence { area })
     }
 }
 

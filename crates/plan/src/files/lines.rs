@@ -48,15 +48,15 @@ fn rally_point(words: &[Word<'_>]) -> Result<Item, Fault> {
     further
         .iter()
         .try_for_each(|word| word.number().map(drop))?;
-    let z = height.number()? as f32;
-    Ok(point(
-        command::RALLY_POINT,
-        frame::ABOVE_HOME,
-        0.0,
-        lat.fixed(7)?,
-        lon.fixed(7)?,
-        z,
-    ))
+    Ok(Item {
+        command: command::RALLY_POINT,
+        frame: frame::ABOVE_HOME,
+        auto_continue: true,
+        z: height.number()? as f32,
+        x: lat.fixed(7)?,
+        y: lon.fixed(7)?,
+        ..Item::default()
+    })
 }
 
 /// Parses the return point, then the corners of one inclusion area; the last corner repeats the
@@ -91,24 +91,9 @@ pub(super) fn parse_fence(text: &str) -> Result<Parsed, Vec<Fault>> {
     let mut parsed = Parsed::default();
     for (index, ((x, y), span)) in points.into_iter().enumerate() {
         let item = if index < first {
-            point(
-                command::FENCE_RETURN_POINT,
-                frame::SEA_LEVEL,
-                0.0,
-                x,
-                y,
-                0.0,
-            )
+            Item::of_fence(command::FENCE_RETURN_POINT, 0.0, x, y)
         } else {
-            let count = corners as f32;
-            point(
-                command::FENCE_POLYGON_INCLUSION,
-                frame::SEA_LEVEL,
-                count,
-                x,
-                y,
-                0.0,
-            )
+            Item::of_fence(command::FENCE_POLYGON_INCLUSION, corners as f32, x, y)
         };
         parsed.push(ListKind::Fence, item, span);
     }
@@ -124,18 +109,6 @@ fn fence_point(words: &[Word<'_>]) -> Result<(i32, i32), Fault> {
         ));
     };
     Ok((lat.fixed(7)?, lon.fixed(7)?))
-}
-
-fn point(command: u16, frame: u8, param1: f32, x: i32, y: i32, z: f32) -> Item {
-    Item {
-        command,
-        frame,
-        auto_continue: true,
-        params: [param1, 0.0, 0.0, 0.0],
-        x,
-        y,
-        z,
-    }
 }
 
 fn span(words: &[Word<'_>]) -> std::ops::Range<usize> {

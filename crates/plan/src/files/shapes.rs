@@ -155,7 +155,15 @@ impl Reader {
     fn item(&self, shape: &Shape, command: u16, at: &Position) -> Result<Item, Fault> {
         let (x, y) = valid(at, &shape.span)?;
         let (frame, z) = height(shape, at).unwrap_or((frame::ABOVE_HOME, self.options.height_m));
-        Ok(plain(command, frame, 0.0, (x, y), z))
+        Ok(Item {
+            command,
+            frame,
+            auto_continue: true,
+            x,
+            y,
+            z,
+            ..Item::default()
+        })
     }
 
     fn take_ring(&mut self, shape: &Shape, ring: &[Position], keeps_in: bool) -> Result<(), Fault> {
@@ -178,8 +186,8 @@ impl Reader {
             command::FENCE_POLYGON_EXCLUSION
         };
         let count = corners.len() as f32;
-        for at in corners {
-            let item = plain(command, frame::SEA_LEVEL, count, at, 0.0);
+        for (x, y) in corners {
+            let item = Item::of_fence(command, count, x, y);
             self.parsed.push(ListKind::Fence, item, shape.span.clone());
         }
         Ok(())
@@ -203,18 +211,6 @@ fn valid(at: &Position, span: &Range<usize>) -> Result<(i32, i32), Fault> {
         let written = format!("{}, {}", at.lat, at.lon);
         Fault::new(span.clone(), FaultKind::OutOfRange(written))
     })
-}
-
-fn plain(command: u16, frame: u8, param1: f32, (x, y): (i32, i32), z: f32) -> Item {
-    Item {
-        command,
-        frame,
-        auto_continue: true,
-        params: [param1, 0.0, 0.0, 0.0],
-        x,
-        y,
-        z,
-    }
 }
 
 impl Feature {

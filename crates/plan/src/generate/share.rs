@@ -33,6 +33,13 @@ pub(super) struct Shares {
     pub(super) idle: Vec<(usize, Idle)>,
 }
 
+/// Work divided among a team.
+struct TeamShares {
+    /// The largest energy of a vehicle, as the time for which it could hover.
+    most_s: f64,
+    works: Vec<Work>,
+}
+
 /// Divides the best of the ways among the vehicles that are worth their transit.
 pub(super) fn works(
     scene: &Scene,
@@ -48,9 +55,9 @@ pub(super) fn works(
         spacing_m,
     };
     let shared = task.among(&all).ok_or(GenerateError::NoWay(0))?;
-    let (most, works) = task.smallest(shared);
+    let TeamShares { most_s, works } = task.smallest(shared);
     let idle = (0..scene.homes.len()).filter(|it| works.iter().all(|work| work.vehicle != *it));
-    let idle = idle.map(|vehicle| (vehicle, task.reason(vehicle, most)));
+    let idle = idle.map(|vehicle| (vehicle, task.reason(vehicle, most_s)));
     let idle = idle.collect();
     Ok(Shares { works, idle })
 }
@@ -79,12 +86,12 @@ struct Sharing<'a> {
 }
 
 impl Sharing<'_> {
-    /// The largest energy of a vehicle, and the shares of these vehicles; `None` if no path leads to the work.
-    fn among(&self, team: &[usize]) -> Option<(f64, Vec<Work>)> {
+    /// The shares of these vehicles; `None` if no path leads to the work.
+    fn among(&self, team: &[usize]) -> Option<TeamShares> {
         let (scene, manner) = (self.scene, self.manner);
         let first_m = manner.height_m + manner.layer_m;
         let mut layers = vec![first_m; scene.homes.len()];
-        let mut best: Option<(f64, Vec<Work>)> = None;
+        let mut best: Option<TeamShares> = None;
         let mut left: Vec<&Way> = self.ways.iter().collect();
         for round in 0..ROUNDS {
             let shared = left.iter().filter_map(|way| {
@@ -102,10 +109,10 @@ impl Sharing<'_> {
                 set(scene, &mut works, manner.layer_m);
             }
             let costs = works.iter().filter_map(|work| effort(scene, work));
-            let most = costs.map(|effort| effort.hover_s).fold(0.0, f64::max);
+            let most_s = costs.map(|effort| effort.hover_s).fold(0.0, f64::max);
             next_layers(&works, manner.layer_m, round > 0, &mut layers);
-            if best.as_ref().is_none_or(|(least, _)| most < *least) {
-                best = Some((most, works));
+            if best.as_ref().is_none_or(|best| most_s < best.most_s) {
+                best = Some(TeamShares { most_s, works });
             }
             if is_settled {
                 break;
@@ -116,9 +123,9 @@ impl Sharing<'_> {
 
     /// The shares of the smallest team that uses hardly more energy than the best one: spare vehicles are left out one
     /// after another.
-    fn smallest(&self, shared: (f64, Vec<Work>)) -> (f64, Vec<Work>) {
+    fn smallest(&self, shared: TeamShares) -> TeamShares {
         let mut tried = vec![shared];
-        while let Some((_, works)) = tried.last() {
+        while let Some(TeamShares { works, .. }) = tried.last() {
             let without = |spare: usize| {
                 let others = works.iter().map(|work| work.vehicle);
                 let team: Vec<usize> = others.filter(|vehicle| *vehicle != spare).collect();
@@ -126,16 +133,16 @@ impl Sharing<'_> {
             };
             let spares = spares(self.scene, works);
             let next = spares.into_iter().filter_map(without);
-            match next.min_by(|a, b| a.0.total_cmp(&b.0)) {
+            match next.min_by(|a, b| a.most_s.total_cmp(&b.most_s)) {
                 Some(fewer) => tried.push(fewer),
                 None => break,
             }
         }
         let least = tried
             .iter()
-            .map(|(most, _)| *most)
+            .map(|shares| shares.most_s)
             .fold(f64::INFINITY, f64::min);
-        let worthwhile = |(most, _): &(f64, Vec<Work>)| *most <= least * WORTH;
+        let worthwhile = |shares: &TeamShares| shares.most_s <= least * WORTH;
         let place = tried.iter().rposition(worthwhile).unwrap_or_default();
         tried.swap_remove(place)
     }

@@ -222,3 +222,24 @@ fn each_vehicle_has_its_own_airframe() {
     let volts = [0, 1, 2].map(|vehicle| world.truth(vehicle).battery_voltage_v.round() as i32);
     assert_eq!(volts, [13, 50, 50]);
 }
+
+#[test]
+fn vehicles_share_their_tuning_until_a_parameter_differs() {
+    let mut ground = Ground::in_world(&WorldConfig::row(3, start()));
+    let shares = |world: &World| {
+        let [first, rest @ ..] = world.slots.as_slice() else {
+            panic!("three vehicles");
+        };
+        let first = &first.autopilot.vehicle.tuning;
+        rest.iter()
+            .filter(|slot| Arc::ptr_eq(&slot.autopilot.vehicle.tuning, first))
+            .count()
+    };
+    assert_eq!(shares(&ground.world), 2);
+    ground.set("WPNAV_SPEED", 700.0);
+    assert_eq!(shares(&ground.world), 0);
+    let speeds = ground.world.slots[..2]
+        .iter()
+        .map(|slot| slot.autopilot.vehicle.tuning.flight.speed_m_s);
+    assert_eq!(speeds.collect::<Vec<_>>(), [7.0, 10.0]);
+}

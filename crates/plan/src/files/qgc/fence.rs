@@ -58,12 +58,9 @@ fn read_areas(node: &Node, parsed: &mut Parsed) -> Result<(), Fault> {
             command::FENCE_CIRCLE_EXCLUSION
         };
         let radius = shape.need("radius")?.number()? as f32;
-        let at = (lat.fixed(7)?, lon.fixed(7)?);
-        parsed.push(
-            ListKind::Fence,
-            item(command, frame::SEA_LEVEL, radius, at, 0.0),
-            circle.span.clone(),
-        );
+        let (x, y) = (lat.fixed(7)?, lon.fixed(7)?);
+        let item = Item::of_fence(command, radius, x, y);
+        parsed.push(ListKind::Fence, item, circle.span.clone());
     }
     Ok(())
 }
@@ -75,13 +72,16 @@ fn read_return(
     point: &Node,
     parsed: &mut Parsed,
 ) -> Result<(), Fault> {
-    let item = item(
-        command::FENCE_RETURN_POINT,
-        frame::ABOVE_HOME,
-        0.0,
-        (lat.fixed(7)?, lon.fixed(7)?),
-        height_m,
-    );
+    let item = Item {
+        frame: frame::ABOVE_HOME,
+        z: height_m,
+        ..Item::of_fence(
+            command::FENCE_RETURN_POINT,
+            0.0,
+            lat.fixed(7)?,
+            lon.fixed(7)?,
+        )
+    };
     parsed.push(ListKind::Fence, item, point.span.clone());
     Ok(())
 }
@@ -106,23 +106,11 @@ fn read_corners(outline: &Node, command: u16, parsed: &mut Parsed) -> Result<(),
     }
     for corner in corners {
         let [lat, lon] = corner.array::<2>()?;
-        let at = (lat.fixed(7)?, lon.fixed(7)?);
-        let item = item(command, frame::SEA_LEVEL, corners.len() as f32, at, 0.0);
+        let (x, y) = (lat.fixed(7)?, lon.fixed(7)?);
+        let item = Item::of_fence(command, corners.len() as f32, x, y);
         parsed.push(ListKind::Fence, item, corner.span.clone());
     }
     Ok(())
-}
-
-fn item(command: u16, frame: u8, param1: f32, (x, y): (i32, i32), z: f32) -> Item {
-    Item {
-        command,
-        frame,
-        auto_continue: true,
-        params: [param1, 0.0, 0.0, 0.0],
-        x,
-        y,
-        z,
-    }
 }
 
 #[derive(Serialize)]
