@@ -8,6 +8,14 @@ use strsim::osa_distance;
 use crate::text;
 use crate::text::Text;
 
+mod toml_words;
+
+pub use toml_words::toml_value;
+use toml_words::toml_words;
+
+/// The longest line shown below a fault, in characters.
+const LONGEST_EXCERPT: usize = 200;
+
 /// One fault in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Diagnostic {
@@ -100,6 +108,18 @@ impl Diagnostic {
         Text::joined(" ", parts)
     }
 
+    /// The line with the fault, and below it a mark at its place. Empty if the line is too long to be read.
+    pub fn excerpt(&self, source: &str) -> String {
+        let (number, column) = self.line_column(source);
+        let written = source.lines().nth(number - 1).unwrap_or_default();
+        let line = written.replace('\t', " ");
+        if line.chars().count() > LONGEST_EXCERPT {
+            return String::new();
+        }
+        let mark = " ".repeat(column - 1);
+        format!("  {line}\n  {mark}^")
+    }
+
     /// The fault with the surrounding lines, for people.
     pub fn render(&self, file: &str, source: &str, colour: bool) -> String {
         let start = self.span.start.min(source.len());
@@ -123,39 +143,6 @@ impl Diagnostic {
         };
         renderer.render(&report)
     }
-}
-
-/// A message of the TOML reader as a text of this program. Those about the syntax are English in every language.
-pub fn toml_words(message: &str) -> Text {
-    let named = |before: &str| message.strip_prefix(before)?.split_once('`');
-    if let Some((name, rest)) = named("unknown field `") {
-        let known = listed(rest);
-        return if known.is_empty() {
-            text!("fault-key-none", name = name)
-        } else {
-            text!("fault-key-unexpected", name = name, known = known)
-        };
-    }
-    if let Some((name, rest)) = named("unknown variant `") {
-        return text!("fault-value-unknown", name = name, known = listed(rest));
-    }
-    if let Some((name, _)) = named("missing field `") {
-        return text!("fault-key-missing", name = name);
-    }
-    let types = message.strip_prefix("invalid type: ");
-    if let Some((found, wanted)) = types.and_then(|it| it.rsplit_once(", expected ")) {
-        return text!("fault-type", found = found, wanted = wanted);
-    }
-    match message {
-        "duplicate key" => text!("fault-key-twice"),
-        words => text!("fault-syntax", words = words),
-    }
-}
-
-/// The names in backticks, separated by commas.
-fn listed(text: &str) -> String {
-    let names: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
-    names.join(", ")
 }
 
 /// The maximum number of faults listed per file.
@@ -244,65 +231,6 @@ fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
 mod tests {
     use super::*;
 
-    /// A table for faults of the TOML reader.
-    #[derive(Debug, serde::Deserialize)]
-    #[serde(deny_unknown_fields)]
-    #[expect(dead_code, reason = "only the faults count")]
-    struct Table {
-        brief: f64,
-        state: Option<State>,
-        none: Option<Nothing>,
-    }
-
-    #[derive(Debug, serde::Deserialize)]
-    #[serde(rename_all = "lowercase")]
-    enum State {
-        On,
-        Off,
-    }
-
-    #[derive(Debug, serde::Deserialize)]
-    #[serde(deny_unknown_fields)]
-    struct Nothing {}
-
-    #[test]
-    fn messages_of_the_toml_reader_are_texts() {
-        for (source, words) in [
-            (
-                "brief = 1\nblink = 1",
-                text!(
-                    "fault-key-unexpected",
-                    name = "blink",
-                    known = "brief, state, none"
-                ),
-            ),
-            (
-                "brief = 1\nnone = { x = 1 }",
-                text!("fault-key-none", name = "x"),
-            ),
-            (
-                "brief = 1\nstate = \"up\"",
-                text!("fault-value-unknown", name = "up", known = "on, off"),
-            ),
-            ("", text!("fault-key-missing", name = "brief")),
-            (
-                "brief = \"8, expected 9\"",
-                text!(
-                    "fault-type",
-                    found = "string \"8, expected 9\"",
-                    wanted = "f64"
-                ),
-            ),
-            ("brief = 1\nbrief = 2", text!("fault-key-twice")),
-        ] {
-            let error = toml::from_str::<Table>(source).expect_err("a fault");
-            assert_eq!(Diagnostic::from_toml(&error).message, words, "{source}");
-        }
-        let error = toml::from_str::<Table>("brief = = 1").expect_err("a fault");
-        let words = text!("fault-syntax", words = error.message());
-        assert_eq!(Diagnostic::from_toml(&error).message, words);
-    }
-
     #[test]
     fn places_are_counted_in_characters_from_one() {
         let source = "a = 1\nназва = х\n";
@@ -333,6 +261,18 @@ mod tests {
         assert_eq!(help("head", ["bat", "heading", "home"]), meant("heading"));
         assert_eq!(help("link", ["linked-up", "link-lost", "id"]), None);
         assert_eq!(help("identity", ["id", "bat", "home"]), None);
+    }
+
+    #[test]
+    fn the_excerpt_marks_the_place() {
+        let source = "a = 1\n\tназва = = 2\n";
+        let at = source.rfind('=').expect("it is there");
+        let excerpt = Diagnostic::new(at..at + 1, "bad").excerpt(source);
+        assert_eq!(excerpt, "   назва = = 2\n           ^");
+        let at_end = Diagnostic::new(source.len()..source.len(), "bad");
+        assert_eq!(at_end.excerpt(source), "  \n  ^");
+        let long = "x".repeat(1000);
+        assert_eq!(Diagnostic::new(500..501, "bad").excerpt(&long), "");
     }
 
     #[test]

@@ -112,9 +112,14 @@ fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool,
     };
     let kind = kind(path, &source.text);
     let (faults, notes) = examined(kind, path, &source, others);
+    let syntax = syntax_error(&source.text).filter(|_| kind != Some(FileKind::Script));
     for fault in &faults {
         let line = fault.text(&source.name, &source.text);
         say!("{}", locale.text(&line))?;
+        // Only the place shows what is wrong with the syntax.
+        if Some(fault.span.start) == syntax {
+            say!("{}", fault.excerpt(&source.text))?;
+        }
     }
     for note in &notes {
         let line = note.text(&source.name, &source.text);
@@ -125,6 +130,11 @@ fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool,
         say!("{}", locale.text(&good))?;
     }
     Ok(!faults.is_empty())
+}
+
+/// Where the syntax of a TOML file is wrong, in bytes; `None` if it is right.
+fn syntax_error(text: &str) -> Option<usize> {
+    DeTable::parse(text).err()?.span().map(|span| span.start)
 }
 
 /// The files, with folders replaced by their content.

@@ -6,7 +6,7 @@ use super::career::design_id;
 use crate::mission::MissionSeats;
 use crate::mission::fit::Fit;
 use crate::mission::format::{
-    FileTable, ListValue, NamedValue, list, named, point, table as table_of, whole,
+    FileTable, ListValue, NameKind, NamedValue, list, named, point, table as table_of, whole,
 };
 use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
@@ -131,7 +131,11 @@ fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
 }
 
 fn sensors() -> ListValue<NamedValue<&'static Sensor>> {
-    list(named("sensor", Sensor::ids, Sensor::by_id), 0, usize::MAX)
+    list(
+        named(NameKind::Sensor, Sensor::ids, Sensor::by_id),
+        0,
+        usize::MAX,
+    )
 }
 
 fn vehicle(table: &mut FileTable<'_>) -> Option<Carried> {

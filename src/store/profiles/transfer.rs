@@ -78,6 +78,7 @@ impl ProfileFile {
             },
             other @ (ProfileError::Unusable { .. }
             | ProfileError::Unreadable { .. }
+            | ProfileError::Forbidden { .. }
             | ProfileError::ReadOnly { .. }
             | ProfileError::Newer { .. }
             | ProfileError::Older { .. }
