@@ -42,6 +42,7 @@ impl From<&Unshared> for Text {
         let shown = path.display().to_string();
         match other_owner(path) {
             Some(owner) => text!("sharing-foreign", path = shown, owner = owner),
+            None if error.kind() == GROUP_BIT_DROPPED => text!("sharing-group-bit", path = shown),
             None => text!("sharing-failed", path = shown, error = error.to_string()),
         }
     }
@@ -52,7 +53,22 @@ impl From<&Unshared> for Text {
 /// and nothing in the unshared folder of another user is. Returns what could not be shared; the
 /// rest is.
 pub fn share_with_group(data: &Path) -> Vec<Unshared> {
-    share_by(data, &allow)
+    share_by(data, &allow_all)
+}
+
+/// The kind of error of a set-group-ID bit that the kernel drops silently, because the folder's
+/// owner is not in its group.
+const GROUP_BIT_DROPPED: io::ErrorKind = io::ErrorKind::Unsupported;
+
+/// Adds missing bits to the mode of a path, and checks that they are set.
+fn allow_all(path: &Path, bits: u32) -> io::Result<()> {
+    allow(path, bits)?;
+    let mode = fs::metadata(path)?.permissions().mode();
+    if mode & bits == bits {
+        Ok(())
+    } else {
+        Err(GROUP_BIT_DROPPED.into())
+    }
 }
 
 /// Adds bits to the mode of a path.
@@ -60,17 +76,15 @@ type Allow<'a> = &'a dyn Fn(&Path, u32) -> io::Result<()>;
 
 fn share_by(data: &Path, allow: Allow<'_>) -> Vec<Unshared> {
     let mut unshared = Vec::new();
-    match private_folder(data).and_then(|()| allow(data, SHARED_FOLDER)) {
-        Ok(()) => {
-            for path in results(data) {
-                share(&path, allow, &mut unshared);
-            }
+    if let Err(error) = private_folder(data).and_then(|()| allow(data, SHARED_FOLDER)) {
+        if other_owner(data).is_some() {
+            return unshared;
         }
-        Err(error) if other_owner(data).is_none() => {
-            let path = data.to_owned();
-            unshared.push(Unshared { path, error });
-        }
-        Err(_) => {}
+        let path = data.to_owned();
+        unshared.push(Unshared { path, error });
+    }
+    for path in results(data) {
+        share(&path, allow, &mut unshared);
     }
     unshared
 }
@@ -82,10 +96,11 @@ fn share(path: &Path, allow: Allow<'_>, unshared: &mut Vec<Unshared>) {
             return allow(path, SHARED_FILE);
         }
         if facts.is_dir() {
-            allow(path, SHARED_FOLDER)?;
+            let allowed = allow(path, SHARED_FOLDER);
             for entry in fs::read_dir(path)? {
                 share(&entry?.path(), allow, unshared);
             }
+            return allowed;
         }
         Ok(())
     });
@@ -339,6 +354,10 @@ mod tests {
             Some(owner) => assert!(said.contains(&format!("belongs to {owner}")), "{said}"),
             None => assert!(said.contains("permission denied"), "{said}"),
         }
+        let path = PathBuf::from("/tmp/none");
+        let error = GROUP_BIT_DROPPED.into();
+        let said = Text::from(&Unshared { path, error }).to_string();
+        assert!(said.contains("only root can set the setgid bit"), "{said}");
     }
 
     #[test]

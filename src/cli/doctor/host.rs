@@ -135,7 +135,11 @@ fn foreign(data: &Path, paths: &[PathBuf]) -> HostFinding {
     };
     let words: Vec<String> = named.iter().map(|it| shell_word(it)).collect();
     let list = words.join(" ");
-    let owner = fs::metadata(data).map_or_else(|_| "OWNER".to_owned(), |it| it.uid().to_string());
+    let facts = fs::metadata(data);
+    let owner = facts.map_or_else(
+        |_| "OWNER:GROUP".to_owned(),
+        |it| format!("{}:{}", it.uid(), quoted(&group_name(it.gid()))),
+    );
     HostFinding::fault(
         "profiles",
         format!(
@@ -314,7 +318,8 @@ mod tests {
     #[test]
     fn results_of_another_user_are_named_with_the_command() {
         let data = tempfile::tempdir().expect("a temporary folder");
-        let owner = fs::metadata(data.path()).expect("ours").uid();
+        let facts = fs::metadata(data.path()).expect("ours");
+        let owner = format!("{}:{}", facts.uid(), group_name(facts.gid()));
         let paths = ["a", "b c", "d", "e"].map(|name| Path::new("/data").join(name));
         let found = foreign(data.path(), &paths);
         assert!(

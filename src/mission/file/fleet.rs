@@ -78,7 +78,9 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
     let own = table.may("vehicles", own_form, "one table per pad");
     let outlay = outlay(table, pads.as_ref().map(Vec::len));
     let (vehicles, pads) = (vehicles?, pads?);
-    if pads.len() != vehicles as usize {
+    let place = table.place_of("pads");
+    // A pad that cannot be read is missing in the list; its own fault is enough.
+    if pads.len() != vehicles as usize && !table.draft().faults.are_within(&place) {
         let fault = text!("fault-pads", vehicles = vehicles, found = pads.len());
         table.fault_of("pads", fault);
     }

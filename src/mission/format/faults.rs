@@ -34,6 +34,12 @@ impl FileFaults {
         self.found.push(fault);
     }
 
+    /// Whether there are faults within a place.
+    pub fn are_within(&self, place: &Range<usize>) -> bool {
+        let mut found = self.found.iter();
+        found.any(|fault| place.contains(&fault.span.start))
+    }
+
     /// Whether there are no faults so far.
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()

@@ -260,7 +260,7 @@ mod tests {
                 "d.toml:6:11: `battery` must be a list",
                 "d.toml:7:9: expected a text in quotes, not a list",
                 "d.toml:8:21: expected a text in quotes, not `3`",
-                "d.toml:9:7: no esc `e4in1_3`"
+                "d.toml:9:7: no part `e4in1_3` for the slot speed controllers (did you mean `e4in1_35`?)"
             ]
         );
     }

@@ -24,12 +24,12 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "max_vehicles = 1",
         "max_vehicles = 1.5",
-        "24:16: invalid type: floating point `1.5`, expected a whole number, 0 or more",
+        "24:16: expected a whole number, 0 or more, not `1.5`",
     ),
     (
         "[scoring]",
         "[rewards]\nunlock = [\"part:s_pm25\", \"part:s_ball\", \"part:r_mesh24\", \"part:fr_500q\"]\ncredits = -1\n[scoring]",
-        "51:11: invalid value: integer `-1`, expected a whole number, 0 or more",
+        "51:11: expected a whole number, 0 or more, not `-1`",
     ),
     (
         "brief = \"Bad.\"",

@@ -238,9 +238,10 @@ fn a_theme_that_is_a_link_to_nothing_is_named_and_the_default_is_used() {
         "{}/harbour.toml is a link to /nowhere/harbour.toml, which does not exist",
         themes.display()
     );
+    let list = sortie(home.path(), &[], &["profile", "list"]);
+    assert_eq!(list.status.code(), Some(0), "{}", text(&list.stderr));
     let config = sortie(home.path(), &[], &["config"]);
     let told = text(&config.stderr);
-    assert_eq!(config.status.code(), Some(0), "{told}");
     assert!(
         told.contains(&format!("no theme `harbour`: {said}")),
         "{told}"

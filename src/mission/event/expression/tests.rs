@@ -177,7 +177,7 @@ fn faults_are_told_with_their_place_and_the_nearest_name() {
         ("1.2.3 > 1", 0, "`1.2.3` is not a number"),
         ("'open", 0, "is not closed"),
         ("no_command('x')", 11, "a number is needed here"),
-        ("paused_or_clear('lane')", 22, "`.` is needed here"),
+        ("paused_or_clear('lane')", 22, "`,` is needed here"),
     ] {
         let (place, message) = fault(source);
         assert_eq!(place, at, "{source}: {message}");
