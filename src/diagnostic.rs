@@ -6,7 +6,7 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use strsim::osa_distance;
 
 use crate::text;
-use crate::text::Text;
+use crate::text::{Locale, Text};
 
 mod toml_words;
 
@@ -121,11 +121,11 @@ impl Diagnostic {
     }
 
     /// The fault with the surrounding lines, for people.
-    pub fn render(&self, file: &str, source: &str, colour: bool) -> String {
+    pub fn render(&self, file: &str, source: &str, colour: bool, locale: &Locale) -> String {
         let start = self.span.start.min(source.len());
         let end = self.span.end.clamp(start, source.len());
-        let message = self.message.to_string();
-        let title = Level::ERROR.primary_title(message).element(
+        let error = Level::ERROR.with_name(locale.text(&text!("fault-error")));
+        let title = error.primary_title(locale.text(&self.message)).element(
             Snippet::source(source)
                 .path(file)
                 .annotation(AnnotationKind::Primary.span(start..end)),
@@ -133,7 +133,9 @@ impl Diagnostic {
         let mut report = vec![title];
         if let Some(help) = &self.help {
             report.push(Group::with_title(
-                Level::HELP.secondary_title(help.to_string()),
+                Level::HELP
+                    .with_name(locale.text(&text!("fault-help")))
+                    .secondary_title(locale.text(help)),
             ));
         }
         let renderer = if colour {
@@ -230,6 +232,7 @@ fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::text::Language;
 
     #[test]
     fn places_are_counted_in_characters_from_one() {
@@ -280,9 +283,21 @@ mod tests {
         let source = "all takeof 20";
         let text = Diagnostic::new(4..10, "unknown verb `takeof`")
             .with_nearest("takeof", ["takeoff"])
-            .render("x.pilot", source, false);
+            .render("x.pilot", source, false, &Locale::new(Language::English));
+        assert!(text.starts_with("error: unknown verb"), "{text}");
         assert!(text.contains("x.pilot:1:5"), "{text}");
         assert!(text.contains("^^^^^^"), "{text}");
         assert!(text.contains("did you mean `takeoff`?"), "{text}");
+    }
+
+    #[test]
+    fn the_rendering_is_in_the_language_of_the_user() {
+        let source = "brief = = 1";
+        let error = toml::from_str::<toml::Table>(source).expect_err("a fault");
+        let fault =
+            Diagnostic::from_toml(&error).with_help(text!("grammar-did-you-mean", name = "="));
+        let text = fault.render("x.toml", source, false, &Locale::new(Language::Ukrainian));
+        assert!(text.starts_with("помилка: зайвий знак `=`"), "{text}");
+        assert!(text.contains("порада: може, `=`?"), "{text}");
     }
 }

@@ -1,5 +1,7 @@
 # Faults in files that people write.
 
+fault-error = error
+fault-help = help
 fault-table-needed = a table is needed here
 fault-section-missing = the section `{ $name }` is missing
 fault-key-missing = missing field `{ $name }`

@@ -1,5 +1,7 @@
 # Помилки у файлах, які пишуть люди.
 
+fault-error = помилка
+fault-help = порада
 fault-table-needed = тут потрібна таблиця
 fault-section-missing = бракує розділу `{ $name }`
 fault-key-missing = бракує ключа `{ $name }`

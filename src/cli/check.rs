@@ -17,7 +17,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::mission::Mission;
 use crate::store::{self, Source};
 use crate::text;
-use crate::text::Locale;
+use crate::text::{Locale, Text};
 use crate::workshop::{Design, PartSlot};
 
 mod fly;
@@ -106,7 +106,7 @@ fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool,
     let source = match store::read_found(path, "file-any") {
         Ok(source) => source,
         Err(error) => {
-            tell!("sortie: {error}");
+            tell!("sortie: {}", locale.text(&Text::from(&error)));
             return Ok(true);
         }
     };

@@ -387,8 +387,9 @@ impl CliSettings {
 
     /// Prints the faults of the files on standard error.
     pub fn complain(&self) {
+        let locale = Locale::new(self.language());
         for fault in &self.faults {
-            super::show(&fault.explained());
+            super::show(&fault.explained(&locale));
         }
     }
 

@@ -164,7 +164,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[fleet]\nbudget = 0",
-        "24:10: `budget` must lie between 1 and 1000000 credits",
+        "24:10: `budget` must lie between 1 and 1000000",
     ),
     (
         "[fleet]",
