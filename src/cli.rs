@@ -249,7 +249,7 @@ fn show(faults: &str) {
 
 /// Runs the program and returns its exit code.
 pub fn main(arguments: CliArguments) -> ExitCode {
-    let outcome = settings::gather(&arguments.common).and_then(|settings| {
+    let outcome = settings::gather(&arguments.common).and_then(|mut settings| {
         let only_reads = arguments
             .command
             .as_ref()
@@ -339,7 +339,7 @@ fn dispatch(
             settings.complain();
             sim::serve(&options)
         }
-        Some(CliCommand::Doctor(options)) => doctor::doctor(&options, settings.complained()),
+        Some(CliCommand::Doctor(options)) => doctor::doctor(&options, &settings),
         Some(CliCommand::Hangar(options)) => hangar::hangar(&options, settings.complained()),
         Some(CliCommand::Check(options)) => check::check(&options, &settings),
         Some(CliCommand::Profile(options)) => profile::profile(&options, settings.complained()),

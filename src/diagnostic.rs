@@ -6,7 +6,15 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use strsim::osa_distance;
 
 use crate::text;
-use crate::text::Text;
+use crate::text::{Locale, Text};
+
+mod toml_words;
+
+pub use toml_words::toml_value;
+use toml_words::toml_words;
+
+/// The longest line shown below a fault, in characters.
+const LONGEST_EXCERPT: usize = 200;
 
 /// One fault in a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -100,12 +108,24 @@ impl Diagnostic {
         Text::joined(" ", parts)
     }
 
+    /// The line with the fault, and below it a mark at its place. Empty if the line is too long to be read.
+    pub fn excerpt(&self, source: &str) -> String {
+        let (number, column) = self.line_column(source);
+        let written = source.lines().nth(number - 1).unwrap_or_default();
+        let line = written.replace('\t', " ");
+        if line.chars().count() > LONGEST_EXCERPT {
+            return String::new();
+        }
+        let mark = " ".repeat(column - 1);
+        format!("  {line}\n  {mark}^")
+    }
+
     /// The fault with the surrounding lines, for people.
-    pub fn render(&self, file: &str, source: &str, colour: bool) -> String {
+    pub fn render(&self, file: &str, source: &str, colour: bool, locale: &Locale) -> String {
         let start = self.span.start.min(source.len());
         let end = self.span.end.clamp(start, source.len());
-        let message = self.message.to_string();
-        let title = Level::ERROR.primary_title(message).element(
+        let error = Level::ERROR.with_name(locale.text(&text!("fault-error")));
+        let title = error.primary_title(locale.text(&self.message)).element(
             Snippet::source(source)
                 .path(file)
                 .annotation(AnnotationKind::Primary.span(start..end)),
@@ -113,7 +133,9 @@ impl Diagnostic {
         let mut report = vec![title];
         if let Some(help) = &self.help {
             report.push(Group::with_title(
-                Level::HELP.secondary_title(help.to_string()),
+                Level::HELP
+                    .with_name(locale.text(&text!("fault-help")))
+                    .secondary_title(locale.text(help)),
             ));
         }
         let renderer = if colour {
@@ -123,39 +145,6 @@ impl Diagnostic {
         };
         renderer.render(&report)
     }
-}
-
-/// A message of the TOML reader as a text of this program. Messages about syntax stay in English.
-pub fn toml_words(message: &str) -> Text {
-    let named = |before: &str| message.strip_prefix(before)?.split_once('`');
-    if let Some((name, rest)) = named("unknown field `") {
-        let known = listed(rest);
-        return if known.is_empty() {
-            text!("fault-key-none", name = name)
-        } else {
-            text!("fault-key-unexpected", name = name, known = known)
-        };
-    }
-    if let Some((name, rest)) = named("unknown variant `") {
-        return text!("fault-value-unknown", name = name, known = listed(rest));
-    }
-    if let Some((name, _)) = named("missing field `") {
-        return text!("fault-key-missing", name = name);
-    }
-    let types = message.strip_prefix("invalid type: ");
-    if let Some((found, wanted)) = types.and_then(|it| it.rsplit_once(", expected ")) {
-        return text!("fault-type", found = found, wanted = wanted);
-    }
-    match message {
-        "duplicate key" => text!("fault-key-twice"),
-        words => text!("fault-syntax", words = words),
-    }
-}
-
-/// The names that are in backticks in a text, separated by commas.
-fn listed(text: &str) -> String {
-    let names: Vec<&str> = text.split('`').skip(1).step_by(2).collect();
-    names.join(", ")
 }
 
 /// The maximum number of faults listed per file.
@@ -243,64 +232,7 @@ fn beginning<'a>(written: &str, names: &[&'a str]) -> Option<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[derive(Debug, serde::Deserialize)]
-    #[serde(deny_unknown_fields)]
-    #[expect(dead_code, reason = "only the faults count")]
-    struct Table {
-        brief: f64,
-        state: Option<State>,
-        none: Option<Nothing>,
-    }
-
-    #[derive(Debug, serde::Deserialize)]
-    #[serde(rename_all = "lowercase")]
-    enum State {
-        On,
-        Off,
-    }
-
-    #[derive(Debug, serde::Deserialize)]
-    #[serde(deny_unknown_fields)]
-    struct Nothing {}
-
-    #[test]
-    fn messages_of_the_toml_reader_are_texts() {
-        for (source, words) in [
-            (
-                "brief = 1\nblink = 1",
-                text!(
-                    "fault-key-unexpected",
-                    name = "blink",
-                    known = "brief, state, none"
-                ),
-            ),
-            (
-                "brief = 1\nnone = { x = 1 }",
-                text!("fault-key-none", name = "x"),
-            ),
-            (
-                "brief = 1\nstate = \"up\"",
-                text!("fault-value-unknown", name = "up", known = "on, off"),
-            ),
-            ("", text!("fault-key-missing", name = "brief")),
-            (
-                "brief = \"8, expected 9\"",
-                text!(
-                    "fault-type",
-                    found = "string \"8, expected 9\"",
-                    wanted = "f64"
-                ),
-            ),
-            ("brief = 1\nbrief = 2", text!("fault-key-twice")),
-        ] {
-            let error = toml::from_str::<Table>(source).expect_err("a fault");
-            assert_eq!(Diagnostic::from_toml(&error).message, words, "{source}");
-        }
-        let error = toml::from_str::<Table>("brief = = 1").expect_err("a fault");
-        let words = text!("fault-syntax", words = error.message());
-        assert_eq!(Diagnostic::from_toml(&error).message, words);
-    }
+    use crate::text::Language;
 
     #[test]
     fn places_are_counted_in_characters_from_one() {
@@ -335,13 +267,37 @@ mod tests {
     }
 
     #[test]
+    fn the_excerpt_marks_the_place() {
+        let source = "a = 1\n\tназва = = 2\n";
+        let at = source.rfind('=').expect("it is there");
+        let excerpt = Diagnostic::new(at..at + 1, "bad").excerpt(source);
+        assert_eq!(excerpt, "   назва = = 2\n           ^");
+        let at_end = Diagnostic::new(source.len()..source.len(), "bad");
+        assert_eq!(at_end.excerpt(source), "  \n  ^");
+        let long = "x".repeat(1000);
+        assert_eq!(Diagnostic::new(500..501, "bad").excerpt(&long), "");
+    }
+
+    #[test]
     fn the_rendering_points_at_the_word() {
         let source = "all takeof 20";
         let text = Diagnostic::new(4..10, "unknown verb `takeof`")
             .with_nearest("takeof", ["takeoff"])
-            .render("x.pilot", source, false);
+            .render("x.pilot", source, false, &Locale::new(Language::English));
+        assert!(text.starts_with("error: unknown verb"), "{text}");
         assert!(text.contains("x.pilot:1:5"), "{text}");
         assert!(text.contains("^^^^^^"), "{text}");
         assert!(text.contains("did you mean `takeoff`?"), "{text}");
+    }
+
+    #[test]
+    fn the_rendering_is_in_the_language_of_the_user() {
+        let source = "brief = = 1";
+        let error = toml::from_str::<toml::Table>(source).expect_err("a fault");
+        let fault =
+            Diagnostic::from_toml(&error).with_help(text!("grammar-did-you-mean", name = "="));
+        let text = fault.render("x.toml", source, false, &Locale::new(Language::Ukrainian));
+        assert!(text.starts_with("помилка: зайвий знак `=`"), "{text}");
+        assert!(text.contains("порада: може, `=`?"), "{text}");
     }
 }

@@ -57,7 +57,7 @@ pub use records::{
 };
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use settlement::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
-pub use sharing::{RUNS, SharingFault, share_with_group, sharing_fault};
+pub use sharing::{RUNS, SharingFault, Unshared, other_owner, share_with_group, sharing_fault};
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, read_bytes, read_found, read_start};
 pub use terrain::add_square;
@@ -232,6 +232,11 @@ pub fn course() -> MissionCourse {
 /// The themes in the administrator's and the user's folders.
 pub fn themes() -> Vec<Source> {
     THEME_FILES.merged(&[])
+}
+
+/// The errors of the unreadable theme files in the folders.
+pub fn unreadable_themes() -> Vec<StoreError> {
+    THEME_FILES.unreadable()
 }
 
 /// The files with that ending in a folder, by name; those that cannot be read are left out and

@@ -48,6 +48,12 @@ reward-seen = { $what } { $percent } %
 
 profiles-unusable = cannot store profiles in { $path }: { $error }
 profiles-unreadable = cannot read the profiles in { $path }: { $error }
+profiles-forbidden = { $path } belongs to { $owner }, who alone may read it: ask { $owner } for access
+profiles-unshared = { $path } belongs to { $owner }, who alone may read it: the folder { $folder } has no setgid bit, so new results in it are not shared with its group; ask { $owner } to run `sortie doctor`, which prints the command
+sharing-foreign = the group cannot read { $path }: it belongs to { $owner }, and only root can change that; `sortie doctor` prints the command
+sharing-failed = the group cannot read { $path }: { $error }; `sortie doctor` prints the command
+sharing-group-bit = new results in { $path } are not shared with its group: only root can set the setgid bit of this folder; `sortie doctor` prints the command
+sharing-more = files and folders more that the group cannot read: { $count }; `sortie doctor` names them
 profiles-read-only = { $path } can only be read: nothing is stored in its profiles; use a folder of your own with `--data`
 profiles-newer = { $path } was made by a newer version of sortie (schema { $found }; this version reads { $known }); nothing was changed. Use that version, or another folder with `--data`
 profiles-older = { $path } was made by an older version of sortie and is read-only here; its owner must start this version once to convert it

@@ -30,6 +30,7 @@ history-unreadable = the history of the command line cannot be read from { $path
 mission-twice = two missions have the id `{ $id }`: { $flown } is used, { $other } is ignored
 
 theme-unknown = unknown theme `{ $name }`
+theme-left-out = no theme `{ $name }`: { $fault }
 theme-inherits-itself = the theme `{ $name }` inherits from itself
 theme-circle = themes inherit from each other in a circle: { $circle }
 theme-faulty-parent = the parent theme `{ $name }` has faults

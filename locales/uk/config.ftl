@@ -30,6 +30,7 @@ history-unreadable = не вдалося прочитати історію ко�
 mission-twice = два завдання мають id `{ $id }`: використано { $flown }, пропущено { $other }
 
 theme-unknown = невідома тема `{ $name }`
+theme-left-out = теми `{ $name }` немає: { $fault }
 theme-inherits-itself = тема `{ $name }` успадковує саму себе
 theme-circle = теми успадковують одна одну по колу: { $circle }
 theme-faulty-parent = батьківська тема `{ $name }` має помилки

@@ -17,7 +17,7 @@ use crate::diagnostic::{Diagnostic, nearest};
 use crate::mission::Mission;
 use crate::store::{self, Source};
 use crate::text;
-use crate::text::Locale;
+use crate::text::{Locale, Text};
 use crate::workshop::{Design, PartSlot};
 
 mod fly;
@@ -106,15 +106,20 @@ fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool,
     let source = match store::read_found(path, "file-any") {
         Ok(source) => source,
         Err(error) => {
-            tell!("sortie: {error}");
+            tell!("sortie: {}", locale.text(&Text::from(&error)));
             return Ok(true);
         }
     };
     let kind = kind(path, &source.text);
     let (faults, notes) = examined(kind, path, &source, others);
+    let syntax = syntax_error(&source.text).filter(|_| kind != Some(FileKind::Script));
     for fault in &faults {
         let line = fault.text(&source.name, &source.text);
         say!("{}", locale.text(&line))?;
+        // Only the place shows what is wrong with the syntax.
+        if Some(fault.span.start) == syntax {
+            say!("{}", fault.excerpt(&source.text))?;
+        }
     }
     for note in &notes {
         let line = note.text(&source.name, &source.text);
@@ -125,6 +130,11 @@ fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool,
         say!("{}", locale.text(&good))?;
     }
     Ok(!faults.is_empty())
+}
+
+/// Where the syntax of a TOML file is wrong, in bytes; `None` if it is right.
+fn syntax_error(text: &str) -> Option<usize> {
+    DeTable::parse(text).err()?.span().map(|span| span.start)
 }
 
 /// The files, with folders replaced by their content.

@@ -5,9 +5,11 @@ use std::process::ExitCode;
 use clap::Args;
 use serde::Serialize;
 
+use super::fault::FileFault;
 use super::programs::ProgramOptions;
 use super::settings::CliSettings;
 use super::{Failure, runtime};
+use crate::diagnostic::first_shown;
 
 mod folder;
 mod host;
@@ -89,12 +91,34 @@ impl HostFinding {
     }
 }
 
+/// The faults of settings, keymap and themes, which are left out until they are corrected.
+fn files(faults: &[FileFault]) -> Vec<HostFinding> {
+    let findings = faults.iter().flat_map(|fault| match fault {
+        FileFault::Inside(source, faults) => {
+            let (shown, rest) = first_shown(faults);
+            let lines = shown
+                .iter()
+                .map(|it| it.one_line(&source.name, &source.text));
+            let rest = rest.map(|text| text.to_string());
+            let mend = "correct it: until then, sortie leaves this line out";
+            let finding = |found| HostFinding::fault("settings", found, mend);
+            lines.chain(rest).map(finding).collect::<Vec<_>>()
+        }
+        FileFault::Whole(text) => {
+            let mend = "correct or remove the file";
+            vec![HostFinding::fault("settings", text.to_string(), mend)]
+        }
+    });
+    findings.collect()
+}
+
 /// Runs all checks and prints the findings; exit code 1 if something does not work.
 pub(super) fn doctor(
     options: &DoctorArguments,
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let mut findings = terminal::findings();
+    findings.extend(files(&settings.faults));
     findings.extend(host::folders(settings));
     findings.extend(host::database(settings));
     findings.extend(host::machine());

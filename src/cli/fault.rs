@@ -8,7 +8,7 @@ use super::Failure;
 use crate::diagnostic::{self, Diagnostic};
 use crate::notice::{sanitised, sanitised_lines};
 use crate::store::{Source, StoreError};
-use crate::text::Text;
+use crate::text::{Language, Locale, Text};
 
 /// The faults of a file.
 #[derive(Debug)]
@@ -37,7 +37,7 @@ impl FileFault {
     }
 
     /// Each fault with the lines around it; only the first few if there are many.
-    pub fn explained(&self) -> String {
+    pub fn explained(&self, locale: &Locale) -> String {
         match self {
             Self::Inside(source, faults) => {
                 let colour = std::io::stderr().is_terminal() && env::var_os("NO_COLOR").is_none();
@@ -46,18 +46,19 @@ impl FileFault {
                 let (shown, rest) = diagnostic::first_shown(faults);
                 let rendered = shown
                     .iter()
-                    .map(|fault| fault.render(&name, &source.text, colour));
-                let parts: Vec<String> =
-                    rendered.chain(rest.map(|text| text.to_string())).collect();
+                    .map(|fault| fault.render(&name, &source.text, colour, locale));
+                let parts: Vec<String> = rendered
+                    .chain(rest.map(|text| locale.text(&text)))
+                    .collect();
                 parts.join("\n\n")
             }
-            Self::Whole(text) => sanitised_lines(&format!("sortie: {text}")),
+            Self::Whole(text) => sanitised_lines(&format!("sortie: {}", locale.text(text))),
         }
     }
 
-    /// The failure of a command that needs the file.
+    /// The failure of a command that needs the file, in English, as all usage errors are.
     pub fn failure(&self) -> Failure {
-        Failure::Shown(self.explained())
+        Failure::Shown(self.explained(&Locale::new(Language::English)))
     }
 }
 

@@ -30,6 +30,9 @@ const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
 
 const DATA_VARIABLE: &str = "SORTIE_DATA";
 
+/// The maximum number of unshared files that are named.
+const MOST_UNSHARED: usize = 3;
+
 /// All settings and the files that they come from.
 #[derive(Debug)]
 pub(super) struct CliSettings {
@@ -87,6 +90,7 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     settings.read_file()?;
     settings.read_words(common)?;
     settings.config = settings.sources.layers.config();
+    settings.report_unreadable_themes();
     settings.choose_theme()?;
     settings.check_log()?;
     settings.place_hangar_files();
@@ -231,6 +235,16 @@ impl CliSettings {
         Err(Failure::Invalid(lines.collect::<Vec<_>>().join("\n")))
     }
 
+    /// Reports theme files that cannot be read, such as links to missing files: these themes are unknown.
+    fn report_unreadable_themes(&mut self) {
+        let unreadable = store::unreadable_themes();
+        let texts = unreadable.iter().map(|error| {
+            let name = error.stem().unwrap_or_default();
+            text!("theme-left-out", name = name, fault = Text::from(error))
+        });
+        self.faults.extend(texts.map(FileFault::Whole));
+    }
+
     fn choose_theme(&mut self) -> Result<(), Failure> {
         match self.themes.named(&self.config.theme) {
             Ok(theme) => self.theme = theme,
@@ -244,7 +258,12 @@ impl CliSettings {
                     self.sources.has_to_be_right("theme"),
                 )?;
             }
-            Err(error) => return Err(Failure::Invalid(format!("sortie: {error}"))),
+            Err(error) => {
+                let mut unreadable = store::unreadable_themes().into_iter();
+                let fault = unreadable.find(|it| it.stem() == Some(&self.config.theme));
+                let said = fault.map_or_else(|| error.to_string(), |fault| fault.to_string());
+                return Err(Failure::Invalid(format!("sortie: {said}")));
+            }
         }
         self.theme.name().clone_into(&mut self.config.theme);
         Ok(())
@@ -294,10 +313,18 @@ impl CliSettings {
     }
 
     /// Lets the group read results, if so configured; creates a missing data folder. Another user's
-    /// folder is not changed.
-    pub fn share_results(&self) {
+    /// folder is not changed. What cannot be shared is reported.
+    pub fn share_results(&mut self) {
         if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data) {
-            drop(store::share_with_group(data));
+            let unshared = store::share_with_group(data);
+            let first = unshared.iter().take(MOST_UNSHARED);
+            self.faults
+                .extend(first.map(|it| FileFault::Whole(it.into())));
+            let more = unshared.len().saturating_sub(MOST_UNSHARED);
+            if more > 0 {
+                let text = text!("sharing-more", count = more);
+                self.faults.push(FileFault::Whole(text));
+            }
         }
     }
 
@@ -358,8 +385,9 @@ impl CliSettings {
 
     /// Prints the faults of the files on standard error.
     pub fn complain(&self) {
+        let locale = Locale::new(self.language());
         for fault in &self.faults {
-            super::show(&fault.explained());
+            super::show(&fault.explained(&locale));
         }
     }
 

@@ -82,6 +82,7 @@ pub(super) fn refused(error: &ProfileError, locale: &Locale) -> Failure {
         | ProfileError::NoProfile { .. } => Failure::Invalid(format!("sortie: {words}")),
         ProfileError::Unusable { .. }
         | ProfileError::Unreadable { .. }
+        | ProfileError::Forbidden { .. }
         | ProfileError::ReadOnly { .. }
         | ProfileError::Newer { .. }
         | ProfileError::Older { .. }

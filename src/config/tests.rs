@@ -188,7 +188,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ),
         ("\"\" = 1", "c.toml:1:1: unknown setting ``"),
         ("fps = 5\nfps = 6", "c.toml:2:1: duplicate key"),
-        ("theme = dark", "c.toml:1:9: string values must be quoted"),
+        ("theme = dark", "c.toml:1:9: expected a value: a number"),
     ];
     for (source, expected) in cases {
         let faults = faults_of(source);

@@ -68,7 +68,8 @@ fn cannot(what: &'static str, path: &Path) -> impl FnOnce(io::Error) -> FolderEr
     move |error| FolderError { what, path, error }
 }
 
-/// The folder of one run of a hangar. Dropping it marks the run as over.
+/// The folder of one run of a hangar. Dropping it marks the run as over, and removes what nothing needs any more: the
+/// owner's file if no process is left, and the folder if no instance has left files in it.
 #[derive(Debug)]
 pub(super) struct Run {
     path: PathBuf,
@@ -171,6 +172,20 @@ impl Run {
         drop(fs::remove_file(
             self.path.join(format!("vehicle-{id:03}")).join(INSTANCE),
         ));
+    }
+}
+
+impl Drop for Run {
+    fn drop(&mut self) {
+        let folders = fs::read_dir(&self.path).into_iter().flatten().flatten();
+        let mut records = folders.map(|folder| folder.path().join(INSTANCE));
+        // The next hangar looks for the processes that a record names.
+        if records.any(|record| record.exists()) {
+            return;
+        }
+        drop(fs::remove_file(self.path.join(OWNER)));
+        // A folder that is not empty stays, with the logs of its instances.
+        drop(fs::remove_dir(&self.path));
     }
 }
 

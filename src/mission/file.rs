@@ -6,7 +6,7 @@ use toml::de::DeTable;
 use super::board::BoardSetup;
 use super::event::Event;
 use super::event::standard::Standard;
-use super::format::{self, Draft, FileTable, WrittenValue, describe, table, tables};
+use super::format::{self, Draft, FileTable, NameKind, WrittenValue, describe, table, tables};
 use super::hazard::{self, Hazard};
 use super::radio::Radio;
 use super::weather::Weather;
@@ -286,7 +286,7 @@ impl MissionWorth {
 
 fn hazard(table: &mut FileTable<'_>) -> Option<Box<dyn Hazard>> {
     table.need_id("hazards");
-    let (_, hazard) = table.need_kind("hazard", hazard::KINDS)?;
+    let (_, hazard) = table.need_kind(NameKind::HazardKind, hazard::KINDS)?;
     Some(hazard)
 }
 

@@ -63,7 +63,7 @@ pub enum StoreError {
 
 impl StoreError {
     /// The name, without folder and ending, of a file that exists and cannot be read.
-    pub(super) fn stem(&self) -> Option<&str> {
+    pub fn stem(&self) -> Option<&str> {
         match self {
             Self::Unreadable { path, .. } | Self::TooLarge { path, .. } => {
                 path.file_stem().and_then(OsStr::to_str)

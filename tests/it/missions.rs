@@ -24,7 +24,7 @@ const REFUSALS: &[&str] = &[
     "gate-form.toml:50:18: a gate reads `NAME >= NUMBER`, with `>=`, `<=` or `==`",
     "gate-name.toml:50:18: unknown name `safty` in `gold_requires` (did you mean `safety`?)",
     "hazard-kind.toml:18:8: unknown hazard kind `vulcano`; known: ..",
-    "heights.toml:36:11: `heights` must be [low, high], 0 to 1000 m",
+    "heights.toml:36:11: `heights` must be a list of two rising numbers, 0 to 1000 m",
     "infinite.toml:21:8: `rate` must lie between 0.000001 and 1000000, not inf",
     "latitude.toml:9:18: `lat` must lie between -85 and 85, not 95",
     "medals.toml:50:10: medals must rise from bronze to gold, up to 1000",
@@ -39,7 +39,7 @@ const REFUSALS: &[&str] = &[
     "partial-reversed.toml:47:16: `partial_from` must be above `target`: less is better here",
     "sensor-not-fitted.toml:32:10: unknown sensor of the fleet `s_pm25`; known: ..",
     "stability.toml:22:13: unknown value `G`; known: ..",
-    "syntax.toml:8:14: extra `=`, expected nothing",
+    "syntax.toml:8:14: one `=` too many",
     "target-above-cells.toml:37:10: `target` must lie between 1 and the 9 cells of the zone",
     "time-limit.toml:8:14: `time_limit` must lie between 10 and 86400, not 1e300",
     "too-many-cells.toml:33:8: 1000 x 1000 cells are more than 10000; make `cell` larger",
@@ -53,7 +53,7 @@ const REFUSALS: &[&str] = &[
     "unknown-zone.toml:31:8: unknown task zone `yrad`; known: .. (did you mean `yard`?)",
     "weights.toml:50:11: the weights must sum to 1, not 0.900",
     "wrong-schema.toml:1:10: this program reads schema 1 only",
-    "wrong-type.toml:8:14: invalid type: string \"8 min\", expected a number",
+    "wrong-type.toml:8:14: expected a number, not the text \"8 min\"",
     "zone-kind.toml:14:8: unknown zone kind `tusk`; known: .. (did you mean `task`?)",
 ];
 
@@ -173,7 +173,7 @@ fn faults_of_translations_are_named_at_their_place() {
     };
     let place = format!("m.toml:{}:", title + 2);
     for (line, fault) in [
-        ("title_uk = 3", "invalid type"),
+        ("title_uk = 3", "expected a text in quotes, not `3`"),
         ("title_ua = \"x\"", "did you mean `title_uk`?"),
         ("brief_uk = \" \"", "`brief_uk` is empty"),
     ] {

@@ -139,6 +139,11 @@ impl KeymapReading<'_> {
             .map(|(key, value)| (key.span().start, (key, value)))
             .collect();
         for (key, value) in keys.into_values() {
+            // After an error of the syntax, the reader puts a stand-in elsewhere; the error is enough.
+            let is_table = matches!(value.get_ref(), DeValue::Table(_));
+            if !is_table && value.span().start < key.span().start {
+                continue;
+            }
             let key = Spanned::new(key.span(), key.get_ref().to_string());
             match self.row(place, key, &value) {
                 Ok(row) => self.rows.push(row),

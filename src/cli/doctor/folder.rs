@@ -1,14 +1,13 @@
 //! Whether a folder of the program can be written, and what to do if it cannot.
 
-use std::fs;
-use std::os::unix::fs::MetadataExt as _;
 use std::path::Path;
 
 use nix::errno::Errno;
-use nix::unistd::{AccessFlags, Uid, User, access, geteuid};
+use nix::unistd::{AccessFlags, access};
 
 use super::HostFinding;
 use crate::sitl::quoted;
+use crate::store::other_owner;
 
 /// With less free space than this, logs soon fill a disk: a flying instance writes about a megabyte a minute.
 const LEAST_FREE_MIB: u64 = 512;
@@ -149,14 +148,6 @@ pub(super) fn shell_word(path: &Path) -> String {
     quoted(&path.display().to_string()).into_owned()
 }
 
-/// The name of a folder's owner, or the user id if it has no name; `None` if this user owns the
-/// folder.
-fn other_owner(folder: &Path) -> Option<String> {
-    let owner = Uid::from_raw(fs::metadata(folder).ok()?.uid());
-    let named = || User::from_uid(owner).ok().flatten().map(|user| user.name);
-    (owner != geteuid()).then(|| named().unwrap_or_else(|| format!("user {owner}")))
-}
-
 fn free_mib(path: &Path) -> Option<u64> {
     let facts = nix::sys::statvfs::statvfs(path).ok()?;
     Some(facts.blocks_available() * facts.fragment_size() / 1024 / 1024)
@@ -164,6 +155,8 @@ fn free_mib(path: &Path) -> Option<u64> {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::super::CheckResult;
     use super::*;
 

@@ -23,6 +23,8 @@ const CORE_PERCENT: f64 = 3.1;
 const MEMORY_KIB: u64 = 8 * 1024;
 /// Files that one instance keeps open in this program: its connection, its listener, its output.
 const FILES_EACH: u64 = 4;
+/// The maximum number of paths named in a finding.
+const MOST_NAMED: usize = 3;
 /// Files that this program keeps open without instances.
 const FILES_OWN: u64 = 64;
 
@@ -96,6 +98,7 @@ fn open_to_others(data: &Path) -> Option<HostFinding> {
 fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
     let (name, word) = (data.display(), shell_word(data));
     Some(match sharing_fault(data, readers)? {
+        SharingFault::Foreign(paths) => foreign(data, &paths),
         SharingFault::NotShared => HostFinding::fault(
             "profiles",
             format!(
@@ -120,6 +123,31 @@ fn shared_otherwise(data: &Path, readers: Readers) -> Option<HostFinding> {
             format!("chmod -R g-rwxs {word}"),
         ),
     })
+}
+
+/// The results of other users, which only they or the superuser can share.
+fn foreign(data: &Path, paths: &[PathBuf]) -> HostFinding {
+    let named = &paths[..paths.len().min(MOST_NAMED)];
+    let shown: Vec<String> = named.iter().map(|it| it.display().to_string()).collect();
+    let more = match paths.len() - named.len() {
+        0 => String::new(),
+        count => format!(" and {count} more"),
+    };
+    let words: Vec<String> = named.iter().map(|it| shell_word(it)).collect();
+    let list = words.join(" ");
+    let facts = fs::metadata(data);
+    let owner = facts.map_or_else(
+        |_| "OWNER:GROUP".to_owned(),
+        |it| format!("{}:{}", it.uid(), quoted(&group_name(it.gid()))),
+    );
+    HostFinding::fault(
+        "profiles",
+        format!(
+            "results.readers is \"group\", but another user owns {}{more} and the group cannot read it",
+            shown.join(", ")
+        ),
+        format!("as root: chown -R {owner} {list}; chmod -R g+rX {list}"),
+    )
 }
 
 /// The commands that open the results in a data folder to its group.
@@ -288,6 +316,25 @@ mod tests {
     }
 
     #[test]
+    fn results_of_another_user_are_named_with_the_command() {
+        let data = tempfile::tempdir().expect("a temporary folder");
+        let facts = fs::metadata(data.path()).expect("ours");
+        let owner = format!("{}:{}", facts.uid(), group_name(facts.gid()));
+        let paths = ["a", "b c", "d", "e"].map(|name| Path::new("/data").join(name));
+        let found = foreign(data.path(), &paths);
+        assert!(
+            found
+                .found
+                .contains("another user owns /data/a, /data/b c, /data/d and 1 more"),
+            "{}",
+            found.found
+        );
+        let list = "/data/a '/data/b c' /data/d";
+        let command = format!("as root: chown -R {owner} {list}; chmod -R g+rX {list}");
+        assert_eq!(found.mend, Some(command));
+    }
+
+    #[test]
     fn a_path_in_a_command_is_quoted() {
         let folder = tempfile::tempdir().expect("a temporary folder");
         let data = folder.path().join("my results; old");
@@ -306,7 +353,7 @@ mod tests {
         let name = data.path().display();
         let found = shared_otherwise(data.path(), Readers::Group).expect("noticed");
         assert_eq!(found.mend, Some(format!("as root: chmod g+rxs {name}")));
-        crate::store::share_with_group(data.path()).expect("ours");
+        assert!(crate::store::share_with_group(data.path()).is_empty());
         assert_eq!(shared_otherwise(data.path(), Readers::Group), None);
         let found = shared_otherwise(data.path(), Readers::Owner).expect("noticed");
         assert_eq!(found.mend, Some(format!("chmod -R g-rwxs {name}")));

@@ -131,6 +131,28 @@ fn what_a_living_hangar_runs_is_left_alone() {
 }
 
 #[test]
+fn a_clean_end_leaves_nothing_but_the_files_of_instances() {
+    let root = root();
+    let run = open(&root).run;
+    drop(run);
+    assert_eq!(names(&root), [""; 0]);
+    let run = open(&root).run;
+    let (path, vehicle) = (run.path().to_owned(), run.vehicle(1).expect("made"));
+    fs::write(vehicle.join("00000001.BIN"), "log").expect("writable");
+    drop(run);
+    assert!(vehicle.join("00000001.BIN").is_file() && !path.join(OWNER).exists());
+    // A process that is still recorded belongs to a hangar that the next one has to know.
+    let mut sleeper = Sleeper::start("while :; do sleep 0.1; done");
+    let run = open(&root).run;
+    let path = run.path().to_owned();
+    run.note(1, sleeper.pid(), Path::new("/opt/arducopter"))
+        .expect("written");
+    drop(run);
+    assert!(path.join(OWNER).is_file() && sleeper.is_running());
+    assert_eq!(open(&root).leftovers.len(), 1);
+}
+
+#[test]
 fn another_process_with_the_same_number_is_no_leftover() {
     let root = root();
     let mut sleeper = Sleeper::start("while :; do sleep 0.1; done");
@@ -224,7 +246,7 @@ fn what_is_no_run_is_never_removed() {
     }
     drop(open(&root));
     drop(open(&root));
-    assert_eq!(names(&root).len(), 20);
+    assert_eq!(names(&root).len(), 18);
     assert!(elsewhere.path().is_dir());
 }
 

@@ -13,6 +13,8 @@ use std::time::Duration;
 
 use super::scope::Scope;
 use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::Text;
 
 mod argument;
 mod ask;
@@ -76,11 +78,11 @@ enum Type {
 }
 
 impl Type {
-    fn name(self) -> &'static str {
+    fn text(self) -> Text {
         match self {
-            Self::Number => "a number",
-            Self::Bool => "a condition",
-            Self::Text => "a text",
+            Self::Number => text!("expression-number"),
+            Self::Bool => text!("expression-condition"),
+            Self::Text => text!("expression-text"),
         }
     }
 }

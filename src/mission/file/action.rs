@@ -11,8 +11,8 @@ use crate::mission::event::fault::{Fault, FaultKind, Victim};
 use crate::mission::event::mover::{MoverKind, Spawn};
 use crate::mission::event::weather::{Change, Element, Target};
 use crate::mission::format::{
-    Draft, FileShape, FileTable, FileValue, KindOf, flag, list, named, not_between, number, point,
-    seconds, text, text_by, time, whole, word,
+    Draft, FileShape, FileTable, FileValue, KindOf, NameKind, flag, list, named, not_between,
+    number, point, seconds, text, text_by, time, whole, word,
 };
 use crate::scoring::AlertLevel;
 use crate::text;
@@ -70,7 +70,7 @@ const LEVELS: [(&str, AlertLevel); 3] = [
 ];
 
 pub(super) fn action(table: &mut FileTable<'_>) -> Option<Action> {
-    table.need_one_of("an action", ACTIONS)
+    table.need_one_of(text!("name-an-action"), ACTIONS)
 }
 
 fn say(table: &mut FileTable<'_>) -> Option<Action> {
@@ -113,7 +113,7 @@ fn alert(table: &mut FileTable<'_>) -> Option<Action> {
 }
 
 fn set(table: &mut FileTable<'_>) -> Option<Action> {
-    let quantity_form = named("quantity", Element::names, Element::named);
+    let quantity_form = named(NameKind::Quantity, Element::names, Element::named);
     let quantity = table.need("set", quantity_form, "quantity that changes");
     let to = table.need("to", number(-40.0, 360.0, ""), "new value");
     let ramp = table.or("ramp", time(), Duration::ZERO, "time over which it changes");
@@ -142,7 +142,7 @@ fn zone(table: &mut FileTable<'_>) -> Option<Action> {
     let found = zones.iter().position(|zone| zone.id == *id.get_ref());
     if found.is_none() {
         let known: Vec<&str> = zones.iter().map(|zone| zone.id.as_str()).collect();
-        faults.unknown("zone", &id, &known);
+        faults.unknown(NameKind::Zone, &id, &known);
     }
     Some(Action::Zone(found?, active?))
 }
@@ -161,7 +161,7 @@ fn is_callsign(callsign: &str) -> bool {
 
 fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
     let mover_form = named(
-        "mover",
+        NameKind::Mover,
         || MOVERS.map(|(name, ..)| name).to_vec(),
         |name| MOVERS.iter().find(|(known, ..)| *known == name),
     );
@@ -212,7 +212,7 @@ fn spawn(table: &mut FileTable<'_>) -> Option<Action> {
 
 fn fault(table: &mut FileTable<'_>) -> Option<Action> {
     let kind_form = named(
-        "fault",
+        NameKind::Fault,
         || FaultKind::ALL.iter().map(|(name, ..)| *name).collect(),
         |name| {
             FaultKind::ALL

@@ -1,7 +1,7 @@
 //! `[[hints]]`: advice shown automatically, or on request.
 
 use super::condition::condition;
-use crate::mission::format::{FileTable, text, whole, word};
+use crate::mission::format::{FileTable, NameKind, text, whole, word};
 use crate::mission::{Clue, Hint, MissionAdvice, NEXT_CELL, Phase};
 use crate::text;
 use crate::text::Text;
@@ -65,7 +65,7 @@ pub(super) fn advice(table: &mut FileTable<'_>) -> Option<OneAdvice> {
         table.fault_of("until", text!("fault-hint-until"));
     }
     if let Some(id) = &objective {
-        table.draft().check_declared("objective", id);
+        table.draft().check_declared(NameKind::Objective, id);
     }
     Some(OneAdvice::Asked(Clue {
         // At most 3, so it fits.

@@ -2,7 +2,7 @@
 
 use crate::mission::board::{BoardSetup, PlanFault, Route};
 use crate::mission::format::{
-    FileTable, flag, list, named, number, point, table as table_of, whole,
+    FileTable, NameKind, flag, list, named, number, point, table as table_of, whole,
 };
 use crate::text;
 
@@ -30,7 +30,7 @@ pub(super) fn board(table: &mut FileTable<'_>) -> Option<BoardSetup> {
     );
     let faults_form = list(
         named(
-            "fault",
+            NameKind::Fault,
             || PlanFault::ALL.map(|(name, _)| name).to_vec(),
             |name| PlanFault::ALL.into_iter().find(|(known, _)| *known == name),
         ),

@@ -5,7 +5,9 @@ use toml::Spanned;
 use super::head::{is_mission_id, mission_id};
 use crate::mission::campaign::{Requires, Rewards, Unlock};
 use crate::mission::event::standard::Standard;
-use crate::mission::format::{FileTable, TextValue, list, map, number, text, text_by, whole, word};
+use crate::mission::format::{
+    FileTable, NameKind, TextValue, list, map, number, text, text_by, whole, word,
+};
 use crate::mission::skill::Skill;
 use crate::scoring::Medal;
 use crate::text;
@@ -50,7 +52,7 @@ pub(super) fn requires(table: &mut FileTable<'_>) -> Option<Requires> {
     for (code, _) in &skills {
         if Skill::of(code.get_ref()).is_none() {
             let known: Vec<&str> = Skill::ALL.iter().map(|skill| skill.code()).collect();
-            table.draft().faults.unknown("skill", code, &known);
+            table.draft().faults.unknown(NameKind::Skill, code, &known);
         }
     }
     let owned = |name: Spanned<String>| name.into_inner();
@@ -109,7 +111,7 @@ fn unlocked(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Unlo
         "part" if is_part(&name) => {
             if workshop::part(&name).is_none() {
                 let known: Vec<&str> = workshop::parts().map(|part| part.id).collect();
-                faults.unknown("part", &named, &known);
+                faults.unknown(NameKind::Part, &named, &known);
             }
             Some(Unlock::Part(name))
         }
@@ -124,7 +126,7 @@ fn unlocked(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Unlo
         }
         "threat" => {
             if Standard::named(&name).is_none() {
-                faults.unknown("threat", &named, &Standard::names());
+                faults.unknown(NameKind::Threat, &named, &Standard::names());
             }
             Some(Unlock::Threat(name))
         }

@@ -4,7 +4,7 @@ use toml::Spanned;
 use toml::de::DeValue;
 
 use crate::mission::event::expression::{Expression, ExpressionNames, LONGEST};
-use crate::mission::format::{Draft, FileShape, FileValue};
+use crate::mission::format::{Draft, FileShape, FileValue, NameKind};
 use crate::text;
 
 /// A condition over the names known so far.
@@ -60,7 +60,7 @@ pub(super) fn known_event(draft: &mut Draft, name: &Spanned<String>) -> Option<u
     let found = events.iter().position(|id| id == name.get_ref());
     if found.is_none() {
         let known: Vec<&str> = events.iter().map(String::as_str).collect();
-        draft.faults.unknown("event", name, &known);
+        draft.faults.unknown(NameKind::Event, name, &known);
     }
     found
 }

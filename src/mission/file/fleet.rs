@@ -6,7 +6,7 @@ use super::career::design_id;
 use crate::mission::MissionSeats;
 use crate::mission::fit::Fit;
 use crate::mission::format::{
-    FileTable, ListValue, NamedValue, list, named, point, table as table_of, whole,
+    FileTable, ListValue, NameKind, NamedValue, list, named, point, table as table_of, whole,
 };
 use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
@@ -78,7 +78,9 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
     let own = table.may("vehicles", own_form, "one table per pad");
     let outlay = outlay(table, pads.as_ref().map(Vec::len));
     let (vehicles, pads) = (vehicles?, pads?);
-    if pads.len() != vehicles as usize {
+    let place = table.place_of("pads");
+    // A pad that cannot be read is missing in the list; its own fault is enough.
+    if pads.len() != vehicles as usize && !table.draft().faults.are_within(&place) {
         let fault = text!("fault-pads", vehicles = vehicles, found = pads.len());
         table.fault_of("pads", fault);
     }
@@ -131,7 +133,11 @@ fn outlay(table: &mut FileTable<'_>, pads: Option<usize>) -> Outlay {
 }
 
 fn sensors() -> ListValue<NamedValue<&'static Sensor>> {
-    list(named("sensor", Sensor::ids, Sensor::by_id), 0, usize::MAX)
+    list(
+        named(NameKind::Sensor, Sensor::ids, Sensor::by_id),
+        0,
+        usize::MAX,
+    )
 }
 
 fn vehicle(table: &mut FileTable<'_>) -> Option<Carried> {

@@ -1,6 +1,6 @@
 //! `[[objectives]]`: the keys common to all kinds.
 
-use crate::mission::format::{FileTable, flag, number};
+use crate::mission::format::{FileTable, NameKind, flag, number};
 use crate::mission::objective::{self, Objective};
 use crate::text;
 
@@ -15,7 +15,7 @@ pub(super) fn objective(table: &mut FileTable<'_>) -> Option<Objective> {
         false,
         "whether the mission fails if this is not met; at least one objective must be mandatory",
     );
-    let (_, kind) = table.need_kind("objective", objective::KINDS)?;
+    let (_, kind) = table.need_kind(NameKind::ObjectiveKind, objective::KINDS)?;
     table.draft().surveys.extend(kind.survey().cloned());
     for name in kind.place_names() {
         if table.draft().drawn.contains(&name) {

@@ -1,12 +1,12 @@
 //! `[radio]` and `[instructor]`.
 
 use crate::mission::event::standard::Standard;
-use crate::mission::format::{FileTable, NamedValue, flag, list, named, number, point};
+use crate::mission::format::{FileTable, NameKind, NamedValue, flag, list, named, number, point};
 use crate::mission::radio::{Model, Radio, Set};
 
 /// The radio that all vehicles carry.
 pub(super) fn radio(table: &mut FileTable<'_>) -> Option<Radio> {
-    let model_form = named("radio", radio_names, Model::by_id);
+    let model_form = named(NameKind::Radio, radio_names, Model::by_id);
     let model = table.need("model", model_form, "radio of every vehicle");
     let station = table.may(
         "station",
@@ -43,7 +43,11 @@ fn radio_names() -> Vec<&'static str> {
 
 /// The value that names a standard threat.
 pub(super) const fn threat() -> NamedValue<Standard> {
-    named("threat", || Standard::names().to_vec(), Standard::named)
+    named(
+        NameKind::Threat,
+        || Standard::names().to_vec(),
+        Standard::named,
+    )
 }
 
 /// The threats that an instructor may trigger.

@@ -1,6 +1,6 @@
 //! `[[zones]]`: areas with a shape and a kind.
 
-use crate::mission::format::{FileTable, KindOf, POINT_RANGE, flag, list, number, point};
+use crate::mission::format::{FileTable, KindOf, NameKind, POINT_RANGE, flag, list, number, point};
 use crate::mission::zone::{Shadow, Shape, Zone, ZoneKind};
 use crate::text;
 
@@ -22,7 +22,7 @@ pub(super) fn zone(table: &mut FileTable<'_>) -> Option<Zone> {
         number(0.0, 1000.0, "m"),
         "the seed moves the zone by up to this distance on each axis; not for `task` and `geofence`",
     );
-    let (_, kind) = table.need_kind("zone", ZONE_KINDS)?;
+    let (_, kind) = table.need_kind(NameKind::ZoneKind, ZONE_KINDS)?;
     if jitter_m.is_some() && is_fixed(kind) {
         table.fault_of("jitter", text!("fault-zone-fixed"));
     }

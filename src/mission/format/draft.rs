@@ -7,7 +7,7 @@ use std::time::Duration;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::FileFaults;
+use super::{FileFaults, NameKind};
 use crate::mission::Point;
 use crate::mission::pad::pad_name;
 use crate::mission::sensor::Sensor;
@@ -84,7 +84,7 @@ impl Draft {
     pub fn task_zone(&mut self, name: &Spanned<String>) -> Option<Zone> {
         let tasks = self.zones.iter().filter(|zone| zone.kind == ZoneKind::Task);
         let known: Vec<String> = tasks.map(|zone| zone.id.clone()).collect();
-        self.refer("task zone", name, &known)?;
+        self.refer(NameKind::TaskZone, name, &known)?;
         let mut zones = self.zones.iter();
         zones.find(|zone| zone.id == *name.get_ref()).cloned()
     }
@@ -92,24 +92,20 @@ impl Draft {
     /// A sensor that the fleet carries.
     pub fn fitted_sensor(&mut self, name: &Spanned<String>) -> Option<&'static Sensor> {
         let known = self.sensors.iter().map(|sensor| sensor.id.to_owned());
-        let index = self.refer("sensor of the fleet", name, &known.collect::<Vec<_>>())?;
+        let index = self.refer(NameKind::FleetSensor, name, &known.collect::<Vec<_>>())?;
         Some(self.sensors[index])
     }
 
     /// The index of a hazard in the file, by name.
     pub fn hazard(&mut self, name: &Spanned<String>) -> Option<usize> {
         let known = self.ids("hazards").to_vec();
-        self.refer("hazard", name, &known)
+        self.refer(NameKind::Hazard, name, &known)
     }
 
     /// The survey of an objective earlier in the file.
     pub fn survey(&mut self, name: &Spanned<String>) -> Option<SurveyPlan> {
         let known = self.surveys.iter().map(|survey| survey.id.clone());
-        let index = self.refer(
-            "earlier sample_cells objective",
-            name,
-            &known.collect::<Vec<_>>(),
-        )?;
+        let index = self.refer(NameKind::EarlierSurvey, name, &known.collect::<Vec<_>>())?;
         Some(self.surveys[index].clone())
     }
 
@@ -123,7 +119,7 @@ impl Draft {
             .zip(&self.pads)
             .map(|(number, &pad)| (pad_name(number), pad));
         let (names, points): (Vec<String>, Vec<Point>) = named.chain(pads).unzip();
-        let index = self.refer("place", name, &names)?;
+        let index = self.refer(NameKind::Place, name, &names)?;
         Some(points[index])
     }
 
@@ -137,21 +133,21 @@ impl Draft {
     }
 
     /// Adds a fault if the file does not declare this name.
-    pub fn check_declared(&mut self, what: &str, name: &Spanned<String>) {
+    pub fn check_declared(&mut self, kind: NameKind, name: &Spanned<String>) {
         if !self.declared.all.contains(name.get_ref()) {
             let known: Vec<&str> = self.declared.all.iter().map(String::as_str).collect();
-            self.faults.unknown(what, name, &known);
+            self.faults.unknown(kind, name, &known);
         }
     }
 
     /// The index of a name among the known ones. An unknown name is a fault, unless that merely follows from an
     /// earlier fault.
-    fn refer(&mut self, what: &str, name: &Spanned<String>, known: &[String]) -> Option<usize> {
+    fn refer(&mut self, kind: NameKind, name: &Spanned<String>, known: &[String]) -> Option<usize> {
         let found = known.iter().position(|known| known == name.get_ref());
         let is_declared = known.is_empty() || self.declared.all.contains(name.get_ref());
         if found.is_none() && (self.faults.is_empty() || !is_declared) {
             let known: Vec<&str> = known.iter().map(String::as_str).collect();
-            self.faults.unknown(what, name, &known);
+            self.faults.unknown(kind, name, &known);
         }
         found
     }

@@ -4,9 +4,10 @@ use std::ops::{Range, RangeInclusive};
 
 use serde::Deserialize;
 use toml::Spanned;
-use toml::de::{DeValue, ValueDeserializer};
+use toml::de::DeValue;
 
-use crate::diagnostic::{Diagnostic, toml_words};
+use super::name_kind::NameKind;
+use crate::diagnostic::{Diagnostic, toml_value};
 use crate::text;
 use crate::text::{Language, Text};
 
@@ -32,6 +33,12 @@ impl FileFaults {
         self.found.push(fault);
     }
 
+    /// Whether there are faults within a place.
+    pub fn are_within(&self, place: &Range<usize>) -> bool {
+        let mut found = self.found.iter();
+        found.any(|fault| place.contains(&fault.span.start))
+    }
+
     /// Whether there are no faults so far.
     pub fn is_empty(&self) -> bool {
         self.found.is_empty()
@@ -55,30 +62,22 @@ impl FileFaults {
         untranslated
     }
 
-    /// Adds a fault for an unknown name, with the known names as advice.
-    pub fn unknown(&mut self, what: &str, written: &Spanned<String>, known: &[&str]) {
-        let list = if known.is_empty() {
-            "none".to_owned()
+    /// Adds a fault for an unknown name, with the known ones as advice.
+    pub fn unknown(&mut self, kind: NameKind, written: &Spanned<String>, known: &[&str]) {
+        let (what, name) = (kind.text(), written.get_ref());
+        let message = if known.is_empty() {
+            text!("fault-name-none", what = what, name = name)
         } else {
-            known.join(", ")
+            let list = known.join(", ");
+            text!("fault-name-unknown", what = what, name = name, known = list)
         };
-        let name = written.get_ref();
-        let message = text!("fault-name-unknown", what = what, name = name, known = list);
         let fault = Diagnostic::new(written.span(), message);
         self.push(fault.with_nearest(name, known.iter().copied()));
     }
 
     /// Reads a plain value; if it is invalid, adds a fault and returns `None`.
     pub fn read<'i, T: Deserialize<'i>>(&mut self, value: Spanned<DeValue<'i>>) -> Option<T> {
-        let place = value.span();
-        match T::deserialize(ValueDeserializer::from(value)) {
-            Ok(value) => Some(value),
-            Err(error) => {
-                let place = error.span().unwrap_or(place);
-                self.add(place, toml_words(&in_plain_words(error.message())));
-                None
-            }
-        }
+        toml_value(value).map_err(|fault| self.push(fault)).ok()
     }
 
     /// A text with the translation under the key `key`, if any.
@@ -128,19 +127,4 @@ pub(in crate::mission) fn not_between(
         high = bounds.end().to_string(),
         found = shown
     )
-}
-
-/// A message of the TOML reader with plain words in place of Rust's type names.
-fn in_plain_words(message: &str) -> String {
-    const TYPES: [(&str, &str); 4] = [
-        ("f64", "a number"),
-        ("u32", "a whole number, 0 or more"),
-        ("u64", "a whole number, 0 or more"),
-        ("i64", "a whole number"),
-    ];
-    let named = TYPES.iter().find_map(|(name, words)| {
-        let before = message.strip_suffix(name)?.strip_suffix("expected ")?;
-        Some(format!("{before}expected {words}"))
-    });
-    named.unwrap_or_else(|| message.to_owned())
 }

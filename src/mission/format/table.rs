@@ -7,6 +7,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::description::{FileKey, FileTableDescription, KindDescription, Presence};
 use super::draft::Draft;
+use super::name_kind::NameKind;
 use super::value::{self, FileValue};
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::text;
@@ -256,7 +257,7 @@ impl FileTable<'_> {
     /// The kind of the table, by its key `kind`, and the value read from the keys of this kind.
     pub fn need_kind<T>(
         &mut self,
-        what: &'static str,
+        named: NameKind,
         kinds: &'static [KindOf<T>],
     ) -> Option<(&'static str, T)> {
         let names = || kinds.iter().map(|kind| kind.name);
@@ -269,8 +270,7 @@ impl FileTable<'_> {
         };
         let Some(kind) = kinds.iter().find(|kind| kind.name == written.get_ref()) else {
             let known: Vec<&str> = names().collect();
-            let what = format!("{what} kind");
-            self.draft.faults.unknown(&what, &written, &known);
+            self.draft.faults.unknown(named, &written, &known);
             self.abandon();
             return None;
         };
@@ -278,7 +278,7 @@ impl FileTable<'_> {
     }
 
     /// The value of a table whose kind is given by one of its keys.
-    pub fn need_one_of<T>(&mut self, what: &'static str, kinds: &'static [KindOf<T>]) -> Option<T> {
+    pub fn need_one_of<T>(&mut self, what: Text, kinds: &'static [KindOf<T>]) -> Option<T> {
         if self.describe_kinds(kinds, false) {
             return None;
         }

@@ -15,6 +15,13 @@ pub enum ProfileError {
     Unusable { path: PathBuf, error: io::Error },
     /// The folder or the file cannot be read.
     Unreadable { path: PathBuf, error: io::Error },
+    /// Only its owner may read the file.
+    Forbidden {
+        path: PathBuf,
+        owner: String,
+        /// Whether the mode of its folder keeps new results from the group, although the group may enter it.
+        is_folder_unshared: bool,
+    },
     /// The file can be read, but must not be written.
     ReadOnly { path: PathBuf },
     /// A newer version of the program wrote the file.
@@ -64,6 +71,24 @@ impl ProfileError {
                     "profiles-unreadable",
                     path = shown(path),
                     error = error.to_string()
+                )
+            }
+            Self::Forbidden {
+                path,
+                owner,
+                is_folder_unshared: false,
+            } => text!("profiles-forbidden", path = shown(path), owner = owner),
+            Self::Forbidden {
+                path,
+                owner,
+                is_folder_unshared: true,
+            } => {
+                let folder = shown(path.parent().unwrap_or(path));
+                text!(
+                    "profiles-unshared",
+                    path = shown(path),
+                    owner = owner,
+                    folder = folder
                 )
             }
             Self::ReadOnly { path } => text!("profiles-read-only", path = shown(path)),

@@ -90,6 +90,9 @@ impl Profiles {
     /// Opens a file read-only. In a read-only folder without a log beside the file, it is read without the locks that
     /// `SQLite` would have to write.
     pub(super) fn read_only(path: PathBuf) -> Result<Self, ProfileError> {
+        if let Some(forbidden) = forbidden(&path) {
+            return Err(forbidden);
+        }
         let database = |error| unread(&path, error);
         let log = beside(&path, "wal");
         let quiet = if log.exists() { "" } else { "?immutable=1" };
@@ -156,6 +159,18 @@ fn beside(path: &Path, name: &str) -> PathBuf {
     PathBuf::from(format!("{}-{name}", path.display()))
 }
 
+/// The error of a file that this user may not read; `None` if it may be read or belongs to this user.
+fn forbidden(path: &Path) -> Option<ProfileError> {
+    let is_refused = access(path, AccessFlags::R_OK) == Err(Errno::EACCES);
+    let owner = sharing::other_owner(path).filter(|_| is_refused)?;
+    let folder = path.parent().unwrap_or(path);
+    Some(ProfileError::Forbidden {
+        path: path.to_owned(),
+        owner,
+        is_folder_unshared: sharing::lacks_only_the_group_bit(folder),
+    })
+}
+
 /// Why a database cannot be read: the log needs an index, which only a process that may write to
 /// the folder can create.
 fn unread(path: &Path, error: rusqlite::Error) -> ProfileError {
@@ -204,5 +219,32 @@ mod tests {
         assert!(matches!(refused(), ProfileError::LogAlone { .. }));
         fs::write(beside(&path, "shm"), "index").expect("written");
         assert!(matches!(refused(), ProfileError::Database { .. }));
+    }
+
+    #[test]
+    fn a_file_of_another_user_without_a_shared_folder_is_named_with_the_way_out() {
+        let said = |is_folder_unshared| {
+            let path = PathBuf::from("/srv/class/anna/profiles.sqlite");
+            let owner = "anna".to_owned();
+            let error = ProfileError::Forbidden {
+                path,
+                owner,
+                is_folder_unshared,
+            };
+            error.text().to_string()
+        };
+        let unshared = said(true);
+        for part in [
+            "belongs to anna",
+            "/srv/class/anna has no setgid bit",
+            "`sortie doctor`",
+        ] {
+            assert!(unshared.contains(part), "{part}: {unshared}");
+        }
+        assert!(said(false).contains("ask anna for access"));
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join(FILE);
+        fs::write(&path, "").expect("written");
+        assert!(forbidden(&path).is_none(), "it belongs to this user");
     }
 }

@@ -77,6 +77,7 @@ impl ProfileFile {
             },
             other @ (ProfileError::Unusable { .. }
             | ProfileError::Unreadable { .. }
+            | ProfileError::Forbidden { .. }
             | ProfileError::ReadOnly { .. }
             | ProfileError::Newer { .. }
             | ProfileError::Older { .. }

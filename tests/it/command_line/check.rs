@@ -115,6 +115,88 @@ fn faults_of_missions_are_in_the_language_of_the_user() {
     }
 }
 
+/// Replacements that break the first mission, each in another way.
+const BREAKS: [(&str, &str); 20] = [
+    ("tier = 0", "tier = = 0"),
+    ("tier = 0", "tier = \"easy\""),
+    ("tier = 0", "tier = easy"),
+    ("tier = 0", "tier = 0.5.1"),
+    ("tags = [\"basics\"]", "tags = [\"basics\""),
+    ("tags = [\"basics\"]", "tags = 3"),
+    ("[sim]", "[sim"),
+    ("time_limit = 300", "time_limit = []"),
+    ("origin = {", "origin = [1, 2] #"),
+    ("kind = \"geofence\"", "kind = \"fnce\""),
+    ("kind = \"arm_time\"", "kind = \"arm\""),
+    ("pads = [[0, 0]]", "pads = [[0, \"x\"]]"),
+    ("max_vehicles = 1", "max_vehicles.x = 1"),
+    ("credits = 200", "credits = -5"),
+    ("within = 60", "within = true"),
+    ("until = \"met('hover')\"", "until = \"met('hovr')\""),
+    ("until = \"met('hover')\"", "until = \"t > \""),
+    ("until = \"met('hover')\"", "until = \"vehicle(9).armed\""),
+    (
+        "until = \"met('hover')\"",
+        "until = \"mode_any([LNAD]) or x\"",
+    ),
+    ("until = \"met('hover')\"", "until = \"t + 'a' > 3\""),
+];
+
+#[test]
+fn no_english_is_left_in_ukrainian_faults_of_a_mission() {
+    let mission = include_str!("../../../missions/00-first-flight.toml");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    for (number, (good, bad)) in BREAKS.iter().enumerate() {
+        let broken = mission.replacen(good, bad, 1);
+        assert_ne!(broken, mission, "{good}");
+        fs::write(folder.path().join(format!("{number}.toml")), broken).expect("written");
+    }
+    let path = folder.path().display().to_string();
+    let checked = sortie(&["check", &path, "--lang", "uk"]);
+    let found = text(&checked.stdout);
+    for number in 0..BREAKS.len() {
+        let place = format!("{path}/{number}.toml:");
+        let lines: Vec<&str> = found.lines().filter(|it| it.starts_with(&place)).collect();
+        // One fault each, without others that follow from it.
+        assert_eq!(lines.len(), 1, "{:?}: {lines:#?}", BREAKS[number]);
+        // What is typed or listed is the same in every language.
+        let said = lines[0][place.len()..].split("; відомі:").next();
+        let said: String = said
+            .unwrap_or_default()
+            .split(['`', '"'])
+            .step_by(2)
+            .collect();
+        let mut words = said.split(|c: char| !c.is_alphabetic());
+        let english = words.find(|word| word.len() > 2 && word.is_ascii() && *word != "TOML");
+        assert_eq!(english, None, "{}", lines[0]);
+    }
+}
+
+#[test]
+fn an_error_of_the_syntax_is_shown_with_its_place_in_the_line() {
+    let folder = folder_with(&[
+        ("designs/lab.toml", "schema = 1\nname = = 3\n"),
+        ("themes/lab.toml", "inherits = dark\n"),
+    ]);
+    let checked = sortie(&["check", folder.path().to_str().expect("plain")]);
+    let found = text(&checked.stdout);
+    let lines: Vec<&str> = found.lines().collect();
+    assert!(
+        lines[0].ends_with("designs/lab.toml:2:8: one `=` too many"),
+        "{found}"
+    );
+    assert_eq!(lines[1..3], ["  name = = 3", "         ^"], "{found}");
+    assert!(
+        lines[3].contains("themes/lab.toml:1:12: expected a value"),
+        "{found}"
+    );
+    assert_eq!(
+        lines[4..],
+        ["  inherits = dark", "             ^"],
+        "{found}"
+    );
+}
+
 #[test]
 fn a_folder_does_not_hide_the_mission_of_the_same_name() {
     let folder = folder_with(&[("01/notes.txt", "mine")]);
@@ -158,7 +240,7 @@ fn a_faulty_design_has_faults_of_a_design_and_an_unknown_file_says_so() {
     let found = text(&checked.stdout);
     assert_eq!(checked.status.code(), Some(1), "{found}");
     assert!(
-        found.contains("lab.toml:3:2: unknown field `parts`"),
+        found.contains("lab.toml:3:2: unknown key `parts`"),
         "{found}"
     );
     assert!(

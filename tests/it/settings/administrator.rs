@@ -212,3 +212,52 @@ fn results_are_for_their_trainee_unless_the_administrator_lets_a_group_read_them
         }
     }
 }
+
+#[test]
+fn a_wrong_setting_is_a_finding_of_the_doctor() {
+    let home = home(&[("config.toml", "lang = \"xx\"\nfps = 12\n")]);
+    let doctor = sortie(home.path(), &[], &["doctor"]);
+    let found = text(&doctor.stdout);
+    assert_eq!(doctor.status.code(), Some(1), "{found}");
+    let line = found.lines().find(|line| line.contains("config.toml:1:8"));
+    let line = line.unwrap_or_else(|| panic!("{found}"));
+    assert!(
+        line.starts_with("FAULT settings") && line.ends_with("`lang` must be one of en, uk"),
+        "{line}"
+    );
+    assert_eq!(text(&doctor.stderr), "", "it is said once");
+}
+
+#[test]
+fn a_theme_that_is_a_link_to_nothing_is_named_and_the_default_is_used() {
+    let home = home(&[("config.toml", "theme = \"harbour\"\n")]);
+    let themes = home.path().join("config/sortie/themes");
+    fs::create_dir_all(&themes).expect("created");
+    std::os::unix::fs::symlink("/nowhere/harbour.toml", themes.join("harbour.toml")).expect("made");
+    let said = format!(
+        "{}/harbour.toml is a link to /nowhere/harbour.toml, which does not exist",
+        themes.display()
+    );
+    let list = sortie(home.path(), &[], &["profile", "list"]);
+    assert_eq!(list.status.code(), Some(0), "{}", text(&list.stderr));
+    let config = sortie(home.path(), &[], &["config"]);
+    let told = text(&config.stderr);
+    assert!(
+        told.contains(&format!("no theme `harbour`: {said}")),
+        "{told}"
+    );
+    let printed = text(&config.stdout);
+    assert!(
+        line_of(&printed, "theme").contains("theme = \"dark\""),
+        "{printed}"
+    );
+    let doctor = text(&sortie(home.path(), &[], &["doctor"]).stdout);
+    assert!(doctor.contains(&said), "{doctor}");
+    let named = sortie(home.path(), &[], &["--theme", "harbour", "config"]);
+    assert_eq!(named.status.code(), Some(2), "a wrong flag");
+    assert!(
+        text(&named.stderr).contains(&said),
+        "{}",
+        text(&named.stderr)
+    );
+}

@@ -84,6 +84,7 @@ fn faults_are_told_at_their_place_and_leave_the_rest_alone() {
         ("[fly]\nx = \"all takeof ...\"\n", "2:10: "),
         ("[fly]\nx = \"takeoff 20 30\"\n", "2:17: "),
         ("[fly]\nx = \"theme drak\"\n", "2:12: unknown name `drak`"),
+        ("[fly]\nx = = 3\n", "2:5: one `=` too many"),
         (
             "[fly]\nx = true\n",
             "2:5: expected the name of an action or a command line",

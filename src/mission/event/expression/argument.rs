@@ -2,11 +2,13 @@
 
 use std::ops::Range;
 
-use super::reader::{ExpressionNames, Reader};
+use super::reader::{ExpressionNames, Reader, needed_not, quoted};
 use super::token::ExpressionToken;
 use crate::diagnostic::Diagnostic;
 use crate::mission::event::scope::Spot;
 use crate::scoring::AlertLevel;
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::VehicleClass;
 
 const LEVELS: [(&str, AlertLevel); 3] = [
@@ -48,39 +50,45 @@ impl Argument {
         if self == Self::Modes {
             return read_modes(reader);
         }
-        let wanted = self.wanted();
-        let (token, span) = reader.next(wanted)?;
+        let (token, span) = reader.next(|| self.wanted())?;
         match (self, token) {
             (Self::Number, ExpressionToken::Number(number)) => Ok(Given::Number(number)),
             (Self::Vehicle, ExpressionToken::Number(number)) => {
                 let last = reader.names.vehicles;
-                let found = (1..=last).find(|index| (number - *index as f64).abs() < 1e-9);
+                // A fleet with faults has no vehicles yet; that fault is enough.
+                let most = if last == 0 {
+                    usize::from(u8::MAX)
+                } else {
+                    last
+                };
+                let found = (1..=most).find(|index| (number - *index as f64).abs() < 1e-9);
                 found.map(|index| Given::Index(index - 1)).ok_or_else(|| {
-                    let message = format!("no such vehicle: the mission has vehicles 1 to {last}");
-                    Diagnostic::new(span, message)
+                    Diagnostic::new(span, text!("expression-no-vehicle", last = last))
                 })
             }
-            (_, ExpressionToken::Number(_) | ExpressionToken::Sign(_)) => {
-                Err(Diagnostic::new(span, format!("{wanted} is needed here")))
-            }
+            (_, ExpressionToken::Number(_) | ExpressionToken::Sign(_)) => Err(self.needed(span)),
             (_, ExpressionToken::Text(name) | ExpressionToken::Name(name)) => {
                 self.named(&name, span, reader.names)
             }
         }
     }
 
-    fn wanted(self) -> &'static str {
+    fn needed(self, span: Range<usize>) -> Diagnostic {
+        Diagnostic::new(span, text!("expression-needed", wanted = self.wanted()))
+    }
+
+    fn wanted(self) -> Text {
         match self {
-            Self::Number => "a number",
-            Self::Zone => "the id of a zone",
-            Self::Place => "the id of a zone, or of an object that an event spawns",
-            Self::Objective => "the id of an objective",
-            Self::Hazard => "the id of a hazard",
-            Self::Sensor => "a sensor",
-            Self::Vehicle => "the number of a vehicle",
-            Self::Modes => "a list of modes such as ['LAND', 'RTL']",
-            Self::Level => "a level of alerts",
-            Self::Event => "the id of an event",
+            Self::Number => text!("expression-number"),
+            Self::Zone => text!("expression-zone"),
+            Self::Place => text!("expression-place"),
+            Self::Objective => text!("expression-objective"),
+            Self::Hazard => text!("expression-hazard"),
+            Self::Sensor => text!("expression-sensor"),
+            Self::Vehicle => text!("expression-vehicle"),
+            Self::Modes => text!("expression-modes"),
+            Self::Level => text!("expression-level"),
+            Self::Event => text!("expression-event"),
         }
     }
 
@@ -95,8 +103,7 @@ impl Argument {
         let place_among = |known: Vec<&str>| {
             let found = known.iter().position(|known| *known == name);
             found.ok_or_else(|| {
-                let message = format!("{} is needed here, not `{name}`", self.wanted());
-                Diagnostic::new(span.clone(), message).with_nearest(name, known)
+                needed_not(self.wanted(), quoted(name), span.clone()).with_nearest(name, known)
             })
         };
         match self {
@@ -120,16 +127,17 @@ impl Argument {
                 let place = place_among(LEVELS.iter().map(|(name, _)| *name).collect())?;
                 Ok(Given::Level(LEVELS[place].1))
             }
-            Self::Number | Self::Vehicle | Self::Modes => {
-                let message = format!("{} is needed here", self.wanted());
-                Err(Diagnostic::new(span, message))
-            }
+            Self::Number | Self::Vehicle | Self::Modes => Err(self.needed(span)),
         }
     }
 }
 
 fn ids(ids: &[String]) -> impl Iterator<Item = &str> {
     ids.iter().map(String::as_str)
+}
+
+fn a_mode() -> Text {
+    text!("expression-mode")
 }
 
 /// Flight modes in a list, such as `['LAND', 'RTL']`.
@@ -141,12 +149,13 @@ fn read_modes(reader: &mut Reader<'_>) -> Result<Given, Diagnostic> {
     };
     let mut modes = Vec::new();
     loop {
-        let (token, span) = reader.next("a mode")?;
+        let (token, span) = reader.next(a_mode)?;
         let (ExpressionToken::Text(name) | ExpressionToken::Name(name)) = token else {
-            return Err(Diagnostic::new(span, "a mode is needed here"));
+            let message = text!("expression-needed", wanted = a_mode());
+            return Err(Diagnostic::new(span, message));
         };
         if !known().any(|mode| mode.eq_ignore_ascii_case(&name)) {
-            let fault = Diagnostic::new(span, format!("unknown mode `{name}`"));
+            let fault = Diagnostic::new(span, text!("expression-no-mode", name = &name));
             return Err(fault.with_nearest(&name, known()));
         }
         modes.push(name);

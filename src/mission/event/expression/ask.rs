@@ -11,6 +11,7 @@ use super::{PartValue, Type};
 use crate::diagnostic::Diagnostic;
 use crate::mission::event::scope::{Scope, Spot};
 use crate::scoring::AlertLevel;
+use crate::text;
 
 /// A function of the language.
 pub(in crate::mission) struct Function {
@@ -169,14 +170,14 @@ pub(super) fn read(
     span: &Range<usize>,
 ) -> Result<(Question, Type), Diagnostic> {
     let names = || FUNCTIONS.iter().map(|function| function.name);
-    let unknown = |what: &str| {
-        let fault = Diagnostic::new(span.clone(), format!("unknown {what} `{name}`"));
+    let unknown = || {
+        let fault = Diagnostic::new(span.clone(), text!("expression-no-name", name = name));
         fault.with_nearest(name, names())
     };
     let function = FUNCTIONS
         .iter()
         .find(|function| function.name == name)
-        .ok_or_else(|| unknown("name"))?;
+        .ok_or_else(unknown)?;
     let mut given = Vec::new();
     if !function.arguments.is_empty() || reader.takes("(") {
         if !function.arguments.is_empty() {
@@ -190,22 +191,22 @@ pub(super) fn read(
         }
         reader.sign(")")?;
     }
-    let question = (function.build)(&given).ok_or_else(|| unknown("function"))?;
+    let question = (function.build)(&given).ok_or_else(unknown)?;
     let Question::Vehicle(vehicle, _) = question else {
         return Ok((question, function.is));
     };
     reader.sign(".")?;
-    let (token, span) = reader.next("the property of the vehicle")?;
+    let (token, span) = reader.next(|| text!("expression-property"))?;
     let fields = || FIELDS.iter().map(|(name, ..)| *name);
     let ExpressionToken::Name(name) = token else {
         let known = fields().collect::<Vec<_>>().join(", ");
-        let message = format!("the property of the vehicle is missing: write one of {known}");
+        let message = text!("expression-property-missing", known = known);
         return Err(Diagnostic::new(span, message));
     };
     if let Some((_, field, is)) = FIELDS.iter().find(|(field, ..)| *field == name) {
         Ok((Question::Vehicle(vehicle, *field), *is))
     } else {
-        let message = format!("a vehicle has no `{name}`");
+        let message = text!("expression-no-property", name = &name);
         Err(Diagnostic::new(span, message).with_nearest(&name, fields()))
     }
 }

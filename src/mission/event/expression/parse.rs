@@ -3,10 +3,12 @@
 use std::ops::Range;
 
 use super::ask::{self, Question};
-use super::reader::{ExpressionNames, Reader};
+use super::reader::{ExpressionNames, Reader, needed_not, quoted};
 use super::token::{ExpressionToken, tokens};
 use super::{ExpressionNode, ExpressionOperator, Type};
 use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::Text;
 
 /// The greatest nesting depth of parentheses and signs.
 const DEEPEST: usize = 32;
@@ -99,12 +101,15 @@ pub(super) fn condition(
     Ok(part.node)
 }
 
+fn a_value() -> Text {
+    text!("expression-value")
+}
+
 fn need(part: &Part, wanted: Type) -> Result<(), Diagnostic> {
     if part.is == wanted {
         return Ok(());
     }
-    let message = format!("{} is needed here, not {}", wanted.name(), part.is.name());
-    Err(Diagnostic::new(part.span.clone(), message))
+    Err(needed_not(wanted.text(), part.is.text(), part.span.clone()))
 }
 
 struct ConditionParser<'a> {
@@ -142,7 +147,7 @@ impl ConditionParser<'_> {
     }
 
     fn unary(&mut self) -> Read {
-        let (token, span) = self.reader.peek("a value")?;
+        let (token, span) = self.reader.peek(a_value)?;
         let (prefix, span) = match token {
             ExpressionToken::Sign("(") => (OperandPrefix::Bracket, span.clone()),
             ExpressionToken::Sign("-") => (OperandPrefix::Minus, span.clone()),
@@ -154,11 +159,10 @@ impl ConditionParser<'_> {
         };
         self.depth += 1;
         if self.depth > DEEPEST {
-            let message =
-                format!("brackets and signs are nested too deeply: at most {DEEPEST} levels");
+            let message = text!("expression-deep", most = DEEPEST);
             return Err(Diagnostic::new(span, message));
         }
-        self.reader.next("a value")?;
+        self.reader.next(a_value)?;
         let part = match prefix {
             OperandPrefix::Bracket => {
                 let part = self.level(0)?;
@@ -180,7 +184,7 @@ impl ConditionParser<'_> {
     }
 
     fn primary(&mut self) -> Read {
-        let (token, span) = self.reader.next("a value")?;
+        let (token, span) = self.reader.next(a_value)?;
         let (node, is) = match token {
             ExpressionToken::Number(number) => (ExpressionNode::Number(number), Type::Number),
             ExpressionToken::Text(text) => (ExpressionNode::Text(text), Type::Text),
@@ -192,8 +196,7 @@ impl ConditionParser<'_> {
             }
             ExpressionToken::Name(name) => return self.question(&name, span),
             ExpressionToken::Sign(sign) => {
-                let message = format!("a value is needed here, not `{sign}`");
-                return Err(Diagnostic::new(span, message));
+                return Err(needed_not(a_value(), quoted(sign), span));
             }
         };
         Ok(Part { node, is, span })

@@ -1,9 +1,13 @@
 //! The tokens of an expression, read one after another.
 
+use std::ops::Range;
+
 use super::token::{ExpressionToken, Placed};
 use crate::diagnostic::Diagnostic;
 use crate::mission::sensor::Sensor;
 use crate::mission::zone::Zone;
+use crate::text;
+use crate::text::Text;
 
 /// The names that an expression may use.
 #[derive(Debug, Clone, Copy, Default)]
@@ -39,8 +43,10 @@ impl<'a> Reader<'a> {
     }
 
     /// The next token, without consuming it; a fault if there is none.
-    pub fn peek(&self, wanted: &str) -> Result<&'a Placed, Diagnostic> {
-        self.tokens.get(self.at).ok_or_else(|| self.missing(wanted))
+    pub fn peek(&self, wanted: fn() -> Text) -> Result<&'a Placed, Diagnostic> {
+        self.tokens
+            .get(self.at)
+            .ok_or_else(|| self.missing(wanted()))
     }
 
     /// The operator that is next, if it is one of these; consumes it.
@@ -57,10 +63,10 @@ impl<'a> Reader<'a> {
     }
 
     /// Consumes the next token of any kind.
-    pub fn next(&mut self, wanted: &str) -> Result<Placed, Diagnostic> {
+    pub fn next(&mut self, wanted: impl Fn() -> Text) -> Result<Placed, Diagnostic> {
         let found = self.tokens.get(self.at).cloned();
         self.at += 1;
-        found.ok_or_else(|| self.missing(wanted))
+        found.ok_or_else(|| self.missing(wanted()))
     }
 
     /// Whether this sign is next; if so, consumes it.
@@ -76,16 +82,13 @@ impl<'a> Reader<'a> {
             return Ok(());
         }
         match self.tokens.get(self.at) {
-            None => Err(self.missing(&format!("`{sign}`"))),
-            Some((token, span)) => {
-                let message = format!("`{sign}` is needed here, not {}", named(token));
-                Err(Diagnostic::new(span.clone(), message))
-            }
+            None => Err(self.missing(quoted(sign))),
+            Some((token, span)) => Err(needed_not(quoted(sign), named(token), span.clone())),
         }
     }
 
-    fn missing(&self, wanted: &str) -> Diagnostic {
-        let message = format!("{wanted} is missing at the end");
+    fn missing(&self, wanted: Text) -> Diagnostic {
+        let message = text!("expression-missing", wanted = wanted);
         Diagnostic::new(self.end.saturating_sub(1)..self.end, message)
     }
 
@@ -100,18 +103,29 @@ impl<'a> Reader<'a> {
         match self.tokens.get(self.at) {
             None => Ok(()),
             Some((token, span)) => {
-                let message = format!("{} was not expected here", named(token));
+                let message = text!("expression-unexpected", found = named(token));
                 Err(Diagnostic::new(span.clone(), message))
             }
         }
     }
 }
 
-fn named(token: &ExpressionToken) -> String {
+/// The fault of a part that has to be another one.
+pub(super) fn needed_not(wanted: Text, found: Text, span: Range<usize>) -> Diagnostic {
+    let message = text!("expression-needed-not", wanted = wanted, found = found);
+    Diagnostic::new(span, message)
+}
+
+/// A part of an expression in backticks.
+pub(super) fn quoted(part: &str) -> Text {
+    Text::verbatim(format!("`{part}`"))
+}
+
+fn named(token: &ExpressionToken) -> Text {
     match token {
-        ExpressionToken::Number(number) => format!("`{number}`"),
-        ExpressionToken::Text(text) => format!("`'{text}'`"),
-        ExpressionToken::Name(name) => format!("`{name}`"),
-        ExpressionToken::Sign(sign) => format!("`{sign}`"),
+        ExpressionToken::Number(number) => quoted(&number.to_string()),
+        ExpressionToken::Text(text) => quoted(&format!("'{text}'")),
+        ExpressionToken::Name(name) => quoted(name),
+        ExpressionToken::Sign(sign) => quoted(sign),
     }
 }

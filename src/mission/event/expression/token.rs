@@ -3,6 +3,8 @@
 use std::ops::Range;
 
 use crate::diagnostic::Diagnostic;
+use crate::text;
+use crate::text::Text;
 
 /// The greatest length of an expression, in bytes.
 pub(in crate::mission) const LONGEST: usize = 1000;
@@ -27,7 +29,7 @@ pub(super) type Placed = (ExpressionToken, Range<usize>);
 /// Splits an expression into tokens.
 pub(super) fn tokens(source: &str) -> Result<Vec<Placed>, Diagnostic> {
     if source.len() > LONGEST {
-        let message = format!("an expression has at most {LONGEST} characters");
+        let message = text!("fault-condition-long", most = LONGEST);
         return Err(Diagnostic::new(0..source.len(), message));
     }
     let mut tokens = Vec::new();
@@ -46,7 +48,7 @@ pub(super) fn tokens(source: &str) -> Result<Vec<Placed>, Diagnostic> {
 }
 
 /// The first token of the remaining text, and its length in bytes.
-fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, String)> {
+fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, Text)> {
     let length_of = |part: fn(char) -> bool| {
         let end = rest.find(|c| !part(c));
         end.unwrap_or(rest.len())
@@ -57,7 +59,7 @@ fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, St
         let number: Option<f64> = written.parse().ok();
         return match number.filter(|number| number.is_finite()) {
             Some(number) => Ok((ExpressionToken::Number(number), length)),
-            None => Err((length, format!("`{written}` is not a number"))),
+            None => Err((length, text!("expression-no-number", word = written))),
         };
     }
     if first.is_ascii_alphabetic() || first == '_' {
@@ -67,13 +69,16 @@ fn token(rest: &str, first: char) -> Result<(ExpressionToken, usize), (usize, St
     if first == '\'' {
         return match rest[1..].find('\'') {
             Some(end) => Ok((ExpressionToken::Text(rest[1..=end].to_owned()), end + 2)),
-            None => Err((rest.len(), "the text is not closed: `'` is missing".into())),
+            None => Err((rest.len(), text!("expression-open-text"))),
         };
     }
     match SIGNS.iter().find(|sign| rest.starts_with(**sign)) {
         // A single `=` is accepted as well.
         Some(&"=") => Ok((ExpressionToken::Sign("=="), 1)),
         Some(sign) => Ok((ExpressionToken::Sign(sign), sign.len())),
-        None => Err((first.len_utf8(), format!("`{first}` has no meaning here"))),
+        None => Err((
+            first.len_utf8(),
+            text!("expression-no-meaning", sign = first),
+        )),
     }
 }

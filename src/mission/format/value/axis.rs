@@ -146,16 +146,28 @@ impl FileValue for PairValue {
         let ordered = first < second || (self.may_be_equal && first <= second);
         let good = low <= first && ordered && second <= high;
         if !good {
-            let (form, unit) = (self.form, spaced(unit));
-            let fault = text!(
-                "fault-pair",
-                name = name,
-                form = form,
-                low = low.to_string(),
-                high = high.to_string(),
-                unit = unit
+            let (low, high) = (low.to_string(), high.to_string());
+            let unit = spaced(unit);
+            draft.faults.add(
+                place,
+                if self.may_be_equal {
+                    text!(
+                        "fault-pair-equal",
+                        name = name,
+                        low = low,
+                        high = high,
+                        unit = unit
+                    )
+                } else {
+                    text!(
+                        "fault-pair",
+                        name = name,
+                        low = low,
+                        high = high,
+                        unit = unit
+                    )
+                },
             );
-            draft.faults.add(place, fault);
         }
         good.then_some([first, second])
     }

@@ -105,14 +105,13 @@ impl FileValue for WholeValue {
         let number: u32 = draft.faults.read(written)?;
         let good = (self.low..=self.high).contains(&number);
         if !good {
-            let unit = spaced(self.unit);
+            // The unit is a word of the reference, which is English; the name says what is counted.
             let (low, high) = (self.low, self.high);
             let message = text!(
                 "fault-between",
                 name = name,
                 low = low.to_string(),
-                high = high.to_string(),
-                unit = unit
+                high = high.to_string()
             );
             draft.faults.add(place, message);
         }

@@ -7,6 +7,7 @@ use super::FileValue;
 use crate::diagnostic::Diagnostic;
 use crate::mission::format::description::FileShape;
 use crate::mission::format::draft::Draft;
+use crate::mission::format::name_kind::NameKind;
 use crate::mission::sensor::Sensor;
 use crate::text;
 use crate::text::Text;
@@ -135,25 +136,25 @@ impl<T: Copy + PartialEq> FileValue for WordValue<T> {
 
 #[derive(Debug, Clone, Copy)]
 pub(in crate::mission) struct NamedValue<T> {
-    what: &'static str,
+    kind: NameKind,
     names: fn() -> Vec<&'static str>,
     find: fn(&str) -> Option<T>,
 }
 
 /// A value by its name, with the list of all names and the function that finds the value.
 pub(in crate::mission) const fn named<T>(
-    what: &'static str,
+    kind: NameKind,
     names: fn() -> Vec<&'static str>,
     find: fn(&str) -> Option<T>,
 ) -> NamedValue<T> {
-    NamedValue { what, names, find }
+    NamedValue { kind, names, find }
 }
 
 impl<T> FileValue for NamedValue<T> {
     type Out = T;
 
     fn shape(&self) -> FileShape {
-        FileShape::Named(self.what, (self.names)())
+        FileShape::Named(self.kind.word(), (self.names)())
     }
 
     fn read(&self, _: &str, written: Spanned<DeValue<'_>>, draft: &mut Draft) -> Option<T> {
@@ -161,7 +162,7 @@ impl<T> FileValue for NamedValue<T> {
         let name = Spanned::new(place, draft.faults.read::<String>(written)?);
         let found = (self.find)(name.get_ref());
         if found.is_none() {
-            draft.faults.unknown(self.what, &name, &(self.names)());
+            draft.faults.unknown(self.kind, &name, &(self.names)());
         }
         found
     }
