@@ -102,80 +102,145 @@ fn wanted_type(words: &str) -> Text {
     }
 }
 
-/// The text for a description of a syntax error in `toml_parser`.
-fn syntax(fault: &str) -> Option<Text> {
-    Some(match fault {
-        "duplicate key" => text!("fault-key-twice"),
-        "extra `=`" => text!("fault-syntax-equals"),
-        "key with no value" | "missing assignment between key-value pairs" => {
-            text!("fault-syntax-no-equals")
-        }
-        "string values must be quoted"
-        | "missing value for key"
-        | "missing value"
-        | "missing opening quote"
-        | "invalid boolean"
-        | "invalid string" => text!("fault-syntax-value"),
-        "missing comma between array elements" | "unexpected `=` in array" | "unclosed array" => {
-            text!("fault-syntax-list")
-        }
-        "missing comma between key-value pairs"
-        | "extra assignment between key-value pairs"
-        | "unclosed inline table" => text!("fault-syntax-inline"),
-        "extra comma in array" | "extra comma in inline table" => text!("fault-syntax-comma"),
-        "unclosed table" | "unclosed array table" => text!("fault-syntax-heading"),
-        "missing key for inline table element"
-        | "unquoted keys cannot be empty"
-        | "invalid unquoted key"
-        | "invalid key-value pair"
-        | "invalid table"
-        | "invalid array table"
-        | "keys cannot be multi-line basic strings"
-        | "keys cannot be multi-line literal strings" => text!("fault-syntax-key"),
-        "invalid basic string"
-        | "invalid literal string"
-        | "invalid multi-line basic string"
-        | "invalid multi-line literal string" => text!("fault-syntax-text"),
-        "missing escaped value" | "too few unicode value digits" | "invalid value" => {
-            text!("fault-syntax-escape")
-        }
-        "missing table open"
-        | "missing array opening"
-        | "missing inline table opening"
-        | "invalid inline table element"
-        | "unexpected key or value"
-        | "unexpected content" => text!("fault-syntax-unexpected"),
-        "invalid comment character"
-        | "missing comment start"
-        | "unexpected content between comment and newline"
-        | "carriage return must be followed by newline" => text!("fault-syntax-control"),
-        "recursion limit" | "cannot recurse further; max recursion depth met" => {
-            text!("fault-syntax-deep")
-        }
-        other if other.starts_with("cannot extend value of type") => text!("fault-syntax-extend"),
-        other => return figure(other),
-    })
-}
+/// The messages for the syntax errors of `toml_parser`, by their descriptions there.
+const SYNTAX: &[(&str, &[&str])] = &[
+    ("fault-key-twice", &["duplicate key"]),
+    ("fault-syntax-equals", &["extra `=`"]),
+    (
+        "fault-syntax-no-equals",
+        &[
+            "key with no value",
+            "missing assignment between key-value pairs",
+        ],
+    ),
+    (
+        "fault-syntax-value",
+        &[
+            "string values must be quoted",
+            "missing value for key",
+            "missing value",
+            "missing opening quote",
+            "invalid boolean",
+            "invalid string",
+        ],
+    ),
+    (
+        "fault-syntax-list",
+        &[
+            "missing comma between array elements",
+            "unexpected `=` in array",
+            "unclosed array",
+        ],
+    ),
+    (
+        "fault-syntax-inline",
+        &[
+            "missing comma between key-value pairs",
+            "extra assignment between key-value pairs",
+            "unclosed inline table",
+        ],
+    ),
+    (
+        "fault-syntax-comma",
+        &["extra comma in array", "extra comma in inline table"],
+    ),
+    (
+        "fault-syntax-heading",
+        &["unclosed table", "unclosed array table"],
+    ),
+    (
+        "fault-syntax-key",
+        &[
+            "missing key for inline table element",
+            "unquoted keys cannot be empty",
+            "invalid unquoted key",
+            "invalid key-value pair",
+            "invalid table",
+            "invalid array table",
+            "keys cannot be multi-line basic strings",
+            "keys cannot be multi-line literal strings",
+        ],
+    ),
+    (
+        "fault-syntax-text",
+        &[
+            "invalid basic string",
+            "invalid literal string",
+            "invalid multi-line basic string",
+            "invalid multi-line literal string",
+        ],
+    ),
+    (
+        "fault-syntax-escape",
+        &[
+            "missing escaped value",
+            "too few unicode value digits",
+            "invalid value",
+        ],
+    ),
+    (
+        "fault-syntax-unexpected",
+        &[
+            "missing table open",
+            "missing array opening",
+            "missing inline table opening",
+            "invalid inline table element",
+            "unexpected key or value",
+            "unexpected content",
+        ],
+    ),
+    (
+        "fault-syntax-control",
+        &[
+            "invalid comment character",
+            "missing comment start",
+            "unexpected content between comment and newline",
+            "carriage return must be followed by newline",
+        ],
+    ),
+    (
+        "fault-syntax-deep",
+        &[
+            "recursion limit",
+            "cannot recurse further; max recursion depth met",
+        ],
+    ),
+    (
+        "fault-syntax-number",
+        &[
+            "invalid integer number",
+            "invalid hexadecimal number",
+            "invalid octal number",
+            "invalid binary number",
+            "invalid float",
+            "unexpected leading zero",
+            "unexpected sign",
+            "redundant numeric sign",
+            "redundant integer number prefix",
+            "radix must be lowercase",
+            "integers with a radix cannot be signed",
+            "`_` may only go between digits",
+        ],
+    ),
+    (
+        "fault-syntax-date",
+        &[
+            "invalid date-time",
+            "invalid datetime",
+            "invalid date",
+            "invalid time",
+            "invalid offset",
+        ],
+    ),
+];
 
-/// The text for a wrong number or date.
-fn figure(fault: &str) -> Option<Text> {
-    Some(match fault {
-        "invalid integer number"
-        | "invalid hexadecimal number"
-        | "invalid octal number"
-        | "invalid binary number"
-        | "invalid float"
-        | "unexpected leading zero"
-        | "unexpected sign"
-        | "redundant numeric sign"
-        | "redundant integer number prefix"
-        | "radix must be lowercase"
-        | "integers with a radix cannot be signed"
-        | "`_` may only go between digits" => text!("fault-syntax-number"),
-        "invalid date-time" | "invalid datetime" | "invalid date" | "invalid time"
-        | "invalid offset" => text!("fault-syntax-date"),
-        _ => return None,
-    })
+/// The text for a description of a syntax error; `None` if it is not known here.
+fn syntax(fault: &str) -> Option<Text> {
+    if fault.starts_with("cannot extend value of type") {
+        return Some(text!("fault-syntax-extend"));
+    }
+    let (id, _) = SYNTAX.iter().find(|(_, known)| known.contains(&fault))?;
+    Some(Text::new(*id, Vec::new()))
 }
 
 #[cfg(test)]
