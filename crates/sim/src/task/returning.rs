@@ -27,16 +27,10 @@ const ABOVE_FIRST_M: f64 = 2.0;
 
 #[derive(Debug, Clone, PartialEq)]
 enum ReturnStage {
-    Climb {
-        standing_since: Option<Duration>,
-    },
+    Climb { standing_since: Option<Duration> },
     Fly(Box<Route>),
-    Wait {
-        until: Duration,
-    },
-    Hold {
-        down_m: f64,
-    },
+    Wait { until: Duration },
+    Hold { down_m: f64 },
     Land(Landing),
     Retrace(Box<Route>),
 }
