@@ -50,8 +50,8 @@ debrief-try = Спроба { $attempt }, підказок: { $count } (x{ $facto
 debrief-predicted-right = Ви передбачили { $predicted }: саме стільки й вийшло.
 debrief-predicted-less = Ви передбачили { $predicted }: на { $by } менше, ніж вийшло.
 debrief-predicted-more = Ви передбачили { $predicted }: на { $by } більше, ніж вийшло.
-debrief-goal-reached = Ваша мета, { $goal }: досягнуто ({ $result }).
-debrief-goal-missed = Ваша мета, { $goal }: не досягнуто ({ $result }).
+debrief-goal-reached = Вашої мети «{ $goal }» досягнуто ({ $result }).
+debrief-goal-missed = Вашої мети «{ $goal }» не досягнуто ({ $result }).
 debrief-given-up = припинено: без балів
 debrief-times-hints = x{ $factor } за підказки
 

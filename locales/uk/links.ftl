@@ -62,7 +62,7 @@ forward-file = { $address } є записом: для пересилання п�
 
 foreign-line = НСК { $station }: { $vehicle } { $what }
 foreign-upload = { $list } upload, пунктів: { $count }
-foreign-steering = ручне керування
+foreign-steering = керування рухом
 foreign-further = інші команди
 foreign-unanswered = відповіді ще немає
 foreign-stays = залишається { $value }
