@@ -16,7 +16,7 @@ skill-prediction = predicting the score
 
 locked-pass = pass { $mission }
 locked-medal = win a { $medal } medal in { $mission }
-locked-skill = { $skill }: { $has } %, needs { $wanted } %
+locked-skill = { $skill } { $has } %, needs { $wanted } %
 locked-licence = needs a licence for { $wanted } drones; yours is for { $has }
 
 buy-unknown = unknown part; `sortie workshop parts` lists all parts
@@ -57,7 +57,7 @@ sharing-more = files and folders more that the group cannot read: { $count }; `s
 profiles-read-only = { $path } can only be read: nothing is stored in its profiles; use a folder of your own with `--data`
 profiles-newer = { $path } was made by a newer version of sortie (schema { $found }; this version reads { $known }); nothing was changed. Use that version, or another folder with `--data`
 profiles-older = { $path } was made by an older version of sortie and is read-only here; its owner must start this version once to convert it
-profiles-log-alone = { $path } is read-only here, and its last changes are in { $log }, which cannot be read in a read-only folder: copy both into a folder of your own, and name it with --data
+profiles-log-alone = { $path } is read-only here, and its last changes are in { $log }, which cannot be read in a read-only folder: copy both into a folder of your own, and name it with `--data`
 profiles-database = { $path }: { $error }
 profiles-unknown = no profile `{ $name }`; profiles: { $known }
 profiles-unknown-first = no profile `{ $name }`; `sortie profile create { $name }` creates it

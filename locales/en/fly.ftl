@@ -32,7 +32,7 @@ fly-nothing-yet = nothing yet
 
 fly-armed = ARMED
 fly-ready = ready
-fly-safe = safe
+fly-off = off
 fly-ground = ground
 fly-air = air
 fly-takeoff = takeoff

@@ -4,7 +4,7 @@ mission-gates = { $count ->
    *[other] { $count } воріт
 }
 mission-gates-of = { $passed }/{ $count } воріт
-mission-gates-advice = Далі пролетіть крізь { $gate }: не далі ніж за { $radius } m від середини, дотримуючись порядку воріт.
+mission-gates-advice = Наступні ворота — { $gate }: пролетіть не далі ніж за { $radius } m від їхньої середини; проходьте ворота по черзі.
 mission-visit = { $count ->
     [one] { $count } місце
     [few] { $count } місця

@@ -59,7 +59,7 @@ bench-on-board = { $count ->
    *[other] на борту { $count }
 }
 bench-radio = дальність за бюджетом радіолінії: запас на завмирання 20 dB, висота 50 m
-bench-part-for-sale = { $part }: ще не ваша, { $key } купує її за { $price } cr
+bench-part-for-sale = { $part }: деталь ще не ваша, { $key } купує право на неї за { $price } cr
 bench-part-locked = { $part }: продається після завдання «{ $mission }»
 bench-figures-change = із цією деталлю (▲ краще, ▼ гірше)
 bench-payload = час зависання залежно від вантажу
@@ -85,7 +85,7 @@ bench-seat-taken = місце { $seat }: { $name }
 bench-seats-taken = усі місця: { $name }
 bench-seats-lent = завдання знову позичає свої дрони
 bench-does-not-fly = не полетить: { $reason }
-bench-lacks-licence = { $part } ще не ваша: спершу купіть право на деталь
+bench-lacks-licence = деталь «{ $part }» ще не ваша: спершу купіть право на неї
 bench-over-budget = флот коштує { $cost } cr, бюджет { $budget } cr: візьміть дешевші деталі
 
 bench-designs = проєкти
@@ -106,9 +106,9 @@ bench-nobody-buys = гість може використовувати кожн�
 bench-no-profile = проєкти зберігаються у профілі, а його не вибрано: { $key } записує проєкт у файл
 bench-saved = збережено: { $name }
 bench-name-taken = проєкт { $name } уже є: виберіть іншу назву
-bench-ask-buy = КУПИТИ право на { $part } за { $price } cr
+bench-ask-buy = КУПИТИ право на деталь «{ $part }» за { $price } cr
 bench-ask-buy-reason = у вас { $credits } cr, лишиться { $left } cr
-bench-ask-replace = ЗАМІНИТИ { $name } на верстаку
+bench-ask-replace = ЗАМІНИТИ на верстаку проєкт { $name }
 bench-ask-replace-reason = зміни не збережено ({ $key } повертає їх)
 bench-ask-overwrite = ЗАМІНИТИ ваш проєкт { $name }
 bench-ask-overwrite-reason = проєкт із такою назвою вже є

@@ -12,11 +12,11 @@ skill-swarm = керування роєм
 skill-design = проєктування дронів
 skill-judgement = самооцінка
 skill-plans = складання й перевірка планів
-skill-prediction = передбачені бали
+skill-prediction = передбачення балів
 
 locked-pass = пройдіть «{ $mission }»
 locked-medal = здобудьте медаль ({ $medal }) за «{ $mission }»
-locked-skill = { $skill }: { $has } %, треба { $wanted } %
+locked-skill = { $skill } { $has } %, треба { $wanted } %
 locked-licence = треба ліцензію на { $wanted ->
     [one] { $wanted } дрон
     [few] { $wanted } дрони
@@ -61,7 +61,7 @@ sharing-more = ще файлів і тек, яких група не може ч
 profiles-read-only = { $path } можна лише читати: у його профілях нічого не зберігається; вкажіть власну теку через `--data`
 profiles-newer = { $path } створила новіша версія sortie (схема { $found }, ця версія читає { $known }); нічого не змінено. Скористайтеся тією версією або іншою текою через `--data`
 profiles-older = { $path } створено старішою версією sortie, тут його можна лише читати; власник має один раз запустити цю версію, щоб перетворити дані
-profiles-log-alone = { $path } тут можна лише читати, а останні зміни лежать у { $log }, і в теці без права запису прочитати їх не можна: скопіюйте обидва файли у власну теку й назвіть її через --data
+profiles-log-alone = { $path } тут можна лише читати, а останні зміни лежать у { $log }, і в теці без права запису прочитати їх не можна: скопіюйте обидва файли у власну теку й укажіть її через `--data`
 profiles-database = { $path }: { $error }
 profiles-unknown = профілю `{ $name }` немає; профілі: { $known }
 profiles-unknown-first = профілю `{ $name }` немає; його створить `sortie profile create { $name }`
@@ -83,13 +83,13 @@ profiles-fault-empty = файл порожній
 profiles-fault-database = SQLite: { $words }
 profiles-lost = профілі були пошкоджені ({ $fault }), резервної копії немає, тож тепер вони порожні; пошкоджений файл — { $damaged }
 
-mission-locked = «{ $mission }» ще закрито: { $why }
+mission-locked = завдання «{ $mission }» ще закрито: { $why }
 career-nowhere = профілі тут не зберігаються: тека даних недоступна
 career-waits = політ ще не збережено: { $fault }; sortie спробує знову перед наступним польотом і під час виходу
 launch-practice = Лише тренування: { $why }
 practice-seed = ви вибрали варіант самі
 practice-script = команди дає скрипт
-practice-own-mission = завдання не належить до курсу: у ньому лише завдання sortie й адміністратора
+practice-own-mission = завдання не належить до курсу, який містить лише завдання sortie й адміністратора
 practice-altered-mission = файл завдання відрізняється від завдання курсу з цим id; щоб виконати завдання курсу, дайте своєму файлу інший id або приберіть його
 practice-locked = завдання закрите ({ $why })
 practice-parts = у { $design } є деталі, яких ви не маєте ({ $parts })
@@ -98,7 +98,7 @@ practice-slow = час іде повільніше за реальний
 practice-unconfirmed = запис не вдається підтвердити (причину називає `sortie verify`)
 exam-real-time = іспит відбувається в реальному часі: запустіть sortie без `--speedup`
 exam-by-hand = іспит складають власноруч, а не скриптом: почніть його з початкового екрана
-daily-by-hand = варіант дня виконують власноруч, бо скрипт показав би, де що є, ще до пошуку: вкажіть `--seed N`
+daily-by-hand = завдання з варіантом дня виконують власноруч, бо скрипт наперед показав би, де що розміщено: вкажіть `--seed N`
 flight-practice = { $mission }, тренування
 flight-daily = { $mission }, варіант дня
 flight-exam = { $mission }, іспит

@@ -22,8 +22,8 @@ debrief-value = знач.
 debrief-moved = що вплинуло
 # Щонайбільше 8 колонок.
 debrief-sum = разом
-gold-without-commands = без підказки з готовими командами
-gold-points = балів від { $points }
+gold-without-commands = політ без підказки з готовими командами
+gold-points = від { $points } балів
 gold-mandatory = усі обов'язкові цілі
 debrief-gold-needs = для золота треба: { $gates }
 
@@ -60,7 +60,7 @@ debrief-alert-late = { $alert } -> відповідь за { $after } s (меж�
 debrief-alert-none = { $alert } -> без відповіді (межа { $limit } s)   запізно
 
 debrief-swarm = РІЙ   (не оцінюється)
-debrief-fan-out = За такого темпу у вас зайнято дронів: { $handled }; літало: { $flown }.
+debrief-fan-out = За такого темпу ви завантажуєте роботою { $handled } дрона; літало: { $flown }.
 debrief-swarm-times = без команд дрон зайнятий { $neglect } s; команда забирає у вас { $interaction } s; дрон чекає { $wait } s
 debrief-swarm-habits = переходів до інших дронів за хвилину: { $switches }; команд кільком дронам одразу: { $group } %
 debrief-use = у повітрі { $airborne } s, зайнятість { $percent } %, простій { $idle } s
@@ -71,7 +71,7 @@ debrief-sign = { $sign } { $meaning }
 debrief-sign-gap = не обстежено
 debrief-sign-track = шлях
 debrief-sign-pad = майданчик
-debrief-sign-wire = дріт ЛЕП
+debrief-sign-wire = провід ЛЕП
 debrief-sign-decoy = безпечне
 debrief-sign-there = було, але поза завданням
 debrief-sign-false = хибне повідомлення
@@ -89,12 +89,12 @@ debrief-tries = ВАШІ СПРОБИ
 debrief-practice = тренування
 
 debrief-next = ДАЛІ
-debrief-next-drill = Виконайте вправу { $drill }, тоді це завдання ще раз: { $what }
-debrief-next-again = Наступна спроба: { $what }
+debrief-next-drill = Виконайте вправу { $drill }, тоді це завдання ще раз. { $what }
+debrief-next-again = Спробуйте ще раз. { $what }
 debrief-next-on = Переходьте до наступного завдання.
-debrief-next-gold = Наступна спроба: для золота треба: { $gates }.
+debrief-next-gold = У наступній спробі для золота треба: { $gates }.
 debrief-next-mission = Далі — «{ $mission }».
-debrief-next-count = Виконайте це завдання на кредити: тренування інших не відкриває.
+debrief-next-count = Виконайте це завдання на кредити: тренування не відкриває інших завдань.
 debrief-last-mission = це було останнє завдання
 
 # Карта розбору.

@@ -25,13 +25,13 @@ detect-outlook = повідомлено: { $count }
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
 detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки
-detect-advice-missed = пропущено { $missed }, хибних повідомлень { $wrong }. Огляньте ділянку ще раз, нижче й повільніше, і підтверджуйте знахідку, перш ніж повідомляти.
-detect-advice-wrong = хибних повідомлень { $wrong }. Спершу підтвердьте знахідку іншим датчиком або зблизька.
+detect-advice-missed = пропущено { $missed }, хибних повідомлень { $wrong }. Огляньте ділянку ще раз, нижче й повільніше, і підтверджуйте знахідку, перш ніж повідомляти
+detect-advice-wrong = хибних повідомлень { $wrong }. Спершу підтвердьте знахідку іншим датчиком або зблизька
 
 # Огляд зблизька перед повідомленням.
 checked-result = оглянуто зблизька: { $count }/{ $all } повідомлень
 checked-target = усі повідомлення
-checked-advice = Перш ніж повідомити про місце, побудьте { $dwell } s не далі як за { $radius } m від нього, не швидше за { $speed } m/s.
+checked-advice = Перш ніж повідомити про місце, протримайтеся { $dwell } s не далі як за { $radius } m від нього на швидкості до { $speed } m/s.
 checked-advice-cross = { $count ->
     [1] Перш ніж повідомити про місце, перетніть його по прямій, не далі як за { $radius } m від нього, не швидше за { $speed } m/s.
    *[other] Перш ніж повідомити про місце, перетніть його по прямій з { $count } боків, не далі як за { $radius } m від нього, не швидше за { $speed } m/s.
@@ -48,7 +48,7 @@ coverage-advice-lines = Обстежте всю ділянку лініями, �
 # Дотримання відстані.
 standoff-result = потрібна відстань { $share } % із { $near } s, заблизько { $close } s
 standoff-target = { $share } % часу на відстані від { $nearest } до { $farthest } m
-standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m: ви були заблизько { $close } s.
+standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m (заблизько: { $close } s).
 
 # Доставлення.
 deliver-kits = вчасно: { $done }, запізно: { $lost }
@@ -89,9 +89,9 @@ plan-mended-of = хибних планів замінено: { $good }
 plan-unmended = політ за хибним планом: { $vehicles }
 plan-mended-target = жодного польоту за хибним планом
 plan-mended-advice = Шукайте хибні плани на землі: `all plan rehearse`, `all plan status` і точки на карті. Завантажте новий план на борт і повторіть випробування.
-plan-kept-of = справних планів без змін: { $good }
-plan-unkept = замінено справні плани: { $vehicles }
-plan-kept-target = справні плани без змін
+plan-kept-of = правильних планів без змін: { $good }
+plan-unkept = замінено правильні плани: { $vehicles }
+plan-kept-target = правильні плани без змін
 plan-kept-advice = Замінюйте лише плани, у яких знайшли помилку: новий план може мати свої помилки.
 plan-flown-of = вилетіли: { $good }
 plan-outlook-rehearsed = випробувано: { $ready }/{ $count }

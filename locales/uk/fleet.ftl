@@ -5,7 +5,7 @@ fleet-many = завдання має { $seats ->
    *[many] { $seats } місць
 }, а названо проєктів: { $designs }; приберіть зайві
 fleet-fault = { $design }: { $fault }
-fleet-dear = флот коштує { $cost } cr, на { $over } cr більше за бюджет завдання { $budget } cr: візьміть дешевші деталі
+fleet-dear = флот коштує { $cost } cr, на { $over } cr більше за бюджет завдання ({ $budget } cr): візьміть дешевші деталі
 
 need-radius = радіус дії за вітру { $wind } m/s
 need-time = час у повітрі, посадка з { $reserve } %

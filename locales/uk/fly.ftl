@@ -32,7 +32,7 @@ fly-nothing-yet = поки що нічого
 
 fly-armed = АКТИВ.
 fly-ready = готов.
-fly-safe = вимк.
+fly-off = вимк.
 fly-ground = земля
 fly-air = повітря
 fly-takeoff = зліт
@@ -94,7 +94,7 @@ telemetry-battery = акумул.
 telemetry-return = додому
 telemetry-home = дім
 telemetry-target = ціль
-telemetry-place = місце
+telemetry-place = позиція
 telemetry-gps = GPS
 telemetry-ekf = EKF
 telemetry-attitude = нахил

@@ -109,7 +109,7 @@ grammar-no-vehicles = `{ $word }` не називає апаратів: пиші
 grammar-largest-first = спершу найбільші
 grammar-no-targets-here = `{ $verb }` — команда консолі: апаратів перед нею не пишуть
 grammar-only-plain = `{ $verb }` діє лише в консолі без екрана; тут ті самі відомості показує окремий екран
-grammar-only-console = `{ $verb }` діє лише в консолі: у скрипті її не вживають
+grammar-only-console = `{ $verb }` діє лише в консолі: у скрипті цієї команди немає
 
 grammar-script-selection = у скрипті немає вибраних апаратів
 grammar-say-who = назвіть апарати, як-от `{ $line }`

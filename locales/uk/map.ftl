@@ -8,8 +8,8 @@ map-outside = { $count ->
     [few] { $count } апарати поза картою
    *[many] { $count } апаратів поза картою
 }
-map-nowhere = Жодної позиції ще не відомо.
-map-objective = далі: { $title }: { $detail }
+map-nowhere = Жодна позиція ще не відома.
+map-objective = далі: { $title } ({ $detail })
 map-from-home = від дому
 map-from-vehicle = від
 map-ruler = лінійка
@@ -48,7 +48,7 @@ action-fit = показати все
 action-follow = стежити за апаратом під курсором або перестати
 action-centre = центрувати карту на курсорі
 action-ruler = міряти звідси або перестати
-action-goto-here = написати `goto` з точкою під курсором
+action-goto-here = написати `goto` з місцем під курсором
 action-trails = показати або сховати пройдені шляхи
 action-legend = показати або сховати пояснення позначок
 action-next-sensor = перейти до показів наступного датчика

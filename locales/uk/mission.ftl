@@ -7,8 +7,8 @@ mission-abandoned = припинено
 mission-not-finished = не завершено
 mission-over = завдання: { $outcome }
 mission-time-left = залишилося { $seconds } s
-mission-objective-met = ціль досягнуто: { $objective }: { $result }
-mission-objective-open = ціль знову треба досягти: { $objective } ({ $result })
+mission-objective-met = досягнуто цілі: { $objective } ({ $result })
+mission-objective-open = цілі знову треба досягти: { $objective } ({ $result })
 
 mission-sensor-gas = газ
 mission-sensor-particles = PM2.5
@@ -160,7 +160,10 @@ mission-goal-commands = жодної відхиленої команди
 mission-goal-commands-result = відхилено { $count }
 mission-goal-attention = вчасно відповісти на кожну тривогу
 mission-goal-attention-result = запізно { $count } з { $all }
-mission-goal-score = щонайменше балів: { $points }
+mission-goal-score = набрати від { $points ->
+    [one] { $points } бала
+   *[other] { $points } балів
+}
 mission-goal-score-result = балів: { $points }
 # Пауза.
 mission-paused = пауза { $time }
@@ -175,16 +178,16 @@ pause-not-begun = пауза не потрібна: відлік почнеть�
 pause-not-processes = пауза неможлива: ArduPilot має власний час
 pause-not-real = для справжніх дронів пауза неможлива: у повітрі їх зупиняє `hold`
 pause-not-allowed = правила цього завдання не дозволяють пауз
-pause-refuses = пауза: команди не приймаються
+pause-refuses = симуляція на паузі
 pause-refuses-help = спершу зніміть паузу: `continue` або { $key }; тоді дайте команду
-speedup-is = { $rate }x: прискорення, доки не закінчиться останній рух або щось не потребуватиме вас; { $key } скасовує його
+speedup-is = { $rate }x: прискорення, доки не закінчиться останній рух або не знадобиться ваше втручання; { $key } скасовує його
 speedup-idle = { $rate }x: час іде швидше, але жодна команда не виконується; { $key } скасовує прискорення
 speedup-usual = { $rate }x: час іде зі звичайною швидкістю
 speedup-back = знову реальний час: { $reason }
 speedup-back-to = знову { $rate }x: { $reason }
-speedup-met = ціль виконано: { $objective }
-speedup-missed = ціль не виконано: { $objective }
-speedup-open = ціль знову не виконано: { $objective }
+speedup-met = досягнуто цілі «{ $objective }»
+speedup-missed = не досягнуто цілі «{ $objective }»
+speedup-open = знову треба досягти цілі «{ $objective }»
 speedup-done = { $verb } апарата { $vehicle }: виконано
 speedup-row = { $verb } апарата { $vehicle }: { $state }
 speedup-alert = тривога «{ $alert }», апарат { $vehicle }
@@ -206,7 +209,7 @@ mission-prediction = ваші бали
 mission-prediction-none = прогноз задає { $key }, наприклад `predict 800`; розбір порівняє його з результатом
 mission-prediction-is = передбачено { $points }
 mission-goal = ваша мета
-mission-goal-none = { $key } ставить її: `score`, `time`, `battery`, `safety`, `commands` або `attention`, наприклад `goal time 200s`
+mission-goal-none = мету задає { $key }: `score`, `time`, `battery`, `safety`, `commands` або `attention`, наприклад `goal time 200s`
 mission-reading = годинник
 mission-reading-first = відлік почнеться, коли ви закриєте інструктаж
 mission-brief-left = відлік часу завдання почався; { $key } — пауза
@@ -216,9 +219,13 @@ mission-then = початок
 mission-then-is = { $drones } показує дрони й запускає годинник, { $back } повертає назад, { $help } пояснює клавіші й команди
 mission-contacts-count = контакти { $count }, повід. { $reported }
 mission-contacts-confirmed = контакти { $count }, підтв. { $confirmed }, повід. { $reported }
-mission-marks-count = повідомлено { $count }
+mission-marks-count = повідомлень: { $count }
 mission-pledge-line = ви заявили: { $words }
-mission-said-score = балів: { $points }
+mission-said-score = { $points ->
+    [one] { $points } бал
+    [few] { $points } бали
+   *[many] { $points } балів
+}
 
 # Що невідкладне, на всю ширину екрана; коротко в заголовку.
 mission-alert = ! { $seconds } s: { $text }

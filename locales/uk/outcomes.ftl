@@ -109,7 +109,7 @@ outcome-plan-written = { $count ->
     [one] { $count } пункт
     [few] { $count } пункти
    *[many] { $count } пунктів
-} ({ $mark }): зчитано назад і порівняно
+} ({ $mark }): зчитано з борту й порівняно
 outcome-plan-warned = { $count ->
     [one] попередження: { $warnings }
    *[other] попередження: { $warnings }
@@ -146,7 +146,7 @@ outcome-log-stalled = апарат більше не надсилає журна
 outcome-logs-armed = з активними двигунами апарат не надсилає журналів: журнал { $number } збережено на { $percent } %; деактивуйте двигуни й повторіть завантаження, щоб продовжити
 outcome-log-length = розмір { $file } — { $bytes } B, а в переліку апарата — { $expected } B: повторіть завантаження
 
-outcome-plan-left = { $vehicles }: тепер без частини роботи, але на борту ще попередній план: його прибере `{ $vehicles } plan clear`
+outcome-plan-left = { $vehicles }: тепер без частини роботи, але на борту ще попередній план; його прибере `{ $vehicles } plan clear`
 outcome-plan-idle = для цього апарата немає частини роботи: { $reason }; його план на борту стирається
 outcome-plan-share = частини мають { $count } з { $all }: { $why }
 rehearse-in-air = у повітрі: випробування починається на землі
@@ -159,7 +159,7 @@ rehearse-ends-in-air = план закінчується в повітрі че�
 rehearse-battery = витрачає { $used } % заряду: більше, ніж лишилося
 rehearse-meets = надто зближується з іншим апаратом; час польоту { $time }
 rehearse-fence = порушує геозону через { $time }
-rehearse-left-plan = переходить із плану в { $mode }; кінець через { $time }
+rehearse-left-plan = переходить із плану в { $mode }; час польоту { $time }
 rehearse-grounded = не злітає
 rehearse-crashed = зіткнення через { $time }
 rehearse-replay = записано: `replay rehearsal` відтворює його на карті

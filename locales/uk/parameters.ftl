@@ -38,7 +38,7 @@ parameters-asking = запит параметрів в апарата ...
 parameters-recorded = до цього моменту записано { $received } з { $count }
 parameters-coming = { $received } з { $count }
 parameters-repeating = { $received } з { $count }; відповіді немає, запит повторено ({ $tries })
-parameters-link-lost = { $received } з { $count }; зв'язок втрачено: продовження, коли він відновиться
+parameters-link-lost = { $received } з { $count }; зв'язок втрачено: після відновлення читання продовжиться
 parameters-stalled = отримано { $received } з { $count }, далі відповіді немає: { $key } запитує ще раз
 parameters-complete = { $count ->
     [one] { $count } параметр
@@ -89,7 +89,7 @@ parameters-ask-apply = ВСТАНОВИТИ { $count ->
     [one] { $count } параметр
     [few] { $count } параметри
    *[many] { $count } параметрів
-} на { $vehicles }
+} (кому: { $vehicles })
 parameters-ask-apply-reason = кожен надсилається окремою командою; результати видно у списку
 parameters-nothing-to-save = параметри ще не надійшли
 parameters-not-complete = апарат { $vehicle } надіслав { $received } з { $count } параметрів: дочекайтеся решти
@@ -101,7 +101,7 @@ parameters-ask-replace = ЗАМІНИТИ { $path }
 parameters-ask-replace-reason = файл із такою назвою вже є
 
 prompt-filter-advice = мають збігатися всі слова; { $submit } або { $escape } повертає до списку
-prompt-parameter = { $name } на { $vehicles }
+prompt-parameter = { $name }, кому: { $vehicles }
 prompt-parameter-advice = { $submit } встановлює, { $escape } лишає без змін
 prompt-save-parameters = зберегти параметри у файл
 prompt-save-advice = шлях (`~/` — домашня тека); перед заміною файлу sortie запитає

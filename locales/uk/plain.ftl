@@ -7,16 +7,16 @@ plain-wait-in-vain = час очікування минув: { $line }
 plain-no-room = для цього потрібна консоль з екраном
 plain-critical = КРИТИЧНО
 plain-error = ПОМИЛКА
-plain-warning = увага
+plain-warning = попередження
 plain-times = { $count ->
     [one] { $count } раз
     [few] { $count } рази
    *[other] { $count } разів
 }
 plain-hint = підказка: { $hint }
-plain-objective-open = ціль ще не досягнуто: { $objective }
-plain-objective-met = ціль досягнуто: { $objective }
-plain-objective-missed = ціль не досягнуто: { $objective }
+plain-objective-open = цілі ще не досягнуто: { $objective }
+plain-objective-met = досягнуто цілі: { $objective }
+plain-objective-missed = цілі не досягнуто: { $objective }
 plain-score = бали поки що: { $score } з 1000
 plain-time-left = лишилося часу: { $seconds } s
 plain-vehicle = апарат { $vehicle }: { $state }
@@ -25,8 +25,8 @@ plain-disarmed = двигуни деактивовано
 plain-flight = висота { $height } m, швидкість { $speed } m/s
 plain-home = { $distance } m від дому
 plain-battery = акумулятор { $percent } %
-plain-way-home = на повернення { $needed } %
-plain-link = { $name }: { $state }, повідомлень за секунду: прийнято { $received }, надіслано { $sent }, утрачено { $lost }
+plain-way-home = на повернення треба { $needed } %
+plain-link = { $name }: { $state }, повідомлень за секунду: прийнято { $received }, надіслано { $sent }; усього втрачено { $lost }
 plain-forward = пересилання { $name }: { $state }, станцій { $stations }, прийнято повідомлень { $received } ({ $bytes_in } B), надіслано { $sent } ({ $bytes_out } B), відкинуто { $dropped }, відфільтровано { $filtered }, затримано { $held }, повторів { $repeated }
 plain-before-launch = до зльоту: `1 predict 800` називає бали, яких ви чекаєте, `1 goal time 200s` ставить мету; у польоті діють `objectives`, `contacts`, `hint`, `pause` і `continue`
 plain-asked = ціль: { $title }, { $target }, балів { $points }

@@ -45,7 +45,7 @@ moment-disarmed = двигуни деактивовано
 moment-mode = режим { $mode }
 moment-refused = { $line }: { $outcome }
 moment-refused-why = { $line }: { $outcome }: { $why }
-moment-objective = ціль досягнуто: { $objective }
+moment-objective = досягнуто цілі: { $objective }
 moment-near = зблизилися до { $metres } m
 moment-nearest = найменша відстань за політ: { $metres } m
 moment-kind-bookmark = закладка
@@ -80,7 +80,7 @@ records-total = { $count ->
     [few] { $count } записи
    *[other] { $count } записів
 }, { $size } MiB; зберігаються найновіші { $most }, разом щонайбільше { $space } MiB
-records-not-numbers = `{ $word }` — не запис: пишіть `3`, `3-9` або `1,4-6`
+records-not-numbers = `{ $word }` — не перелік номерів записів: пишіть `3`, `3-9` або `1,4-6`
 records-not-a-file = { $file } — не файл: вкажіть файл запису або tlog
 records-unknown = немає ні запису, ні файлу { $name }: записи показує `sortie records list`
 records-no-number = немає запису { $number }: номери показує `sortie records list`

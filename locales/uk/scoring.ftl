@@ -12,9 +12,9 @@ scoring-crashes = аварії
 
 # Умови золота.
 gate-no-crash = жодного втраченого дрона
-gate-at-least = { $what }: від { $number }
-gate-at-most = { $what }: до { $number }
-gate-equal = { $what }: рівно { $number }
+gate-at-least = { $what } — від { $number }
+gate-at-most = { $what } — до { $number }
+gate-equal = { $what } — рівно { $number }
 
 scoring-gold = золото
 scoring-silver = срібло

@@ -67,14 +67,14 @@ fact-daily-flown = варіант дня виконано; повтори — т
 
 # Перелік профілів.
 profiles-title = профілі
-profiles-now = (зараз)
+profiles-now = (поточний)
 profiles-new = новий профіль ...
 profiles-guest = Гість (результати не зберігаються)
 profiles-keys = { $scroll } рух   { $submit } вибрати   { $escape } назад
 profiles-in-flight = завдання триває: спершу завершіть його; результат належить поточному профілю
 profiles-nameless = впишіть ім'я
 prompt-profile = ваше ім'я
-prompt-profile-advice = ваші польоти, кредити й проєкти зберігаються лише на цій машині
+prompt-profile-advice = ваші польоти, кредити й проєкти зберігаються лише на цьому комп'ютері
 prompt-seed = варіант для тренування
 prompt-seed-advice = число; той самий варіант дає те саме розташування. Порожнє поле й { $submit } — варіант із `--seed` або 1. Тренування не дає кредитів
 
@@ -91,7 +91,7 @@ standing-skills = навички: імовірність, що їх опанов
 standing-next = далі
 standing-review = повторити { $when }
 standing-why = чому: { $skill }
-standing-lacks = щоб опанувати, треба: { $lacks }
+standing-lacks = щоб опанувати, треба { $lacks }
 standing-why-nothing = даних ще немає: виконайте завдання, що тренує цю навичку
 standing-moved = { $mission }: { $what } { $percent } %, { $when }
 standing-scores = бали за завданнями

@@ -3,7 +3,7 @@
 threat-collision = зіткнення з дроном { $other }
 threat-separation = { $distance } m до дрона { $other }
 threat-no-fly = у забороненій зоні { $zone }
-threat-people = нижче ніж { $height } m над людьми в { $zone }
+threat-people = нижче ніж { $height } m над людьми ({ $zone })
 threat-injury = зіткнення з людиною
 threat-near-person = { $distance } m до людини
 threat-aircraft-hit = зіткнення з літаком

@@ -314,7 +314,7 @@ mod tests {
                 "brief = 1\npair = [1, -2]",
                 "expected a whole number, 0 or more, not `-2`",
             ),
-            ("brief = 1\nname = 7", "expected a text in quotes, not `7`"),
+            ("brief = 1\nname = 7", "expected text in quotes, not `7`"),
             (
                 "brief = 1\npair = [1]",
                 "expected a list of 2 elements, not 1",

@@ -173,7 +173,7 @@ fn faults_of_translations_are_named_at_their_place() {
     };
     let place = format!("m.toml:{}:", title + 2);
     for (line, fault) in [
-        ("title_uk = 3", "expected a text in quotes, not `3`"),
+        ("title_uk = 3", "expected text in quotes, not `3`"),
         ("title_ua = \"x\"", "did you mean `title_uk`?"),
         ("brief_uk = \" \"", "`brief_uk` is empty"),
     ] {

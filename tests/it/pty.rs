@@ -104,7 +104,7 @@ fn an_instructor_finds_selects_commands_looks_around_and_is_cut_off() {
     for (key, name) in [
         ("V", "VEHICLE"),
         ("M", "MAP"),
-        ("C", "COMMANDS"),
+        ("C", "LEDGER"),
         ("I", "MESSAGES"),
         ("L", "LINKS"),
         ("P", "PARAMETERS"),
@@ -190,7 +190,7 @@ fn a_mission_is_read_predicted_flown_paused_and_debriefed() {
     terminal.press("p").see("PAUSED");
     terminal
         .command("1 rtl")
-        .see("the mission is paused")
+        .see("the simulation is paused")
         .press("\u{1b}")
         .see_no_more("command to 1");
     terminal.command("continue").see_no_more("PAUSED");
@@ -219,7 +219,7 @@ fn a_terminal_that_is_too_small_is_told_so_until_it_grows() {
     terminal
         .resize(120, 40)
         .see("4 vehicles")
-        .see("commands ──");
+        .see("ledger ──");
     terminal.command("quit");
     assert_eq!(terminal.end(), 0);
 }

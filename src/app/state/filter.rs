@@ -129,8 +129,8 @@ fn states(vehicle: &Vehicle) -> impl Iterator<Item = &'static str> {
     let arming: &[&str] = match vehicle.heartbeat {
         None => &[],
         Some(_) if vehicle.armed() => &["armed"],
-        Some(_) if vehicle.ready_to_arm() => &["safe", "disarmed", "ready"],
-        Some(_) => &["safe", "disarmed"],
+        Some(_) if vehicle.ready_to_arm() => &["off", "disarmed", "ready"],
+        Some(_) => &["off", "disarmed"],
     };
     let landed: &[&str] = match vehicle.landed {
         LandedState::Undefined => &[],

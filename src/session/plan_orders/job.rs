@@ -28,7 +28,7 @@ pub(super) struct Job {
     told: Option<(u8, bool)>,
 }
 
-/// The end of an order.
+/// The end of a transfer: of an order, or of a list that the mission puts on board.
 pub(super) struct FinishedJob {
     pub is_done: bool,
     /// Whether the list that the vehicle holds is known.

@@ -254,11 +254,11 @@ mod tests {
             faults(source),
             [
                 "d.toml:2:1: unknown key `nme` (did you mean `name`?)",
-                "d.toml:3:9: expected a text in quotes, not `3`",
+                "d.toml:3:9: expected text in quotes, not `3`",
                 "d.toml:4:1: unknown key `motr` (did you mean `motor`?)",
                 "d.toml:6:11: `battery` must be a list",
-                "d.toml:7:9: expected a text in quotes, not a list",
-                "d.toml:8:21: expected a text in quotes, not `3`",
+                "d.toml:7:9: expected text in quotes, not a list",
+                "d.toml:8:21: expected text in quotes, not `3`",
                 "d.toml:9:7: no part `e4in1_3` for the slot speed controllers (did you mean `e4in1_35`?)"
             ]
         );

@@ -365,7 +365,7 @@ fn texts_and_conditions_have_a_greatest_length() {
     let faults = Mission::parse(&source).expect_err("too long");
     assert_eq!(
         faults[0].one_line("m", &source),
-        "m:5:9: a text has at most 8000 bytes"
+        "m:5:9: text may have at most 8000 bytes"
     );
     let sum = "1 + ".repeat(300);
     let event = format!(

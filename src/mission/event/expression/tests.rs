@@ -160,7 +160,7 @@ fn faults_are_told_with_their_place_and_the_nearest_name() {
         ("", 0, "a value is missing at the end"),
         ("t >", 2, "a value is missing at the end"),
         ("t", 0, "a condition is needed here, not a number"),
-        ("t > 'x'", 4, "a number is needed here, not a text"),
+        ("t > 'x'", 4, "a number is needed here, not text in quotes"),
         ("1 and true", 0, "a condition is needed here, not a number"),
         ("t > 5 > 3", 6, "`>` was not expected here"),
         ("(t > 5", 5, "`)` is missing at the end"),

@@ -14,7 +14,7 @@ pub(super) enum ExpressionToken {
     Number(f64),
     Text(String),
     Name(String),
-    /// An operator or a parenthesis.
+    /// An operator, a bracket, a comma or a dot.
     Sign(&'static str),
 }
 

@@ -36,7 +36,7 @@ const STATES: [RowState; 9] = [
 pub struct Words {
     pub armed: String,
     pub ready: String,
-    pub safe: String,
+    pub off: String,
     pub ground: String,
     pub air: String,
     pub takeoff: String,
@@ -54,7 +54,7 @@ impl Words {
         Self {
             armed: look.say("fly-armed"),
             ready: look.say("fly-ready"),
-            safe: look.say("fly-safe"),
+            off: look.say("fly-off"),
             ground: look.say("fly-ground"),
             air: look.say("fly-air"),
             takeoff: look.say("fly-takeoff"),
@@ -175,7 +175,7 @@ fn armed(row: &Row<'_>) -> Cell {
     } else if vehicle.ready_to_arm() {
         (words.ready.clone(), Role::Ready)
     } else {
-        (words.safe.clone(), Role::Muted)
+        (words.off.clone(), Role::Muted)
     }
 }
 

@@ -175,7 +175,7 @@ impl ColumnForm {
     fn shown(&self, words: &Words, look: &Look) -> Shown {
         let title = look.say(self.title);
         let said: &[&String] = match self.column {
-            Column::Armed => &[&words.armed, &words.ready, &words.safe],
+            Column::Armed => &[&words.armed, &words.ready, &words.off],
             Column::State => &[
                 &words.ground,
                 &words.air,
