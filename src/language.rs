@@ -56,7 +56,7 @@ pub use lexer::{Word, comment_start, words};
 pub use manual::manual;
 pub use modes::OfferedModes;
 pub use names::{Listed, NameList, Named, Names, UnknownNames, mission_meant};
-pub use parse::{draft_part, parse};
+pub use parse::{draft_part, free_texts, parse};
 pub use pilot::{Pilot, PilotEvent, Script};
 pub use table::{row, rows, verb, verbs};
 pub use targets::Targets;

@@ -74,6 +74,7 @@ pub use clock::Clock;
 pub use event::alert::OpenAlert;
 pub use event::demand::{Demand, WIND_FULL_FROM_M};
 pub use event::mover::MoverKind;
+pub use event::standard::threat_title;
 pub use file::{reference, schema};
 pub use flight::{Flight, Inject, Pledge};
 pub use hint::{Clue, Hint, Phase};

@@ -18,11 +18,13 @@ mod catalogue;
 mod figure;
 mod layout;
 mod locale;
+mod stored;
 
 pub use catalogue::messages;
 pub use figure::{clock, clock_s, figure, lasting, rounded, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
+pub use stored::StoredText;
 
 /// A language of the texts. The names are ISO 639 codes.
 #[derive(

@@ -41,7 +41,9 @@ fn draw_all(state: &State, look: &Look, frame: &mut Frame<'_>) {
         screen::small::draw(state, Panel::new(look, area), frame.buffer_mut());
         return;
     }
-    let body = widget::header::draw(state, Panel::new(look, area), frame.buffer_mut());
+    let mut body = widget::header::draw(state, Panel::new(look, area), frame.buffer_mut());
+    let keys_above = u16::from(state.has_keys_above_replay());
+    body.height = body.height.saturating_sub(keys_above);
     let buffer = frame.buffer_mut();
     screen::draw(state, Panel::new(look, body), buffer);
     widget::footer::draw(state, Panel::new(look, area), buffer);

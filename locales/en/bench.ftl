@@ -78,6 +78,7 @@ bench-seats = { $count ->
 bench-budget = the fleet costs { $cost } of { $budget } cr
 bench-no-budget = the fleet costs { $cost } cr; no limit
 bench-fleet = the fleet for "{ $mission }"
+bench-fleet-none = the fleet: no mission chosen
 bench-fleet-about = on the bench: { $name }
 bench-lent = lent by the mission
 bench-seat-taken = seat { $seat }: { $name }

@@ -122,7 +122,7 @@ workload-how = share of the last minute spent on commands, in tenths; drones wor
 workload-figures = from { $commands ->
         [one] { $commands } command
        *[other] { $commands } commands
-    }: you were busy for { $interaction } s; the drones worked on their own for { $neglect } s and waited for { $wait } s, in total
+    }, counted once for all drones: you were busy for { $interaction } s; the drones worked on their own for { $neglect } s and waited for { $wait } s, in total
 workload-overloaded = more than 70 % busy for a minute or longer: { $stretches }
 workload-answered = you answered { $answers } of { $questions } questions about your workload
 workload-question = Your workload, from 1 (almost nothing) to 5 (too much)? { $key } answers (not scored)

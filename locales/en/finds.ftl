@@ -29,7 +29,7 @@ detect-advice-missed = missed: { $missed }, false reports: { $wrong }. Look agai
 detect-advice-wrong = false reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report
 
 # Looking at a place closely before it is reported.
-checked-result = looked at closely: { $count }/{ $all } reports
+checked-result = { $count }/{ $all } reports
 checked-target = all reports
 checked-advice = Before you report a place, stay within { $radius } m of it for { $dwell } s, at { $speed } m/s at most.
 checked-advice-cross = { $count ->
@@ -46,7 +46,7 @@ coverage-advice = Fly lines no further apart than the width of the sensor's stri
 coverage-advice-lines = Fly lines over the whole zone, no further apart than the width of the sensor's strip.
 
 # Keeping a distance from a structure.
-standoff-result = right distance for { $share } % of { $near } s, too close for { $close } s
+standoff-result = { $share } % of { $near } s, too close for { $close } s
 standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
 standoff-advice = Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
 

@@ -117,7 +117,7 @@ mission-rewards = for passing
 mission-reward-credits = { $credits } credits
 mission-reward-mission = mission "{ $title }"
 mission-reward-part = part { $part }
-mission-reward-threat = threat { $threat }
+mission-reward-threat = threat: { $threat }
 mission-lines = lines { $first } to { $last } of { $count }   { $key } scroll
 mission-vehicle-gone = its simulator has ended: the vehicle is lost
 

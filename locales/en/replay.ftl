@@ -35,6 +35,7 @@ loop-none = no section to repeat: no moment of this kind before the moment shown
 argument-seek = `12:30`, `+30`, `-10`, `end`, `mission 4:10`, `next refusal`
 argument-loop = start and end of the section; or a kind of moment, to repeat from the previous one to the next
 hint-play = play
+hint-leave-replay = leave
 hint-stop = stop
 hint-ten-seconds = 10 s
 hint-moments = moments

@@ -37,7 +37,7 @@ scoring-rules-broken = { $worst }; other rules broken: { $more }
 scoring-no-commands = no commands
 scoring-commands-clean = { $count ->
     [one] { $count } command, not refused
-   *[other] { $count } commands, none refused
+   *[other] { $count } commands, none refused; counted per drone
 }
 scoring-commands-forgiven = { $count ->
     [one] 1 command

@@ -60,7 +60,7 @@ fact-passed = passed, { $score } points, { $medal }, { $count ->
 }
 fact-next = next
 fact-next-is = this one: it trains { $skill }
-fact-next-drill = its drill trains { $skill }
+fact-next-drill = "{ $drill }": it trains { $skill }
 fact-review = due
 fact-trains = trains, %
 fact-skill = { $skill } { $percent }
@@ -93,6 +93,8 @@ prompt-seed-advice = a number; the same seed gives the same layout. For the seed
 # Own progress.
 standing-no-profile = Guests have no progress. Press { $key } to choose or create a profile; then this room shows skills, scores, credits and experience over time.
 standing-choose-first = choose a profile first, with { $key }
+standing-skill-locked = no open mission trains { $skill }: { $why }
+standing-skill-untrained = no mission of the course trains { $skill }
 standing-level = level { $level }
 standing-experience = experience { $experience }/{ $needed }
 standing-credits = { $credits } cr

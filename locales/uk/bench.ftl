@@ -79,6 +79,7 @@ bench-seats = { $count ->
 bench-budget = флот коштує { $cost } з { $budget } cr
 bench-no-budget = флот коштує { $cost } cr; обмеження немає
 bench-fleet = флот для «{ $mission }»
+bench-fleet-none = флот: завдання не вибрано
 bench-fleet-about = на верстаку: { $name }
 bench-lent = позичено завданням
 bench-seat-taken = місце { $seat }: { $name }

@@ -15,7 +15,7 @@ skill-plans = складання й перевірка планів
 skill-prediction = передбачення балів
 
 locked-pass = пройдіть «{ $mission }»
-locked-medal = здобудьте медаль ({ $medal }) за «{ $mission }»
+locked-medal = здобудьте медаль у завданні «{ $mission }»: { $medal }
 locked-skill = { $skill } { $has } %, треба { $wanted } %
 locked-licence = треба ліцензію на { $wanted ->
     [one] { $wanted } дрон

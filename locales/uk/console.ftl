@@ -16,7 +16,10 @@ ask-armed = { $count ->
     [few] { $count } апарати з активними двигунами
    *[many] { $count } апаратів з активними двигунами
 }
-ask-press = натисніть { $answer }
+ask-press = натисніть { $answer ->
+    [y] y (н)
+   *[other] { $answer }
+}
 ask-type = введіть { $answer }
 ask-how-many = { $answer } (скільки апаратів)
 ask-cancelled = скасовано, нічого не зроблено: { $question }

@@ -29,7 +29,7 @@ detect-advice-missed = пропущено { $missed }, хибних повідо
 detect-advice-wrong = хибних повідомлень { $wrong }. Спершу підтвердьте знахідку іншим датчиком або зблизька
 
 # Огляд зблизька перед повідомленням.
-checked-result = оглянуто зблизька: { $count }/{ $all } повідомлень
+checked-result = { $count }/{ $all } повідомлень
 checked-target = усі повідомлення
 checked-advice = Перш ніж повідомити про місце, протримайтеся { $dwell } s не далі як за { $radius } m від нього на швидкості до { $speed } m/s.
 checked-advice-cross = { $count ->
@@ -46,7 +46,7 @@ coverage-advice = Відстань між лініями не має перев�
 coverage-advice-lines = Обстежте всю ділянку лініями, відстань між якими не перевищує ширини смуги датчика.
 
 # Дотримання відстані.
-standoff-result = потрібна відстань { $share } % із { $near } s, заблизько { $close } s
+standoff-result = { $share } % із { $near } s, заблизько { $close } s
 standoff-target = { $share } % часу на відстані від { $nearest } до { $farthest } m
 standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m (заблизько: { $close } s).
 

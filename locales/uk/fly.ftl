@@ -183,7 +183,7 @@ hint-again = ще раз
 hint-home = початок
 
 commands-pane = журнал команд
-commands-none = ще немає команд: { $key } відкриває командний рядок
+commands-none = команд ще немає, натисніть { $key }
 commands-none-replayed = команд ще не було
 commands-none-fit = жодна команда не відповідає фільтру: { $key } показує всі
 commands-follows = стежить за найновішою

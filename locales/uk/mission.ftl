@@ -121,7 +121,7 @@ mission-rewards = нагорода
 mission-reward-credits = кредитів { $credits }
 mission-reward-mission = завдання «{ $title }»
 mission-reward-part = деталь { $part }
-mission-reward-threat = загроза { $threat }
+mission-reward-threat = загрозу: { $threat }
 mission-lines = рядки { $first }-{ $last } з { $count }   { $key } гортають
 mission-vehicle-gone = його симулятор завершив роботу: апарат втрачено
 

@@ -35,6 +35,7 @@ loop-none = нема чого повторювати: до показаного 
 argument-seek = `12:30`, `+30`, `-10`, `end`, `mission 4:10`, `next refusal`
 argument-loop = початок і кінець відрізка; або вид моменту, щоб повторювати від попереднього до наступного
 hint-play = пуск
+hint-leave-replay = вийти
 hint-stop = стоп
 hint-ten-seconds = 10 s
 hint-moments = моменти

@@ -36,9 +36,9 @@ scoring-no-rule-broken = правил не порушено
 scoring-rules-broken = { $worst }; порушено ще правил: { $more }
 scoring-no-commands = команд не було
 scoring-commands-clean = { $count ->
-    [one] { $count } команда, без відмов
-    [few] { $count } команди, без відмов
-   *[many] { $count } команд, без відмов
+    [one] { $count } команда, без відмов; кожен дрон рахується окремо
+    [few] { $count } команди, без відмов; кожен дрон рахується окремо
+   *[many] { $count } команд, без відмов; кожен дрон рахується окремо
 }
 scoring-commands-forgiven = команд: { $count }, пробачено відмов: { $forgiven }
 scoring-commands-faulty = { $count ->

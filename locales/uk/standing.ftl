@@ -48,7 +48,7 @@ fact-open = відкрито, найбільше балів: { $score }, пол�
 fact-passed = пройдено, балів: { $score }, { $medal }, польотів { $count }
 fact-next = далі
 fact-next-is = це завдання; тренує: { $skill }
-fact-next-drill = вправа до нього тренує: { $skill }
+fact-next-drill = «{ $drill }»; тренує: { $skill }
 fact-review = час повторити
 fact-trains = тренує, %
 fact-skill = { $skill } { $percent }
@@ -81,6 +81,8 @@ prompt-seed-advice = число; той самий варіант дає те с
 # Власний поступ.
 standing-no-profile = У гостя немає поступу. Натисніть { $key }, щоб вибрати або створити профіль; тоді тут буде видно, як змінюються навички, бали, кредити й досвід.
 standing-choose-first = спершу виберіть профіль: { $key }
+standing-skill-locked = жодне відкрите завдання не тренує «{ $skill }»: { $why }
+standing-skill-untrained = жодне завдання курсу не тренує: { $skill }
 standing-level = рівень { $level }
 standing-experience = досвід { $experience }/{ $needed }
 standing-credits = { $credits } cr

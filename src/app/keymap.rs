@@ -16,7 +16,7 @@ mod press;
 mod show;
 
 pub use hint::{HintKeys, KeyHint, hint, hint_words};
-pub use layout::latin;
+pub use layout::{latin_key, latin_line};
 pub use press::Press;
 
 /// Where a binding applies.
@@ -113,12 +113,16 @@ impl Keymap {
     }
 
     /// The meaning of a key at a place. A room's own keys come before the general ones. Where no line is edited, a
-    /// Ukrainian letter without a meaning of its own counts as the Latin key in its position.
+    /// Ukrainian letter or sign without a meaning of its own counts as the Latin key in its position.
     pub fn resolve(&self, key: KeyEvent, place: Place) -> Option<&Meaning> {
-        self.written(key, place).or_else(|| {
-            let by_position = layout::by_position(key).filter(|_| place != Place::Prompt)?;
-            self.written(by_position, place)
-        })
+        let is_edited = place == Place::Prompt;
+        self.written(key, place)
+            .or_else(|| self.by_position(key, place).filter(|_| !is_edited))
+    }
+
+    /// The meaning of the Latin key in the position of a Ukrainian letter or sign.
+    pub fn by_position(&self, key: KeyEvent, place: Place) -> Option<&Meaning> {
+        self.written(layout::by_position(key)?, place)
     }
 
     /// The meaning of a key, without converting it from another keyboard layout.

@@ -32,7 +32,7 @@ macro_rules! for_each_room {
             /// The mission's brief, objectives and rules.
             Mission, mission, "mission", 'B', mission::Mission;
             /// The result of the last flight.
-            Debrief, debrief, "debrief", 'D', Option<debrief::Debrief>;
+            Debrief, debrief, "debrief", 'D', debrief::Debriefs;
             /// The review of a recorded flight.
             Review, review, "review", 'A', review::Review;
             Standing, standing, "standing", 'T', standing::Standing;
@@ -89,6 +89,24 @@ impl Room {
     /// Whether keys select and command vehicles in this room.
     pub const fn shows_vehicles(self) -> bool {
         matches!(self, Self::Fly | Self::Vehicle | Self::Map)
+    }
+
+    /// Whether the room is used apart from a flight: in a replay, its keys are shown above the timeline.
+    pub const fn is_apart_from_flight(self) -> bool {
+        match self {
+            Self::Home | Self::Debrief | Self::Standing | Self::Workshop => true,
+            Self::Fly
+            | Self::Vehicle
+            | Self::Map
+            | Self::Plans
+            | Self::Ledger
+            | Self::Messages
+            | Self::Links
+            | Self::Hangar
+            | Self::Parameters
+            | Self::Mission
+            | Self::Review => false,
+        }
     }
 
     /// The room with a name, if there is one.

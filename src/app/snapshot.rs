@@ -31,7 +31,7 @@ impl FlightSnapshot {
             map: state.rooms.map.clone(),
             parameters: state.rooms.parameters.snapshot(),
             hints: state.rooms.mission.hints.clone(),
-            debrief: state.rooms.debrief.clone(),
+            debrief: state.rooms.debrief.session.clone(),
             now: state.now,
         }
     }
@@ -50,7 +50,7 @@ pub(super) fn restore(state: &mut State, snapshot: FlightSnapshot) {
     state.rooms.map.remember(snapshot.map);
     state.rooms.parameters.restore(snapshot.parameters);
     state.rooms.mission.hints = snapshot.hints;
-    state.rooms.debrief = snapshot.debrief;
+    state.rooms.debrief.session = snapshot.debrief;
     state.rooms.ledger.spoil();
     state.now = snapshot.now;
     fly::arrange(state);

@@ -271,6 +271,11 @@ impl<R> State<R> {
         self.session.choice.vehicles()
     }
 
+    /// Whether the room's keys have a row of their own above the timeline of a replay.
+    pub fn has_keys_above_replay(&self) -> bool {
+        self.replay.is_some() && self.room.is_apart_from_flight()
+    }
+
     /// The listing of the mission that is being flown.
     pub fn flown_mission(&self) -> Option<&MissionListing> {
         self.session.task.listing.as_deref()

@@ -23,6 +23,7 @@ mod forwards;
 mod ghost;
 mod hangar;
 mod keys;
+mod latin;
 mod links;
 mod macros;
 mod mission;
@@ -125,7 +126,7 @@ fn told(state: &mut State) {
     if !matches!(state.overlay, Some(Overlay::Confirm(_))) {
         state.overlay = None;
     }
-    if state.session.activity.is_some() && state.rooms.debrief.is_none() {
+    if state.session.activity.is_some() && state.rooms.debrief.session().is_none() {
         state.room = Room::Fly;
     }
 }

@@ -231,17 +231,9 @@ impl MissionCourse {
             })
             .collect();
         skills.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
-        let open: Vec<&Offer> = self
-            .offers
-            .iter()
-            .filter(|offer| self.is_open(offer, standing, day))
-            .filter(|offer| is_advisable(offer, standing))
-            .collect();
+        let open = self.advisable(standing, day);
         let is_known = |offer: &Offer| standing.has_passed(&offer.id);
-        let tier = |offer: &Offer| {
-            let mission = offer.drill_of.as_deref().and_then(|of| self.offer(of));
-            mission.unwrap_or(offer).tier
-        };
+        let tier = |offer: &Offer| self.tier(offer);
         let advice = |may_be_known: &dyn Fn(bool) -> bool| {
             let best = skills.iter().filter_map(|&(is_fresh, chance, skill)| {
                 let trains = open.iter().copied().filter(|offer| {
@@ -249,11 +241,7 @@ impl MissionCourse {
                         && (may_be_known(!is_fresh) || !is_known(offer))
                         && (offer.drill_of.is_none() || chance < SHAKY)
                 });
-                // New missions come before known ones; among these, the easiest first.
-                let best = trains.min_by_key(|offer| {
-                    let is_drill = offer.drill_of.is_some();
-                    (is_known(offer), is_drill != (chance < SHAKY), tier(offer))
-                });
+                let best = trains.min_by_key(|offer| self.rank(offer, standing, chance));
                 best.map(|offer| (is_fresh, skill, offer))
             });
             // Due skills first, then new and easy missions; among these, the weakest skill.
@@ -262,6 +250,45 @@ impl MissionCourse {
             first.map(|(_, skill, offer)| (skill, offer))
         };
         advice(&|is_due| is_due).or_else(|| advice(&|_| true))
+    }
+
+    /// The mission or drill to fly for a skill: the recommended one if it is for this skill, otherwise the best open
+    /// one; `None` if none that is open trains the skill.
+    pub fn training(&self, skill: Skill, standing: &CareerStanding, day: i64) -> Option<&Offer> {
+        if let Some((advised, offer)) = self.next(standing, day)
+            && advised == skill
+        {
+            return Some(offer);
+        }
+        let chance = standing.skill(skill).chance(day);
+        let open = self.advisable(standing, day).into_iter();
+        open.filter(|offer| offer.skills.contains(&skill))
+            .min_by_key(|offer| self.rank(offer, standing, chance))
+    }
+
+    /// The missions that may be flown, and the drills of those that were tried.
+    fn advisable(&self, standing: &CareerStanding, day: i64) -> Vec<&Offer> {
+        let open = self.offers.iter();
+        open.filter(|offer| self.is_open(offer, standing, day))
+            .filter(|offer| is_advisable(offer, standing))
+            .collect()
+    }
+
+    /// The difficulty of a mission; for a drill, that of its mission.
+    fn tier(&self, offer: &Offer) -> u8 {
+        let mission = offer.drill_of.as_deref().and_then(|of| self.offer(of));
+        mission.unwrap_or(offer).tier
+    }
+
+    /// The order of missions that train a skill of this probability, best first: new ones come before known ones; among
+    /// these, drills first if the skill is weak; among these, the easiest first.
+    fn rank(&self, offer: &Offer, standing: &CareerStanding, chance: f64) -> (bool, bool, u8) {
+        let is_drill = offer.drill_of.is_some();
+        (
+            standing.has_passed(&offer.id),
+            is_drill != (chance < SHAKY),
+            self.tier(offer),
+        )
     }
 }
 

@@ -28,6 +28,12 @@ pub struct Argument {
 }
 
 impl Argument {
+    /// Whether it is a text for people or a name of the user's own, in any language; other words to the end of the line
+    /// are files, addresses, times or settings.
+    pub(super) fn is_free_text(&self) -> bool {
+        self.kind == Kind::Rest && matches!(self.name, "text" | "name")
+    }
+
     /// A value without a keyword.
     pub(super) const fn value(name: &'static str, kind: Kind, help: &'static str) -> Self {
         Self {

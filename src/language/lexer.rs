@@ -91,6 +91,18 @@ fn after_texts(line: &str, mut from: usize) -> usize {
     from
 }
 
+/// The texts of fields (`text="..."`) without their quotes; the last one may be unfinished.
+pub(super) fn field_texts(line: &str) -> Vec<Range<usize>> {
+    let mut texts = Vec::new();
+    let mut from = 0;
+    while let Some(start) = line[from..].find("=\"").map(|at| from + at + 2) {
+        let end = closing_quote(&line[start..]).map_or(line.len(), |at| start + at);
+        texts.push(start..end);
+        from = end;
+    }
+    texts
+}
+
 /// The position of the quote that ends a text; `\"` does not end it.
 fn closing_quote(text: &str) -> Option<usize> {
     let mut is_escaped = false;
@@ -128,6 +140,20 @@ mod tests {
         let texts: Vec<&str> = found.iter().map(|word| word.text).collect();
         assert_eq!(texts, ["wait", "altitude", ">=", "19"]);
         assert_eq!(found[2].span, 15..17);
+    }
+
+    #[test]
+    fn the_texts_of_fields_are_found_without_their_quotes() {
+        for (line, texts) in [
+            (r#"send A a=1 b="x y" c="z \" z""#, vec!["x y", r#"z \" z"#]),
+            (r#"send A b="open"#, vec!["open"]),
+            (r#"send A b=""#, vec![""]),
+            ("send A b=1", vec![]),
+        ] {
+            let found = field_texts(line).into_iter();
+            let found: Vec<&str> = found.map(|text| &line[text]).collect();
+            assert_eq!(found, texts, "{line}");
+        }
     }
 
     #[test]

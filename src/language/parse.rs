@@ -7,7 +7,7 @@ use super::console::ConsoleLine;
 use super::fault::fault;
 use super::form::fit;
 use super::head::{Head, end_of, head};
-use super::lexer::{Word, words};
+use super::lexer::{Word, field_texts, words};
 use super::table::arguments_of;
 use super::verb::{Form, Meaning, Scope};
 use super::{Context, Statement};
@@ -74,6 +74,29 @@ pub fn draft_part(line: &str, part: EditPart, context: &Context) -> Option<Range
     })?;
     let mut names = arguments_of(part).iter();
     names.find_map(|name| fit.arguments.span(name))
+}
+
+/// The free texts in a line, which may be in any language: a name, a remark, or the texts of a message's fields.
+pub fn free_texts(line: &str, context: &Context) -> Vec<Range<usize>> {
+    let words = words(line);
+    let Ok(head) = head(&words, context) else {
+        return Vec::new();
+    };
+    if head.row.takes(Kind::Fields) {
+        return field_texts(line);
+    }
+    let of_form = |form: &'static Form| {
+        let fit = fit(form, &words[head.len..], context);
+        let mut free = form.arguments.iter().filter(|it| it.is_free_text());
+        free.find_map(|argument| {
+            let span = fit.arguments.span(argument.name)?;
+            let mut inside = words.iter().filter(|word| span.contains(&word.span.start));
+            let first = inside.nth(usize::from(!argument.keyword.is_empty()))?;
+            Some(first.span.start..span.end)
+        })
+    };
+    let mut forms = head.row.forms.iter();
+    forms.find_map(of_form).into_iter().collect()
 }
 
 /// The line in its canonical spelling. The fields of a message stay as typed, because blanks in a text count.

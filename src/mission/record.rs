@@ -6,9 +6,8 @@
 //! scored as far as it goes.
 //!
 //! Numbers of telemetry are stored as the integers that messages carry, so that reading gives exactly the received
-//! values. Explanations of refusals are stored in English, so a debrief from a record shows them in English whatever
-//! the language: the ids of messages belong to this version of the program, and another version could not read a file
-//! that uses them.
+//! values. Explanations of refusals are stored in English, and as messages for other languages: the ids of messages
+//! belong to this version of the program, so a version that words them otherwise shows the English words.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

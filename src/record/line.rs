@@ -14,7 +14,7 @@ use crate::ledger::{EntryId, LedgerRow, Risk, RowState, RowUpdate};
 use crate::notice::Notice;
 use crate::session::{RadioFault, Want};
 use crate::swarm::Path;
-use crate::text::Text;
+use crate::text::{StoredText, Text};
 use crate::vehicle::{Severity, VehicleId};
 use crate::verb::Verb;
 
@@ -146,6 +146,9 @@ pub struct RowLine {
     /// The reason for a refusal, or a remark, in English.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub why: Option<String>,
+    /// The same for other languages; `None` if it has no other words there, and in records older than this field.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub text: Option<StoredText>,
 }
 
 impl RowLine {
@@ -157,6 +160,7 @@ impl RowLine {
             state: update.state,
             tries: update.tries,
             why: update.explanation.as_ref().map(ToString::to_string),
+            text: update.explanation.as_ref().and_then(Text::stored),
         }
     }
 
@@ -168,6 +172,7 @@ impl RowLine {
             state: row.state,
             tries: row.tries,
             why: row.explanation.as_ref().map(ToString::to_string),
+            text: row.explanation.as_ref().and_then(Text::stored),
         }
     }
 
@@ -179,8 +184,17 @@ impl RowLine {
             state: self.state,
             tries: self.tries,
             at,
-            explanation: self.why.clone().map(Text::verbatim),
+            explanation: self.explanation(),
         }
+    }
+}
+
+impl RowLine {
+    /// The reason for a refusal, or a remark, in the reader's language if possible.
+    fn explanation(&self) -> Option<Text> {
+        let why = self.why.as_ref()?;
+        let stored = self.text.as_ref();
+        Some(stored.map_or_else(|| Text::verbatim(why.clone()), |it| it.text(why)))
     }
 }
 

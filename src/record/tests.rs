@@ -1,5 +1,6 @@
 use super::*;
-use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
+use crate::ledger::{EntryId, ForeignCommand, ForeignId, RowState, RowUpdate, StationId};
+use crate::text;
 use crate::wire::MavAddress;
 
 fn head() -> Head {
@@ -29,6 +30,28 @@ fn what_a_later_program_has_added_is_passed_over() {
     assert!(faults.iter().all(|it| it.contains("line 3")), "{faults:?}");
     assert_eq!(faults.len(), 1);
     assert_eq!(journal.lines, [bookmark(1), bookmark(3)]);
+}
+
+#[test]
+fn the_reason_for_a_refusal_is_read_as_a_message() {
+    let why = text!("reason-takeoff-mode-arm", mode = "STABILIZE");
+    let update = RowUpdate {
+        entry: EntryId(3),
+        vehicle: 1,
+        state: RowState::Refused,
+        tries: 1,
+        at: Duration::ZERO,
+        explanation: Some(why.clone()),
+    };
+    let row = RowLine::of(&update);
+    assert_eq!(row.why, Some(why.to_string()), "English words for others");
+    let line = JournalLine::new(Duration::ZERO, Happening::Row(row));
+    let text = [head().to_line(), line.to_line()].concat();
+    let journal = Journal::read(&text).expect("a journal");
+    let Some(Happening::Row(read)) = journal.lines.first().map(|line| &line.what) else {
+        panic!("a row: {:?}", journal.lines);
+    };
+    assert_eq!(read.update(Duration::ZERO), update);
 }
 
 #[test]

@@ -150,6 +150,11 @@ impl Gate {
             return text!("gate-no-crash");
         }
         let what = self.measure.title(title);
+        // Objectives that are met or not are measured as 1 or 0.
+        let is_met = self.comparison == GateComparison::AtLeast && (self.number - 1.0).abs() < 1e-9;
+        if is_met && self.objective().is_some() {
+            return what;
+        }
         let number = self.number.to_string();
         match self.comparison {
             GateComparison::AtLeast => text!("gate-at-least", what = what, number = number),

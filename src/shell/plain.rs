@@ -142,7 +142,7 @@ impl Plain {
     fn is_over(&self) -> bool {
         let state = self.console.app.state();
         self.console.over
-            || state.rooms().debrief().is_some()
+            || state.rooms().debrief().session().is_some()
             || state.session().activity().is_none()
     }
 
@@ -286,7 +286,7 @@ impl Plain {
         }
         // A line that leads to another room has nothing to print here.
         if state.session().activity().is_some()
-            && state.rooms().debrief().is_none()
+            && state.rooms().debrief().session().is_none()
             && state.room() != Room::Fly
         {
             texts.push(text!("plain-no-room"));
@@ -377,7 +377,7 @@ impl Plain {
         let failed = self.failed || end::has_failures(self.console.app.state().session().ledger());
         let mut passed = !is_mission && (self.is_person || !failed);
         let state = self.console.app.state();
-        if let Some(debrief) = state.rooms().debrief() {
+        if let Some(debrief) = state.rooms().debrief().session() {
             passed = debrief.report().passed;
             for line in debrief.lines(state.training().reward(), state.locale()) {
                 self.say(&Text::from(line.text.as_str()));

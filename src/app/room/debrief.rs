@@ -51,6 +51,73 @@ pub struct Debrief {
     pub(in crate::app) heights: Heights,
 }
 
+/// The debrief of the session, and the last one before it.
+#[derive(Debug, Clone, Default)]
+pub struct Debriefs {
+    /// The debrief of the session; in a replay, of the recorded flight.
+    pub(in crate::app) session: Option<Debrief>,
+    /// The last debrief of an earlier session in this run of the program.
+    earlier: Option<Debrief>,
+    /// The rewards of that session.
+    earlier_reward: Option<Reward>,
+}
+
+impl Debriefs {
+    /// The debrief of the session; in a replay, of the recorded flight.
+    pub fn session(&self) -> Option<&Debrief> {
+        self.session.as_ref()
+    }
+
+    /// The debrief that the room shows.
+    pub fn shown(&self) -> Option<&Debrief> {
+        if self.shows_earlier() {
+            self.earlier.as_ref()
+        } else {
+            self.session.as_ref()
+        }
+    }
+
+    pub(in crate::app) fn shown_mut(&mut self) -> Option<&mut Debrief> {
+        if self.shows_earlier() {
+            self.earlier.as_mut()
+        } else {
+            self.session.as_mut()
+        }
+    }
+
+    /// Whether the debrief shown is from before the session. A replay of that flight does not replace it, since it has
+    /// no rewards.
+    pub fn shows_earlier(&self) -> bool {
+        match (&self.session, &self.earlier) {
+            (_, None) => false,
+            (None, Some(_)) => true,
+            (Some(session), Some(earlier)) => session.is_of_flight(earlier),
+        }
+    }
+
+    /// Stores the debrief of the session, which replaces the earlier one unless it is that of a replay.
+    pub(in crate::app) fn store(&mut self, debrief: Debrief, is_replay: bool) {
+        if !is_replay {
+            (self.earlier, self.earlier_reward) = (None, None);
+        }
+        self.session = Some(debrief);
+    }
+
+    /// Keeps the debrief of a session that is replaced by another one, with its rewards.
+    pub(in crate::app) fn keep(&mut self, reward: Option<Reward>) {
+        if let Some(debrief) = self.session.take() {
+            (self.earlier, self.earlier_reward) = (Some(debrief), reward);
+        }
+    }
+
+    /// Drops the debrief of a replay that ends, if there is an earlier one.
+    pub(in crate::app) fn end_replay(&mut self) {
+        if self.earlier.is_some() {
+            self.session = None;
+        }
+    }
+}
+
 /// The result at a glance, above the text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Summary {
@@ -63,6 +130,15 @@ pub struct Summary {
 impl Debrief {
     pub fn report(&self) -> &Report {
         &self.report
+    }
+
+    /// Whether both debriefs are those of one flight.
+    fn is_of_flight(&self, other: &Self) -> bool {
+        let facts = |it: &Self| {
+            let report = &it.report;
+            (report.seed, report.attempt, report.score, report.passed)
+        };
+        self.report.mission == other.report.mission && facts(self) == facts(other)
     }
 
     /// The first line shown.
@@ -135,8 +211,17 @@ impl Debrief {
 impl State {
     /// Whether the debrief opened so recently that keys are ignored.
     pub fn is_deaf(&self) -> bool {
-        let debrief = self.rooms.debrief.as_ref();
+        let debrief = self.rooms.debrief.shown();
         self.room == Room::Debrief && debrief.is_some_and(|debrief| debrief.is_deaf(self.wall))
+    }
+
+    /// The rewards of the flight whose debrief is shown.
+    pub fn debrief_reward(&self) -> Option<&Reward> {
+        if self.rooms.debrief.shows_earlier() {
+            self.rooms.debrief.earlier_reward.as_ref()
+        } else {
+            self.training.reward.as_ref()
+        }
     }
 }
 
@@ -164,7 +249,7 @@ const EMPTY_HINTS: &[KeyHint] = &[
     footer_keys::HELP,
 ];
 
-impl RoomModel for Option<Debrief> {
+impl RoomModel for Debriefs {
     const KEYS: &'static [KeyRow] = &[
         does(key('r'), Action::Again),
         does(key('s'), Action::AgainAlike),
@@ -188,7 +273,7 @@ impl RoomModel for Option<Debrief> {
     ];
 
     fn hints(state: &State) -> &'static [KeyHint] {
-        match state.rooms.debrief {
+        match state.rooms.debrief.shown() {
             Some(_) => HINTS,
             None => EMPTY_HINTS,
         }
@@ -201,22 +286,43 @@ impl RoomModel for Option<Debrief> {
 
     fn escape(state: &mut State) -> Answer {
         let width = state.display.size.0;
-        let debrief = state.rooms.debrief.as_mut();
-        Some(match debrief.filter(|debrief| debrief.is_map(width)) {
-            Some(debrief) => {
-                debrief.map = false;
-                Vec::new()
-            }
-            None if state.replay.is_some() => vec![RoomRequest::Show(Room::Fly)],
-            None => vec![RoomRequest::Leave],
-        })
+        let debrief = state.rooms.debrief.shown_mut();
+        if let Some(debrief) = debrief.filter(|debrief| debrief.is_map(width)) {
+            debrief.map = false;
+            return Some(Vec::new());
+        }
+        let is_earlier = state.rooms.debrief.shows_earlier();
+        // The review was only opened to explain this debrief.
+        let is_reviewed = is_earlier && state.rooms.review.is_from_debrief;
+        let is_under_way = match state.replay {
+            Some(_) => !is_reviewed,
+            None => is_earlier && state.session.activity.is_some(),
+        };
+        Some(vec![if is_under_way {
+            RoomRequest::Show(Room::Fly)
+        } else {
+            RoomRequest::Leave
+        }])
+    }
+
+    /// The last debrief stays until the next one.
+    fn forget_session(&mut self) {
+        self.session = None;
     }
 
     fn start(state: &mut State, action: StartAction) -> Answer {
         match action {
             StartAction::Drill => {
-                let flown = state.rooms.debrief.as_ref()?.report.mission.clone();
-                Some(fly_drill(state, &flown))
+                let report = &state.rooms.debrief.shown()?.report;
+                let flown = report.mission.clone();
+                // After a failure, the text names this drill.
+                let named = report.drill.clone().filter(|_| !report.passed);
+                let mut all = state.training.missions.iter();
+                let listed = named.filter(|drill| all.any(|it| it.id == *drill));
+                Some(match listed {
+                    Some(drill) => vec![RoomRequest::Fly(state.training().launch(&drill))],
+                    None => fly_drill(state, &flown),
+                })
             }
             StartAction::Daily | StartAction::Exam | StartAction::Practise => None,
         }
@@ -234,7 +340,7 @@ pub(super) fn act(state: &mut State, action: DebriefAction) -> Vec<RoomRequest> 
             before.or(sections.last()).copied().unwrap_or(last)
         }),
         DebriefAction::TruthMap => {
-            if let Some(debrief) = &mut state.rooms.debrief {
+            if let Some(debrief) = state.rooms.debrief.shown_mut() {
                 debrief.map = !debrief.map;
             }
         }
@@ -246,33 +352,34 @@ pub(super) fn act(state: &mut State, action: DebriefAction) -> Vec<RoomRequest> 
 /// Scrolls to the line that `to` computes from the current first line, the first lines of the
 /// sections, and the number of possible first lines.
 fn turn(state: &mut State, to: impl FnOnce(usize, &[usize], usize) -> usize) {
-    let height = state.display.size.1;
-    if let Some(debrief) = &mut state.rooms.debrief {
-        // The header and the footer take a row each.
-        let free_rows = height.saturating_sub(2 + debrief.summary(height).rows);
-        let rows = usize::from(free_rows);
-        let lines = debrief.lines_below(state.training.reward.as_ref(), &state.locale);
-        let positions = (lines.len() + 1).saturating_sub(rows).max(1);
-        let headings = lines
-            .iter()
-            .enumerate()
-            .filter(|(_, line)| line.tone == DebriefTone::Heading);
-        let sections: Vec<usize> = headings.map(|(at, _)| at.min(positions - 1)).collect();
-        debrief.scroll = to(debrief.scroll.min(positions - 1), &sections, positions);
+    let keys_above = u16::from(state.has_keys_above_replay());
+    let height = state.display.size.1.saturating_sub(keys_above);
+    let Some(debrief) = state.rooms.debrief.shown() else {
+        return;
+    };
+    // The header and the footer take a row each.
+    let free_rows = height.saturating_sub(2 + debrief.summary(height).rows);
+    let rows = usize::from(free_rows);
+    let lines = debrief.lines_below(state.debrief_reward(), &state.locale);
+    let positions = (lines.len() + 1).saturating_sub(rows).max(1);
+    let headings = lines
+        .iter()
+        .enumerate()
+        .filter(|(_, line)| line.tone == DebriefTone::Heading);
+    let sections: Vec<usize> = headings.map(|(at, _)| at.min(positions - 1)).collect();
+    let scroll = to(debrief.scroll.min(positions - 1), &sections, positions);
+    if let Some(debrief) = state.rooms.debrief.shown_mut() {
+        debrief.scroll = scroll;
     }
 }
 
-/// Flies the recommended mission; without a profile, the one after the mission just flown.
+/// Flies the recommended mission or drill; without a profile, the one after the mission just flown.
 fn next_mission(state: &mut State) -> Vec<RoomRequest> {
-    if let Some(next) = state
-        .training
-        .career
-        .as_ref()
-        .and_then(Career::next_mission)
-    {
-        return vec![RoomRequest::Fly(state.training().launch(next))];
+    let career = state.training.career.as_ref();
+    if let Some((_, next)) = career.and_then(Career::next) {
+        return vec![RoomRequest::Fly(state.training().launch(&next.id))];
     }
-    let debriefed = state.rooms.debrief.as_ref();
+    let debriefed = state.rooms.debrief.shown();
     let flown = debriefed.map(|debrief| debrief.report.mission.as_str());
     let of = |it: &Listing| it.drill_of.clone().unwrap_or_else(|| it.id.clone());
     let mut all = state.training.missions.iter();

@@ -6,11 +6,12 @@ use std::time::Duration;
 use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::action::{Action, SelectAction, Step, ViewAction};
-use crate::app::keymap::{HintKeys, KeyHint, KeyRow, Place, does, hint, key, writes};
+use crate::app::keymap::{HintKeys, KeyHint, KeyRow, Place, does, hint, key, latin_line, writes};
 use crate::app::room::{Answer, Room, RoomModel, footer_keys};
-use crate::app::state::{Purpose, SortKey, VehicleFilter};
+use crate::app::state::{FlightView, Purpose, SortKey, VehicleFilter};
 use crate::config::{Column, TableSort};
 use crate::text;
+use crate::text::Locale;
 use crate::vehicle::{Severity, VehicleId};
 
 /// The minimum time between changes of the order, so that the eye can follow a row.
@@ -230,9 +231,26 @@ pub fn filter(state: &mut State, text: &str) {
     }
 }
 
+/// The filter in force: as typed, or read by its keys if only that finds a vehicle.
+fn in_force(text: &str, session: &FlightView, locale: &Locale) -> VehicleFilter {
+    let finds = |filter: &VehicleFilter| {
+        let mut vehicles = session.vehicles.values();
+        vehicles.any(|vehicle| filter.fits(vehicle, session, locale))
+    };
+    let typed = VehicleFilter::new(text);
+    let Some(read) = latin_line(text).map(|read| VehicleFilter::new(&read)) else {
+        return typed;
+    };
+    if !finds(&typed) && finds(&read) {
+        read
+    } else {
+        typed
+    }
+}
+
 /// Adds a row for a new vehicle that matches the filter; the row is sorted in at the next update.
 pub fn heard(state: &mut State, id: VehicleId) {
-    let filter = VehicleFilter::new(&state.rooms.fly.filter);
+    let filter = in_force(&state.rooms.fly.filter, &state.session, &state.locale);
     let fits = |state: &State| {
         let vehicle = state.session.vehicles.get(&id);
         vehicle.is_some_and(|vehicle| filter.fits(vehicle, &state.session, &state.locale))
@@ -310,7 +328,7 @@ pub(in crate::app) fn arrange(state: &mut State) {
         fly.keys.clear();
     }
     fly.ordered = Some((sort, state.now));
-    let filter = VehicleFilter::new(&fly.filter);
+    let filter = in_force(&fly.filter, session, &state.locale);
     let held = session.choice.cursor.filter(|id| fly.rows.contains(id));
     let shown = session.vehicles.values().filter(|vehicle| {
         held == Some(vehicle.id)

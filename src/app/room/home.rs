@@ -5,7 +5,7 @@ use crate::app::action::{Action, ReplayAction, StartAction, Step};
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::keymap::{ENTER, KeyHint, KeyRow, does, hint, key};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
-use crate::app::state::Purpose;
+use crate::app::state::{Career, Purpose};
 use crate::campaign::Stake;
 use crate::mission::Listing;
 use crate::text;
@@ -70,10 +70,21 @@ fn of_drill<'a>(state: &'a State, drill: &Listing) -> Option<&'a Listing> {
         .find(|mission| mission.id == *of)
 }
 
-/// The drill for a mission, by the mission's id; `None` if it has no drill.
+/// The drill that is flown for a mission, by the mission's id: the recommended one if it belongs to the mission,
+/// otherwise the first one that is not passed yet, otherwise the first one; `None` if the mission has no drill.
 pub fn drill<'a>(state: &'a State, mission: &str) -> Option<&'a Listing> {
-    let mut all = state.training.missions.iter();
-    all.find(|listing| listing.drill_of.as_deref() == Some(mission))
+    let all = state.training.missions.iter();
+    let drills: Vec<&Listing> = all
+        .filter(|listing| listing.drill_of.as_deref() == Some(mission))
+        .collect();
+    let career = state.training.career.as_ref();
+    let advised = career
+        .and_then(Career::next)
+        .map(|(_, offer)| offer.id.as_str());
+    let is_passed = |drill: &Listing| career.is_some_and(|it| it.standing.has_passed(&drill.id));
+    let next = drills.iter().find(|it| Some(it.id.as_str()) == advised);
+    let open = drills.iter().find(|it| !is_passed(it));
+    next.or(open).or(drills.first()).copied()
 }
 
 /// Flies the drill for a mission.

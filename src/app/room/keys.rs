@@ -85,6 +85,7 @@ const REPLAY: &[KeyRow] = &[
     does(key('{'), Action::Replay(ReplayAction::PreviousMoment)),
     does(key('}'), Action::Replay(ReplayAction::NextMoment)),
     does(key('m'), Action::Replay(ReplayAction::ShowMoments)),
+    does(key('Q'), Action::Leave),
 ];
 
 const READER: &[KeyRow] = &[

@@ -2,7 +2,7 @@
 
 use crate::app::State;
 use crate::app::action::{Action, LedgerAction, Step, ViewAction};
-use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key};
+use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, does, hint, key, latin_line};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Purpose;
 use crate::ledger::{ForeignCommand, LedgerEntry, LedgerItem, LedgerKey, LedgerNumber, RowState};
@@ -251,10 +251,20 @@ pub fn tick(state: &mut State) -> bool {
 fn find(state: &mut State) {
     let room = &mut state.rooms.ledger;
     room.stale = false;
-    let terms = terms(&room.filter);
-    let items = state.session.commands.ledger.newest_first();
-    let fitting = items.filter(|&item| fits(room.outcome, &terms, item));
-    room.shown = fitting.map(LedgerItem::key).collect();
+    let outcome = room.outcome;
+    let found = |filter: &str| -> Vec<LedgerKey> {
+        let terms = terms(filter);
+        let items = state.session.commands.ledger.newest_first();
+        let fitting = items.filter(|&item| fits(outcome, &terms, item));
+        fitting.map(LedgerItem::key).collect()
+    };
+    room.shown = found(&room.filter);
+    // Nothing is found as typed: the filter may be in another keyboard layout.
+    if room.shown.is_empty()
+        && let Some(read) = latin_line(&room.filter)
+    {
+        room.shown = found(&read);
+    }
     room.shown.reverse();
 }
 

@@ -89,6 +89,8 @@ pub struct Review {
     pub(in crate::app) cursor: usize,
     /// The first line shown of a page.
     pub(in crate::app) scroll: usize,
+    /// Whether the room was entered from the debrief.
+    pub(in crate::app) is_from_debrief: bool,
 }
 
 impl Review {
@@ -219,7 +221,9 @@ impl RoomModel for Review {
     }
 
     fn escape(state: &mut State) -> Answer {
+        let has_debrief = state.rooms.debrief.shown().is_some();
         let room = match state.replay {
+            _ if state.rooms.review.is_from_debrief && has_debrief => Room::Debrief,
             Some(_) => Room::Fly,
             None => Room::Home,
         };

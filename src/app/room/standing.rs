@@ -90,6 +90,16 @@ const HINTS: &[KeyHint] = &[
     footer_keys::HELP,
 ];
 
+/// The key hints of the pane with the curves, which has no cursor.
+const WEALTH_HINTS: &[KeyHint] = &[
+    hint(&[Action::View(ViewAction::NextPage)], "hint-page"),
+    hint(&[Action::Aids], "hint-aids"),
+    hint(&[Action::Profiles], "hint-trainee"),
+    footer_keys::BACK,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+];
+
 impl RoomModel for Standing {
     const KEYS: &'static [KeyRow] = &[
         does(ENTER, Action::Submit),
@@ -102,8 +112,11 @@ impl RoomModel for Standing {
         does(key('u'), Action::Profiles),
     ];
 
-    fn hints(_state: &State) -> &'static [KeyHint] {
-        HINTS
+    fn hints(state: &State) -> &'static [KeyHint] {
+        match state.rooms.standing.pane {
+            Pane::Skills | Pane::Scores => HINTS,
+            Pane::Wealth => WEALTH_HINTS,
+        }
     }
 
     fn step(state: &mut State, step: Step) -> Answer {
@@ -112,7 +125,11 @@ impl RoomModel for Standing {
     }
 
     fn submit(state: &mut State) -> Answer {
-        Some(to_mission(state))
+        Some(match state.rooms.standing.pane {
+            Pane::Skills => to_training(state),
+            Pane::Scores => to_mission(state),
+            Pane::Wealth => Vec::new(),
+        })
     }
 
     fn escape(_state: &mut State) -> Answer {
@@ -155,30 +172,60 @@ fn walk(state: &mut State, step: Step) {
 /// Switches to the next level of advice; the change applies at once, even in flight.
 pub fn change_aids(state: &mut State) -> Vec<RoomRequest> {
     let Some(career) = &state.training.career else {
-        let key = state.key(Action::Profiles);
-        state.say(Severity::Notice, text!("standing-choose-first", key = key));
-        return Vec::new();
+        return ask_for_profile(state);
     };
     let aids = career.aids.next();
     state.say(Severity::Notice, aids.explained());
     vec![Effect::Career(CareerEffect::SetAids(aids)).into()]
 }
 
+fn ask_for_profile(state: &mut State) -> Vec<RoomRequest> {
+    let key = state.key(Action::Profiles);
+    state.say(Severity::Notice, text!("standing-choose-first", key = key));
+    Vec::new()
+}
+
+/// Goes to the mission that trains the skill under the cursor, or says why there is none.
+fn to_training(state: &mut State) -> Vec<RoomRequest> {
+    let Some(career) = &state.training.career else {
+        return ask_for_profile(state);
+    };
+    let Some(&skill) = Skill::ALL.get(state.rooms.standing.skill) else {
+        return Vec::new();
+    };
+    if let Some(offer) = career.training(skill) {
+        let mission = mission_of(offer);
+        return show_mission(state, &mission);
+    }
+    let trains = |offer: &&Offer| offer.drill_of.is_none() && offer.skills.contains(&skill);
+    let mut locked = career.course.offers().iter().filter(trains);
+    let why = locked.find_map(|offer| career.lock(&offer.id));
+    let text = match why {
+        Some(why) => text!("standing-skill-locked", skill = skill.title(), why = why),
+        None => text!("standing-skill-untrained", skill = skill.title()),
+    };
+    state.say(Severity::Notice, text);
+    Vec::new()
+}
+
 /// Goes to the mission under the cursor on the home screen, where it can be flown.
 fn to_mission(state: &mut State) -> Vec<RoomRequest> {
-    let room = &state.rooms.standing;
-    let Some(career) = state
-        .training
-        .career
-        .as_ref()
-        .filter(|_| room.pane == Pane::Scores)
-    else {
+    let Some(career) = &state.training.career else {
+        return ask_for_profile(state);
+    };
+    let Some(offer) = flown(career).get(state.rooms.standing.mission).copied() else {
         return Vec::new();
     };
-    let Some(offer) = flown(career).get(room.mission).copied() else {
-        return Vec::new();
-    };
-    let mission = offer.drill_of.clone().unwrap_or_else(|| offer.id.clone());
-    home::point_at(state, Some(&mission));
+    let mission = mission_of(offer);
+    show_mission(state, &mission)
+}
+
+/// The id of the mission; for a drill, of the one that it prepares for.
+fn mission_of(offer: &Offer) -> String {
+    offer.drill_of.clone().unwrap_or_else(|| offer.id.clone())
+}
+
+fn show_mission(state: &mut State, mission: &str) -> Vec<RoomRequest> {
+    home::point_at(state, Some(mission));
     vec![RoomRequest::Show(Room::Home)]
 }

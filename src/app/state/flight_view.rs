@@ -142,7 +142,7 @@ impl FlightView {
         })
     }
 
-    /// A vehicle's current command and its row: the newest one under way, otherwise the newest.
+    /// A vehicle's current command and its row: the newest one under way, otherwise the one that ended last.
     pub fn latest(&self, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
         self.commands.latest(vehicle)
     }

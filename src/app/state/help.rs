@@ -3,7 +3,7 @@
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::State;
-use crate::app::keymap::{Binding, Keymap, Place, Press};
+use crate::app::keymap::{Binding, Keymap, Place, Press, latin_line};
 use crate::app::room_list::Room;
 use crate::language::{Channel, VerbRow, rows};
 use crate::text::{Locale, Text, wrap};
@@ -58,13 +58,18 @@ impl HelpPage {
         self.is_searching
     }
 
-    /// The lines of the help that match the search.
+    /// The lines of the help that match the search; if none does, those that match it as typed in another keyboard
+    /// layout.
     pub fn lines(&self, scene: HelpScene<'_>, locale: &Locale) -> Vec<HelpLine> {
         let lines = help_lines(scene, locale);
         if self.search.is_empty() {
             return lines;
         }
-        found(&lines, &self.search)
+        let as_typed = found(&lines, &self.search);
+        match latin_line(&self.search) {
+            Some(read) if as_typed.is_empty() => found(&lines, &read),
+            _ => as_typed,
+        }
     }
 
     /// The indices of the titles among [`lines`](Self::lines).
@@ -398,6 +403,22 @@ mod tests {
         assert_eq!(places("take"), [0, 2, 4, 5, 6]);
         assert_eq!(places("commands"), [4, 5, 6, 7]);
         assert_eq!(places("hover"), [0; 0]);
+    }
+
+    #[test]
+    fn a_search_in_the_ukrainian_layout_is_read_by_its_keys() {
+        let keymap = Keymap::default();
+        let locale = Locale::new(Language::English);
+        let lines = |search: &str| {
+            let page = HelpPage {
+                search: search.to_owned(),
+                ..HelpPage::default()
+            };
+            page.lines(flight(&keymap, Room::Fly), &locale)
+        };
+        assert!(!lines("goto").is_empty());
+        assert_eq!(lines("пщещ"), lines("goto"));
+        assert!(lines("злетіти").is_empty());
     }
 
     #[test]

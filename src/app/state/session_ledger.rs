@@ -32,14 +32,18 @@ impl SessionLedger {
         entry
     }
 
-    /// A vehicle's current command and its row: the newest one under way, otherwise the newest.
+    /// A vehicle's current command and its row: the newest one under way; otherwise the one that ended last, so that
+    /// the end of a survey is not hidden by a `speed` given meanwhile.
     pub fn latest(&self, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
         let recent = self.recent.get(&vehicle)?;
         let found = |&id: &EntryId| row(&self.ledger, id, vehicle);
         let mut newest_first = recent.iter().rev().filter_map(found);
         newest_first
             .find(|(_, row)| !row.state.is_final())
-            .or_else(|| recent.last().and_then(found))
+            .or_else(|| {
+                let all = recent.iter().filter_map(found);
+                all.max_by_key(|(_, row)| (!row.is_over(), row.changed_at))
+            })
     }
 
     /// Ends the commands under way to a vehicle that is dropped.

@@ -57,15 +57,18 @@ fn announce(state: &mut State, effect: &SessionEffect) {
     }
 }
 
-/// Drops the session and shows the home screen. The debrief stays until another session starts.
+/// Drops the session and shows the home screen. The debrief stays until the next one.
 pub fn go_home(state: &mut State) {
     let session = std::mem::take(&mut state.session);
     state.notices.keep_times(&session);
+    if state.replay.is_some() {
+        state.rooms.debrief.end_replay();
+    }
     state.leave_replay();
     state.ghost = None;
-    let debrief = state.rooms.debrief.take();
+    let debriefs = std::mem::take(&mut state.rooms.debrief);
     state.rooms.forget_session();
-    state.rooms.debrief = debrief;
+    state.rooms.debrief = debriefs;
     state.typing.targets.clear();
     state.room = Room::Home;
 }

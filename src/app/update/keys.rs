@@ -8,7 +8,7 @@ use super::{act, consequence, palette, profiles, prompt, reader, selection, typi
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
-use crate::app::keymap::{Meaning, Place};
+use crate::app::keymap::{Meaning, Place, latin_key};
 use crate::app::room::{Room, plans};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::language::{Word, words};
@@ -137,7 +137,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
         .replay
         .as_ref()
         .and_then(|_| state.keymap.resolve(key, Place::Replay));
-    let meaning = in_replay.or_else(|| state.keymap.resolve(key, Place::In(state.room)));
+    let meaning = in_replay.or_else(|| in_room(state, key));
     match meaning.cloned() {
         Some(Meaning::Do(action)) => act::act(state, action),
         Some(Meaning::Write(words)) => {
@@ -158,6 +158,16 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     }
 }
 
+/// The meaning of a key in the room. A comma continues a vehicle list; without one, it counts by its position: `?`.
+fn in_room(state: &State, key: KeyEvent) -> Option<&Meaning> {
+    let place = Place::In(state.room);
+    let is_stray = key.code == KeyCode::Char(',') && state.typing.targets.is_empty();
+    match state.keymap.resolve(key, place) {
+        Some(Meaning::Type) if is_stray => state.keymap.by_position(key, place),
+        found => found,
+    }
+}
+
 /// A key's command line with the typed vehicle list as targets, unless the line names its own.
 fn addressed(state: &mut State, line: &str) -> String {
     let typed = std::mem::take(&mut state.typing.targets);
@@ -169,11 +179,11 @@ fn addressed(state: &mut State, line: &str) -> String {
     }
 }
 
-/// Handles a key while a question is open. Only the exact answer confirms; any other key means no.
-/// Enter, Esc, their replacements in a keymap file, and `n` close the question at once; the command
-/// line's key opens the command line, as everywhere. After any other character, the question stays
-/// on the screen as cancelled and ignores further keys; otherwise a line typed blindly would act on
-/// the screen below.
+/// Handles a key while a question is open. Only the exact answer confirms, or the key of `y` in the
+/// Ukrainian layout; any other key means no. Enter, Esc, their replacements in a keymap file, and
+/// `n` close the question at once; the command line's key opens the command line, as everywhere.
+/// After any other character, the question stays on the screen as cancelled and ignores further
+/// keys; otherwise a line typed blindly would act on the screen below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
     let opens = state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine);
@@ -190,11 +200,10 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
         // Whatever a keymap file binds them to, they never confirm and always close the question.
         KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
         KeyCode::Char(_) if control => refuse(state, &question),
-        // By its position `н` would be `y`, but it is the first letter of the Ukrainian word for "no": letters of
-        // another layout never confirm.
-        KeyCode::Char('n' | 'т' | 'н') if question.answer == "y" => refuse(state, &question),
+        KeyCode::Char('n' | 'т') if question.answer == "y" => refuse(state, &question),
         KeyCode::Char(c) if !question.cancelled => {
-            question.typed.push(c);
+            let answer = answered(&question, c);
+            question.typed.push(answer);
             if question.typed == question.answer {
                 // Only a change of the session leads to another screen.
                 if matches!(question.then, Consequence::Effect(Effect::Session(_))) {
@@ -213,6 +222,14 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
         }
     }
     Effects::none()
+}
+
+/// The character of an answer: `н` and `Н` lie on the key of `y`.
+fn answered(question: &Confirm, typed: char) -> char {
+    match latin_key(typed) {
+        Some('y' | 'Y') if question.answer == "y" => 'y',
+        _ => typed,
+    }
 }
 
 fn refuse(state: &mut State, question: &Confirm) {

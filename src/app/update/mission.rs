@@ -134,6 +134,9 @@ pub fn start_exam(state: &mut State, mission: &str) -> Effects {
 /// Flies the same mission again, with the same seed if `alike`; asks first if something would be
 /// lost.
 pub fn restart(state: &mut State, alike: bool) -> Effects {
+    if let Some(launch) = debriefed(state, alike) {
+        return start(state, launch);
+    }
     if state.replay.is_some() {
         state.say(Severity::Notice, text!("restart-not-replay"));
         return Effects::none();
@@ -144,6 +147,24 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
     }
     let effect = Effect::Session(SessionEffect::Restart { alike });
     guarded(state, text!("ask-restart"), effect)
+}
+
+/// The mission of a debrief whose session has ended, with the same seed if `alike`, which is then practice.
+fn debriefed(state: &State, alike: bool) -> Option<Launch> {
+    let debriefs = &state.rooms.debrief;
+    let has_ended = debriefs.shows_earlier() || state.session.activity.is_none();
+    let is_here = state.room == Room::Debrief && has_ended;
+    let report = debriefs.shown().filter(|_| is_here)?.report();
+    let launch = state.training().launch(&report.mission);
+    Some(if alike {
+        Launch {
+            stake: Stake::Practice,
+            seed: Some(report.seed),
+            ..launch
+        }
+    } else {
+        launch
+    })
 }
 
 /// Ends the mission, after a question; leaves it if the flight has not begun.

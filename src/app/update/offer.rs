@@ -51,11 +51,14 @@ impl Nearness {
     }
 }
 
-/// The lines that match the text, in the line itself or in its meaning, best first. Fewer than
-/// `FEW` letters would match nearly everywhere, so they are compared only with the beginnings of
-/// the line's words. More letters are also compared with the meaning. Scattered letters count only
-/// if there is no better match, and never for the verbs of vehicles.
-pub fn lines(state: &State, written: &str) -> Vec<Completion> {
+/// A line with its meaning, and how well it matches the text.
+type Scored = (Nearness, u32, (String, Text));
+
+/// The lines that match the text, in the line itself or in its meaning. Fewer than `FEW` letters
+/// would match nearly everywhere, so they are compared only with the beginnings of the line's
+/// words. More letters are also compared with the meaning. Scattered letters never count for the
+/// verbs of vehicles.
+fn scored(state: &State, written: &str) -> Vec<Scored> {
     let mut all = state.with_context(language::lines);
     if state.replay.is_none() {
         all.retain(|(line, _)| !needs_replay(state, line));
@@ -73,8 +76,7 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
     let pattern = Pattern::parse(wanted, CaseMatching::Ignore, Normalization::Smart);
     let mut matcher = Matcher::new(Config::DEFAULT);
     let mut buffer = Vec::new();
-    let mut scored: Vec<(Nearness, u32, (String, Text))> = all
-        .into_iter()
+    all.into_iter()
         .filter_map(|(line, hint)| {
             let synonyms = synonyms(&line, &state.locale);
             let hint_words = state.locale.text(&hint);
@@ -87,8 +89,20 @@ pub fn lines(state: &State, written: &str) -> Vec<Completion> {
             let is_meant = near != Nearness::Scattered || !is_verb();
             (near <= farthest && is_meant).then_some((near, score, (line, hint)))
         })
-        .collect();
-    let is_exact = language::row(wanted).is_some();
+        .collect()
+}
+
+/// Whether the text matches a line better than by scattered letters.
+pub fn is_near(state: &State, written: &str) -> bool {
+    let scored = scored(state, written);
+    scored.iter().any(|(near, ..)| *near != Nearness::Scattered)
+}
+
+/// The lines that match the text, best first. Scattered letters count only if there is no better
+/// match.
+pub fn lines(state: &State, written: &str) -> Vec<Completion> {
+    let mut scored = scored(state, written);
+    let is_exact = language::row(written.trim()).is_some();
     if is_exact || scored.iter().any(|(near, ..)| *near != Nearness::Scattered) {
         scored.retain(|(near, ..)| *near != Nearness::Scattered);
     }

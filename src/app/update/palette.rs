@@ -4,12 +4,13 @@ use crossterm::event::KeyEvent;
 use tui_input::Input;
 
 use super::console_line;
+use super::latin::{in_latin, in_typed};
 use super::order::Given;
 use super::{offer, order, typing};
 use crate::app::State;
 use crate::app::action::{Action, LineAction};
 use crate::app::effect::{Effect, Effects, FileEffect};
-use crate::app::keymap::{Meaning, Place, latin};
+use crate::app::keymap::{Meaning, Place};
 use crate::app::state::{Folder, Overlay, Palette};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Completion, VehicleChoice, words};
@@ -159,24 +160,6 @@ pub fn listed(state: &mut State, path: &str, names: Vec<String>) {
     }
 }
 
-/// A line in the Ukrainian keyboard layout as the Latin keys in its positions; `None` if the line is
-/// valid as typed, or is no command in Latin letters either.
-fn in_latin(state: &State, line: &str) -> Option<String> {
-    let letters = line.chars().map(|letter| latin(letter).unwrap_or(letter));
-    let read = letters.collect::<String>();
-    if read == line || order::read(state, line).is_ok() {
-        return None;
-    }
-    let has_verb = |line: &str| {
-        let said = state.with_context(|context| language::said(line, context));
-        said.is_ok()
-    };
-    // Its arguments may follow.
-    let is_begun = || has_verb(&read) && !has_verb(line);
-    let is_command = order::read(state, &read).is_ok() || is_begun();
-    is_command.then_some(read)
-}
-
 /// Evaluates the line so far: its targets, its usage, its faults, and what Enter would do.
 fn judge(state: &State, palette: &mut Palette) {
     palette.reading = in_latin(state, palette.input.value());
@@ -191,11 +174,10 @@ fn judge(state: &State, palette: &mut Palette) {
     match order::read(state, line) {
         Ok(Given::Own(_)) => {}
         Ok(Given::Order(order)) => palette.outcome = Some(order::announced(state, &order)),
-        // Enter shows the fault in the line as it is read.
-        Err(_) if palette.reading.is_some() => {}
         Err(fault) => {
             let being_written = byte_cursor(&palette.input);
-            palette.fault = Some(fault).filter(|fault| is_finished(line, fault, being_written));
+            let fault = in_typed(fault, line, typed);
+            palette.fault = Some(fault).filter(|fault| is_finished(typed, fault, being_written));
         }
     }
 }

@@ -6,6 +6,9 @@ use crate::app::state::{Log, Overlay, ReplayView};
 
 pub fn show(state: &mut State, room: Room) {
     state.hush();
+    if room == Room::Review && state.room != room {
+        state.rooms.review.is_from_debrief = state.room == Room::Debrief;
+    }
     state.room = room;
     room::entered(state, room);
 }

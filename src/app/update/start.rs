@@ -25,6 +25,11 @@ pub fn opened(state: &mut State, view: ReplayView, started: Started) {
 /// session nor its replay stays on the screen.
 fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
     let is_again = started.is_again || replay.is_some();
+    let is_from_debrief = state.room == Room::Debrief;
+    let reward = state.training.reward.take();
+    if state.replay.is_none() {
+        state.rooms.debrief.keep(reward);
+    }
     state.now = match replay {
         Some(_) => Duration::ZERO,
         None => state.clock,
@@ -41,9 +46,9 @@ fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
     state.session = session;
     // Earlier notices and drops belong to the previous session.
     state.notices = NoticeLog::default();
-    state.training.reward = None;
     state.ghost = None;
     state.rooms.forget_session();
+    state.rooms.review.is_from_debrief = is_from_debrief;
     map::began(state);
     state.typing.targets.clear();
     // Until the vehicles are there, the hangar shows their start.

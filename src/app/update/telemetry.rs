@@ -223,13 +223,15 @@ pub fn ended(state: &mut State, report: Box<Report>) {
         let tries = report.tries.clone();
         state.training.tries.insert(report.mission.clone(), tries);
     }
-    state.rooms.debrief = Some(Debrief {
+    let debrief = Debrief {
         heights: state.session.task.heights.clone(),
         report,
         scroll: 0,
         map: false,
         since: state.wall,
-    });
+    };
+    let is_replay = state.replay.is_some();
+    state.rooms.debrief.store(debrief, is_replay);
     state.session.task.over = true;
     if state.replay.is_some() {
         return;

@@ -71,6 +71,27 @@ fn a_drill_is_advised_once_its_mission_was_tried_and_easy_missions_come_first() 
 }
 
 #[test]
+fn a_skill_is_trained_by_the_best_mission_that_is_open() {
+    let trains = |id: &str, skill, tier, after: &[&str]| Offer {
+        skills: vec![skill],
+        tier,
+        ..offer(id, 1, after, &[])
+    };
+    let course = MissionCourse::new([
+        trains("relay", Skill::K5, 2, &[]),
+        trains("link", Skill::K5, 1, &[]),
+        trains("plume", Skill::K6, 0, &["relay"]),
+    ]);
+    let training = |skill| {
+        let offer = course.training(skill, &CareerStanding::default(), 1);
+        offer.map(|offer| offer.id.clone())
+    };
+    assert_eq!(training(Skill::K5).as_deref(), Some("link"));
+    assert_eq!(training(Skill::K6), None, "it is locked");
+    assert_eq!(training(Skill::K7), None, "none trains it");
+}
+
+#[test]
 fn the_drill_of_a_mission_that_is_locked_again_is_not_advised() {
     let course = MissionCourse::new([
         offer("one", 1, &["never"], &[]),

@@ -40,6 +40,11 @@ pub(crate) enum Standard {
     Aircraft,
 }
 
+/// The title of a threat, from its name in files; `None` if there is none.
+pub fn threat_title(name: &str) -> Option<Text> {
+    Standard::named(name).map(Standard::title)
+}
+
 impl Standard {
     /// All injects by their names in files.
     pub const ALL: [(&str, Self); 9] = [

@@ -121,7 +121,11 @@ impl Flight {
                 reason = event.text.clone()
             ));
         }
-        if phase == Phase::Done && self.is_down_again() && !self.is_over() {
+        let takes_reports = || {
+            let mut objectives = self.mission.objectives.iter();
+            objectives.any(|objective| objective.kind.sought().is_some())
+        };
+        if phase == Phase::Done && self.is_down_again() && !self.is_over() && takes_reports() {
             return Some(text!("mission-landed"));
         }
         if self.has_touched_down() && !self.is_over() {

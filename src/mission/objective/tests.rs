@@ -145,23 +145,15 @@ fn a_place_is_checked_by_a_stop_there_before_the_report() {
     pilot.take_off(15.0);
     pilot.goto(40.0, 0.0, 8.0);
     mark_as(&mut pilot, [0.0, 40.0], FindKind::Source);
-    assert_eq!(shown(&mut pilot), "looked at closely: 0/1 reports");
+    assert_eq!(shown(&mut pilot), "0/1 reports");
     pilot.wait(5.0);
-    assert_eq!(
-        shown(&mut pilot),
-        "looked at closely: 0/1 reports",
-        "too late"
-    );
+    assert_eq!(shown(&mut pilot), "0/1 reports", "too late");
     mark_as(&mut pilot, [5.0, 42.0], FindKind::Source);
-    assert_eq!(shown(&mut pilot), "looked at closely: 1/2 reports");
+    assert_eq!(shown(&mut pilot), "1/2 reports");
     pilot.goto(80.0, 0.0, 8.0);
     pilot.goto(40.0, 0.0, 8.0);
     mark_as(&mut pilot, [0.0, 60.0], FindKind::Source);
-    assert_eq!(
-        shown(&mut pilot),
-        "looked at closely: 1/3 reports",
-        "too fast"
-    );
+    assert_eq!(shown(&mut pilot), "1/3 reports", "too fast");
 }
 
 /// The first comparison of the map is after 100 s.

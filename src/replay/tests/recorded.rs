@@ -155,6 +155,7 @@ pub(super) fn write_journal(frames: &std::path::Path) {
             state,
             tries: 1,
             why: Some("it is tired".to_owned()),
+            text: None,
         })
     };
     let foreign = |count| {

@@ -279,7 +279,8 @@ async fn a_mission_that_was_flown_is_replayed_with_its_objectives_and_its_debrie
         .state()
         .rooms()
         .debrief()
-        .clone()
+        .session()
+        .cloned()
         .expect("a debrief");
 
     // Another console is recording a newer flight.
@@ -302,6 +303,6 @@ async fn a_mission_that_was_flown_is_replayed_with_its_objectives_and_its_debrie
     assert!(replayed.0 >= flown.0, "{replayed:?} {flown:?}");
     assert_eq!(replayed.1.len(), flown.1.len());
     assert_eq!(replayed.2, flown.2);
-    let again = state.rooms().debrief().as_ref().expect("a debrief");
+    let again = state.rooms().debrief().session().expect("a debrief");
     assert_eq!(again.report().score, report.report().score);
 }

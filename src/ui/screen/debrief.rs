@@ -18,7 +18,7 @@ const HEADER_AND_FOOTER: u16 = 2;
 
 /// Draws the text from its first visible line; scrolling ends when the last line is at the bottom.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some(debrief) = state.rooms().debrief() else {
+    let Some(debrief) = state.rooms().debrief().shown() else {
         return draw_nothing(panel, buffer);
     };
     let beside = debrief.is_beside(panel.area.width);
@@ -34,7 +34,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         panel.area
     };
     let height = panel.area.height + HEADER_AND_FOOTER;
-    let lines = debrief.lines_below(state.training().reward(), &panel.look.locale);
+    let lines = debrief.lines_below(state.debrief_reward(), &panel.look.locale);
     let page = panel.at(centred(TEXT_WIDTH, page.height, page));
     let summary = debrief.summary(height);
     summary::draw(debrief, summary, page.upper(summary.rows), buffer);

@@ -12,20 +12,24 @@ use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, clip, put, replay, severity_role, width as width_of, wrap};
+use crate::ui::widget::{below, clip, put, replay, row_of, severity_role, width as width_of, wrap};
 
 /// The maximum number of rows of a message.
 const MOST_ROWS: usize = 3;
 
 /// Draws the footer into the last row of the screen. A longer message also takes rows above it; the timeline of a replay
-/// stays in the last row.
+/// stays in the last row, below the keys of rooms that are used apart from the flight.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let row = below(panel.area, panel.area.height.saturating_sub(1));
-    let lines = match (message(state, panel), state.replay()) {
+    let mut lines = match (message(state, panel), state.replay()) {
         (None, _) => vec![line(state, panel.at(row))],
         (Some(lines), None) => lines,
         (Some(lines), Some(view)) => with_timeline(state, view, lines, panel.at(row)),
     };
+    if state.has_keys_above_replay() && lines.len() == 1 {
+        let above = row_of(panel.area, panel.area.height.saturating_sub(2));
+        lines.insert(0, hints(state, room::hints(state), panel.at(above)));
+    }
     let first = panel.area.height.saturating_sub(lines.len() as u16);
     let place = panel.below(first);
     place.clear(buffer);

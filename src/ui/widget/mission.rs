@@ -185,8 +185,8 @@ fn objective_lines(
             lines.push(Line::from(left(width)));
             lines.push(Line::from(vec![below.into(), right(width)]));
         } else {
-            // However long the state is, half of the line is left for the name.
-            let room = room.max(width / 2);
+            // However long the state is, two fifths of the line are left for the name.
+            let room = room.max(width * 2 / 5);
             let rest = width.saturating_sub(room + 1);
             lines.push(Line::from(vec![left(room), " ".into(), right(rest)]));
         }
@@ -343,12 +343,12 @@ mod tests {
         let objective = ObjectiveProgress {
             title: Text::verbatim("distance to the wire kept"),
             state: ObjectiveState::Open,
-            detail: Text::verbatim("right distance for 0 % of 0 s, too close for 0 s"),
+            detail: Text::verbatim("12 % of 14 s, too close for 0 s"),
             fraction: 0.0,
         };
         let lines = objective_lines(&[objective], 40, false, &Look::default());
         let shown: Vec<String> = lines.iter().map(ToString::to_string).collect();
-        assert_eq!(shown, ["[ ] distance to the… right distance for…"]);
+        assert_eq!(shown, ["[ ] distance t… 12 % of 14 s, too close…"]);
     }
 
     #[test]

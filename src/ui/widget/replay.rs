@@ -29,7 +29,7 @@ const SHORTEST_BESIDE: usize = 20;
 /// and one in `NARROW_HINTS` on a narrower one.
 const WIDE_BAR: usize = 120;
 const WIDE_HINTS: usize = 2;
-const NARROW_HINTS: usize = 4;
+const NARROW_HINTS: usize = 3;
 /// The sign of a gap in the recording on the timeline.
 const GAP: (&str, Role) = (" ", Role::Muted);
 /// The width of a moment's kind in the list, in columns.
@@ -219,7 +219,7 @@ fn hints<'a>(state: &State, room: usize, panel: Panel<'_>) -> Vec<Span<'a>> {
 
 /// The key that shows the map of the truth, in a debrief that does not show it beside the text.
 fn own_key(state: &State, columns: u16) -> Option<(Text, &'static str)> {
-    let debrief = state.rooms().debrief().as_ref()?;
+    let debrief = state.rooms().debrief().shown()?;
     let has_truth = debrief.report().truth != TruthReport::default();
     let is_behind_key = has_truth && !debrief.is_beside(columns);
     let truth = Action::Debrief(DebriefAction::TruthMap);
@@ -227,7 +227,7 @@ fn own_key(state: &State, columns: u16) -> Option<(Text, &'static str)> {
     is_here.then(|| (state.key(truth), "hint-truth"))
 }
 
-/// The keys that control the replay, with their meaning.
+/// The keys that end and control the replay, with their meaning.
 fn keys(state: &State) -> impl Iterator<Item = (Text, &'static str)> {
     use ReplayAction::{
         NextMoment, PlayReplay, PreviousMoment, ReplayBack, ReplayForward, ShowMoments,
@@ -241,12 +241,14 @@ fn keys(state: &State) -> impl Iterator<Item = (Text, &'static str)> {
         (&[PreviousMoment, NextMoment], "hint-moments"),
         (&[ShowMoments], "hint-moment-list"),
     ];
-    rows.into_iter().map(|(actions, about)| {
+    let leave = state.keymap().key(Action::Leave, Place::Replay);
+    let controls = rows.into_iter().map(|(actions, about)| {
         let keys = actions
             .iter()
             .map(|&action| state.keymap().key(Action::Replay(action), Place::Replay));
         (Text::joined(" ", keys.collect()), about)
-    })
+    });
+    std::iter::once((leave, "hint-leave-replay")).chain(controls)
 }
 
 /// The timeline: the played part, the indexed part, the gaps (blank), the moments, and the repeated
@@ -304,9 +306,16 @@ fn sign(kind: MomentKind) -> (&'static str, Role) {
 /// A moment and its vehicles, as text.
 pub fn moment_text(moment: &Moment, look: &Look) -> String {
     let text = look.text(&moment.text);
-    match ranges(moment.vehicles.iter().copied()) {
-        none if none.is_empty() => text,
-        vehicles => format!("{vehicles}: {text}"),
+    let vehicles = ranges(moment.vehicles.iter().copied());
+    // A refused line often begins with the vehicles that refused it.
+    let is_named = moment.kind == MomentKind::Refusal
+        && text
+            .strip_prefix(vehicles.as_str())
+            .is_some_and(|rest| rest.starts_with(' '));
+    if vehicles.is_empty() || is_named {
+        text
+    } else {
+        format!("{vehicles}: {text}")
     }
 }
 
@@ -349,4 +358,26 @@ fn moment_head<'a>(time: &str, moment: &Moment, columns: usize, look: &Look) -> 
         format!("{time} {sign} {kind} ")
     };
     Span::styled(head, look.style(role))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_refusal_names_its_vehicles_once() {
+        let refused = |line: &str, vehicles: &[u16]| {
+            let moment = Moment {
+                at: Duration::ZERO,
+                vehicles: vehicles.to_vec(),
+                kind: MomentKind::Refusal,
+                text: Text::verbatim(line),
+            };
+            moment_text(&moment, &Look::default())
+        };
+        assert_eq!(refused("1 arm: refused", &[1]), "1 arm: refused");
+        assert_eq!(refused("1-3 arm: refused", &[1, 2, 3]), "1-3 arm: refused");
+        assert_eq!(refused("1-3 arm: refused", &[1]), "1: 1-3 arm: refused");
+        assert_eq!(refused("all arm: refused", &[2]), "2: all arm: refused");
+    }
 }

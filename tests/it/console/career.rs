@@ -6,8 +6,8 @@ use sortie::app::effect::{CareerEffect, Effect, Launch, SessionEffect};
 use sortie::app::event::{CareerEvent, Event, SessionEvent};
 use sortie::app::room::home;
 use sortie::app::state::{Activity, Career, Overlay, Purpose, Room, Trainee};
-use sortie::campaign::{Aids, CareerEntry, CareerFlight, MissionCourse, Offer, Stake};
-use sortie::mission::{Mission, Phase};
+use sortie::campaign::{Aids, CareerEntry, CareerFlight, MissionCourse, Offer, Skill, Stake};
+use sortie::mission::{Mission, Phase, Requires};
 use sortie::scoring::TryReport;
 use sortie::text::Language;
 use sortie::workshop::Design;
@@ -388,16 +388,91 @@ fn a_mission_of_ones_own_progress_is_found_on_the_home_screen() {
 #[test]
 fn after_a_flight_the_key_for_the_next_mission_flies_what_is_next() {
     let mut console = trained_by(career());
-    let next = career().next_mission().expect("there is more").to_owned();
+    let career = career();
+    let (_, next) = career.next().expect("there is more");
     in_flight(&mut console);
     console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     console.at(5).press("n");
     assert_eq!(
         console.effects,
         [Effect::Session(SessionEffect::StartMission(
-            Launch::graded(next)
+            Launch::graded(next.id.clone())
         ))]
     );
+}
+
+/// A career in which only the second drill of the mission 02 can be recommended.
+fn due_for_the_second_drill() -> Career {
+    let trains = |id: &str, skill, of: Option<&str>| {
+        let (_, course) = campaign();
+        let offer = course.offer(id).expect("it is in the course").clone();
+        Offer {
+            skills: vec![skill],
+            drill_of: of.map(str::to_owned),
+            requires: Requires::default(),
+            vehicles: 1,
+            ..offer
+        }
+    };
+    let mission = "02-formation";
+    let course = MissionCourse::new([
+        trains(mission, Skill::K10, None),
+        trains("d02-hold-the-line", Skill::K10, Some(mission)),
+        trains("d17-give-way", Skill::K8, Some(mission)),
+        trains("03-plume-source", Skill::K8, None),
+    ]);
+    let shown = [(Skill::K10, 1.0, "Kept formation")];
+    let flown = [mission, "d02-hold-the-line", "03-plume-source"];
+    let history = flown.map(|id| flight(id, 1, 900, &shown));
+    Career {
+        day: TODAY,
+        ..Career::new("oksana", history.into(), course)
+    }
+}
+
+#[test]
+fn the_recommended_drill_is_named_and_flown_though_it_is_not_the_first_of_its_mission() {
+    let career = due_for_the_second_drill();
+    let (_, next) = career.next().expect("there is more");
+    assert_eq!(next.id, "d17-give-way");
+    let launch = Launch::graded("d17-give-way");
+    let start = [Effect::Session(SessionEffect::StartMission(launch))];
+    let mut console = trained_by(career.clone());
+    assert_eq!(under_cursor(&console), "02-formation");
+    let listing = home::under_cursor(console.state()).expect("a mission");
+    let facts = home::facts(console.state(), listing);
+    let mut told = facts.iter().map(|fact| fact.what.to_string());
+    let is_named = told.any(|what| what.contains("Drill: give way"));
+    assert!(is_named, "{facts:?}");
+    assert_eq!(console.press("t").effects, start);
+    in_flight(&mut console);
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
+    console.at(5).press("n");
+    assert_eq!(console.effects, start);
+}
+
+#[test]
+fn a_skill_leads_to_the_mission_that_trains_it_or_says_why_there_is_none() {
+    let mut console = trained_by(due_for_the_second_drill());
+    go_to(&mut console, "00-first-flight");
+    console.press("T");
+    let to = |console: &mut Console, skill: Skill| {
+        console.press("home");
+        for _ in 0..Skill::ALL.iter().take_while(|it| **it != skill).count() {
+            console.press("j");
+        }
+        console.press("enter");
+    };
+    to(&mut console, Skill::K5);
+    assert_eq!(console.state().room(), Room::Standing);
+    assert!(said(&console).contains("no mission of the course trains"));
+    to(&mut console, Skill::K8);
+    assert_eq!(console.state().room(), Room::Home);
+    assert_eq!(under_cursor(&console), "02-formation");
+    console.press("T").press("tab").press("tab");
+    let footer = console.screen(80, 24);
+    let footer = footer.lines().last().unwrap_or_default();
+    assert!(!footer.contains("mission"), "{footer}");
 }
 
 #[test]

@@ -91,13 +91,25 @@ fn a_question_of_yes_or_no_takes_n_at_once() {
 }
 
 #[test]
-fn letters_of_another_layout_never_confirm() {
-    for letter in ["н", "т", "й"] {
+fn the_key_of_y_confirms_in_the_ukrainian_layout_too() {
+    for (letter, is_yes) in [("н", true), ("Н", true), ("т", false), ("й", false)] {
         let mut console = Console::flying(1);
         console.vehicle(fixtures::airborne(1, 0.0, 10.0));
         console.press("ctrl-c").write(letter);
-        assert!(console.effects.is_empty(), "{letter}");
+        assert_eq!(!console.effects.is_empty(), is_yes, "{letter}");
     }
+}
+
+#[test]
+fn a_question_in_ukrainian_names_the_key_of_y_in_both_layouts() {
+    let mut console = Console::flying(1);
+    console.vehicle(fixtures::airborne(1, 0.0, 10.0));
+    console.give("set lang uk").press("ctrl-c");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("натисніть y (н)"), "{screen}");
+    console.press("esc").give("1 kill");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("натисніть 1 ("), "{screen}");
 }
 
 #[test]
@@ -330,6 +342,28 @@ fn keys_work_in_a_ukrainian_layout_and_letters_stay_letters_in_a_line() {
     assert_eq!(palette_line(&console), "злет");
     console.press("esc").press("ф");
     assert_eq!(palette_line(&console), "arm", "ф lies on the key of a");
+}
+
+#[test]
+fn signs_count_by_their_keys_where_they_mean_nothing_else() {
+    let mut console = Console::flying(2);
+    console.press("\"");
+    assert_eq!(palette_line(&console), "select @");
+    console.press("esc").press(".");
+    assert!(matches!(
+        console.state().overlay(),
+        Some(Overlay::Prompt(_))
+    ));
+    console.press("esc").press(",");
+    assert!(matches!(console.state().overlay(), Some(Overlay::Help(_))));
+    console.press("esc").write("1,2").press("enter");
+    assert_eq!(
+        selection(&console),
+        [1, 2],
+        "a comma in a list stays a comma"
+    );
+    console.press("M").press(".");
+    assert!(console.state().overlay().is_none(), "it centres the map");
 }
 
 #[test]

@@ -69,6 +69,7 @@ fn commands_are_filtered_by_vehicle_verb_and_outcome() {
         ("4", vec![0, 2]),
         ("1-2", vec![0, 1]),
         ("takeoff", vec![1]),
+        ("ефлущаа", vec![1]),
         ("refused", vec![0]),
         ("failed 4", vec![0]),
         ("arm 9", vec![]),
@@ -194,6 +195,28 @@ fn foreign(id: u32, at_s: u64) -> ForeignCommand {
         state: RowState::Accepted,
         explanation: None,
     }
+}
+
+/// A trainee waits for the end of a survey in the column of the table.
+#[test]
+fn the_end_of_a_movement_is_not_hidden_by_a_setting_given_meanwhile() {
+    let mut console = commanded();
+    console.at(20).give("1 goto n 40 e 0");
+    let movement = console.state().session().ledger().entries().len() as u32 - 1;
+    console.row(1, RowState::InProgress(15), None);
+    console.at(21).give("1 speed 3.5");
+    console.row(1, RowState::Done, None);
+    let at = console.at(30).state().now();
+    console.hear(VehicleEvent::Row(RowUpdate {
+        entry: EntryId(movement),
+        vehicle: 1,
+        state: RowState::Done,
+        tries: 1,
+        at,
+        explanation: None,
+    }));
+    let (latest, _) = console.state().session().latest(1).expect("a command");
+    assert_eq!(latest.line, "1 goto n 40 e 0");
 }
 
 #[test]

@@ -82,9 +82,63 @@ fn a_line_in_the_ukrainian_layout_is_completed_and_faulted_in_latin_letters() {
     console.press("ctrl-u").write("ефлущаа фи").press("enter");
     assert_eq!(palette_line(&console), "takeoff ab");
     assert!(!fault(&console).is_empty());
-    // A line that is invalid in any keyboard layout stays as it was typed.
     console.press("ctrl-u").write("пгшвувв").press("enter");
-    assert_eq!(palette_line(&console), "пгшвувв");
+    assert_eq!(palette_line(&console), "guidedd");
+    // A line that makes no sense in any keyboard layout stays as it was typed.
+    console.press("ctrl-u").write("злетіти").press("enter");
+    assert_eq!(palette_line(&console), "злетіти");
+}
+
+#[test]
+fn an_unfinished_line_in_the_ukrainian_layout_is_offered_what_its_keys_begin() {
+    let mut console = Console::flying(2);
+    console.give("group red 1-2").press(":").write("ефлущ");
+    assert_eq!(offered(&console)[0], "takeoff");
+    console.press("tab");
+    assert!(palette_line(&console).starts_with("takeoff"));
+    console.press("ctrl-u").write("фдд ефл");
+    assert_eq!(offered(&console)[0], "takeoff");
+    console.press("ctrl-u").write("\"ку");
+    assert_eq!(offered(&console)[0], "@red");
+    console.press("ctrl-u").write("\"куву дфтв").press("enter");
+    assert_eq!(console.sent_to(), [1, 2]);
+}
+
+#[test]
+fn a_wrong_word_in_the_ukrainian_layout_is_marked_and_has_the_advice_for_its_keys() {
+    let mut console = Console::flying(1);
+    let cases = [("ефлуща 20", "ефлуща"), ("фдд елущаа 20", "елущаа")];
+    for (line, wrong) in cases {
+        console.press(":").write(line);
+        let Some(sortie::app::state::Overlay::Palette(palette)) = console.state().overlay() else {
+            panic!("the command line is not open");
+        };
+        let fault = palette.fault().expect("the line is wrong");
+        let marked = palette.input().value().get(fault.span.clone());
+        assert_eq!(marked, Some(wrong));
+        let help = fault.help.as_ref().map(ToString::to_string);
+        assert!(help.unwrap_or_default().contains("takeoff"), "{line}");
+        console.press("esc");
+    }
+}
+
+#[test]
+fn free_text_after_a_verb_in_the_ukrainian_layout_stays_as_typed() {
+    let mut console = Console::flying(1);
+    console.press(":").write("ищщльфкл поворот");
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("reads as `bookmark поворот`"), "{screen}");
+    console
+        .press("ctrl-u")
+        .write("іутв іефегіеуче еуче=\"два слова");
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("reads as `send statustext text=\"два слова`"),
+        "{screen}"
+    );
+    console.press("ctrl-u").write("карта");
+    let screen = console.screen(80, 24);
+    assert!(!screen.contains("reads as"), "{screen}");
 }
 
 #[test]

@@ -145,7 +145,9 @@ fn names_are_found_by_letters_and_the_cursor_stays_on_its_name() {
     assert_eq!(cursor_row(console.state(), &shown), 1);
     console.write(" nav").press("enter");
     assert_eq!(names(&console), ["WPNAV_ACCEL"]);
-    console.press("esc");
+    console.press("/").press("ctrl-u").write("цзтфм фсс");
+    assert_eq!(names(&console), ["WPNAV_ACCEL"], "by its keys");
+    console.press("enter").press("esc");
     assert_eq!(names(&console).len(), 10);
 }
 

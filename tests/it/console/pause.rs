@@ -264,14 +264,14 @@ fn tab_goes_through_the_sections_of_the_debrief_and_round() {
         .state()
         .rooms()
         .debrief()
-        .as_ref()
+        .shown()
         .map(Debrief::scroll);
     console.press("tab").press("shift-tab");
     let back = console
         .state()
         .rooms()
         .debrief()
-        .as_ref()
+        .shown()
         .map(Debrief::scroll);
     assert_eq!(there, back);
 }

@@ -92,6 +92,9 @@ fn typing_filters_and_what_fits_nothing_is_counted() {
         Some(7),
         "on something shown"
     );
+    console.press("ctrl-u").write("фкь");
+    assert_eq!(rows(&console), [7, 8, 9, 10, 11, 12], "by its keys");
+    console.press("ctrl-u").write("arm");
     console.write(" !9").press("enter");
     assert_eq!(rows(&console), [7, 8, 10, 11, 12]);
     assert_eq!(selection(console.press("*")), [7, 8, 10, 11, 12]);

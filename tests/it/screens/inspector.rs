@@ -147,6 +147,8 @@ fn a_filter_finds_what_is_folded_away_and_esc_takes_it_back() {
     console.press("z").press("/").write("vfr");
     shows(&console, &["VFR_HUD", "show only"]);
     hides(&console, &["SYS_STATUS"]);
+    console.press("ctrl-u").write("мак_рг");
+    shows(&console, &["VFR_HUD"]);
     console.press("enter").press("esc");
     hides(&console, &["VFR_HUD"]);
     console.press("/").write("nothing like it").press("enter");

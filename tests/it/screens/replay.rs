@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use sortie::app::effect::{Effect, ReplayEffect};
+use sortie::app::effect::{Effect, Launch, ReplayEffect, SessionEffect};
 use sortie::app::event::{ReplayEvent, SessionEvent};
 use sortie::app::room::Room;
 use sortie::app::state::{Activity, ReplayPosition, ReplayView};
@@ -151,10 +151,85 @@ fn the_truth_is_reached_in_the_debrief_of_a_replay() {
         "{footer}"
     );
     console.press("g");
-    let debrief = console.state().rooms().debrief().as_ref();
+    let debrief = console.state().rooms().debrief().shown();
     assert!(debrief.expect("a debrief").shows_map());
     console.press("m");
     assert!(console.screen(80, 24).contains("Moments"));
+}
+
+/// A console after a mission with this report.
+fn debriefed(report: Report) -> Console {
+    let mut console = Console::new();
+    console.start(mission());
+    console.hear(SessionEvent::MissionEnded(Box::new(report)));
+    console.at(5);
+    assert_eq!(console.state().room(), Room::Debrief);
+    console
+}
+
+#[test]
+fn a_review_leads_back_to_the_debrief_from_which_it_was_opened() {
+    let report = fixtures::report();
+    let mut console = debriefed(report.clone());
+    let again = [Effect::Session(SessionEffect::StartMission(
+        Launch::graded(report.mission.clone()),
+    ))];
+    console.press("a");
+    let view = ReplayView {
+        is_review: true,
+        ..view()
+    };
+    console.replay(view, mission());
+    assert_eq!(console.state().room(), Room::Review);
+    // The replay reaches the result of the same flight.
+    console.hear(SessionEvent::MissionEnded(Box::new(report)));
+    console.press("esc");
+    assert_eq!(console.state().room(), Room::Debrief);
+    assert!(console.state().rooms().debrief().shows_earlier());
+    let screen = console.screen(80, 24);
+    assert!(screen.contains("r new try"), "{screen}");
+    assert_eq!(console.press("r").effects, again);
+    // From elsewhere, the review leads to the replay.
+    console.press("F").press("A").press("esc");
+    assert_eq!(console.state().room(), Room::Fly);
+}
+
+#[test]
+fn the_last_debrief_is_shown_in_later_sessions() {
+    let first = fixtures::report();
+    let is_shown = |console: &Console| {
+        let shown = console.state().rooms().debrief().shown();
+        shown.is_some_and(|it| it.report().seed == fixtures::report().seed)
+    };
+    let mut console = debriefed(first.clone());
+    console.start(Activity::Free);
+    console.at(10).press("D");
+    assert!(is_shown(&console));
+    console.press("esc");
+    assert_eq!(console.state().room(), Room::Fly, "the flight goes on");
+    console.replay(view(), mission());
+    let other = Report {
+        seed: first.seed + 1,
+        ..first
+    };
+    console.hear(SessionEvent::MissionEnded(Box::new(other)));
+    console.at(15).press("D");
+    assert!(!is_shown(&console), "the debrief of the flight replayed");
+    console.press("Q").press("D");
+    assert!(console.state().replay().is_none());
+    assert!(is_shown(&console));
+}
+
+#[test]
+fn the_keys_of_rooms_apart_from_the_flight_are_above_the_time_line() {
+    let mut console = replaying();
+    for (room, keys) in [("H", ": command"), ("W", "Tab lists"), ("T", "Tab page")] {
+        let screen = console.press(room).screen(80, 24);
+        let lines: Vec<&str> = screen.lines().collect();
+        assert!(lines[22].contains(keys), "{room}: {screen}");
+        let bar = lines[23];
+        assert!(bar.contains('●') && bar.contains("Q leave"), "{bar}");
+    }
 }
 
 #[test]

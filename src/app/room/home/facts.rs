@@ -4,7 +4,7 @@ use crate::app::State;
 use crate::app::room::page::Tone;
 use crate::app::state::Career;
 use crate::campaign::{LockReason, Mastery, MissionStage, Offer, PracticeReason, Skill};
-use crate::mission::{Listing, Unlock};
+use crate::mission::{Listing, Unlock, threat_title};
 use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
@@ -86,7 +86,10 @@ pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
             let name = part(id).map_or_else(|| id.as_str().into(), Part::name);
             text!("mission-reward-part", part = name)
         }
-        Unlock::Threat(id) => text!("mission-reward-threat", threat = id),
+        Unlock::Threat(id) => {
+            let title = threat_title(id).unwrap_or_else(|| id.as_str().into());
+            text!("mission-reward-threat", threat = title)
+        }
     }
 }
 
@@ -146,7 +149,11 @@ fn advice(career: &Career, mission: &str) -> Option<Fact> {
     let what = if offer.id == mission {
         text!("fact-next-is", skill = skill.title())
     } else if offer.drill_of.as_deref() == Some(mission) {
-        text!("fact-next-drill", skill = skill.title())
+        text!(
+            "fact-next-drill",
+            drill = offer.title.clone(),
+            skill = skill.title()
+        )
     } else {
         return None;
     };

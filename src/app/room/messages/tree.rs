@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::{LinkTraffic, Messages, Sort};
+use crate::app::keymap::latin_line;
 use crate::inspector::{Direction, FrameSource, MessageTally, Rate, TallyKey, name_of};
 use crate::wire::SystemId;
 
@@ -127,17 +128,25 @@ impl Branch {
 }
 
 impl Messages {
-    /// The lines that are shown, from the top.
+    /// The lines that are shown, from the top. A filter that finds nothing is read as typed in another keyboard layout.
     pub fn branches(&self) -> Vec<Branch> {
+        let lines = self.matching(&self.filter);
+        match latin_line(&self.filter) {
+            Some(read) if lines.is_empty() => self.matching(&read),
+            _ => lines,
+        }
+    }
+
+    fn matching(&self, filter: &str) -> Vec<Branch> {
         let mut lines = Vec::new();
         for (link, traffic) in self.traffic.iter().enumerate() {
-            self.add_link(link, traffic, &mut lines);
+            self.add_link(link, traffic, filter, &mut lines);
         }
         lines
     }
 
-    fn add_link(&self, link: usize, traffic: &LinkTraffic, lines: &mut Vec<Branch>) {
-        let systems = self.systems(link, traffic);
+    fn add_link(&self, link: usize, traffic: &LinkTraffic, filter: &str, lines: &mut Vec<Branch>) {
+        let systems = self.systems(link, traffic, filter);
         if systems.is_empty() && !self.filter.is_empty() {
             return;
         }
@@ -167,14 +176,14 @@ impl Messages {
         }
     }
 
-    /// The messages of a link that are shown, by system and component.
-    fn systems(&self, link: usize, traffic: &LinkTraffic) -> Systems {
+    /// The messages of a link that match the filter, by system and component.
+    fn systems(&self, link: usize, traffic: &LinkTraffic, filter: &str) -> Systems {
         let mut systems = Systems::new();
         let Some(census) = &traffic.census else {
             return systems;
         };
         for (key, tally) in census.tallies() {
-            if !census.is_credible(key, tally) || !self.matches(key) {
+            if !census.is_credible(key, tally) || !matches(filter, key) {
                 continue;
             }
             systems
@@ -199,15 +208,6 @@ impl Messages {
         is_open
     }
 
-    fn matches(&self, key: TallyKey) -> bool {
-        if self.filter.is_empty() {
-            return true;
-        }
-        let wanted = self.filter.to_lowercase();
-        name_of(key.message).to_lowercase().contains(&wanted)
-            || key.message.to_string() == self.filter
-    }
-
     fn order(&self, messages: &mut [Branch]) {
         let id = |branch: &Branch| match branch.node {
             Node::Message(_, key) => key.message,
@@ -223,4 +223,12 @@ impl Messages {
             Sort::Age => messages.sort_by_key(|branch| (branch.age, id(branch))),
         }
     }
+}
+
+fn matches(filter: &str, key: TallyKey) -> bool {
+    if filter.is_empty() {
+        return true;
+    }
+    let wanted = filter.to_lowercase();
+    name_of(key.message).to_lowercase().contains(&wanted) || key.message.to_string() == filter
 }

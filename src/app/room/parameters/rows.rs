@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::{Comparison, Other};
 use crate::app::State;
+use crate::app::keymap::latin_line;
 use crate::parameters::{
     Fetching, ListedParameter, ParameterDifference, ParameterFinding, differences,
 };
@@ -32,28 +33,34 @@ impl Row<'_> {
     }
 }
 
-/// The lines of the list with its filters. With a comparison, only differences and parameters that were set from it.
+/// The lines of the list with its filters; a filter by name that finds nothing is read as typed in another keyboard
+/// layout. With a comparison, only differences and parameters that were set from it.
 pub fn rows(state: &State) -> Vec<Row<'_>> {
     let Some(vehicle) = state.session.choice.cursor else {
         return Vec::new();
     };
     let room = &state.rooms.parameters;
-    let words: Vec<String> = room
-        .filter
-        .split_whitespace()
-        .map(str::to_uppercase)
-        .collect();
-    let fits = |name: &str| {
-        let name = || name.to_uppercase();
-        words.is_empty() || words.iter().all(|word| name().contains(word.as_str()))
-    };
-    let all = match &room.comparison {
+    let all: Vec<Row<'_>> = match &room.comparison {
         None => plain(state, vehicle)
             .filter(|row| !room.changed_only || is_changed(state, vehicle, row))
             .collect(),
         Some(comparison) => compared(state, vehicle, comparison),
     };
-    all.into_iter().filter(|row| fits(row.name)).collect()
+    let found = named(&all, &room.filter);
+    match latin_line(&room.filter) {
+        Some(read) if found.is_empty() => named(&all, &read),
+        _ => found,
+    }
+}
+
+/// The rows whose names contain every word of the filter.
+fn named<'a>(all: &[Row<'a>], filter: &str) -> Vec<Row<'a>> {
+    let words: Vec<String> = filter.split_whitespace().map(str::to_uppercase).collect();
+    let fits = |row: &&Row<'a>| {
+        let name = || row.name.to_uppercase();
+        words.iter().all(|word| name().contains(word.as_str()))
+    };
+    all.iter().filter(fits).cloned().collect()
 }
 
 fn plain(state: &State, vehicle: VehicleId) -> impl Iterator<Item = Row<'_>> {

@@ -29,6 +29,11 @@ impl Career {
         Some(id.unwrap_or(&offer.id))
     }
 
+    /// The mission or drill to fly for a skill; `None` if none that is open trains it.
+    pub fn training(&self, skill: Skill) -> Option<&Offer> {
+        self.course.training(skill, &self.standing, self.day)
+    }
+
     /// The skills trained by a mission that are due for a refresher; empty if the mission has not
     /// been passed.
     pub fn due(&self, offer: &Offer) -> Vec<Skill> {

@@ -33,7 +33,11 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         let rows = (all.len() as u16 + 4).min(panel.area.height / 2 + 1);
         (upper(panel.area, rows), below(panel.area, rows))
     };
-    let title = text!("bench-fleet", mission = mission_title(state, panel.look));
+    let title = if chosen.is_some() {
+        text!("bench-fleet", mission = mission_title(state, panel.look))
+    } else {
+        text!("bench-fleet-none")
+    };
     let inner = panel.at(list).focused(&panel.text(&title), true, buffer);
     let name = state.rooms().workshop().bench().design().name.clone();
     let on_bench = panel.text(&text!("bench-fleet-about", name = name));
