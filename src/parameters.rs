@@ -1,14 +1,19 @@
-//! Parameters: the list of a vehicle, parameter files, and differences between two lists.
+//! Parameters: the list of a vehicle, parameter files, differences between two lists, and what is documented.
 
 use std::sync::Arc;
 
 mod difference;
+mod documentation;
 mod file;
 mod kind;
 mod list;
 
 pub use difference::{
     ParameterDifference, ParameterFinding, differences, is_same, is_the_vehicles_own,
+};
+pub use documentation::{
+    DocumentedRange, NamedBit, NamedValue, ParameterDocument, ParameterDocuments, ParameterDoubt,
+    ReadDocuments,
 };
 pub use file::{parse, write};
 pub use kind::{ParameterType, ParameterUnfit};

@@ -119,3 +119,24 @@ parameters-hint-mark-all = all, invert
 parameters-hint-extra = only here
 parameters-hint-apply = set the marked ones
 parameters-hint-close = back
+
+documentation-unknown = not a file with the documentation of parameters
+documentation-unknown-help = `apm.pdef.xml` and `apm.pdef.json` of ArduPilot and `parameters.json` of PX4 are read
+documentation-nothing = the file documents no parameters
+documentation-cut-off = the file is cut off: elements are not closed
+documentation-xml = the XML has a fault: { $fault }
+documentation-json = the JSON has a fault: { $fault }
+documentation-no-range = `{ $written }` is not a range: it has a lower and an upper limit
+documentation-no-bit = `{ $written }` is not the number of a bit (0 to 31)
+documentation-range = { $least } to { $most }
+documentation-least = at least { $least }
+documentation-most = at most { $most }
+documentation-step = step { $step }
+documentation-reboot = takes effect after a reboot
+documentation-values = values: { $values }
+documentation-bits = bits: { $bits }
+documentation-outside = { $name } = { $value } is outside its documented range: { $range }
+documentation-not-listed = { $name } = { $value } is none of its documented values
+documentation-unknown-bits = { $name } = { $value } has bits without a documented meaning
+documentation-still = { $doubt }; { $submit } sets it nevertheless
+parameters-column-meaning = UNIT, MEANING
