@@ -21,6 +21,7 @@ use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, Outgoing, 
 mod acknowledgement;
 mod bench;
 mod download;
+mod files;
 mod fit;
 mod ftp;
 mod gaps;
@@ -46,6 +47,7 @@ mod timesync;
 mod transaction;
 
 use download::Download;
+use files::{FileOrders, FilesScene};
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
 use lists::{Lists, ListsDesk};
@@ -56,6 +58,7 @@ use streams::Streams;
 use surroundings::Surroundings;
 use timesync::Timesync;
 
+pub use files::FileDesk;
 pub use ftp::{
     FtpClient, FtpEntry, FtpEvent, FtpFault, FtpNak, FtpPayload, FtpStep, FtpTask, FtpTicket,
 };
@@ -64,7 +67,7 @@ pub use hearing::{LOST_AFTER, autopilot_of};
 pub use logs::{KeptLog, ListedLog, LogKeeper, VehicleLog};
 pub use naming::Renamed;
 
-pub use order::{Report, Steering, VehicleCommand};
+pub use order::{ListedFolder, Report, Steering, VehicleCommand};
 pub(crate) use plan_orders::format_of;
 pub use plan_orders::{GuardedShelf, PlanOnFile, PlanShelf};
 pub use radio::RadioFault;
@@ -91,6 +94,7 @@ pub struct Session {
     line: Line,
     download: Download,
     logs: LogReader,
+    files: FileOrders,
     ftp: FtpClient,
     signing: VehicleSigning,
     output: Output,
@@ -113,6 +117,7 @@ impl Session {
             line: Line::default(),
             download: Download::new(),
             logs: LogReader::default(),
+            files: FileOrders::default(),
             ftp: FtpClient::default(),
             signing: VehicleSigning::default(),
             output: Output::default(),
@@ -235,6 +240,8 @@ impl Session {
         line.clear(&newer, &mut moment);
         line.supersede_movements(&newer, now, moment.output);
         self.vehicle.asked_speeds = AskedSpeeds::default();
+        let (files, mut scene) = self.files(now);
+        files.clear(&newer, &mut scene);
         self.ftp.forget();
         self.lists.begin_anew(&mut self.ftp, now);
         self.logs
@@ -246,6 +253,12 @@ impl Session {
     pub fn order(&mut self, order: VehicleCommand, now: Duration) {
         if matches!(order.command, Command::Log(_)) {
             self.logs.order(order, &self.vehicle, now, &mut self.output);
+            self.poll(now);
+            return;
+        }
+        if matches!(order.command, Command::File(_)) {
+            let (files, mut scene) = self.files(now);
+            files.order(order, &mut scene);
             self.poll(now);
             return;
         }
@@ -304,6 +317,8 @@ impl Session {
         lists.poll(desk);
         self.logs
             .poll(&self.vehicle, &mut self.ftp, now, &mut self.output);
+        let (files, mut scene) = self.files(now);
+        files.poll(&mut scene);
         self.handle_files(None, now);
         self.signing.poll(&self.vehicle, now, &mut self.output);
         self.advance(now);
@@ -319,6 +334,7 @@ impl Session {
             || self.logs.is_busy()
             || self.lists.is_busy()
             || self.download.fetching().is_under_way()
+            || self.files.is_busy()
             || self.ftp.is_busy()
             || self.signing.is_busy()
         {
@@ -391,6 +407,8 @@ impl Session {
         self.output.messages.extend(requests.map(Outgoing::from));
         for (ticket, event) in step.events {
             self.lists.hear_file(ticket, &event, now);
+            let (files, mut scene) = self.files(now);
+            files.hear_file(ticket, &event, &mut scene);
             self.logs.hear_file(ticket, event, &mut self.ftp, now);
         }
     }
@@ -409,6 +427,16 @@ impl Session {
             output: &mut self.output,
         };
         (&mut self.lists, desk)
+    }
+
+    fn files(&mut self, now: Duration) -> (&mut FileOrders, FilesScene<'_>) {
+        let scene = FilesScene {
+            vehicle: &self.vehicle,
+            ftp: &mut self.ftp,
+            now,
+            output: &mut self.output,
+        };
+        (&mut self.files, scene)
     }
 
     fn line(&mut self, now: Duration) -> (&mut Line, Moment<'_>) {

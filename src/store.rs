@@ -36,6 +36,7 @@ mod source;
 mod terrain;
 #[cfg(test)]
 mod tests;
+mod transferred;
 mod unsaved;
 
 pub use folders::Folders;
@@ -61,6 +62,7 @@ pub use sharing::{RUNS, SharingFault, Unshared, other_owner, share_with_group, s
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, read_bytes, read_found, read_large, read_start};
 pub use terrain::add_square;
+pub use transferred::TransferredFiles;
 pub use unsaved::UnsavedDrafts;
 
 mod shipped {

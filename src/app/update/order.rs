@@ -5,7 +5,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
-use crate::app::room::{Room, parameters};
+use crate::app::room::{Room, files, parameters};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::{Act, Command, Order, PlanCommand, PlanDeed};
 use crate::diagnostic::Diagnostic;
@@ -210,6 +210,7 @@ pub fn send(state: &mut State, order: Order) -> SentOrder {
         .commands
         .open(now, order.given(), &order.targets);
     parameters::note_order(state, &order, entry);
+    files::note_order(state, &order, entry);
     state.rooms.ledger.spoil();
     SentOrder {
         entry,

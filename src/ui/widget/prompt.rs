@@ -106,6 +106,11 @@ fn title(purpose: &Purpose, look: &Look) -> String {
             name = name,
             vehicles = ranges(vehicles.iter().copied())
         )),
+        Purpose::PutFile { vehicle, folder } => look.text(&text!(
+            "prompt-put-file",
+            folder = folder,
+            vehicle = *vehicle
+        )),
         Purpose::SaveParameters => look.say("prompt-save-parameters"),
         Purpose::LoadParameters => look.say("prompt-load-parameters"),
         Purpose::CompareParameters => look.say("prompt-compare-parameters"),
@@ -132,6 +137,7 @@ fn advice(state: &State, purpose: &Purpose) -> Text {
             submit = submit(state),
             escape = escape(state)
         ),
+        Purpose::PutFile { .. } => text!("prompt-put-file-advice"),
         Purpose::SaveParameters | Purpose::ExportDesign => text!("prompt-save-advice"),
         Purpose::LoadParameters => text!("prompt-load-advice"),
         Purpose::CompareParameters => text!("prompt-compare-advice"),
