@@ -7,6 +7,7 @@ mod documentation;
 mod file;
 mod kind;
 mod list;
+mod packed;
 
 pub use difference::{
     ParameterDifference, ParameterFinding, differences, is_same, is_the_vehicles_own,
@@ -18,6 +19,7 @@ pub use documentation::{
 pub use file::{parse, write};
 pub use kind::{ParameterType, ParameterUnfit};
 pub use list::{HeardParameter, ListedParameter, ParameterList};
+pub use packed::{DEFAULTS_FILE, read_defaults};
 pub use sortie_sim::{AliasSense, other_name};
 
 /// The state of the download of a vehicle's list.

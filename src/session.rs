@@ -8,7 +8,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{FILE_TRANSFER_PROTOCOL_DATA, MavMessage};
+use mavlink::dialects::ardupilotmega::{FILE_TRANSFER_PROTOCOL_DATA, MavAutopilot, MavMessage};
 
 use crate::commands::Command;
 use crate::messages::Inbox;
@@ -20,6 +20,7 @@ use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, Outgoing, 
 
 mod acknowledgement;
 mod bench;
+mod defaults;
 mod download;
 mod files;
 mod fit;
@@ -46,12 +47,13 @@ mod tests;
 mod timesync;
 mod transaction;
 
+use defaults::DefaultsReader;
 use download::Download;
 use files::{FileOrders, FilesScene};
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
 use lists::{Lists, ListsDesk};
-use logs::LogReader;
+use logs::{LogReader, hands_out_files};
 use output::Output;
 use signing::VehicleSigning;
 use streams::Streams;
@@ -93,6 +95,7 @@ pub struct Session {
     lists: Lists,
     line: Line,
     download: Download,
+    defaults: DefaultsReader,
     logs: LogReader,
     files: FileOrders,
     ftp: FtpClient,
@@ -116,6 +119,7 @@ impl Session {
             lists: Lists::default(),
             line: Line::default(),
             download: Download::new(),
+            defaults: DefaultsReader::default(),
             logs: LogReader::default(),
             files: FileOrders::default(),
             ftp: FtpClient::default(),
@@ -234,6 +238,7 @@ impl Session {
         self.streams.forget(now);
         self.surroundings.begin_anew();
         self.download.begin_anew(&mut self.inbox);
+        self.defaults.begin_anew();
         // Messages for the vehicle before its reboot must not reach it afterwards.
         let newer = text!("outcome-the-reboot");
         let (line, mut moment) = self.line(now);
@@ -310,6 +315,9 @@ impl Session {
             let is_free = self.line.is_free();
             let (lists, desk) = self.lists(now);
             lists.read(is_free, desk);
+            let offers_file = self.offers_defaults();
+            let fetching = self.download.fetching();
+            self.defaults.poll(fetching, offers_file, &mut self.ftp);
             let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
             self.output.messages.extend(requests);
         }
@@ -407,10 +415,22 @@ impl Session {
         self.output.messages.extend(requests.map(Outgoing::from));
         for (ticket, event) in step.events {
             self.lists.hear_file(ticket, &event, now);
+            let defaults = self.defaults.hear_file(ticket, &event, &mut self.ftp);
+            if let Some(defaults) = defaults {
+                self.inbox.note_defaults(defaults);
+            }
             let (files, mut scene) = self.files(now);
             files.hear_file(ticket, &event, &mut scene);
             self.logs.hear_file(ticket, event, &mut self.ftp, now);
         }
+    }
+
+    /// Whether the vehicle is an ArduPilot that offers files: the defaults of its parameters are one.
+    fn offers_defaults(&self) -> bool {
+        let ardupilot = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
+        let heartbeat = self.vehicle.heartbeat;
+        let is_ardupilot = heartbeat.is_some_and(|heartbeat| heartbeat.autopilot == ardupilot);
+        is_ardupilot && hands_out_files(&self.vehicle)
     }
 
     fn advance(&mut self, now: Duration) {

@@ -46,6 +46,7 @@ parameters-marked = { $count } differ, { $marked } marked
 parameters-hidden = { $count } only on this vehicle (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = only changed
+parameters-other-than-default = only other than default
 parameters-setting = setting: { $count } left
 parameters-sets-on = targets: { $vehicles }
 parameters-none-yet = nothing received yet
@@ -53,6 +54,7 @@ parameters-none-fit = no parameter matches: { $key } shows all
 parameters-none-differ-yet = no differences so far
 parameters-none-differ = no differences: { $key } shows all
 parameters-none-changed = no changes: { $key } shows all
+parameters-all-default = all parameters have their defaults: { $key } shows all
 
 parameters-column-name = NAME
 parameters-column-value = VALUE
@@ -73,6 +75,7 @@ parameters-own = this vehicle's own
 parameters-missing = not on this vehicle
 parameters-extra = only on this vehicle
 parameters-changed = changed
+parameters-default = default { $value }
 parameters-before = was { $value }
 
 parameters-set-done = { $failed ->

@@ -49,6 +49,7 @@ parameters-marked = відмінностей: { $count }, позначено: { 
 parameters-hidden = лише на цьому апараті: { $count } (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = лише змінені
+parameters-other-than-default = лише не типові
 parameters-setting = встановлення: лишилося { $count }
 parameters-sets-on = кому: { $vehicles }
 parameters-none-yet = ще нічого не надійшло
@@ -56,6 +57,7 @@ parameters-none-fit = жоден параметр не відповідає фі
 parameters-none-differ-yet = поки що відмінностей немає
 parameters-none-differ = відмінностей немає: { $key } показує всі параметри
 parameters-none-changed = нічого не змінено: { $key } показує всі
+parameters-all-default = усі параметри мають типові значення: { $key } показує всі
 
 parameters-column-name = НАЗВА
 parameters-column-value = ЗНАЧЕННЯ
@@ -76,6 +78,7 @@ parameters-own = свій у кожного апарата
 parameters-missing = немає на цьому апараті
 parameters-extra = лише на цьому апараті
 parameters-changed = змінено
+parameters-default = типове { $value }
 parameters-before = було { $value }
 
 parameters-set-done = { $failed ->

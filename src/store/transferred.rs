@@ -65,6 +65,6 @@ mod tests {
         let missing = TransferredFiles
             .read("/nonexistent/a")
             .expect_err("no file");
-        assert!(missing.to_string().contains("not found"), "{missing}");
+        assert!(missing.to_string().contains("no folder"), "{missing}");
     }
 }

@@ -146,9 +146,9 @@ fn a_fault_has_its_place_and_leaves_the_rest() {
         places(&XML.replace("code=\"1\"", "code=\"one\"")),
         [(13, 29)]
     );
-    assert_eq!(places(&XML.replace("</vehicles>", "</vehicle>")), [(17, 3)]);
+    assert_eq!(places(&XML.replace("</vehicles>", "</vehicle>")), [(18, 3)]);
     let cut_off = &XML[..XML.find("<libraries>").expect("it is there")];
-    assert_eq!(places(cut_off), [(18, 3)]);
+    assert_eq!(places(cut_off), [(19, 3)]);
     assert_eq!(places(&JSON.replace("\"30\"", "\"x\"")), [(4, 5)]);
     assert_eq!(
         places(&JSON.replace("\"version\": 0", "\"version\" 0")).len(),

@@ -76,6 +76,8 @@ fn draw_nothing(state: &State, vehicle: VehicleId, panel: Panel<'_>, buffer: &mu
             Some(_) => text!("parameters-none-differ-yet"),
             None => text!("parameters-none-differ", key = state.key(Action::Escape)),
         }
+    } else if room.shows_other_than_default() {
+        text!("parameters-all-default", key = state.key(Action::Escape))
     } else {
         text!(
             "parameters-none-changed",

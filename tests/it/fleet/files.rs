@@ -136,3 +136,29 @@ async fn a_copy_can_be_stopped_and_shows_its_progress() {
     console.succeeds("ftp list", 1).await;
     cancel.cancel();
 }
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn the_defaults_of_parameters_come_after_their_list() {
+    let (addresses, cancel) = serve(world(1), 20.0).await;
+    let mut console = Console::with_files();
+    console.connect(&addresses[0]);
+    console.until_known(&[1]).await;
+    console.succeeds("param set RTL_ALT 2345", 1).await;
+    console.fleet.fetch_parameters(1).expect("the fleet runs");
+    console
+        .until("the defaults are known", |console| {
+            let known = console
+                .parameters
+                .get(&1)
+                .map(|it| it.borrow().list.has_defaults());
+            known.unwrap_or_default()
+        })
+        .await;
+    let list = console.parameters[&1].borrow().list.clone();
+    let default = list.default_of("RTL_ALT").expect("it has one");
+    assert_eq!(list.other_default("RTL_ALT"), Some(default));
+    assert!((default - 2345.0).abs() > 1.0, "{default}");
+    assert_eq!(list.other_default("RTL_LOIT_TIME"), None);
+    assert!(list.default_of("RTL_LOIT_TIME").is_some());
+    cancel.cancel();
+}

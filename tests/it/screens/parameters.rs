@@ -112,6 +112,30 @@ fn documented_parameters() {
     insta::assert_snapshot!("parameters_doubted_ukrainian_80x24", screen);
 }
 
+#[test]
+fn parameters_that_differ_from_their_defaults() {
+    let mut console = in_the_room(1);
+    let mut known = list(1.0, 1000.0);
+    let defaults = [
+        ("ANGLE_MAX", 3000.0),
+        ("RTL_ALT", 3000.0),
+        ("WPNAV_SPEED", 500.0),
+    ];
+    known.note_defaults(
+        defaults
+            .map(|(name, value)| (name.to_owned(), value))
+            .into(),
+    );
+    arrives(&mut console, 1, known);
+    console.press("end");
+    check("defaults", &console);
+    console.press("o").press("o");
+    let screen = console.screen(80, 24);
+    insta::assert_snapshot!("parameters_other_than_default_80x24", screen);
+    console.press("o");
+    assert!(console.screen(80, 24).contains("ANGLE_MAX"));
+}
+
 fn compared() -> Console {
     let mut console = in_the_room(1);
     let text = "RTL_ALT,2000\nSYSID_THISMAV,7\nANGLE_MAX,4500\nNEW_ONE,1\nWPNAV_SPEED,1e-7\n";

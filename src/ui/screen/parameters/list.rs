@@ -231,7 +231,16 @@ fn standing(
         (None, None) if row.now.is_some_and(|now| now.is_changed()) => {
             (text!("parameters-changed"), Role::Accent)
         }
-        (None, None) => return None,
+        (None, None) => {
+            let default = state
+                .rooms()
+                .parameters()
+                .other_default(vehicle, row.name)?;
+            (
+                text!("parameters-default", value = shown(default)),
+                Role::Muted,
+            )
+        }
     };
     Some(Span::styled(look.text(&text), look.style(role)))
 }
