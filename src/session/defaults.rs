@@ -4,7 +4,6 @@
 use std::collections::BTreeMap;
 
 use super::ftp::{FtpClient, FtpEvent, FtpTask, FtpTicket};
-use super::gaps::FileBytes;
 use crate::parameters::{DEFAULTS_FILE, Fetching, read_defaults};
 
 /// The largest file that is read, in bytes: ten times that of a vehicle with all parameters.
@@ -62,7 +61,7 @@ impl DefaultsReader {
         }
         match event {
             FtpEvent::Opened(_) => bytes.clear(),
-            FtpEvent::Bytes(piece) if piece.range().end <= LARGEST => store(bytes, piece),
+            FtpEvent::Bytes(piece) if piece.range().end <= LARGEST => piece.write_to(bytes),
             FtpEvent::Bytes(_) => {
                 ftp.cancel(ticket);
                 self.stage = DefaultsStage::Over;
@@ -82,13 +81,4 @@ impl DefaultsReader {
         }
         None
     }
-}
-
-fn store(bytes: &mut Vec<u8>, piece: &FileBytes) {
-    let range = piece.range();
-    let (start, end) = (range.start as usize, range.end as usize);
-    if bytes.len() < end {
-        bytes.resize(end, 0);
-    }
-    bytes[start..end].copy_from_slice(&piece.bytes);
 }

@@ -1,3 +1,5 @@
+use proptest::prelude::*;
+
 use super::*;
 
 const XML: &str = r#"<?xml version="1.0" encoding="utf-8"?>
@@ -166,4 +168,26 @@ fn texts_cannot_move_the_cursor_of_the_terminal() {
         found.get("RTL_ALT").expect("documented").title,
         "RTL 2J Altitude"
     );
+}
+
+proptest! {
+    /// Whatever is damaged, the reader neither panics nor reports a place outside the text.
+    #[test]
+    fn damaged_files_are_read_without_harm(
+        which in 0usize..3,
+        places in proptest::collection::vec((any::<prop::sample::Index>(), "[ -~\n\u{9b}]{0,3}"), 1..6),
+    ) {
+        let mut text = [XML, JSON, PX4][which].to_owned();
+        for (place, written) in places {
+            let at = place.index(text.len());
+            if text.is_char_boundary(at) && text.is_char_boundary(at + 1) {
+                text.replace_range(at..=at, &written);
+            }
+        }
+        for fault in ParameterDocuments::read(&text).faults {
+            prop_assert!(fault.span.start <= text.len() && fault.span.end <= text.len());
+            let (line, _) = fault.line_column(&text);
+            prop_assert!(line >= 1);
+        }
+    }
 }

@@ -178,16 +178,11 @@ impl FileJob {
 
     /// Stores bytes at their place.
     fn take(&mut self, piece: &FileBytes) -> Result<(), FileEnding> {
-        let range = piece.range();
-        if range.end > LARGEST {
+        if piece.range().end > LARGEST {
             let text = text!("refused-file-large", most = LARGEST / 1024 / 1024);
             return Err(FileEnding::new(RowState::Refused, text));
         }
-        let (start, end) = (range.start as usize, range.end as usize);
-        if self.bytes.len() < end {
-            self.bytes.resize(end, 0);
-        }
-        self.bytes[start..end].copy_from_slice(&piece.bytes);
+        piece.write_to(&mut self.bytes);
         Ok(())
     }
 
