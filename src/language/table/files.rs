@@ -33,7 +33,7 @@ const FTP: VerbRow = VerbRow {
             command(Command::File(FileCommand::Stop))
         }),
         Form::new(&[Argument::flag("list", ""), PATH.optional()], |given| {
-            let folder = match path(given) {
+            let folder = match written(given) {
                 "" => "/",
                 folder => folder,
             };
@@ -42,41 +42,42 @@ const FTP: VerbRow = VerbRow {
             }))
         }),
         Form::new(&[Argument::flag("get", ""), PATH], |given| {
-            let (path, to) = match path(given).rsplit_once(TO) {
+            let (path, to) = match written(given).rsplit_once(TO) {
                 Some((path, to)) => (path.trim(), Some(to.trim().to_owned())),
-                None => (path(given), None),
+                None => (written(given), None),
             };
-            let path = path.to_owned();
-            command(Command::File(FileCommand::Get { path, to }))
+            command(Command::File(FileCommand::Get {
+                path: path.to_owned(),
+                to,
+            }))
         }),
         Form::new(&[Argument::flag("put", ""), PATH], |given| {
-            let Some((file, path)) = path(given).rsplit_once(TO) else {
+            let Some((file, place)) = written(given).rsplit_once(TO) else {
                 return Err(Problem::new("path", text!("grammar-put-where")));
             };
-            let (file, path) = (file.trim().to_owned(), path.trim());
-            let name = if path.ends_with('/') {
-                last_part(&file)
-            } else {
-                ""
+            let path = match place.trim() {
+                folder if folder.ends_with('/') => format!("{folder}{}", last_part(file.trim())),
+                path => path.to_owned(),
             };
-            let path = format!("{path}{name}");
+            let file = file.trim().to_owned();
             command(Command::File(FileCommand::Put { file, path }))
         }),
         Form::new(&[Argument::flag("checksum", ""), PATH], |given| {
-            let path = path(given).to_owned();
+            let path = written(given).to_owned();
             command(Command::File(FileCommand::Checksum { path }))
         }),
         Form::new(&[Argument::flag("mkdir", ""), PATH], |given| {
-            let path = path(given).to_owned();
+            let path = written(given).to_owned();
             command(Command::File(FileCommand::MakeFolder { path }))
         }),
         Form::new(&[Argument::flag("remove", ""), PATH], |given| {
-            let path = path(given).to_owned();
+            let path = written(given).to_owned();
             command(Command::File(FileCommand::Remove { path }))
         }),
     ],
 };
 
-fn path(given: &Arguments) -> &str {
+/// The paths of a line, as they were typed.
+fn written(given: &Arguments) -> &str {
     given.word("path").unwrap_or_default().trim()
 }

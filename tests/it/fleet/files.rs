@@ -45,7 +45,7 @@ impl Console {
 /// Copies a file to a vehicle and back, in a folder that is made and removed again.
 pub(crate) async fn to_and_fro(console: &mut Console, vehicle: u16, folder: &Path) {
     let sent = folder.join("sent.bin");
-    let bytes: Vec<u8> = (0..20_000u32).map(|at| (at * at >> 5) as u8).collect();
+    let bytes: Vec<u8> = (0..20_000u32).map(|at| ((at * at) >> 5) as u8).collect();
     fs::write(&sent, &bytes).expect("written");
     let words = console.succeeds("ftp mkdir /tried", vehicle).await;
     assert_eq!(words, "folder /tried made");
