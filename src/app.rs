@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use crate::config::{Config, DEFAULT_THEME};
+use crate::parameters::ParameterDocuments;
 use crate::scoring::TryReport;
 use crate::text::Locale;
 use crate::workshop::Design;
@@ -38,6 +39,8 @@ pub use snapshot::FlightSnapshot;
 pub struct Setup {
     pub config: Config,
     pub keymap: Keymap,
+    /// The documentation of parameters.
+    pub documents: Arc<ParameterDocuments>,
     /// The texts of the language in use.
     pub locale: Arc<Locale>,
     /// The name of the theme in use.
@@ -62,6 +65,7 @@ impl Default for Setup {
         Self {
             config: Config::default(),
             keymap: Keymap::default(),
+            documents: Arc::default(),
             locale: Arc::default(),
             theme: DEFAULT_THEME.to_owned(),
             themes: Vec::new(),

@@ -18,6 +18,7 @@ mod device;
 mod effect;
 mod encode;
 mod explain;
+mod file;
 mod find_kind;
 mod flight;
 mod log;
@@ -45,6 +46,7 @@ pub use destination::{Destination, Heading};
 pub use device::DeviceCommand;
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
+pub use file::{FileCommand, folder_of, last_part, path_in};
 pub use find_kind::{CONTACT_STEMS, FindKind, is_contact_name};
 pub use flight::FlightCommand;
 pub use log::{LogChoice, LogCommand, LogGroup};
@@ -79,6 +81,8 @@ pub enum Command {
     Parameter(ParameterCommand),
     /// The logs that the vehicle keeps of its flights.
     Log(LogCommand),
+    /// The files that the vehicle offers.
+    File(FileCommand),
     /// The lists that the vehicle carries: plan, fence and rally points.
     Plan(PlanCommand),
     /// The key with which the vehicle signs.
@@ -98,6 +102,8 @@ pub enum Setup<'command> {
     Limits,
     /// An item of a plan that changes home or the fence when it is flown.
     PlanItem(ProtectedItem),
+    /// A file on board, which may contain parameters, a plan or a script.
+    Files,
     /// Anything: a raw command is not interpreted.
     Anything,
 }
@@ -110,6 +116,7 @@ impl Command {
             Self::Motion(MotionCommand::SetHome { .. }) => Some(Setup::Home),
             Self::Plan(command) => command.setup(),
             Self::Device(DeviceCommand::Fence { .. }) => Some(Setup::Limits),
+            Self::File(command) => command.changes_files().then_some(Setup::Files),
             Self::Raw(_) => Some(Setup::Anything),
             Self::Parameter(ParameterCommand::Get { .. })
             | Self::Motion(_)
@@ -145,7 +152,8 @@ impl Command {
             Self::Parameter(command) => command.request(vehicle),
             // A session reads logs separately from its commands.
             Self::Log(_) => Err(text!("refused-logs-here")),
-            // Nor are lists transferred as commands.
+            // Nor are files and lists transferred as commands.
+            Self::File(_) => Err(text!("refused-files-here")),
             Self::Plan(_) => Err(text!("refused-plan-here")),
             Self::Signing(_) => Err(text!("refused-signing-here")),
             Self::Raw(command) => command.request(vehicle, confirmation),
@@ -163,6 +171,7 @@ impl Command {
             | Self::Query(_)
             | Self::Parameter(_)
             | Self::Log(_)
+            | Self::File(_)
             | Self::Plan(_)
             | Self::Signing(_)
             | Self::Raw(_) => None,
@@ -191,6 +200,7 @@ impl Command {
             | Self::Query(_)
             | Self::Parameter(_)
             | Self::Log(_)
+            | Self::File(_)
             | Self::Plan(_)
             | Self::Signing(_)
             | Self::Raw(_) => false,
@@ -208,6 +218,7 @@ impl Command {
             Self::Query(_)
             | Self::Parameter(_)
             | Self::Log(_)
+            | Self::File(_)
             | Self::Plan(_)
             | Self::Signing(_)
             | Self::Raw(_) => Effect::nothing(),
@@ -219,6 +230,7 @@ impl Command {
     pub fn hazard(&self, vehicle: &Vehicle) -> Option<Text> {
         match self {
             Self::Plan(command) => command.hazard(vehicle),
+            Self::File(command) => command.hazard(),
             Self::Device(command) => command.hazard(vehicle),
             Self::Signing(change) => Some(signing_hazard(*change)),
             Self::Raw(command) => command.hazard(),
@@ -244,6 +256,7 @@ impl Command {
             | Self::Device(_)
             | Self::Query(_)
             | Self::Log(_)
+            | Self::File(_)
             | Self::Plan(_)
             | Self::Signing(_) => Risk::None,
         }

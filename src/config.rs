@@ -62,6 +62,15 @@ pub struct Config {
     pub hangar: HangarConfig,
     pub connect: ConnectConfig,
     pub results: ResultsConfig,
+    pub parameters: ParametersConfig,
+}
+
+/// The parameters of vehicles.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ParametersConfig {
+    /// The path of a file with the documentation of parameters; without it, none is shown.
+    pub documentation: Option<String>,
 }
 
 /// The storage of trainees' results.
@@ -258,6 +267,7 @@ impl Default for Config {
             hangar: HangarConfig::default(),
             connect: ConnectConfig::default(),
             results: ResultsConfig::default(),
+            parameters: ParametersConfig::default(),
         }
     }
 }

@@ -228,6 +228,8 @@ impl<L> Exercise<L> {
                     self.advance_row(&update, now);
                 }
                 Report::Notice(notice) => self.notices.push(since(self.prelude, notice)),
+                // Only the console shows folders.
+                Report::Folder(_) => {}
             }
         }
     }

@@ -16,7 +16,7 @@ use crate::link::{Address, FrameSink, LinkStatus, Signer, Tap, Transport};
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{
-    LogKeeper, PlanShelf, Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want,
+    FileDesk, LogKeeper, PlanShelf, Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want,
 };
 use crate::text;
 use crate::text::Text;
@@ -77,6 +77,8 @@ pub struct Keeping {
     pub sink: Option<FrameSink>,
     /// The storage for downloaded logs.
     pub logs: Option<Arc<dyn LogKeeper>>,
+    /// The files that are copied to and from vehicles.
+    pub files: Option<Arc<dyn FileDesk>>,
     /// The files of plans.
     pub plans: Option<Arc<dyn PlanShelf>>,
     /// The keys of signed links.

@@ -1,6 +1,7 @@
 //! Telemetry: the changes that each `MAVLink` message makes to the model of its vehicle, and the
 //! resulting notices. One match chooses the handler; the handlers are in one file per subject.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -153,6 +154,11 @@ impl Inbox {
     /// Forgets which parameters of the list have been heard: the list is about to be sent again.
     pub fn expect_parameters_again(&mut self) {
         Arc::make_mut(&mut self.parameters).expect_again();
+    }
+
+    /// Stores the defaults of the parameters.
+    pub fn note_defaults(&mut self, defaults: BTreeMap<String, f32>) {
+        Arc::make_mut(&mut self.parameters).note_defaults(defaults);
     }
 
     /// Forgets all parameters that have been heard.

@@ -1,18 +1,25 @@
-//! Parameters: the list of a vehicle, parameter files, and differences between two lists.
+//! Parameters: the list of a vehicle, parameter files, differences between two lists, and what is documented.
 
 use std::sync::Arc;
 
 mod difference;
+mod documentation;
 mod file;
 mod kind;
 mod list;
+mod packed;
 
 pub use difference::{
     ParameterDifference, ParameterFinding, differences, is_same, is_the_vehicles_own,
 };
+pub use documentation::{
+    DocumentedRange, NamedBit, NamedValue, ParameterDocument, ParameterDocuments, ParameterDoubt,
+    ReadDocuments,
+};
 pub use file::{parse, write};
 pub use kind::{ParameterType, ParameterUnfit};
 pub use list::{HeardParameter, ListedParameter, ParameterList};
+pub use packed::{DEFAULTS_FILE, read_defaults};
 pub use sortie_sim::{AliasSense, other_name};
 
 /// The state of the download of a vehicle's list.

@@ -8,7 +8,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{FILE_TRANSFER_PROTOCOL_DATA, MavMessage};
+use mavlink::dialects::ardupilotmega::MavMessage;
 
 use crate::commands::Command;
 use crate::messages::Inbox;
@@ -20,7 +20,9 @@ use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, Outgoing, 
 
 mod acknowledgement;
 mod bench;
+mod defaults;
 mod download;
+mod files;
 mod fit;
 mod ftp;
 mod gaps;
@@ -44,8 +46,11 @@ mod surroundings;
 mod tests;
 mod timesync;
 mod transaction;
+mod transfers;
 
+use defaults::DefaultsReader;
 use download::Download;
+use files::FileOrders;
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
 use lists::{Lists, ListsDesk};
@@ -56,6 +61,7 @@ use streams::Streams;
 use surroundings::Surroundings;
 use timesync::Timesync;
 
+pub use files::FileDesk;
 pub use ftp::{
     FtpClient, FtpEntry, FtpEvent, FtpFault, FtpNak, FtpPayload, FtpStep, FtpTask, FtpTicket,
 };
@@ -64,7 +70,7 @@ pub use hearing::{LOST_AFTER, autopilot_of};
 pub use logs::{KeptLog, ListedLog, LogKeeper, VehicleLog};
 pub use naming::Renamed;
 
-pub use order::{Report, Steering, VehicleCommand};
+pub use order::{ListedFolder, Report, Steering, VehicleCommand};
 pub(crate) use plan_orders::format_of;
 pub use plan_orders::{GuardedShelf, PlanOnFile, PlanShelf};
 pub use radio::RadioFault;
@@ -90,7 +96,9 @@ pub struct Session {
     lists: Lists,
     line: Line,
     download: Download,
+    defaults: DefaultsReader,
     logs: LogReader,
+    files: FileOrders,
     ftp: FtpClient,
     signing: VehicleSigning,
     output: Output,
@@ -112,7 +120,9 @@ impl Session {
             lists: Lists::default(),
             line: Line::default(),
             download: Download::new(),
+            defaults: DefaultsReader::default(),
             logs: LogReader::default(),
+            files: FileOrders::default(),
             ftp: FtpClient::default(),
             signing: VehicleSigning::default(),
             output: Output::default(),
@@ -229,12 +239,15 @@ impl Session {
         self.streams.forget(now);
         self.surroundings.begin_anew();
         self.download.begin_anew(&mut self.inbox);
+        self.defaults.begin_anew();
         // Messages for the vehicle before its reboot must not reach it afterwards.
         let newer = text!("outcome-the-reboot");
         let (line, mut moment) = self.line(now);
         line.clear(&newer, &mut moment);
         line.supersede_movements(&newer, now, moment.output);
         self.vehicle.asked_speeds = AskedSpeeds::default();
+        let (files, mut scene) = self.files(now);
+        files.clear(&newer, &mut scene);
         self.ftp.forget();
         self.lists.begin_anew(&mut self.ftp, now);
         self.logs
@@ -246,6 +259,12 @@ impl Session {
     pub fn order(&mut self, order: VehicleCommand, now: Duration) {
         if matches!(order.command, Command::Log(_)) {
             self.logs.order(order, &self.vehicle, now, &mut self.output);
+            self.poll(now);
+            return;
+        }
+        if matches!(order.command, Command::File(_)) {
+            let (files, mut scene) = self.files(now);
+            files.order(order, &mut scene);
             self.poll(now);
             return;
         }
@@ -297,6 +316,9 @@ impl Session {
             let is_free = self.line.is_free();
             let (lists, desk) = self.lists(now);
             lists.read(is_free, desk);
+            let offers_file = self.offers_defaults();
+            let fetching = self.download.fetching();
+            self.defaults.poll(fetching, offers_file, &mut self.ftp);
             let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
             self.output.messages.extend(requests);
         }
@@ -304,6 +326,8 @@ impl Session {
         lists.poll(desk);
         self.logs
             .poll(&self.vehicle, &mut self.ftp, now, &mut self.output);
+        let (files, mut scene) = self.files(now);
+        files.poll(&mut scene);
         self.handle_files(None, now);
         self.signing.poll(&self.vehicle, now, &mut self.output);
         self.advance(now);
@@ -319,6 +343,7 @@ impl Session {
             || self.logs.is_busy()
             || self.lists.is_busy()
             || self.download.fetching().is_under_way()
+            || self.files.is_busy()
             || self.ftp.is_busy()
             || self.signing.is_busy()
         {
@@ -371,28 +396,6 @@ impl Session {
             self.handle_files(Some(&data.payload), now);
         }
         self.line.receive(frame, now, &mut self.output);
-    }
-
-    /// Advances the file client, and passes on the events of its tasks.
-    fn handle_files(&mut self, incoming: Option<&FtpPayload>, now: Duration) {
-        if incoming.is_none() && !self.ftp.is_busy() {
-            return;
-        }
-        let round_trip = self.vehicle.link.round_trip.unwrap_or_default();
-        let step = self.ftp.step(incoming, round_trip, now);
-        let requests = step.requests.into_iter().map(|payload| {
-            MavMessage::FILE_TRANSFER_PROTOCOL(FILE_TRANSFER_PROTOCOL_DATA {
-                target_network: 0,
-                target_system: self.vehicle.system,
-                target_component: self.vehicle.component,
-                payload,
-            })
-        });
-        self.output.messages.extend(requests.map(Outgoing::from));
-        for (ticket, event) in step.events {
-            self.lists.hear_file(ticket, &event, now);
-            self.logs.hear_file(ticket, event, &mut self.ftp, now);
-        }
     }
 
     fn advance(&mut self, now: Duration) {

@@ -180,6 +180,7 @@ impl Console {
                 ..preferences.config.clone()
             },
             keymap: preferences.keymap.clone(),
+            documents: Arc::clone(&preferences.documents),
             locale: Arc::clone(&options.look.locale),
             theme: options.look.theme.name().to_owned(),
             themes: preferences.themes.names().map(str::to_owned).collect(),

@@ -36,6 +36,7 @@ mod source;
 mod terrain;
 #[cfg(test)]
 mod tests;
+mod transferred;
 mod unsaved;
 
 pub use folders::Folders;
@@ -59,8 +60,9 @@ pub use runs::{RunFile, Runs, read_run, utc};
 pub use settlement::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
 pub use sharing::{RUNS, SharingFault, Unshared, other_owner, share_with_group, sharing_fault};
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
-pub use source::{Source, StoreError, read, read_bytes, read_found, read_start};
+pub use source::{Source, StoreError, read, read_bytes, read_found, read_large, read_start};
 pub use terrain::add_square;
+pub use transferred::TransferredFiles;
 pub use unsaved::UnsavedDrafts;
 
 mod shipped {

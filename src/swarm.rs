@@ -365,6 +365,7 @@ fn goal(command: &Command, act: &ActiveManoeuvre, vehicles: &Vehicles) -> Option
         | Command::Query(_)
         | Command::Parameter(_)
         | Command::Log(_)
+        | Command::File(_)
         | Command::Plan(_)
         | Command::Signing(_)
         | Command::Raw(_) => None,

@@ -27,6 +27,7 @@ file-parameters = parameter file
 file-frame = airframe
 file-theme = theme
 file-keymap = keymap
+file-documentation = documentation of parameters
 file-configuration = configuration
 file-any = mission, theme, keymap, configuration or script
 

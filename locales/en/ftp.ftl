@@ -15,3 +15,25 @@ ftp-other-size = the file has a different size, { $bytes } bytes
 ftp-malformed = malformed answer
 ftp-too-many = the folder has too many entries
 ftp-bad-path = the path is empty or too long
+
+# The room of files.
+hazard-remove-file = removes { $path } from the vehicle; it cannot be brought back
+hazard-put-file = writes { $path } on the vehicle; a file of this name is replaced
+files-no-vehicle = No vehicle yet: this room shows the files of vehicles in contact.
+files-title = vehicle { $vehicle }: { $folder }
+files-column-name = NAME
+files-column-size = BYTES
+files-empty = the folder is empty
+files-listing = reading the folder ...
+files-not-listed = { $reason }; { $key } tries again
+files-in-replay = a record contains no files of vehicles
+files-orders = copies and changes
+files-hint-open = open
+files-hint-parent = back
+files-hint-get = get
+files-hint-put = put
+files-hint-remove = remove
+files-hint-folder = make a folder
+files-hint-check = checksum
+prompt-put-file = copy a file to { $folder } of vehicle { $vehicle }
+prompt-put-file-advice = a path on this machine (`~/` is your home folder); a file of the same name on the vehicle is replaced

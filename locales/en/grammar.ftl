@@ -116,3 +116,4 @@ grammar-say-who = name the vehicles, as in `{ $line }`
 grammar-wait-timed-out = line { $line }: `{ $wait }` timed out
 grammar-if-then = `if` needs `then` and a command, as in `if 3 alerted then 3 rtl`
 grammar-if-state = write a state as the condition, as in `if 3 alerted then 3 rtl`
+grammar-put-where = write ` to ` and a path on the vehicle after the file: `ftp put a.lua to /scripts/`

@@ -98,6 +98,20 @@ outcome-log-sum-other = read twice: the checksum differs from the vehicle's
 outcome-log-sum-grown = no checksum: the vehicle was still writing this log (it does so for 15 s after disarming); repeat the download later
 outcome-log-sum-none = no checksum: { $reason }
 outcome-log-no-file = no file of the listed size
+outcome-folder-empty = the folder is empty
+outcome-folder = { $count ->
+    [one] { $count } entry: { $names }
+   *[other] { $count } entries: { $names }
+}
+outcome-folder-made = folder { $path } made
+outcome-file-removed = { $path } removed
+outcome-file-got = copied to { $file }: { $bytes } B, checksum not verified
+outcome-file-got-verified = copied to { $file }: { $bytes } B, checksum verified
+outcome-file-put = copied to the vehicle: { $bytes } B, checksum not verified
+outcome-file-put-verified = copied to the vehicle: { $bytes } B, checksum verified
+outcome-file-checksum = checksum (CRC-32) { $sum }
+outcome-file-differs = the copy differs from the file: their checksums are not equal; copy it again
+outcome-files-stopped = stopped
 outcome-logs-stopped = stopped; the part already read is kept; repeat the download to continue
 outcome-plan-written = { $count ->
     [one] { $count } item

@@ -46,6 +46,7 @@ parameters-marked = { $count } differ, { $marked } marked
 parameters-hidden = { $count } only on this vehicle (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = only changed
+parameters-other-than-default = only other than default
 parameters-setting = setting: { $count } left
 parameters-sets-on = targets: { $vehicles }
 parameters-none-yet = nothing received yet
@@ -53,6 +54,7 @@ parameters-none-fit = no parameter matches: { $key } shows all
 parameters-none-differ-yet = no differences so far
 parameters-none-differ = no differences: { $key } shows all
 parameters-none-changed = no changes: { $key } shows all
+parameters-all-default = all parameters have their defaults: { $key } shows all
 
 parameters-column-name = NAME
 parameters-column-value = VALUE
@@ -73,6 +75,7 @@ parameters-own = this vehicle's own
 parameters-missing = not on this vehicle
 parameters-extra = only on this vehicle
 parameters-changed = changed
+parameters-default = default { $value }
 parameters-before = was { $value }
 
 parameters-set-done = { $failed ->
@@ -119,3 +122,24 @@ parameters-hint-mark-all = all, invert
 parameters-hint-extra = only here
 parameters-hint-apply = set the marked ones
 parameters-hint-close = back
+
+documentation-unknown = not a file with the documentation of parameters
+documentation-unknown-help = `apm.pdef.xml` and `apm.pdef.json` of ArduPilot and `parameters.json` of PX4 are read
+documentation-nothing = the file documents no parameters
+documentation-cut-off = the file is cut off: elements are not closed
+documentation-xml = the XML has a fault: { $fault }
+documentation-json = the JSON has a fault: { $fault }
+documentation-no-range = `{ $written }` is not a range: it has a lower and an upper limit
+documentation-no-bit = `{ $written }` is not the number of a bit (0 to 31)
+documentation-range = { $least } to { $most }
+documentation-least = at least { $least }
+documentation-most = at most { $most }
+documentation-step = step { $step }
+documentation-reboot = takes effect after a reboot
+documentation-values = values: { $values }
+documentation-bits = bits: { $bits }
+documentation-outside = { $name } = { $value } is outside its documented range: { $range }
+documentation-not-listed = { $name } = { $value } is none of its documented values
+documentation-unknown-bits = { $name } = { $value } has bits without a documented meaning
+documentation-still = { $doubt }; { $submit } sets it nevertheless
+parameters-column-meaning = UNIT, MEANING

@@ -47,6 +47,7 @@ argument-line-more = further places of the line
 argument-plan-height = height above home; 30 m by default
 argument-plan-turns = number of turns; 2 by default
 verb-logs = list or download flight logs, or stop a download; downloads continue where they stopped
+verb-ftp = list, copy, check or remove files of the vehicle (MAVFTP), or stop a copy
 verb-signing = give vehicles a signing key, replace it, or remove it; disarmed only
 verb-long = send any MAV_CMD as COMMAND_LONG; parameters left out are 0
 verb-int = send any MAV_CMD as COMMAND_INT; for a position, x and y are degrees times 1e7
@@ -58,6 +59,7 @@ argument-radio-link = number in the room Links
 verb-send = send any message with its fields by name; the receiver is filled in, other fields left out are 0, and no answer is awaited
 argument-message-fields = `NAME=VALUE` for each field: numbers, names joined by `|`, lists in `[ ]`, text in quotes
 
+argument-vehicle-path = path on the vehicle; `get` and `put` take ` to ` and a second path
 argument-log-folder = folder for the files
 argument-log-number = number in `logs list`
 argument-signing-setup = make a key, and prove that the vehicle uses it

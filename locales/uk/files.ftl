@@ -28,6 +28,7 @@ file-parameters = файл параметрів
 file-frame = файл рами
 file-theme = тема
 file-keymap = розкладка клавіш
+file-documentation = опис параметрів
 file-configuration = файл налаштувань
 file-any = завдання, тема, розкладка клавіш, налаштування чи скрипт
 

@@ -15,3 +15,25 @@ ftp-other-size = файл має інший розмір, байтів: { $bytes
 ftp-malformed = незрозуміла відповідь
 ftp-too-many = у теці забагато елементів
 ftp-bad-path = шлях порожній або задовгий
+
+# Кімната файлів.
+hazard-remove-file = видаляє { $path } з апарата; повернути файл не вдасться
+hazard-put-file = записує { $path } на апарат; файл із такою назвою буде замінено
+files-no-vehicle = Апаратів ще немає: тут з'являться файли тих, що вийдуть на зв'язок.
+files-title = апарат { $vehicle }: { $folder }
+files-column-name = НАЗВА
+files-column-size = БАЙТІВ
+files-empty = тека порожня
+files-listing = читання теки ...
+files-not-listed = { $reason }; { $key } пробує ще раз
+files-in-replay = у записі немає файлів апаратів
+files-orders = копіювання та зміни
+files-hint-open = відкрити
+files-hint-parent = назад
+files-hint-get = отримати
+files-hint-put = надіслати
+files-hint-remove = видалити
+files-hint-folder = створити теку
+files-hint-check = сума
+prompt-put-file = скопіювати файл у { $folder } апарата { $vehicle }
+prompt-put-file-advice = шлях на цьому комп'ютері (`~/` — домашня тека); файл із такою назвою на апараті буде замінено

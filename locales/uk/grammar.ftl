@@ -116,3 +116,4 @@ grammar-say-who = назвіть апарати, як-от `{ $line }`
 grammar-wait-timed-out = рядок { $line }: `{ $wait }` — час очікування минув
 grammar-if-then = після `if` потрібні `then` і команда, як-от `if 3 alerted then 3 rtl`
 grammar-if-state = після `if` пишіть стан, як у `if 3 alerted then 3 rtl`
+grammar-put-where = після файлу допишіть ` to ` і шлях на апараті: `ftp put a.lua to /scripts/`

@@ -104,6 +104,21 @@ outcome-log-sum-other = прочитано двічі: контрольна су
 outcome-log-sum-grown = без контрольної суми: апарат ще писав цей журнал (після деактивації двигунів це триває 15 s); завантажте його ще раз пізніше
 outcome-log-sum-none = без контрольної суми: { $reason }
 outcome-log-no-file = немає файлу вказаного розміру
+outcome-folder-empty = тека порожня
+outcome-folder = { $count ->
+    [one] { $count } запис: { $names }
+    [few] { $count } записи: { $names }
+   *[many] { $count } записів: { $names }
+}
+outcome-folder-made = теку { $path } створено
+outcome-file-removed = { $path } видалено
+outcome-file-got = скопійовано у { $file }: { $bytes } B, контрольну суму не звірено
+outcome-file-got-verified = скопійовано у { $file }: { $bytes } B, контрольну суму звірено
+outcome-file-put = скопійовано на апарат: { $bytes } B, контрольну суму не звірено
+outcome-file-put-verified = скопійовано на апарат: { $bytes } B, контрольну суму звірено
+outcome-file-checksum = контрольна сума (CRC-32) { $sum }
+outcome-file-differs = копія відрізняється від файлу: контрольні суми не збігаються; скопіюйте ще раз
+outcome-files-stopped = зупинено
 outcome-logs-stopped = зупинено; прочитане збережено; повторіть завантаження, щоб продовжити
 outcome-plan-written = { $count ->
     [one] { $count } пункт

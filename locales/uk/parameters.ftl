@@ -49,6 +49,7 @@ parameters-marked = відмінностей: { $count }, позначено: { 
 parameters-hidden = лише на цьому апараті: { $count } (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = лише змінені
+parameters-other-than-default = лише не типові
 parameters-setting = встановлення: лишилося { $count }
 parameters-sets-on = кому: { $vehicles }
 parameters-none-yet = ще нічого не надійшло
@@ -56,6 +57,7 @@ parameters-none-fit = жоден параметр не відповідає фі
 parameters-none-differ-yet = поки що відмінностей немає
 parameters-none-differ = відмінностей немає: { $key } показує всі параметри
 parameters-none-changed = нічого не змінено: { $key } показує всі
+parameters-all-default = усі параметри мають типові значення: { $key } показує всі
 
 parameters-column-name = НАЗВА
 parameters-column-value = ЗНАЧЕННЯ
@@ -76,6 +78,7 @@ parameters-own = свій у кожного апарата
 parameters-missing = немає на цьому апараті
 parameters-extra = лише на цьому апараті
 parameters-changed = змінено
+parameters-default = типове { $value }
 parameters-before = було { $value }
 
 parameters-set-done = { $failed ->
@@ -123,3 +126,24 @@ parameters-hint-mark-all = усі, решту
 parameters-hint-extra = лише тут
 parameters-hint-apply = встановити позначене
 parameters-hint-close = назад
+
+documentation-unknown = це не файл з описом параметрів
+documentation-unknown-help = читаються `apm.pdef.xml` і `apm.pdef.json` від ArduPilot та `parameters.json` від PX4
+documentation-nothing = у файлі не описано жодного параметра
+documentation-cut-off = файл обірвано: не всі елементи закрито
+documentation-xml = помилка в XML: { $fault }
+documentation-json = помилка в JSON: { $fault }
+documentation-no-range = `{ $written }` не є діапазоном: потрібні нижня й верхня межі
+documentation-no-bit = `{ $written }` не є номером біта (від 0 до 31)
+documentation-range = від { $least } до { $most }
+documentation-least = щонайменше { $least }
+documentation-most = щонайбільше { $most }
+documentation-step = крок { $step }
+documentation-reboot = діє після перезавантаження
+documentation-values = значення: { $values }
+documentation-bits = біти: { $bits }
+documentation-outside = { $name } = { $value } поза описаним діапазоном: { $range }
+documentation-not-listed = { $name } = { $value } немає серед описаних значень
+documentation-unknown-bits = { $name } = { $value } має біти, яких в описі немає
+documentation-still = { $doubt }; { $submit } все одно встановлює
+parameters-column-meaning = ОДИНИЦЯ, ЗМІСТ

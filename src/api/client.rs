@@ -263,11 +263,14 @@ pub fn present(
         Subject::Parameters => {
             let vehicle = named(state, id, vehicle)?.id;
             let known = state.rooms().parameters().lists().get(&vehicle);
-            let list = known.iter().flat_map(|known| known.list.iter());
-            Message::Parameters(StateList::new(
-                id,
-                list.map(|(name, parameter)| ParameterView::new(name, parameter)),
-            ))
+            let views = known.iter().flat_map(|known| {
+                known.list.iter().map(|(name, parameter)| {
+                    let default = known.list.default_of(name);
+                    let document = state.documents().get(name);
+                    ParameterView::new(name, parameter, default, document)
+                })
+            });
+            Message::Parameters(StateList::new(id, views))
         }
         Subject::Plan => Message::Plan(PlanView::new(id, named(state, id, vehicle)?)),
         Subject::Records => Message::Records(StateList::new(id, records())),

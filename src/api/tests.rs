@@ -11,6 +11,7 @@ use crate::app::{App, Setup, State};
 use crate::ledger::{EntryId, ForeignCommand, ForeignId, RowState, RowUpdate, StationId};
 use crate::mission::Stake;
 use crate::notice::Notice;
+use crate::parameters::{ListedParameter, ParameterDocuments, ParameterType};
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::MavAddress;
 
@@ -387,4 +388,29 @@ proptest! {
         bytes.truncate(cut);
         prop_assert!(read(&String::from_utf8_lossy(&bytes)).is_err());
     }
+}
+
+#[test]
+fn a_parameter_has_its_default_unit_and_meaning_where_they_are_known() {
+    let text = r#"{"": {"FENCE_ENABLE": {"DisplayName": "Fence", "Values": {"1": "Enabled"}},
+        "RTL_ALT": {"DisplayName": "Height", "Units": "cm"}}}"#;
+    let documents = ParameterDocuments::read(text).documents;
+    let parameter = |value| ListedParameter {
+        value,
+        original: value,
+        kind: ParameterType::Real32,
+        index: None,
+    };
+    let view = |name: &str, value: f32, default| {
+        let view = ParameterView::new(name, &parameter(value), default, documents.get(name));
+        serde_json::to_value(view).expect("JSON")
+    };
+    assert_eq!(
+        view("FENCE_ENABLE", 1.0, Some(0.0)),
+        json!({"name": "FENCE_ENABLE", "value": 1.0, "default": 0.0, "unit": null, "meaning": "Enabled"})
+    );
+    assert_eq!(
+        view("RTL_ALT", 1500.0, None),
+        json!({"name": "RTL_ALT", "value": 1500.0, "default": null, "unit": "cm", "meaning": null})
+    );
 }

@@ -9,7 +9,7 @@ mod shared;
 mod step;
 
 pub use of_rooms::{
-    DebriefAction, DrawAction, HangarAction, LedgerAction, MapAction, MessagesAction,
+    DebriefAction, DrawAction, FilesAction, HangarAction, LedgerAction, MapAction, MessagesAction,
     ParametersAction, PlansAction, WorkshopAction,
 };
 pub use shared::{LineAction, ReplayAction, SelectAction, StartAction, ViewAction};
@@ -115,6 +115,8 @@ actions! {
         Ledger(LedgerAction),
         /// Actions of the Parameters room.
         Parameters(ParametersAction),
+        /// Actions of the Files room.
+        Files(FilesAction),
         /// Actions of the Plans room about drafts, lists and the view.
         Plans(PlansAction),
         /// Changes of the draft in the Plans room.

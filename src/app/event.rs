@@ -26,6 +26,7 @@ use crate::operator::RehearsalFindings;
 use crate::parameters::ParameterSnapshot;
 use crate::review::Review;
 use crate::scoring::{Report, TryReport};
+use crate::session::ListedFolder;
 use crate::swarm::Path;
 use crate::text::Text;
 use crate::vehicle::{Vehicle, VehicleId};
@@ -133,6 +134,8 @@ pub enum VehicleEvent {
     },
     /// A command made progress with one vehicle.
     Row(RowUpdate),
+    /// A folder of a vehicle has been listed.
+    Folder(ListedFolder),
     /// Another ground station has commanded a vehicle, or its command has a new state.
     Foreign(ForeignCommand),
     /// The paths that vehicles of a manoeuvre will fly.

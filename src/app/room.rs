@@ -8,6 +8,7 @@ use super::state;
 
 mod context;
 pub mod debrief;
+pub mod files;
 pub mod fly;
 mod footer_keys;
 pub mod hangar;
@@ -172,6 +173,7 @@ pub fn act(state: &mut State, action: Action) -> Answer {
         Action::Parameters(action) => {
             Room::Parameters.alone(state, |it| parameters::act(it, action))
         }
+        Action::Files(action) => Room::Files.alone(state, |it| files::act(it, action)),
         Action::Plans(action) => Room::Plans.alone(state, |it| plans::act(it, action)),
         Action::Draw(action) => Room::Plans.alone(state, |it| plans::draw(it, action)),
         Action::Messages(action) => {

@@ -28,6 +28,8 @@ macro_rules! for_each_room {
             Links, links, "links", 'L', links::Links;
             /// The processes that simulate the vehicles.
             Hangar, hangar, "hangar", 'G', hangar::Hangar;
+            /// The files of the vehicles.
+            Files, files, "files", 'X', files::Files;
             Parameters, parameters, "parameters", 'P', parameters::Parameters;
             /// The mission's brief, objectives and rules.
             Mission, mission, "mission", 'B', mission::Mission;

@@ -7,6 +7,7 @@ use super::action::Action;
 use super::keymap::Place;
 use crate::config::{Config, Symbols};
 use crate::mission::Stake;
+use crate::parameters::ParameterDocuments;
 use crate::scoring::workload_question;
 use crate::text::{Language, Locale, Text};
 use crate::vehicle::VehicleId;
@@ -110,6 +111,8 @@ pub struct State<R> {
     pub(in crate::app) training: Training,
     pub(in crate::app) display: Display,
     pub(in crate::app) keymap: Keymap,
+    /// The documentation of parameters.
+    pub(in crate::app) documents: Arc<ParameterDocuments>,
     /// Whether ArduPilot's SITL is available.
     pub(in crate::app) has_ardupilot: bool,
     message: Option<Message>,
@@ -165,6 +168,7 @@ impl<R: Default> State<R> {
                 theme: setup.theme,
             },
             keymap: setup.keymap,
+            documents: setup.documents,
             has_ardupilot: setup.has_ardupilot,
             message: None,
             revision: 0,
@@ -228,6 +232,11 @@ impl<R> State<R> {
     /// The key of an action in the current room, for messages.
     pub fn key(&self, action: Action) -> Text {
         self.keymap.key(action, Place::In(self.room))
+    }
+
+    /// The documentation of parameters.
+    pub fn documents(&self) -> &ParameterDocuments {
+        &self.documents
     }
 
     /// Another flight of the mission, shown beside this one.

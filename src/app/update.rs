@@ -6,7 +6,7 @@ use super::event::{
     CareerEvent, Event, FileEvent, LinkEvent, ProcessEvent, SessionEvent, TerminalEvent,
     VehicleEvent,
 };
-use super::room::{parameters, plans, workshop};
+use super::room::{files as room_files, parameters, plans, workshop};
 use super::state::{Overlay, Room};
 use crate::ledger::{Given, LedgerEntry, RowUpdate};
 
@@ -43,6 +43,7 @@ mod show;
 mod start;
 mod telemetry;
 mod typing;
+mod vehicle_files;
 
 /// Handles an event and returns the work for the shell.
 pub fn update(state: &mut State, event: Event) -> Effects {
@@ -82,6 +83,7 @@ fn react(state: &mut State, event: Event) -> Effects {
             telemetry::tick(state, now, wall);
             let mut effects = parameters::wanted(state);
             effects.extend(plans::keep(state));
+            effects.extend(vehicle_files::wanted(state));
             return effects;
         }
         Event::Terminal(event) => return terminal(state, event),
@@ -159,6 +161,7 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
             state.touch();
             return order_advanced(state, &row);
         }
+        VehicleEvent::Folder(folder) => room_files::listed(state, folder),
         VehicleEvent::Foreign(command) => {
             state.session.commands.ledger.note_foreign(command);
             state.rooms.ledger.spoil();
@@ -179,6 +182,7 @@ fn order_advanced(state: &mut State, row: &RowUpdate) -> Effects {
     if !was_over {
         parameters::tell(state, row.entry);
     }
+    room_files::advanced(state, row);
     batch::advance(state)
 }
 

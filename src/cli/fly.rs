@@ -211,12 +211,16 @@ fn look(settings: &CliSettings) -> Look {
 
 /// The console's options. Faults of the user's files are printed before the console starts, so that
 /// they are visible after it ends.
-pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<ConsoleOptions, Failure> {
+pub(super) fn options(
+    opening: Opening,
+    mut settings: CliSettings,
+) -> Result<ConsoleOptions, Failure> {
     if let Opening::Connect(addresses) = &opening {
         for address in addresses {
             check_recording(address)?;
         }
     }
+    let documents = settings.read_parameter_documents()?;
     settings.complain();
     let ardupilot = backend::found(&settings);
     let folders = settings.folders.as_ref();
@@ -246,6 +250,7 @@ pub(super) fn options(opening: Opening, settings: CliSettings) -> Result<Console
             is_lang_given: settings.sources.is_flag("lang"),
             config: settings.config,
             keymap: settings.keymap,
+            documents: Arc::new(documents),
             themes: settings.themes,
         },
     })

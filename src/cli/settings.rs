@@ -19,6 +19,7 @@ use crate::text;
 use crate::text::{Language, Locale, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
+mod documents;
 mod flags;
 mod shown;
 mod sources;

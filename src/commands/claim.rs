@@ -76,6 +76,7 @@ impl Command {
             | Self::Query(_)
             | Self::Parameter(_)
             | Self::Log(_)
+            | Self::File(_)
             | Self::Plan(_)
             | Self::Signing(_)
             | Self::Raw(_) => Claim::default(),

@@ -129,6 +129,7 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
         | Command::Query(_)
         | Command::Parameter(_)
         | Command::Log(_)
+        | Command::File(_)
         | Command::Plan(_)
         | Command::Signing(_)
         | Command::Raw(_) => None,

@@ -254,6 +254,12 @@ pub const SETTINGS: &[Setting] = &[
         "Whether frames that are not signed with the key of their vehicle are ignored.",
     ),
     setting(
+        "parameters.documentation",
+        SettingKind::Text,
+        Some("SORTIE_PARAMETER_DOCS"),
+        "File with the documentation of parameters: apm.pdef.xml or apm.pdef.json of ArduPilot, parameters.json of PX4.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

@@ -7,7 +7,7 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
-use super::keepers::{BlockingKeeper, BlockingShelf, desk_of};
+use super::keepers::{BlockingFiles, BlockingKeeper, BlockingShelf, desk_of};
 use super::sharing::Sharing;
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
@@ -345,6 +345,9 @@ impl Hub {
         let mut session = Session::new(system, component, now).wanting(self.streams, now);
         if let Some(keeper) = &self.keeping.logs {
             session = session.keeping_logs(Arc::new(BlockingKeeper(Arc::clone(keeper))));
+        }
+        if let Some(desk) = &self.keeping.files {
+            session = session.with_files(Arc::new(BlockingFiles(Arc::clone(desk))));
         }
         if let Some(shelf) = &self.keeping.plans {
             session = session.with_plan_files(Arc::new(BlockingShelf(Arc::clone(shelf))));

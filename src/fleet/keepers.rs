@@ -9,7 +9,7 @@ use tokio::task::block_in_place;
 use crate::link::{LinkHandle, SignedLink};
 use crate::plan::{Document, ListKind};
 use crate::session::{
-    FileBytes, GapMap, KeptLog, KeyDesk, LogKeeper, PlanOnFile, PlanShelf, VehicleLog,
+    FileBytes, FileDesk, GapMap, KeptLog, KeyDesk, LogKeeper, PlanOnFile, PlanShelf, VehicleLog,
 };
 use crate::signing::{SentKey, SigningChange};
 use crate::text::Text;
@@ -35,6 +35,20 @@ impl LogKeeper for BlockingKeeper {
 
     fn finish(&self, log: &VehicleLog) -> Result<String, Text> {
         off_the_loop(|| self.0.finish(log))
+    }
+}
+
+/// A desk whose work blocks only its own vehicle.
+#[derive(Debug)]
+pub(super) struct BlockingFiles(pub Arc<dyn FileDesk>);
+
+impl FileDesk for BlockingFiles {
+    fn read(&self, file: &str) -> Result<Vec<u8>, Text> {
+        off_the_loop(|| self.0.read(file))
+    }
+
+    fn write(&self, file: &str, bytes: &[u8]) -> Result<String, Text> {
+        off_the_loop(|| self.0.write(file, bytes))
     }
 }
 

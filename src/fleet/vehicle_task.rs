@@ -242,6 +242,12 @@ fn log(report: &Report) {
             "{}",
             row.state
         ),
+        Report::Folder(listed) => tracing::debug!(
+            vehicle = listed.vehicle,
+            folder = listed.folder,
+            entries = listed.entries.len(),
+            "folder"
+        ),
         Report::Notice(notice) => {
             tracing::info!(vehicle = notice.vehicle, severity = %notice.severity, "{}", notice.text);
         }

@@ -49,6 +49,11 @@ pub enum Listed {
 pub trait Names: fmt::Debug {
     /// The current content of a list.
     fn listed(&self, list: NameList) -> Listed;
+
+    /// What is documented about a parameter with this value; empty if nothing is.
+    fn about_parameter(&self, _name: &str, _value: f32) -> String {
+        String::new()
+    }
 }
 
 /// Lists with unknown content.

@@ -9,6 +9,7 @@ use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
 mod console;
 mod devices;
 mod drafts;
+mod files;
 mod flight;
 mod mission;
 mod motion;
@@ -43,7 +44,7 @@ pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }
 
-static TABLE: [&[VerbRow]; 12] = [
+static TABLE: [&[VerbRow]; 13] = [
     flight::ROWS,
     motion::ROWS,
     swarm::ROWS,
@@ -52,6 +53,7 @@ static TABLE: [&[VerbRow]; 12] = [
     plans::ROWS,
     drafts::ROWS,
     devices::ROWS,
+    files::ROWS,
     replay::ROWS,
     review::ROWS,
     console::ROWS,

@@ -142,6 +142,7 @@ impl Flight {
             Setup::Home => Some(text!("refused-protected-home")),
             Setup::Limits => Some(text!("refused-protected-limits")),
             Setup::PlanItem(item) => Some(item.refusal()),
+            Setup::Files => Some(text!("refused-protected-files")),
             Setup::Anything => Some(text!("refused-protected-raw")),
         }
     }

@@ -56,9 +56,34 @@ pub struct ParameterList {
     /// The length of the list according to a value that was sent on its own.
     announced: Option<u16>,
     revision: u64,
+    /// The defaults by name, if the vehicle has told them.
+    defaults: Arc<BTreeMap<String, f32>>,
 }
 
 impl ParameterList {
+    /// The default of a parameter, if the vehicle has told it.
+    pub fn default_of(&self, name: &str) -> Option<f32> {
+        self.defaults.get(name).copied()
+    }
+
+    /// The default of a parameter that has another value; `None` also without a known default.
+    pub fn other_default(&self, name: &str) -> Option<f32> {
+        let value = self.get(name)?.value;
+        self.default_of(name)
+            .filter(|default| !is_same(*default, value))
+    }
+
+    /// Whether the vehicle has told its defaults.
+    pub fn has_defaults(&self) -> bool {
+        !self.defaults.is_empty()
+    }
+
+    /// Stores the defaults of all parameters.
+    pub fn note_defaults(&mut self, defaults: BTreeMap<String, f32>) {
+        self.defaults = Arc::new(defaults);
+        self.revision += 1;
+    }
+
     /// The parameter with that name (upper case, as the vehicle spells it).
     pub fn get(&self, name: &str) -> Option<&ListedParameter> {
         self.by_name.get(name)

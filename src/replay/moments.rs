@@ -82,6 +82,7 @@ impl Lookout {
                 Event::Session(SessionEvent::MissionEnded(report)) => self.close(report),
                 Event::Vehicle(
                     VehicleEvent::Parameters { .. }
+                    | VehicleEvent::Folder(_)
                     | VehicleEvent::Given { .. }
                     | VehicleEvent::Foreign(_)
                     | VehicleEvent::Paths(_)

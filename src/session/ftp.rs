@@ -55,15 +55,33 @@ const MOST_SESSIONS: u64 = 250;
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum FtpTask {
     /// The entries of a folder.
-    List { folder: String },
+    List {
+        folder: String,
+    },
     /// A file, or its missing parts. With gaps, it must have the size of the gap map; without, the vehicle determines
     /// its end.
-    Read { path: String, gaps: Option<GapMap> },
+    Read {
+        path: String,
+        gaps: Option<GapMap>,
+    },
     /// The checksum of a file of this size in bytes ([`FtpChecksum`](crate::wire::FtpChecksum)).
-    Checksum { path: String, size: u32 },
+    Checksum {
+        path: String,
+        size: u32,
+    },
+    /// Removes a file, or an empty folder if the path ends with `/`.
+    Remove {
+        path: String,
+    },
+    MakeFolder {
+        path: String,
+    },
     /// A file to replace. The new content takes effect when the file is closed, after the last
     /// byte.
-    Write { path: String, bytes: Vec<u8> },
+    Write {
+        path: String,
+        bytes: Vec<u8>,
+    },
 }
 
 /// The progress or the result of a task.
@@ -71,6 +89,8 @@ pub enum FtpTask {
 pub enum FtpEvent {
     /// The entries of the folder; the task is done.
     Listed(Vec<FtpEntry>),
+    /// A file to read has been opened; its size in bytes as the vehicle reports it.
+    Opened(u32),
     /// Bytes of the file that were missing, in any order.
     Bytes(FileBytes),
     /// All bytes of a file of this size have arrived: the task is done.
@@ -81,6 +101,8 @@ pub enum FtpEvent {
     Wrote(u32),
     /// The file has been closed: the task is done.
     Written,
+    /// A file or folder has been removed, or a folder made: the task is done.
+    Done,
     /// The task has failed.
     Failed(FtpFault),
 }
@@ -221,7 +243,7 @@ impl FtpClient {
     /// Closes the file of a task that is over, if it may have opened one.
     fn close(&mut self, job: FtpJob) {
         let session = match job.work {
-            FtpWork::Listing { .. } | FtpWork::Checking(_) => return,
+            FtpWork::Listing { .. } | FtpWork::Checking(_) | FtpWork::Changing(_) => return,
             FtpWork::Reading(reading) => reading.session(),
             FtpWork::Writing(writing) => writing.session(),
             FtpWork::Closing(exchange) => {
@@ -251,9 +273,11 @@ impl FtpTask {
     fn path(&self) -> &str {
         match self {
             Self::List { folder } => folder,
-            Self::Read { path, .. } | Self::Checksum { path, .. } | Self::Write { path, .. } => {
-                path
-            }
+            Self::Read { path, .. }
+            | Self::Checksum { path, .. }
+            | Self::Remove { path }
+            | Self::MakeFolder { path }
+            | Self::Write { path, .. } => path,
         }
     }
 }

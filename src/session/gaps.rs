@@ -14,6 +14,16 @@ impl FileBytes {
     pub fn range(&self) -> Range<u32> {
         self.at..self.at + self.bytes.len() as u32
     }
+
+    /// Writes the bytes at their place in a file, which grows if it is shorter.
+    pub fn write_to(&self, file: &mut Vec<u8>) {
+        let range = self.range();
+        let (start, end) = (range.start as usize, range.end as usize);
+        if file.len() < end {
+            file.resize(end, 0);
+        }
+        file[start..end].copy_from_slice(&self.bytes);
+    }
 }
 
 /// The gaps of a file of known size: the ranges of missing bytes, in order, none adjacent to the next.

@@ -48,6 +48,7 @@ pub(super) fn settle(order: &mut VehicleCommand, list: &ParameterList) -> bool {
         | Command::Device(_)
         | Command::Query(_)
         | Command::Log(_)
+        | Command::File(_)
         | Command::Plan(_)
         | Command::Signing(_)
         | Command::Raw(_) => return true,
@@ -136,6 +137,7 @@ fn names(command: &Command) -> (&str, &str) {
         | Command::Device(_)
         | Command::Query(_)
         | Command::Log(_)
+        | Command::File(_)
         | Command::Plan(_)
         | Command::Signing(_)
         | Command::Raw(_) => ("", ""),

@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::ftp::FtpEntry;
 use super::naming::Renamed;
 use crate::commands::{Command, Setpoint};
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -36,6 +37,18 @@ pub enum Report {
     Row(RowUpdate),
     /// A notice for the user.
     Notice(Notice),
+    /// A folder of the vehicle has been listed.
+    Folder(ListedFolder),
+}
+
+/// The entries of a vehicle's folder.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ListedFolder {
+    pub vehicle: VehicleId,
+    /// The path of the folder, as it was requested.
+    pub folder: String,
+    /// The entries: folders first, then files, in the order of their names.
+    pub entries: Vec<FtpEntry>,
 }
 
 impl VehicleCommand {

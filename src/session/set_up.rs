@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{KeyDesk, LogKeeper, PlanShelf, Session, Stream, Streams};
+use super::{FileDesk, KeyDesk, LogKeeper, PlanShelf, Session, Stream, Streams};
 
 impl Session {
     /// Requests these streams instead of the console's usual telemetry.
@@ -17,6 +17,13 @@ impl Session {
     #[must_use]
     pub fn keeping_logs(mut self, keeper: Arc<dyn LogKeeper>) -> Self {
         self.logs.keep_in(keeper);
+        self
+    }
+
+    /// Reads and writes the files that are copied to and from the vehicle through `desk`.
+    #[must_use]
+    pub fn with_files(mut self, desk: Arc<dyn FileDesk>) -> Self {
+        self.files.use_desk(desk);
         self
     }
 

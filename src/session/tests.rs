@@ -137,6 +137,7 @@ impl Scene {
             match report {
                 Report::Row(row) => self.rows.push(row),
                 Report::Notice(notice) => self.notices.push(notice.text.to_string()),
+                Report::Folder(_) => {}
             }
         }
     }

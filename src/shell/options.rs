@@ -10,6 +10,7 @@ use crate::forward::ForwardSpec;
 use crate::hangar::{SitlSource, VehicleBackend};
 use crate::link::{Address, Signer};
 use crate::mission::Mission;
+use crate::parameters::ParameterDocuments;
 use crate::scoring::FlownBy;
 use crate::store::{History, Records, Runs};
 use crate::text::Text;
@@ -91,6 +92,8 @@ pub struct Preferences {
     /// Whether the command line sets the language: then a profile does not change it.
     pub is_lang_given: bool,
     pub keymap: Keymap,
+    /// The documentation of parameters.
+    pub documents: Arc<ParameterDocuments>,
     pub themes: Themes,
     /// The command history; `None` for measurements.
     pub history: Option<History>,

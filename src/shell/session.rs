@@ -163,6 +163,9 @@ impl RunningSession {
                 Ok(FleetEvent::Report(Report::Notice(notice))) => {
                     collected.push(Event::Notice(notice));
                 }
+                Ok(FleetEvent::Report(Report::Folder(listed))) => {
+                    collected.push(VehicleEvent::Folder(listed).into());
+                }
                 Ok(FleetEvent::Warning(notice)) => {
                     self.note_down(now, Happening::Notice(NoticeLine::of(&notice)));
                     collected.push(Event::Notice(notice));

@@ -13,6 +13,8 @@ use crate::text::Text;
 
 /// The maximum size of a text file, in bytes; no mission, script or theme comes near it.
 pub(super) const LARGEST_FILE: u64 = 1024 * 1024;
+/// The maximum size of a generated file, such as the documentation of all parameters.
+const LARGEST_GENERATED_FILE: u64 = 16 * 1024 * 1024;
 
 /// A text with its name for fault reports.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -41,6 +43,8 @@ pub enum StoreError {
         path: PathBuf,
         /// The id of the message that names the expected kind of file.
         kind: &'static str,
+        /// The maximum size in bytes.
+        most: u64,
     },
     /// The file cannot be written.
     Unwritable { path: PathBuf, error: io::Error },
@@ -82,11 +86,11 @@ impl From<&StoreError> for Text {
         let named = |kind: &'static str| Self::new(kind, Vec::new());
         match error {
             StoreError::Unreadable { path, error } => unread(path, error),
-            StoreError::TooLarge { path, kind } => text!(
+            StoreError::TooLarge { path, kind, most } => text!(
                 "file-too-large",
                 path = shown(path),
                 kind = named(kind),
-                most = LARGEST_FILE
+                most = *most
             ),
             StoreError::Unwritable { path, error } => {
                 let error = error.to_string();
@@ -126,7 +130,11 @@ pub fn read_found(path: &Path, kind: &'static str) -> Result<Source, StoreError>
     let bytes = read_regular(path, LARGEST_FILE).map_err(|error| {
         let path = path.to_owned();
         match error.kind() {
-            io::ErrorKind::FileTooLarge => StoreError::TooLarge { path, kind },
+            io::ErrorKind::FileTooLarge => StoreError::TooLarge {
+                path,
+                kind,
+                most: LARGEST_FILE,
+            },
             _ => StoreError::Unreadable { path, error },
         }
     })?;
@@ -150,11 +158,24 @@ fn as_text(path: &Path, bytes: Vec<u8>) -> Result<Source, StoreError> {
 /// # Errors
 /// It does not exist, cannot be read or is too large.
 pub fn read_bytes(path: &Path, kind: &'static str) -> Result<Vec<u8>, StoreError> {
-    let bytes = read_start(path, LARGEST_FILE + 1)?;
-    if bytes.len() as u64 > LARGEST_FILE {
+    read_at_most(path, kind, LARGEST_FILE)
+}
+
+/// As [`read`], for generated files, which are larger: at most 16 MiB.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_large(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
+    as_text(path, read_at_most(path, kind, LARGEST_GENERATED_FILE)?)
+}
+
+fn read_at_most(path: &Path, kind: &'static str, most: u64) -> Result<Vec<u8>, StoreError> {
+    let bytes = read_start(path, most + 1)?;
+    if bytes.len() as u64 > most {
         return Err(StoreError::TooLarge {
             path: path.to_owned(),
             kind,
+            most,
         });
     }
     Ok(bytes)

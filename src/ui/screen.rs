@@ -7,6 +7,7 @@ use crate::app::room_list::{Room, for_each_room};
 use crate::ui::panel::Panel;
 
 pub mod debrief;
+pub mod files;
 pub mod fly;
 pub mod hangar;
 pub mod home;

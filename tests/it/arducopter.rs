@@ -7,6 +7,9 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
+use sortie::parameters::read_defaults;
+
+use crate::fleet::files::to_and_fro;
 use crate::fleet::{Console, signing};
 
 /// The number of the SITL instance: its TCP port is 5760 plus ten per instance, which avoids ports
@@ -195,6 +198,36 @@ async fn a_log_of_a_real_arducopter_is_the_same_by_files_and_by_messages() {
         assert!(words.contains("saved by log messages: "), "{words}");
         assert!(again == bytes);
     }
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+#[ignore = "needs SORTIE_ARDUCOPTER"]
+async fn files_are_copied_to_and_from_a_real_arducopter() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let _sitl = logging(folder.path(), "tcp:0");
+    let mut console = Console::with_files();
+    console.connect(&format!("tcp:127.0.0.1:{}", 5760 + 10 * (INSTANCE + 1)));
+    console.until_known(&[7]).await;
+    for line in [
+        "ftp list",
+        "ftp list @SYS",
+        "ftp list /APM",
+        "ftp list @PARAM",
+    ] {
+        eprintln!("{line}: {:?}", console.carried_out(line, 7).await);
+    }
+    let own = tempfile::tempdir().expect("a temporary folder");
+    to_and_fro(&mut console, 7, own.path()).await;
+    let file = own.path().join("param.pck");
+    let get = format!(
+        "ftp get @PARAM/param.pck?withdefaults=1 to {}",
+        file.display()
+    );
+    eprintln!("{}", console.succeeds(&get, 7).await);
+    let bytes = fs::read(&file).expect("it is there");
+    let defaults = read_defaults(&bytes).expect("it is whole");
+    assert!(defaults.len() > 500, "{}", defaults.len());
+    assert!(defaults.contains_key("RTL_ALT"));
 }
 
 /// An instance whose serial ports are TCP servers: serial 0, which always accepts unsigned frames,

@@ -23,6 +23,7 @@ use tokio::net::UdpSocket;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+pub(crate) mod files;
 mod forwards;
 mod logs;
 mod parameters;
@@ -149,6 +150,7 @@ impl Console {
             FleetEvent::Forwarding(feed) => self.forwards.push(feed),
             FleetEvent::Dropped(count) => panic!("{count} reports were dropped"),
             FleetEvent::Report(Report::Row(row)) => self.rows.push(row),
+            FleetEvent::Report(Report::Folder(_)) => {}
             FleetEvent::Foreign(command) => {
                 let line = format!("{}: {}", command.line(), command.outcome());
                 self.foreign.insert(command.id, line);

@@ -15,6 +15,7 @@ use crate::harness::Console;
 mod career;
 mod crowded;
 mod debrief;
+mod files;
 mod fly;
 mod hangar;
 mod inspector;

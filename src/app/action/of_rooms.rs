@@ -69,6 +69,25 @@ pub enum ParametersAction {
     FetchParameters,
 }
 
+/// Actions of the Files room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum FilesAction {
+    /// Show the folder that contains the shown one.
+    ParentFolder,
+    /// Write a line that copies the file to this machine.
+    GetFile,
+    /// Copy a file of this machine into the folder.
+    PutFile,
+    RemoveFile,
+    /// Write a line that makes a folder.
+    MakeFolder,
+    /// Request the checksum of the file.
+    CheckFile,
+    /// List the folder again.
+    ListAgain,
+}
+
 /// Actions of the Plans room about drafts, lists and the view.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]

@@ -32,6 +32,11 @@ impl Names for Known<'_> {
             | NameList::PlanFile => self.0.listed(list),
         }
     }
+
+    fn about_parameter(&self, name: &str, value: f32) -> String {
+        let document = self.0.documents.get(name);
+        document.map_or_else(String::new, |it| it.about(value))
+    }
 }
 
 fn drafts(state: &State) -> Listed {

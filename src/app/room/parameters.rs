@@ -29,7 +29,7 @@ mod rows;
 pub use batch::Batch;
 pub use compare::{Comparison, Other};
 pub use demand::wanted;
-pub use edit::{Edit, entered, note_order, setting_line, tell};
+pub use edit::{Edit, doubt, entered, note_order, order_doubt, setting_line, tell};
 pub use files::{load, read, save};
 pub use rows::{Row, coming, extra, rows};
 
@@ -44,6 +44,8 @@ pub struct Parameters {
     pub(in crate::app) filter: String,
     /// Whether only parameters that were changed, or that a command tried to change, are shown.
     pub(in crate::app) changed_only: bool,
+    /// Whether only parameters that differ from their defaults are shown.
+    pub(in crate::app) other_than_default: bool,
     /// The other side of the comparison.
     pub(in crate::app) comparison: Option<Comparison>,
     /// The newest value commanded for each parameter of each vehicle.
@@ -98,6 +100,16 @@ impl Parameters {
     /// Whether only parameters that were changed, or that a command tried to change, are shown.
     pub fn shows_changed_only(&self) -> bool {
         self.changed_only
+    }
+
+    /// Whether only parameters that differ from their defaults are shown.
+    pub fn shows_other_than_default(&self) -> bool {
+        self.other_than_default
+    }
+
+    /// The default of a vehicle's parameter, if it has another value.
+    pub fn other_default(&self, vehicle: VehicleId, name: &str) -> Option<f32> {
+        self.lists.get(&vehicle)?.list.other_default(name)
     }
 
     /// The other side of the comparison.
@@ -297,7 +309,7 @@ pub(super) fn act(state: &mut State, action: ParametersAction) -> Vec<RoomReques
             let room = &mut state.rooms.parameters;
             match &mut room.comparison {
                 Some(comparison) => comparison.lists_extra = !comparison.lists_extra,
-                None => room.changed_only = !room.changed_only,
+                None => show_next_choice(state),
             }
         }
         ParametersAction::SaveParameters => {
@@ -314,6 +326,18 @@ pub(super) fn act(state: &mut State, action: ParametersAction) -> Vec<RoomReques
         ParametersAction::FetchParameters => fetch(state),
     }
     Vec::new()
+}
+
+/// Shows all parameters, then those that were changed, then those that differ from their defaults, if the vehicle has
+/// told these.
+fn show_next_choice(state: &mut State) {
+    let vehicle = state.session.choice.cursor;
+    let room = &mut state.rooms.parameters;
+    let known = vehicle.and_then(|vehicle| room.lists.get(&vehicle));
+    let has_defaults = known.is_some_and(|known| known.list.has_defaults());
+    let was_changed_only = room.changed_only;
+    room.changed_only = !was_changed_only && !room.other_than_default;
+    room.other_than_default = was_changed_only && has_defaults;
 }
 
 /// The index of the row under the cursor.
@@ -380,8 +404,9 @@ fn close(state: &mut State) -> bool {
     } else if !room.filter.is_empty() {
         room.filter.clear();
     } else if room.comparison.take().is_some() {
-    } else if room.changed_only {
+    } else if room.changed_only || room.other_than_default {
         room.changed_only = false;
+        room.other_than_default = false;
     } else {
         return false;
     }

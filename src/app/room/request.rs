@@ -17,6 +17,8 @@ pub enum RoomRequest {
     Exam(String),
     /// Open the command line with this text.
     Write(String),
+    /// Carry out this line, after a question if it needs one.
+    Give(String),
     Show(Room),
     Leave,
     Quit,

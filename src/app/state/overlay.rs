@@ -285,6 +285,8 @@ pub enum Purpose {
         name: String,
         vehicles: Vec<VehicleId>,
     },
+    /// The file to copy into a folder of a vehicle.
+    PutFile { vehicle: VehicleId, folder: String },
     /// The file to save parameters to.
     SaveParameters,
     /// The file to load parameters from.

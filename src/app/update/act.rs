@@ -3,7 +3,7 @@
 use super::ending::{guarded, leave, quit};
 use super::selection;
 use super::show::{brief, look_back, show};
-use super::{mission, pace, palette, profiles, replay};
+use super::{mission, pace, palette, profiles, replay, vehicle_files};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::Effects;
@@ -47,6 +47,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
         | Action::Map(_)
         | Action::Ledger(_)
         | Action::Parameters(_)
+        | Action::Files(_)
         | Action::Plans(_)
         | Action::Draw(_)
         | Action::Messages(_)
@@ -68,6 +69,7 @@ fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Effects {
                 palette::write(state, &line);
                 Effects::none()
             }
+            RoomRequest::Give(line) => vehicle_files::give(state, &line),
             RoomRequest::Show(room) => {
                 show(state, room);
                 Effects::none()

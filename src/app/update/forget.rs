@@ -2,7 +2,7 @@
 
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
-use crate::app::room::fly;
+use crate::app::room::{files, fly};
 use crate::app::state::Activity;
 use crate::language::VehicleChoice;
 use crate::text;
@@ -42,6 +42,7 @@ pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effec
     for &id in &ids {
         state.session.forget(id, state.now);
         state.rooms.parameters.forget(id);
+        files::forget(state, id);
         state.rooms.map.trails.remove(&id);
     }
     fly::forget(state, &ids);

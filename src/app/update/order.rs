@@ -5,7 +5,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
-use crate::app::room::{Room, parameters};
+use crate::app::room::{Room, files, parameters};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::{Act, Command, Order, PlanCommand, PlanDeed};
 use crate::diagnostic::Diagnostic;
@@ -133,7 +133,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
     }
     let targets = ranges(order.targets.iter().copied());
     let key = state.keymap.key(Action::Submit, Place::Prompt);
-    let danger = match state.session.hazard(order) {
+    let danger = match hazard(state, order) {
         Some(_) => Danger::Confirm,
         None => order.verb.danger,
     };
@@ -143,9 +143,15 @@ pub fn announced(state: &State, order: &Order) -> Text {
     }
 }
 
+/// The reason to ask before an order is sent, beyond the danger of its verb; `None` without one.
+fn hazard(state: &State, order: &Order) -> Option<Text> {
+    let doubt = || parameters::order_doubt(state, order);
+    state.session.hazard(order).or_else(doubt)
+}
+
 /// Sends a command, or asks before a dangerous one.
 pub fn give(state: &mut State, order: Order) -> Effects {
-    let hazard = state.session.hazard(&order);
+    let hazard = hazard(state, &order);
     if order.verb.danger == Danger::None && hazard.is_none() {
         return Effects::from(send(state, order).effect);
     }
@@ -175,7 +181,7 @@ pub fn give(state: &mut State, order: Order) -> Effects {
 
 /// Sends the uploads of a draft's lists; if any of them is dangerous, asks once for all of them.
 pub fn give_uploads(state: &mut State, orders: Vec<Order>) -> Effects {
-    let is_dangerous = |order: &&Order| state.session.hazard(order).is_some();
+    let is_dangerous = |order: &&Order| hazard(state, order).is_some();
     let Some(worst) = orders.iter().find(is_dangerous).cloned() else {
         return upload(state, orders);
     };
@@ -204,6 +210,7 @@ pub fn send(state: &mut State, order: Order) -> SentOrder {
         .commands
         .open(now, order.given(), &order.targets);
     parameters::note_order(state, &order, entry);
+    files::note_order(state, &order, entry);
     state.rooms.ledger.spoil();
     SentOrder {
         entry,

@@ -2,12 +2,12 @@
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use super::{batch, mission, profiles, typing};
+use super::{batch, mission, order, profiles, typing};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::Effects;
 use crate::app::keymap::Place;
-use crate::app::room::{self, home, parameters, workshop};
+use crate::app::room::{self, files, home, parameters, workshop};
 use crate::app::state::{Overlay, Prompt, Purpose};
 use crate::text::Text;
 
@@ -70,6 +70,11 @@ fn take(state: &mut State, purpose: &Purpose, entered: &str) -> Result<Effects, 
         Purpose::Parameter { name, vehicles } => {
             let line = parameters::entered(state, name, vehicles, entered)?;
             batch::give(state, &line)
+        }
+        Purpose::PutFile { vehicle, folder } => {
+            let line = files::put_line(*vehicle, folder, entered)?;
+            let order = order::prepare(state, &line).map_err(|fault| fault.message)?;
+            Ok(order::give(state, order))
         }
         Purpose::SaveParameters => parameters::save(state, entered),
         Purpose::LoadParameters | Purpose::CompareParameters => parameters::load(state, entered),

@@ -61,6 +61,10 @@ pub(in crate::cli) struct Common {
         help_heading = "Settings"
     )]
     require_signing: Option<String>,
+    /// Show the documentation of parameters from FILE: apm.pdef.xml or apm.pdef.json of ArduPilot, parameters.json of
+    /// PX4.
+    #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
+    parameter_docs: Option<String>,
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     log: Option<String>,
@@ -84,6 +88,11 @@ impl Common {
                 "connect.require_signing",
                 "--require-signing",
                 &self.require_signing,
+            ),
+            (
+                "parameters.documentation",
+                "--parameter-docs",
+                &self.parameter_docs,
             ),
             ("log.file", "--log", &self.log),
             ("log.level", "--log-level", &self.log_level),

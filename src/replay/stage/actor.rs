@@ -38,7 +38,7 @@ impl Actor {
             .filter_map(|report| match report {
                 Report::Notice(notice) => Some(notice.into()),
                 // A replay gives no commands.
-                Report::Row(_) => None,
+                Report::Row(_) | Report::Folder(_) => None,
             })
             .collect();
         if *self.shown != *self.session.vehicle() {

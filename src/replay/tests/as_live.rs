@@ -29,7 +29,7 @@ fn heard_live(recorded: &Recorded) -> BTreeSet<(String, bool)> {
     let reports = sessions.values_mut().flat_map(Session::take_reports);
     let notices = reports.filter_map(|report| match report {
         Report::Notice(notice) => Some((notice.text.to_string(), is_of_vehicle(&notice))),
-        Report::Row(_) => None,
+        Report::Row(_) | Report::Folder(_) => None,
     });
     notices.collect()
 }

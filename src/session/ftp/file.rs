@@ -38,6 +38,8 @@ enum FileStage {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum FileNews {
     Nothing,
+    /// The file has been opened and has this size in bytes.
+    Opened(u32),
     Bytes(FileBytes),
     Fault(FtpFault),
 }
@@ -129,7 +131,7 @@ impl FileReading {
         } else {
             flow
         });
-        FileNews::Nothing
+        FileNews::Opened(size)
     }
 
     /// Handles a refusal to open the file: the server may be busy with another session, or with one that was never

@@ -22,6 +22,9 @@ pub(super) enum FtpOpcode {
     Read = 5,
     Create = 6,
     Write = 7,
+    RemoveFile = 8,
+    MakeFolder = 9,
+    RemoveFolder = 10,
     Checksum = 14,
     Burst = 15,
 }

@@ -28,6 +28,8 @@ struct Scene {
     rate: usize,
     on_the_way: Vec<(Duration, FtpPayload, bool)>,
     events: Vec<FtpEvent>,
+    /// The size with which the last file was opened.
+    opened: Option<u32>,
     file: Vec<u8>,
 }
 
@@ -42,6 +44,7 @@ impl Scene {
             rate: 8,
             on_the_way: Vec::new(),
             events: Vec::new(),
+            opened: None,
             file: Vec::new(),
         }
     }
@@ -63,13 +66,16 @@ impl Scene {
             self.post(request, false);
         }
         for (_, event) in step.events {
-            if let FtpEvent::Bytes(bytes) = &event {
-                let range = bytes.range();
-                let len = self.file.len().max(range.end as usize);
-                self.file.resize(len, 0);
-                self.file[range.start as usize..range.end as usize].copy_from_slice(&bytes.bytes);
-            } else {
-                self.events.push(event);
+            match event {
+                FtpEvent::Bytes(bytes) => {
+                    let range = bytes.range();
+                    let len = self.file.len().max(range.end as usize);
+                    self.file.resize(len, 0);
+                    let place = range.start as usize..range.end as usize;
+                    self.file[place].copy_from_slice(&bytes.bytes);
+                }
+                FtpEvent::Opened(size) => self.opened = Some(size),
+                other => self.events.push(other),
             }
         }
     }
@@ -130,6 +136,7 @@ fn a_file_comes_in_bursts_and_is_closed() {
         let mut scene = Scene::new(FileServer::with("logs/1", &content(len)));
         scene.read("logs/1", Some(GapMap::new(len as u32)));
         assert_eq!(scene.events, [FtpEvent::Complete(len as u32)]);
+        assert_eq!(scene.opened, Some(len as u32));
         assert!(scene.file == content(len), "{len}");
         assert!(!scene.server.is_open());
         let pieces = scene.server.carried_out.iter().filter(|it| **it == 5);

@@ -21,6 +21,8 @@ pub(super) enum FtpWork {
         exchange: Exchange,
     },
     Checking(Exchange),
+    /// Removing a file or folder, or making a folder.
+    Changing(Exchange),
     Reading(Box<FileReading>),
     Writing(Box<FileWriting>),
     /// The task is over; its session is closed.
@@ -63,6 +65,21 @@ impl FtpWork {
                 let reading = Duration::from_secs(u64::from(size / SLOWEST_CHECKSUM));
                 Self::Checking(Exchange::new(request, PATIENCE + reading))
             }
+            FtpTask::Remove { path } => {
+                let opcode = if path.ends_with('/') {
+                    FtpOpcode::RemoveFolder
+                } else {
+                    FtpOpcode::RemoveFile
+                };
+                let path = path.trim_end_matches('/');
+                let request = FtpRequest::about(path, opcode, session, sequence);
+                Self::Changing(Exchange::new(request, PATIENCE))
+            }
+            FtpTask::MakeFolder { path } => {
+                let path = path.trim_end_matches('/');
+                let request = FtpRequest::about(path, FtpOpcode::MakeFolder, session, sequence);
+                Self::Changing(Exchange::new(request, PATIENCE))
+            }
             FtpTask::Read { path, gaps } => {
                 let reading = FileReading::new(path, session, gaps, sequence);
                 Self::Reading(Box::new(reading))
@@ -98,7 +115,14 @@ impl FtpWork {
             Self::Checking(exchange) if exchange.is_answered_by(answer) => {
                 FtpNews::End(checksum_of(answer))
             }
+            Self::Changing(exchange) if exchange.is_answered_by(answer) => {
+                FtpNews::End(match &answer.result {
+                    Ok(_) => FtpEvent::Done,
+                    Err(nak) => FtpEvent::Failed(FtpFault::Refused(*nak)),
+                })
+            }
             Self::Reading(reading) => match reading.receive(answer, sequence, now) {
+                FileNews::Opened(size) => FtpNews::Progress(FtpEvent::Opened(size)),
                 FileNews::Nothing => FtpNews::Nothing,
                 FileNews::Bytes(bytes) => FtpNews::Progress(FtpEvent::Bytes(bytes)),
                 FileNews::Fault(fault) => FtpNews::End(FtpEvent::Failed(fault)),
@@ -110,7 +134,9 @@ impl FtpWork {
                 WritingNews::Fault(fault) => FtpNews::End(FtpEvent::Failed(fault)),
             },
             Self::Closing(exchange) if exchange.is_answered_by(answer) => FtpNews::Closed(None),
-            Self::Listing { .. } | Self::Checking(_) | Self::Closing(_) => FtpNews::Nothing,
+            Self::Listing { .. } | Self::Checking(_) | Self::Changing(_) | Self::Closing(_) => {
+                FtpNews::Nothing
+            }
         }
     }
 
@@ -121,7 +147,9 @@ impl FtpWork {
         now: Duration,
     ) -> FtpDue {
         let due = match self {
-            Self::Listing { exchange, .. } | Self::Checking(exchange) => {
+            Self::Listing { exchange, .. }
+            | Self::Checking(exchange)
+            | Self::Changing(exchange) => {
                 let request = exchange.poll(round_trip, now);
                 request.map(|it| it.cloned().into_iter().collect())
             }

@@ -88,7 +88,9 @@ impl FileSearch {
                 None
             }
             FtpEvent::Failed(fault) => Some(fault),
-            FtpEvent::Bytes(_)
+            FtpEvent::Opened(_)
+            | FtpEvent::Done
+            | FtpEvent::Bytes(_)
             | FtpEvent::Complete(_)
             | FtpEvent::Checksum(_)
             | FtpEvent::Wrote(_)

@@ -140,6 +140,8 @@ impl Reading {
                     FtpEvent::Checksum(sum) => LogRoute::Summed(path.clone(), sum),
                     FtpEvent::Failed(fault) => LogRoute::Checked(self.unchecked(fault)),
                     FtpEvent::Listed(_)
+                    | FtpEvent::Opened(_)
+                    | FtpEvent::Done
                     | FtpEvent::Bytes(_)
                     | FtpEvent::Complete(_)
                     | FtpEvent::Wrote(_)
@@ -152,6 +154,8 @@ impl Reading {
                     FtpEvent::Failed(FtpFault::OtherSize(_)) => FileCheck::Grown,
                     FtpEvent::Failed(fault) => self.unchecked(fault),
                     FtpEvent::Listed(_)
+                    | FtpEvent::Opened(_)
+                    | FtpEvent::Done
                     | FtpEvent::Bytes(_)
                     | FtpEvent::Checksum(_)
                     | FtpEvent::Wrote(_)
@@ -199,6 +203,8 @@ impl Reading {
                 self.transfer.resume(now);
             }
             FtpEvent::Listed(_)
+            | FtpEvent::Opened(_)
+            | FtpEvent::Done
             | FtpEvent::Checksum(_)
             | FtpEvent::Wrote(_)
             | FtpEvent::Written => {}

@@ -177,6 +177,8 @@ impl Reading {
             }
             FtpEvent::Failed(_) => self.way = Way::Resting(now + REST),
             FtpEvent::Listed(_)
+            | FtpEvent::Opened(_)
+            | FtpEvent::Done
             | FtpEvent::Checksum(_)
             | FtpEvent::Wrote(_)
             | FtpEvent::Written => {}

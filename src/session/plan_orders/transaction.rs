@@ -174,6 +174,8 @@ impl Transaction {
                 FtpEvent::Written => *ended = Some(Ok(())),
                 FtpEvent::Failed(fault) => *ended = Some(Err(*fault)),
                 FtpEvent::Listed(_)
+                | FtpEvent::Opened(_)
+                | FtpEvent::Done
                 | FtpEvent::Bytes(_)
                 | FtpEvent::Complete(_)
                 | FtpEvent::Checksum(_) => {}

@@ -177,6 +177,7 @@ pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
         VehicleEvent::Paths(paths) => Some(Happening::Paths(PathLine::all(paths))),
         // Orders are recorded when they are given.
         VehicleEvent::Telemetry(_)
+        | VehicleEvent::Folder(_)
         | VehicleEvent::Rehearsed(_)
         | VehicleEvent::Parameters { .. }
         | VehicleEvent::Given { .. } => None,

@@ -33,7 +33,7 @@ use crate::session::{GuardedShelf, LogKeeper, PlanShelf};
 use crate::shell::missions::listed;
 use crate::sim::{Start, World, WorldConfig};
 use crate::store;
-use crate::store::{LogFolder, PlanFiles, Records, Runs};
+use crate::store::{LogFolder, PlanFiles, Records, Runs, TransferredFiles};
 use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
@@ -108,6 +108,7 @@ impl SessionPlan {
         Keeping {
             sink: recorder.map(FlightRecorder::sink),
             logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
+            files: Some(Arc::new(TransferredFiles)),
             plans: Some(self.shelf(backend.occasion.stake, backend.data.as_deref())),
             signer: backend.signer.clone(),
         }

@@ -18,6 +18,7 @@ use crate::ui::widget::{below, put, row_of, upper};
 use crate::vehicle::VehicleId;
 
 mod detail;
+mod document;
 mod list;
 mod status;
 
@@ -41,8 +42,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let Some(row) = rows.get(at) else {
         return draw_nothing(state, vehicle, panel.at(rest), buffer);
     };
-    let told = detail::lines(state, vehicle, row, panel);
+    let mut told = detail::lines(state, vehicle, row, panel);
     let most = rest.height.saturating_sub(LIST_LEAST);
+    if let Some(document) = state.documents().get(row.name) {
+        let free = usize::from(most).saturating_sub(told.len() + 1);
+        told.extend(document::lines(document, row.now.as_ref(), free, panel));
+    }
     let list_rows = rest.height - most.min(told.len() as u16 + 1);
     let list = upper(rest, list_rows);
     list::draw(
@@ -71,6 +76,8 @@ fn draw_nothing(state: &State, vehicle: VehicleId, panel: Panel<'_>, buffer: &mu
             Some(_) => text!("parameters-none-differ-yet"),
             None => text!("parameters-none-differ", key = state.key(Action::Escape)),
         }
+    } else if room.shows_other_than_default() {
+        text!("parameters-all-default", key = state.key(Action::Escape))
     } else {
         text!(
             "parameters-none-changed",

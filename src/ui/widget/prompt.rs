@@ -8,6 +8,7 @@ use super::palette::draw_line;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::keymap::Place;
+use crate::app::room::parameters;
 use crate::app::state::{Prompt, Purpose};
 use crate::text;
 use crate::text::Text;
@@ -58,17 +59,33 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
     if asks_for_addresses {
         draw_examples(state, panel.at(below(inner, row + 1)), buffer);
     } else if prompt.fault().is_none() {
-        let text = panel.text(&advice(state, prompt.purpose()));
+        let doubt = doubt(state, prompt);
+        let role = if doubt.is_some() {
+            Role::Warning
+        } else {
+            Role::Muted
+        };
+        let said = doubt.unwrap_or_else(|| advice(state, prompt.purpose()));
+        let text = panel.text(&said);
         for (row, line) in (1..).zip(wrap(&text, usize::from(inner.width))) {
-            put(
-                buffer,
-                inner,
-                row,
-                &Line::styled(line, panel.style(Role::Muted)),
-            );
+            put(buffer, inner, row, &Line::styled(line, panel.style(role)));
         }
     }
     cursor
+}
+
+/// The warning that the value typed so far contradicts the parameter's documentation.
+fn doubt(state: &State, prompt: &Prompt) -> Option<Text> {
+    let Purpose::Parameter { name, .. } = prompt.purpose() else {
+        return None;
+    };
+    let value: f64 = prompt.input().value().trim().parse().ok()?;
+    let doubt = parameters::doubt(state, name, value)?;
+    Some(text!(
+        "documentation-still",
+        doubt = doubt,
+        submit = submit(state)
+    ))
 }
 
 /// The number of extra rows that a fault needs.
@@ -88,6 +105,11 @@ fn title(purpose: &Purpose, look: &Look) -> String {
             "prompt-parameter",
             name = name,
             vehicles = ranges(vehicles.iter().copied())
+        )),
+        Purpose::PutFile { vehicle, folder } => look.text(&text!(
+            "prompt-put-file",
+            folder = folder,
+            vehicle = *vehicle
         )),
         Purpose::SaveParameters => look.say("prompt-save-parameters"),
         Purpose::LoadParameters => look.say("prompt-load-parameters"),
@@ -115,6 +137,7 @@ fn advice(state: &State, purpose: &Purpose) -> Text {
             submit = submit(state),
             escape = escape(state)
         ),
+        Purpose::PutFile { .. } => text!("prompt-put-file-advice"),
         Purpose::SaveParameters | Purpose::ExportDesign => text!("prompt-save-advice"),
         Purpose::LoadParameters => text!("prompt-load-advice"),
         Purpose::CompareParameters => text!("prompt-compare-advice"),

@@ -8,7 +8,7 @@ use sortie::app::effect::FileKind;
 use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::ledger::RowState;
 use sortie::parameters::{
-    Fetching, HeardParameter, ParameterList, ParameterSnapshot, ParameterType,
+    Fetching, HeardParameter, ParameterDocuments, ParameterList, ParameterSnapshot, ParameterType,
 };
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
@@ -60,6 +60,80 @@ fn edited() -> Console {
         )
         .row(3, RowState::Done, None);
     console
+}
+
+const DOCUMENTS: &str = r#"{"Copter": {
+  "RTL_ALT": {"DisplayName": "RTL altitude", "Units": "cm", "Range": {"low": "30", "high": "300000"}, "Increment": "1",
+    "Description": "The minimum height above home to which the vehicle climbs before it returns."},
+  "FENCE_ENABLE": {"DisplayName": "Fence", "Description": "Whether the fence limits the flight.",
+    "Values": {"0": "Disabled", "1": "Enabled"}},
+  "ARMING_CHECK": {"DisplayName": "Checks before arming", "RebootRequired": "True",
+    "Description": "A mask of the checks that the vehicle has to pass before it can be armed. For most users, all of them.",
+    "Bitmask": {"0": "All", "1": "Barometer", "2": "Compass", "3": "GPS lock", "4": "INS", "5": "Parameters",
+      "6": "RC channels", "7": "Board voltage", "8": "Battery level"}}}}"#;
+
+/// A console in the room of parameters, some of which are documented.
+fn documented(language: Language) -> Console {
+    let read = ParameterDocuments::read(DOCUMENTS);
+    assert_eq!(read.faults, []);
+    let console = Console::set_up(|setup| {
+        setup.documents = Arc::new(read.documents);
+        setup.locale = Arc::new(Locale::new(language));
+    });
+    let mut console = console.in_flight(1);
+    console.press("P").at(1);
+    arrives(&mut console, 1, list(1.0, 1000.0));
+    console.press("home").press("down");
+    console
+}
+
+#[test]
+fn documented_parameters() {
+    let mut console = documented(Language::English);
+    check("documented", &console);
+    for _ in 0..5 {
+        console.press("down");
+    }
+    console.press("enter").press("ctrl-u").write("10");
+    check("doubted", &console);
+    console
+        .press("esc")
+        .press(":")
+        .write("param set FENCE_ENABLE 3");
+    check("doubted_line", &console);
+    console.press("enter");
+    check("doubted_question", &console);
+    let mut console = documented(Language::Ukrainian);
+    console
+        .press(":")
+        .write("param set RTL_ALT 10")
+        .press("enter");
+    let screen = ukrainian_screen(&console);
+    insta::assert_snapshot!("parameters_doubted_ukrainian_80x24", screen);
+}
+
+#[test]
+fn parameters_that_differ_from_their_defaults() {
+    let mut console = in_the_room(1);
+    let mut known = list(1.0, 1000.0);
+    let defaults = [
+        ("ANGLE_MAX", 3000.0),
+        ("RTL_ALT", 3000.0),
+        ("WPNAV_SPEED", 500.0),
+    ];
+    known.note_defaults(
+        defaults
+            .map(|(name, value)| (name.to_owned(), value))
+            .into(),
+    );
+    arrives(&mut console, 1, known);
+    console.press("end");
+    check("defaults", &console);
+    console.press("o").press("o");
+    let screen = console.screen(80, 24);
+    insta::assert_snapshot!("parameters_other_than_default_80x24", screen);
+    console.press("o");
+    assert!(console.screen(80, 24).contains("ANGLE_MAX"));
 }
 
 fn compared() -> Console {
@@ -155,20 +229,24 @@ fn a_value_that_is_being_written() {
     check("prompt", &console);
 }
 
+fn ukrainian_screen(console: &Console) -> String {
+    let look = Look {
+        locale: Arc::new(Locale::new(Language::Ukrainian)),
+        ..Look::default()
+    };
+    let mut terminal = Terminal::new(TestBackend::new(80, 24)).expect("a test terminal");
+    terminal
+        .draw(|frame| ui::draw(console.state(), &look, frame))
+        .expect("a test terminal");
+    terminal.backend().to_string()
+}
+
 #[test]
 fn in_ukrainian() {
     for (name, console) in [("edited", edited()), ("compared", compared())] {
-        let look = Look {
-            locale: Arc::new(Locale::new(Language::Ukrainian)),
-            ..Look::default()
-        };
-        let mut terminal = Terminal::new(TestBackend::new(80, 24)).expect("a test terminal");
-        terminal
-            .draw(|frame| ui::draw(console.state(), &look, frame))
-            .expect("a test terminal");
         insta::assert_snapshot!(
             format!("parameters_{name}_ukrainian_80x24"),
-            terminal.backend().to_string()
+            ukrainian_screen(&console)
         );
     }
 }

@@ -48,6 +48,26 @@ pub fn entered(
     Ok(line(name, &value.to_string(), vehicles))
 }
 
+/// Why a value contradicts the documentation of a parameter; `None` if it does not.
+pub fn doubt(state: &State, name: &str, value: f64) -> Option<Text> {
+    let doubt = state.documents.get(name)?.doubt(value)?;
+    Some(doubt.text(name, value))
+}
+
+/// Why the value that an order sets contradicts the documentation of its parameter.
+pub fn order_doubt(state: &State, order: &Order) -> Option<Text> {
+    match &order.act {
+        Act::Command(Command::Parameter(ParameterCommand::Set { name, value })) => {
+            doubt(state, name, *value)
+        }
+        Act::Command(_)
+        | Act::Deed(_)
+        | Act::Manoeuvre(_)
+        | Act::Plans(_)
+        | Act::Rehearse { .. } => None,
+    }
+}
+
 /// The line that sets a value on some vehicles.
 pub fn setting_line(setting: &ParameterSetting) -> String {
     let value = setting.value;

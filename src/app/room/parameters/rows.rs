@@ -43,6 +43,9 @@ pub fn rows(state: &State) -> Vec<Row<'_>> {
     let all: Vec<Row<'_>> = match &room.comparison {
         None => plain(state, vehicle)
             .filter(|row| !room.changed_only || is_changed(state, vehicle, row))
+            .filter(|row| {
+                !room.other_than_default || room.other_default(vehicle, row.name).is_some()
+            })
             .collect(),
         Some(comparison) => compared(state, vehicle, comparison),
     };

@@ -44,6 +44,7 @@ fn action_replayed(action: Action) -> ReplayUse {
             | ParametersAction::ApplyParameters
             | ParametersAction::FetchParameters,
         )
+        | Action::Files(_)
         | Action::Plans(PlansAction::UploadDraft)
         | Action::Hangar(_) => ReplayUse::None,
         Action::Show(_)

@@ -4,7 +4,7 @@ use super::*;
 
 /// The verbs that a record may name. A record outlives the table: if a verb gets another name, the old one must stay
 /// readable ([`language::verb`]) before it is changed here.
-const RECORDED_VERBS: [&str; 56] = [
+const RECORDED_VERBS: [&str; 57] = [
     "altitude",
     "arm",
     "disarm",
@@ -14,6 +14,7 @@ const RECORDED_VERBS: [&str; 56] = [
     "follow",
     "formation",
     "formation off",
+    "ftp",
     "goal",
     "goto",
     "hint",

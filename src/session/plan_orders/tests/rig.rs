@@ -162,6 +162,7 @@ impl Rig {
                     self.row = Some(row);
                 }
                 Report::Notice(notice) => self.notices.push(notice),
+                Report::Folder(_) => {}
             }
         }
     }

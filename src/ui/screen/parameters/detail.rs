@@ -61,6 +61,8 @@ pub fn draw(name: &str, lines: &[Line<'static>], panel: Panel<'_>, buffer: &mut 
 struct ParameterState {
     value: Option<String>,
     before: Option<String>,
+    /// The default, if the value differs from it.
+    default: Option<String>,
     asked: Option<(Text, Role, Option<Text>)>,
 }
 
@@ -79,12 +81,16 @@ impl ParameterState {
         Self {
             value: known.map(|known| shown(known.value)),
             before: changed.map(|known| shown(known.original)),
+            default: room.other_default(vehicle, name).map(shown),
             asked,
         }
     }
 
     fn key(&self) -> String {
-        format!("{:?} {:?} {:?}", self.value, self.before, self.asked)
+        format!(
+            "{:?} {:?} {:?} {:?}",
+            self.value, self.before, self.default, self.asked
+        )
     }
 
     fn lines(self, ids: &[VehicleId], panel: Panel<'_>) -> Vec<Line<'static>> {
@@ -103,6 +109,10 @@ impl ParameterState {
         ];
         if let Some(before) = self.before {
             let text = panel.text(&text!("parameters-before", value = before));
+            spans.push(Span::styled(format!("  {text}"), panel.style(Role::Muted)));
+        }
+        if let Some(default) = self.default {
+            let text = panel.text(&text!("parameters-default", value = default));
             spans.push(Span::styled(format!("  {text}"), panel.style(Role::Muted)));
         }
         let mut reason = None;

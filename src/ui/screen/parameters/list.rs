@@ -22,6 +22,19 @@ const VALUE: usize = 13;
 const STATE: usize = 24;
 /// The width of a type, in columns.
 const KIND: usize = 6;
+/// The least and the greatest width of a value's meaning, which replaces the type.
+const MEANING: (usize, usize) = (18, 44);
+/// The width of the screen, in columns, at which the meaning is as narrow as possible.
+const NARROW: usize = 80;
+
+/// The width of the third column: the type, or the meaning of the value if parameters are documented.
+fn third(state: &State, width: usize) -> usize {
+    if state.documents().is_empty() {
+        return KIND;
+    }
+    let (least, most) = MEANING;
+    (least + width.saturating_sub(NARROW) / 2).min(most)
+}
 
 /// The rows of one vehicle's list, with the cursor.
 pub struct ShownRows<'a> {
@@ -33,8 +46,9 @@ pub struct ShownRows<'a> {
 /// Draws the heading and as many lines around the cursor as fit.
 pub fn draw(state: &State, shown: &ShownRows<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     let ShownRows { vehicle, rows, at } = *shown;
-    let others = others(state, vehicle, panel.area.width);
-    let heading = heading(state, &others, panel.look);
+    let third = third(state, panel.width());
+    let others = others(state, vehicle, panel.width(), third);
+    let heading = heading(state, &others, third, panel.look);
     put(
         buffer,
         panel.area,
@@ -48,10 +62,12 @@ pub fn draw(state: &State, shown: &ShownRows<'_>, panel: Panel<'_>, buffer: &mut
         .min(rows.len().saturating_sub(visible));
     for (line, (index, row)) in rows.iter().enumerate().skip(top).take(visible).enumerate() {
         let place = row_of(list, line as u16);
-        let mut drawn = line_of(state, vehicle, row, index == at, panel.look);
+        let mut drawn = line_of(state, vehicle, row, third, panel.look);
+        drawn
+            .spans
+            .insert(0, Span::raw(if index == at { "> " } else { "  " }));
         if !others.is_empty() {
-            let is_compared = state.rooms().parameters().comparison().is_some();
-            let gap = columns_used(is_compared).saturating_sub(drawn.width());
+            let gap = columns_used(state, third).saturating_sub(drawn.width());
             drawn.push_span(Span::raw(" ".repeat(gap)));
         }
         for &id in &others {
@@ -65,7 +81,12 @@ pub fn draw(state: &State, shown: &ShownRows<'_>, panel: Panel<'_>, buffer: &mut
     panel.at(list).mark_list(top, rows.len(), true, buffer);
 }
 
-fn heading(state: &State, others: &[VehicleId], look: &Look) -> String {
+fn heading(state: &State, others: &[VehicleId], third: usize, look: &Look) -> String {
+    let meaning = if state.documents().is_empty() {
+        "parameters-column-type"
+    } else {
+        "parameters-column-meaning"
+    };
     let (mark, second) = match state.rooms().parameters().comparison() {
         None => ("", "parameters-column-before"),
         Some(_) => ("    ", "parameters-column-other"),
@@ -78,7 +99,7 @@ fn heading(state: &State, others: &[VehicleId], look: &Look) -> String {
         "  {mark}{} {} {} {} {} {}",
         aligned(&look.say("parameters-column-name"), NAME, false),
         aligned(&look.say("parameters-column-value"), VALUE, true),
-        aligned(&look.say("parameters-column-type"), KIND, false),
+        aligned(&look.say(meaning), third, false),
         aligned(&look.say(second), VALUE, true),
         aligned(&look.say("parameters-column-state"), STATE, false),
         numbers.join(" "),
@@ -89,11 +110,11 @@ fn line_of<'a>(
     state: &State,
     vehicle: VehicleId,
     row: &Row<'a>,
-    is_under_cursor: bool,
+    third: usize,
     look: &Look,
 ) -> Line<'a> {
     let comparison = state.rooms().parameters().comparison();
-    let mut spans = vec![Span::raw(if is_under_cursor { "> " } else { "  " })];
+    let mut spans = Vec::new();
     if let Some(comparison) = comparison {
         spans.push(mark(comparison, row, look));
     }
@@ -101,7 +122,7 @@ fn line_of<'a>(
     let value = row
         .now
         .map_or_else(|| "-".to_owned(), |now| shown(now.value));
-    let kind = row.now.map_or("", |now| now.kind.name());
+    let kind = third_of(state, row);
     let second = match comparison {
         Some(_) => row.other().map(shown),
         None => changed.map(|now| shown(now.original)),
@@ -117,7 +138,7 @@ fn line_of<'a>(
             format!(" {} ", aligned(&value, VALUE, true)),
             look.style(value_role),
         ),
-        Span::styled(aligned(kind, KIND, false), look.style(Role::Muted)),
+        Span::styled(aligned(&kind, third, false), look.style(Role::Muted)),
         Span::styled(
             format!(" {} ", aligned(&second.unwrap_or_default(), VALUE, true)),
             look.style(Role::Text),
@@ -127,16 +148,28 @@ fn line_of<'a>(
     Line::from(spans)
 }
 
+/// The third column: the type, or the meaning of the value if parameters are documented.
+fn third_of(state: &State, row: &Row<'_>) -> String {
+    let Some(now) = row.now else {
+        return String::new();
+    };
+    if state.documents().is_empty() {
+        return now.kind.name().to_owned();
+    }
+    let document = state.documents().get(row.name);
+    document.map_or_else(String::new, |it| it.remark(now.value))
+}
+
 /// The width of the columns before those of other vehicles.
-fn columns_used(is_compared: bool) -> usize {
+fn columns_used(state: &State, third: usize) -> usize {
+    let is_compared = state.rooms().parameters().comparison().is_some();
     let marks = if is_compared { 6 } else { 2 };
-    marks + NAME + 1 + VALUE + 1 + KIND + 1 + VALUE + 1 + STATE
+    marks + NAME + 1 + VALUE + 1 + third + 1 + VALUE + 1 + STATE
 }
 
 /// The other target vehicles, as many as there is room for.
-fn others(state: &State, vehicle: VehicleId, width: u16) -> Vec<VehicleId> {
-    let is_compared = state.rooms().parameters().comparison().is_some();
-    let free = usize::from(width).saturating_sub(columns_used(is_compared));
+fn others(state: &State, vehicle: VehicleId, width: usize, third: usize) -> Vec<VehicleId> {
+    let free = width.saturating_sub(columns_used(state, third));
     let selected = state.session().selection().iter().copied();
     selected
         .filter(|id| *id != vehicle)
@@ -198,7 +231,16 @@ fn standing(
         (None, None) if row.now.is_some_and(|now| now.is_changed()) => {
             (text!("parameters-changed"), Role::Accent)
         }
-        (None, None) => return None,
+        (None, None) => {
+            let default = state
+                .rooms()
+                .parameters()
+                .other_default(vehicle, row.name)?;
+            (
+                text!("parameters-default", value = shown(default)),
+                Role::Muted,
+            )
+        }
     };
     Some(Span::styled(look.text(&text), look.style(role)))
 }

@@ -150,6 +150,9 @@ fn remarks(state: &State, rows: &[Row<'_>]) -> Vec<(Text, Role)> {
     if room.shows_changed_only() && room.comparison().is_none() {
         remarks.push((text!("parameters-only-changed"), Role::Accent));
     }
+    if room.shows_other_than_default() && room.comparison().is_none() {
+        remarks.push((text!("parameters-other-than-default"), Role::Accent));
+    }
     if state.session().selection().len() > 1 {
         let vehicles = ranges(state.addressed());
         remarks.push((
