@@ -110,3 +110,13 @@ reason-long-only = the vehicle accepts this command only as COMMAND_LONG
 reason-int-only = the vehicle accepts this command only as COMMAND_INT
 reason-frame = the vehicle does not know the coordinate frame
 reason-other = result { $number }
+
+# Vehicles with PX4
+refused-px4-velocity = PX4 flies at a velocity only in OFFBOARD, with setpoints that stream before the switch, which the console does not send: use `goto`
+refused-px4-vertical-speed = PX4 takes no climb or descent speed by command: set its parameters MPC_Z_VEL_MAX_UP and MPC_Z_VEL_MAX_DN
+refused-px4-turn-rate = PX4 takes no turn rate by command: leave it out, or set its parameter MPC_YAWRAUTO_MAX
+refused-px4-servo = PX4 has no command for one servo output: `command DO_SET_ACTUATOR` sets actuators
+refused-px4-relay = PX4 has no command for relays, which are of ArduPilot
+refused-px4-fence = PX4 does not switch its fence by command: set its parameter GF_ACTION
+refused-px4-resume = PX4 has no pause to continue from: use `plan resume`
+refused-px4-plan-item = PX4 does not set the plan item by this command, which is for ArduPilot

@@ -113,3 +113,13 @@ reason-long-only = апарат приймає цю команду лише як
 reason-int-only = апарат приймає цю команду лише як COMMAND_INT
 reason-frame = апарат не знає такої системи координат
 reason-other = результат { $number }
+
+# Апарати з PX4
+refused-px4-velocity = PX4 летить із заданою швидкістю лише в OFFBOARD, якщо потік цілей почався до перемикання; консоль його не надсилає: скористайтеся `goto`
+refused-px4-vertical-speed = PX4 не приймає вертикальної швидкості командою: задайте його параметри MPC_Z_VEL_MAX_UP і MPC_Z_VEL_MAX_DN
+refused-px4-turn-rate = PX4 не приймає швидкості повороту командою: не вказуйте її або задайте параметр MPC_YAWRAUTO_MAX
+refused-px4-servo = PX4 не має команди для одного виходу: приводи задає `command DO_SET_ACTUATOR`
+refused-px4-relay = PX4 не має команди для реле: вона є лише в ArduPilot
+refused-px4-fence = PX4 не вмикає геозони командою: задайте його параметр GF_ACTION
+refused-px4-resume = PX4 не має паузи, яку можна завершити: скористайтеся `plan resume`
+refused-px4-plan-item = PX4 не задає пункту плану цією командою: вона лише для ArduPilot

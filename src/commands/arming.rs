@@ -50,6 +50,9 @@ impl ArmingCommand {
 
     pub(super) fn likely_reason(self, vehicle: &Vehicle) -> Option<Text> {
         match self {
+            Self::Arm if !vehicle.prearm.is_empty() && vehicle.runs_px4() => {
+                Some(vehicle.prearm.join("; ").into())
+            }
             Self::Arm if !vehicle.prearm.is_empty() => {
                 Some(format!("PreArm: {}", vehicle.prearm.join("; PreArm: ")).into())
             }

@@ -14,6 +14,7 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
         VehicleClass::Plane => Some("LOITER"),
         VehicleClass::Rover => Some("HOLD"),
         VehicleClass::Sub => Some("POSHOLD"),
+        VehicleClass::Px4 => Some("AUTO.LOITER"),
         VehicleClass::Other => None,
     }
 }
@@ -45,7 +46,7 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
         !modes.is_complete() || modes.numbered(number).is_some_and(|it| it.is_selectable)
     };
     number.filter(is_offered).ok_or_else(|| {
-        if heartbeat.is_ardupilot() || vehicle.modes.is_complete() {
+        if heartbeat.mode.class != VehicleClass::Other || vehicle.modes.is_complete() {
             text!("refused-no-mode", mode = name)
         } else {
             text!("refused-mode-autopilot")
@@ -54,9 +55,11 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
 }
 
 /// A mode by name, or by a plain number; `None` if this vehicle has no such mode, or reports its
-/// modes with other numbers than those that set them, as autopilots other than `ArduPilot` do.
+/// modes with other numbers than those that set them, as autopilots other than `ArduPilot` and PX4 do.
 pub(super) fn mode_named(vehicle: &Vehicle, name: &str) -> Option<Mode> {
-    let has_names = |it: &Heartbeat| it.is_ardupilot() || vehicle.modes.named(name).is_some();
+    let has_names = |it: &Heartbeat| {
+        it.mode.class != VehicleClass::Other || vehicle.modes.named(name).is_some()
+    };
     let heartbeat = vehicle.heartbeat.filter(has_names)?;
     let class = heartbeat.mode.class;
     let number = mode_number(vehicle, name).ok()?;

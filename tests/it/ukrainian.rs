@@ -24,7 +24,7 @@ use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 /// types.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
-    "AHRS ASCII failsafe ArduCopter ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON Linux MAVFTP MAVLink NAT RC RTK RX SITL SQLite TOML DataFlash TCP TX UDP USB UTC UTF",
+    "AHRS ASCII PX4 failsafe ArduCopter ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON Linux MAVFTP MAVLink NAT RC RTK RX SITL SQLite TOML DataFlash TCP TX UDP USB UTC UTF",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok root setgid",
     // Keys.
     "Ctrl Enter Esc Tab R1 g1 w3 w3/12 p3",
@@ -80,6 +80,7 @@ fn from_tables() -> BTreeSet<String> {
         VehicleClass::Plane,
         VehicleClass::Rover,
         VehicleClass::Sub,
+        VehicleClass::Px4,
     ] {
         class.modes().iter().for_each(|(_, mode)| add(mode));
     }
