@@ -21,6 +21,7 @@ use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, Outgoing, 
 mod acknowledgement;
 mod bench;
 mod download;
+mod events;
 mod fit;
 mod ftp;
 mod gaps;
@@ -31,6 +32,7 @@ mod logs;
 mod naming;
 mod order;
 mod output;
+mod parameter_code;
 mod plan_orders;
 mod plans;
 mod precedence;
@@ -46,6 +48,7 @@ mod timesync;
 mod transaction;
 
 use download::Download;
+use events::Events;
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
 use lists::{Lists, ListsDesk};
@@ -90,6 +93,7 @@ pub struct Session {
     lists: Lists,
     line: Line,
     download: Download,
+    events: Events,
     logs: LogReader,
     ftp: FtpClient,
     signing: VehicleSigning,
@@ -112,6 +116,7 @@ impl Session {
             lists: Lists::default(),
             line: Line::default(),
             download: Download::new(),
+            events: Events::default(),
             logs: LogReader::default(),
             ftp: FtpClient::default(),
             signing: VehicleSigning::default(),
@@ -192,6 +197,7 @@ impl Session {
     }
 
     fn take_in(&mut self, frame: &Frame, now: Duration) {
+        let frame = &*parameter_code::received(frame, &self.vehicle);
         if radio::position(frame).is_some() {
             self.vehicle.unheard = None;
         }
@@ -235,6 +241,7 @@ impl Session {
         line.clear(&newer, &mut moment);
         line.supersede_movements(&newer, now, moment.output);
         self.vehicle.asked_speeds = AskedSpeeds::default();
+        self.events.forget();
         self.ftp.forget();
         self.lists.begin_anew(&mut self.ftp, now);
         self.logs
@@ -297,6 +304,8 @@ impl Session {
             let is_free = self.line.is_free();
             let (lists, desk) = self.lists(now);
             lists.read(is_free, desk);
+            let given_up = self.events.poll(&self.vehicle, now, &mut self.output);
+            self.output.say(given_up);
             let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
             self.output.messages.extend(requests);
         }
@@ -320,6 +329,7 @@ impl Session {
             || self.lists.is_busy()
             || self.download.fetching().is_under_way()
             || self.ftp.is_busy()
+            || self.events.is_busy()
             || self.signing.is_busy()
         {
             BUSY_POLL
@@ -330,7 +340,10 @@ impl Session {
 
     /// Takes the messages to send, in order.
     pub fn take_outgoing(&mut self) -> Vec<Outgoing> {
-        let said = std::mem::take(&mut self.output.messages);
+        let mut said = std::mem::take(&mut self.output.messages);
+        for message in &mut said {
+            parameter_code::encode(message, &self.vehicle, self.inbox.parameters());
+        }
         self.surroundings.pass(said, self.now)
     }
 
@@ -359,6 +372,9 @@ impl Session {
             if round_trip.is_some() {
                 self.vehicle.link.round_trip = round_trip;
             }
+            let heard = self.events.receive(message, &self.vehicle, now);
+            self.line.hear_texts(heard.as_slice());
+            self.output.say(heard);
         }
         self.signing
             .receive(frame, &self.vehicle, now, &mut self.output);
