@@ -2,7 +2,7 @@
 
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Heartbeat, Mode, Vehicle, VehicleClass};
+use crate::vehicle::{Heartbeat, Mode, Vehicle, VehicleClass, is_same_name};
 
 /// The mode in which the vehicle holds its position; `None` if it pauses in its current mode
 /// instead.
@@ -26,7 +26,9 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
 /// of its autopilot's modes are unknown.
 pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     if let Ok(number) = name.parse::<u8>() {
-        return Ok(u32::from(number));
+        // A plain number is PX4's main mode.
+        let place = if vehicle.runs_px4() { 16 } else { 0 };
+        return Ok(u32::from(number) << place);
     }
     let Some(heartbeat) = vehicle.heartbeat else {
         return Err(text!("refused-not-heard"));
@@ -46,7 +48,9 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
         !modes.is_complete() || modes.numbered(number).is_some_and(|it| it.is_selectable)
     };
     number.filter(is_offered).ok_or_else(|| {
-        if heartbeat.mode.class != VehicleClass::Other || vehicle.modes.is_complete() {
+        if vehicle.runs_px4() && is_same_name(name, "GUIDED") {
+            text!("refused-px4-guided")
+        } else if heartbeat.mode.class != VehicleClass::Other || vehicle.modes.is_complete() {
             text!("refused-no-mode", mode = name)
         } else {
             text!("refused-mode-autopilot")

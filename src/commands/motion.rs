@@ -5,9 +5,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavCmd;
 
 use super::destination::{Destination, Heading};
-use super::effect::{
-    Effect, SOON, Watched, altitude_effect, mode_effect, travel_time, yaw_effect,
-};
+use super::effect::{Effect, SOON, Watched, altitude_effect, mode_effect, travel_time, yaw_effect};
 use super::encode::{self, FRAME_GLOBAL, FRAME_RELATIVE, IntFields, LongFields};
 use super::request::{Repeat, Request};
 use super::setpoint::{

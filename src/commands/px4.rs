@@ -130,7 +130,13 @@ fn goto(vehicle: &Vehicle, destination: Destination, heading: Heading) -> Result
     let speed = vehicle.asked_speeds.ground_m_s();
     let speed = speed.map_or(USUAL_SPEED, |speed_m_s| speed_m_s as f32);
     let params = [speed, CHANGE_MODE, 0.0, yaw];
-    at(MavCmd::MAV_CMD_DO_REPOSITION, vehicle, params, point, altitude_m)
+    at(
+        MavCmd::MAV_CMD_DO_REPOSITION,
+        vehicle,
+        params,
+        point,
+        altitude_m,
+    )
 }
 
 fn altitude(vehicle: &Vehicle, altitude_m: f64) -> Result<LongFields, Text> {
@@ -230,7 +236,11 @@ fn flies(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     }
     if vehicle.is_on_the_ground() {
         let vehicle = vehicle.id;
-        return Err(text!("refused-on-the-ground", verb = verb, vehicle = vehicle));
+        return Err(text!(
+            "refused-on-the-ground",
+            verb = verb,
+            vehicle = vehicle
+        ));
     }
     Ok(())
 }

@@ -57,9 +57,11 @@ impl Events {
                 if error.target_system == GROUND_STATION_SYSTEM =>
             {
                 let oldest = error.sequence_oldest_available;
-                let gone = |sequence: &u16| oldest.wrapping_sub(*sequence) < HALF && *sequence != oldest;
+                let gone =
+                    |sequence: &u16| oldest.wrapping_sub(*sequence) < HALF && *sequence != oldest;
                 let before = self.missing.len();
-                self.missing.retain(|sequence| !gone(sequence) && *sequence != error.sequence);
+                self.missing
+                    .retain(|sequence| !gone(sequence) && *sequence != error.sequence);
                 lost(before - self.missing.len(), vehicle, now)
             }
             _ => None,
@@ -67,7 +69,12 @@ impl Events {
     }
 
     /// Requests missing events; returns a notice if they are given up.
-    pub fn poll(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) -> Option<Notice> {
+    pub fn poll(
+        &mut self,
+        vehicle: &Vehicle,
+        now: Duration,
+        output: &mut Output,
+    ) -> Option<Notice> {
         if self.missing.is_empty() || now < self.next_request {
             return None;
         }
@@ -111,7 +118,11 @@ impl Events {
             return None;
         }
         let severity = Severity::from_wire(level);
-        let text = text!("heard-event", id = event.id.to_string(), level = level_word(severity));
+        let text = text!(
+            "heard-event",
+            id = event.id.to_string(),
+            level = level_word(severity)
+        );
         Some(Notice::about(vehicle.id, now, severity, text))
     }
 

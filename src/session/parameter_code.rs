@@ -10,8 +10,7 @@ use crate::parameters::{ParameterList, ParameterType};
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame, Outgoing};
 
-const BYTEWISE: u64 =
-    MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE.bits();
+const BYTEWISE: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE.bits();
 
 /// Whether the vehicle copies the bytes of integers. A vehicle that has not reported its capabilities is judged by its
 /// autopilot.

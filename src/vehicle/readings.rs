@@ -35,6 +35,15 @@ impl Heartbeat {
     /// The `MAV_AUTOPILOT` of PX4.
     pub const PX4: u8 = MavAutopilot::MAV_AUTOPILOT_PX4 as u8;
 
+    /// The autopilot's name, if this program knows it.
+    pub fn autopilot_name(&self) -> Option<&'static str> {
+        match self.autopilot {
+            Self::ARDUPILOT => Some("ArduPilot"),
+            Self::PX4 => Some("PX4"),
+            _ => None,
+        }
+    }
+
     /// Whether the autopilot is `ArduPilot`.
     pub fn is_ardupilot(&self) -> bool {
         self.autopilot == Self::ARDUPILOT

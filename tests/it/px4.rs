@@ -146,7 +146,10 @@ fn a_flight_with_px4_shows_each_effect() {
     assert_eq!(talk.last(2), Some(RowState::Done));
     assert_eq!(talk.last(3), Some(RowState::Accepted));
     talk.pass(5);
-    assert_eq!((talk.mode(), talk.last(3)), ("AUTO.LOITER".into(), Some(RowState::Done)));
+    assert_eq!(
+        (talk.mode(), talk.last(3)),
+        ("AUTO.LOITER".into(), Some(RowState::Done))
+    );
     assert!((talk.px4.height_m() - 10.0).abs() < 0.1);
     let goto = MotionCommand::Goto {
         destination: Destination::Global {
@@ -168,8 +171,17 @@ fn a_flight_with_px4_shows_each_effect() {
     talk.pass(2);
     assert_eq!(talk.mode(), "AUTO.RTL");
     talk.pass(20);
-    assert_eq!(talk.last(6), Some(RowState::Done), "{}", talk.explanation(6));
-    assert!(!talk.px4.armed && talk.px4.faults.is_empty(), "{:?}", talk.px4.faults);
+    assert_eq!(
+        talk.last(6),
+        Some(RowState::Done),
+        "{}",
+        talk.explanation(6)
+    );
+    assert!(
+        !talk.px4.armed && talk.px4.faults.is_empty(),
+        "{:?}",
+        talk.px4.faults
+    );
 }
 
 #[test]
@@ -187,7 +199,10 @@ fn another_mode_ends_a_landing_but_disarming_does_not() {
     assert_eq!(talk.explanation(3), "by POSCTL");
     talk.order(4, "land", Command::Flight(FlightCommand::Land));
     talk.pass(10);
-    assert_eq!((talk.mode(), talk.last(4)), ("AUTO.LOITER".into(), Some(RowState::Done)));
+    assert_eq!(
+        (talk.mode(), talk.last(4)),
+        ("AUTO.LOITER".into(), Some(RowState::Done))
+    );
 }
 
 #[test]
@@ -198,7 +213,11 @@ fn a_refused_arming_names_the_reasons_of_px4() {
     talk.pass(8);
     assert_eq!(talk.last(1), Some(RowState::Refused));
     let why = talk.explanation(1);
-    assert_eq!(why.matches("Preflight Fail: ekf2 missing data").count(), 1, "{why}");
+    assert_eq!(
+        why.matches("Preflight Fail: ekf2 missing data").count(),
+        1,
+        "{why}"
+    );
     assert!(why.contains("event 17001234 (critical)"), "{why}");
     assert!(!why.contains("data?"), "{why}");
     assert_eq!(talk.session.vehicle().prearm, ["ekf2 missing data"]);
@@ -213,7 +232,7 @@ fn parameters_are_read_and_set_by_the_bytes_of_their_type() {
             value,
         })
     };
-    talk.order(1, "param set", set(4.0));
+    talk.order(1, "param", set(4.0));
     assert_eq!(talk.last(1), Some(RowState::Refused));
     assert!(talk.explanation(1).contains("param get COM_RC_IN_MODE"));
     talk.px4.stick_mode = -3;
@@ -222,14 +241,26 @@ fn parameters_are_read_and_set_by_the_bytes_of_their_type() {
     let list = talk.session.parameters().list;
     assert!(list.is_complete());
     let value = |name: &str| list.get(name).map(|known| known.value);
-    assert_eq!((value("COM_RC_IN_MODE"), value("MPC_XY_P")), (Some(-3.0), Some(0.95)));
-    talk.order(2, "param set", set(4.0));
+    assert_eq!(
+        (value("COM_RC_IN_MODE"), value("MPC_XY_P")),
+        (Some(-3.0), Some(0.95))
+    );
+    talk.order(2, "param", set(4.0));
     talk.pass(1);
-    assert_eq!(talk.last(2), Some(RowState::Done), "{}", talk.explanation(2));
+    assert_eq!(
+        talk.last(2),
+        Some(RowState::Done),
+        "{}",
+        talk.explanation(2)
+    );
     assert_eq!(talk.explanation(2), "COM_RC_IN_MODE = 4");
     assert_eq!((talk.px4.stick_mode, talk.px4.faults.len()), (4, 0));
-    talk.order(3, "param set", set(2.5));
-    assert_eq!(talk.last(3), Some(RowState::Refused), "it is a whole number");
+    talk.order(3, "param", set(2.5));
+    assert_eq!(
+        talk.last(3),
+        Some(RowState::Refused),
+        "it is a whole number"
+    );
 }
 
 #[test]
@@ -245,7 +276,10 @@ fn lost_events_are_requested_again_and_each_is_shown_once() {
     talk.px4.event(105, 8);
     talk.pass(2);
     let heard: Vec<&str> = talk.notices.iter().map(String::as_str).collect();
-    let events: Vec<&str> = heard.into_iter().filter(|it| it.contains("event")).collect();
+    let events: Vec<&str> = heard
+        .into_iter()
+        .filter(|it| it.contains("event"))
+        .collect();
     assert_eq!(
         events,
         [
@@ -320,8 +354,8 @@ fn the_program_flies_a_px4_over_udp() {
         "1 arm: 1 effect seen",
         "1 takeoff 10: 1 effect seen",
         "AUTO.TAKEOFF",
-        "1 mode AUTO.LOITER: 1 effect seen",
-        "OFFBOARD",
+        "1 mode auto.loiter: 1 effect seen",
+        "1 refused, PX4 flies at a velocity only in OFFBOARD",
         "1 land: 1 effect seen",
     ] {
         assert!(said.contains(expected), "{expected:?} in:\n{said}{wrong}");

@@ -78,15 +78,22 @@ fn other_autopilots_get_no_mode_numbers_of_ardupilot() {
 #[test]
 fn px4_gets_the_parts_of_a_mode() {
     let px4 = with_px4();
-    assert_eq!(refused(&set_mode("GUIDED"), &px4), "it has no mode GUIDED");
+    let why = "PX4 has no GUIDED and needs none: use `goto` or `takeoff` in any mode";
+    assert_eq!(refused(&set_mode("GUIDED"), &px4), why);
+    assert_eq!(refused(&set_mode("SPORT"), &px4), "it has no mode SPORT");
     for (name, main, sub) in [
         ("POSCTL", 3.0, 0.0),
         ("AUTO.MISSION", 4.0, 4.0),
         ("rtl", 4.0, 5.0),
         ("OFFBOARD", 6.0, 0.0),
+        ("7", 7.0, 0.0),
     ] {
         let (number, fields) = long(&set_mode(name), &px4);
-        assert_eq!((number, &fields[..3]), (176, &[1.0, main, sub][..]), "{name}");
+        assert_eq!(
+            (number, &fields[..3]),
+            (176, &[1.0, main, sub][..]),
+            "{name}"
+        );
     }
     let (_, fields) = long(&Command::Flight(FlightCommand::Hold), &px4);
     assert_eq!(fields[..3], [1.0, 4.0, 3.0]);
