@@ -229,10 +229,14 @@ fn above_sea(vehicle: &Vehicle, altitude_m: f64) -> Result<f32, Text> {
     Ok(height)
 }
 
-/// Refuses movements of a vehicle that does not fly: in AUTO.LOITER on the ground, PX4 would accept and ignore them.
+/// Refuses movements of a vehicle that does not fly, or takes off: in AUTO.LOITER on the ground, PX4 would accept and
+/// ignore them, and a takeoff would end low.
 fn flies(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     if !vehicle.armed() {
         return Err(not_armed(verb, vehicle));
+    }
+    if vehicle.mode().is_some_and(|mode| mode.is("AUTO.TAKEOFF")) {
+        return Err(text!("refused-taking-off", verb = verb));
     }
     if vehicle.is_on_the_ground() {
         let vehicle = vehicle.id;

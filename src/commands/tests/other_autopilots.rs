@@ -173,6 +173,9 @@ fn px4_flies_to_places_by_reposition_with_a_change_of_mode() {
     let (number, fields) = long(&climb, &px4);
     assert_eq!((number, fields[1], fields[6]), (192, 1.0, 528.0));
     assert!(fields[3..6].iter().all(|field| field.is_nan()));
+    enters(&mut px4, "AUTO.TAKEOFF");
+    let why = "still taking off: wait until `takeoff` shows `effect seen`, then goto";
+    assert_eq!(refused(&goto, &px4), why);
     enters(&mut px4, "AUTO.RTL");
     assert!(goto.claim(&px4).contradicted(&px4).is_some());
     enters(&mut px4, "AUTO.LOITER");
