@@ -212,6 +212,12 @@ impl Mode {
             .map(|&(_, name)| name)
     }
 
+    /// The second part of a two-part name.
+    pub fn last_part(self) -> Option<&'static str> {
+        let parts = self.name()?.split_once('.');
+        parts.map(|(_, part)| part)
+    }
+
     /// Whether the vehicle returns or lands on its own, and so ends on the ground.
     pub fn comes_down(self) -> bool {
         let names: &[&str] = match self.class {
