@@ -102,6 +102,18 @@ impl PlanAim {
     }
 }
 
+/// Whether the vehicle is on the ground in the mode that landed it. PX4 changes the mode when it disarms.
+fn has_landed(vehicle: &Vehicle, mode: Mode) -> bool {
+    let is_over = mode.class == VehicleClass::Px4 && !vehicle.armed();
+    (is_over || vehicle.mode() == Some(mode)) && vehicle.is_on_the_ground()
+}
+
+/// Whether the vehicle is at least this high, and no longer in the mode of the takeoff.
+fn has_taken_off(vehicle: &Vehicle, least_m: f64, takeoff: Mode) -> bool {
+    let is_up = vehicle.altitude_m().is_some_and(|now| now >= least_m);
+    is_up && vehicle.airborne() && vehicle.mode() != Some(takeoff)
+}
+
 /// Whether the vehicle flies its plan and neither pauses nor has reached the end.
 fn is_flown(vehicle: &Vehicle) -> bool {
     let moves = match vehicle.plan.phase {
@@ -121,10 +133,7 @@ impl Effect {
             Watched::Nothing => return None,
             Watched::Armed(armed) => vehicle.heartbeat.is_some_and(|beat| beat.armed == *armed),
             Watched::Mode(mode) => vehicle.mode() == Some(*mode),
-            Watched::Landed(mode) => {
-                let is_over = mode.class == VehicleClass::Px4 && !vehicle.armed();
-                (is_over || vehicle.mode() == Some(*mode)) && vehicle.is_on_the_ground()
-            }
+            Watched::Landed(mode) => has_landed(vehicle, *mode),
             Watched::Still => speed_m_s(vehicle).is_some_and(|speed| speed < STILL_M_S),
             Watched::Altitude {
                 altitude_m,
@@ -132,11 +141,7 @@ impl Effect {
             } => vehicle
                 .altitude_m()
                 .is_some_and(|now| (now - altitude_m).abs() <= *tolerance_m),
-            Watched::TakenOff { least_m, takeoff } => {
-                vehicle.airborne()
-                    && vehicle.mode() != Some(*takeoff)
-                    && vehicle.altitude_m().is_some_and(|now| now >= *least_m)
-            }
+            Watched::TakenOff { least_m, takeoff } => has_taken_off(vehicle, *least_m, *takeoff),
             Watched::Place(place) => arrived(vehicle, *place),
             Watched::Heading(heading) => vehicle
                 .heading_deg()
