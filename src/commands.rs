@@ -30,6 +30,7 @@ mod order;
 mod parameter;
 mod plan;
 mod plan_flight;
+mod px4;
 mod query;
 mod raw;
 mod request;
@@ -141,6 +142,11 @@ impl Command {
     /// (ArduCopter would ignore it silently), a relative target without a position, a value that is not a finite
     /// number.
     pub fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
+        if vehicle.runs_px4()
+            && let Some(request) = px4::request(self, vehicle, confirmation)
+        {
+            return request;
+        }
         let long = |fields| Request::long(vehicle, &fields, confirmation);
         match self {
             Self::Arming(command) => long(command.fields(vehicle)?),

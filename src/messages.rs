@@ -238,6 +238,9 @@ impl Inbox {
                 battery::apply(vehicle, data, now);
             }
             M::EKF_STATUS_REPORT(data) => ekf::apply(vehicle, data, report),
+            M::ESTIMATOR_STATUS(data) if vehicle.runs_px4() => {
+                ekf::apply_estimator(vehicle, data, report);
+            }
             M::VIBRATION(data) => vibration::apply(vehicle, data),
             M::EXTENDED_SYS_STATE(data) => landed::apply(vehicle, data),
             M::MISSION_CURRENT(data) => self.plan.apply_current(vehicle, data, report),

@@ -22,6 +22,7 @@ mod acknowledgement;
 mod bench;
 mod defaults;
 mod download;
+mod events;
 mod files;
 mod fit;
 mod ftp;
@@ -33,6 +34,7 @@ mod logs;
 mod naming;
 mod order;
 mod output;
+mod parameter_code;
 mod plan_orders;
 mod plans;
 mod precedence;
@@ -50,6 +52,7 @@ mod transfers;
 
 use defaults::DefaultsReader;
 use download::Download;
+use events::Events;
 use files::FileOrders;
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
@@ -97,6 +100,7 @@ pub struct Session {
     line: Line,
     download: Download,
     defaults: DefaultsReader,
+    events: Events,
     logs: LogReader,
     files: FileOrders,
     ftp: FtpClient,
@@ -121,6 +125,7 @@ impl Session {
             line: Line::default(),
             download: Download::new(),
             defaults: DefaultsReader::default(),
+            events: Events::default(),
             logs: LogReader::default(),
             files: FileOrders::default(),
             ftp: FtpClient::default(),
@@ -202,6 +207,7 @@ impl Session {
     }
 
     fn take_in(&mut self, frame: &Frame, now: Duration) {
+        let frame = &*parameter_code::received(frame, &self.vehicle);
         if radio::position(frame).is_some() {
             self.vehicle.unheard = None;
         }
@@ -248,6 +254,7 @@ impl Session {
         self.vehicle.asked_speeds = AskedSpeeds::default();
         let (files, mut scene) = self.files(now);
         files.clear(&newer, &mut scene);
+        self.events.forget();
         self.ftp.forget();
         self.lists.begin_anew(&mut self.ftp, now);
         self.logs
@@ -319,6 +326,8 @@ impl Session {
             let offers_file = self.offers_defaults();
             let fetching = self.download.fetching();
             self.defaults.poll(fetching, offers_file, &mut self.ftp);
+            let given_up = self.events.poll(&self.vehicle, now, &mut self.output);
+            self.output.say(given_up);
             let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
             self.output.messages.extend(requests);
         }
@@ -345,6 +354,7 @@ impl Session {
             || self.download.fetching().is_under_way()
             || self.files.is_busy()
             || self.ftp.is_busy()
+            || self.events.is_busy()
             || self.signing.is_busy()
         {
             BUSY_POLL
@@ -355,7 +365,10 @@ impl Session {
 
     /// Takes the messages to send, in order.
     pub fn take_outgoing(&mut self) -> Vec<Outgoing> {
-        let said = std::mem::take(&mut self.output.messages);
+        let mut said = std::mem::take(&mut self.output.messages);
+        for message in &mut said {
+            parameter_code::encode(message, &self.vehicle, self.inbox.parameters());
+        }
         self.surroundings.pass(said, self.now)
     }
 
@@ -384,6 +397,9 @@ impl Session {
             if round_trip.is_some() {
                 self.vehicle.link.round_trip = round_trip;
             }
+            let heard = self.events.receive(message, &self.vehicle, now);
+            self.line.hear_texts(heard.as_slice());
+            self.output.say(heard);
         }
         self.signing
             .receive(frame, &self.vehicle, now, &mut self.output);

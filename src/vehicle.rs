@@ -21,6 +21,7 @@ mod limits;
 mod mode;
 mod pause;
 mod plan;
+mod px4_modes;
 mod radio_test;
 mod readings;
 mod route;
@@ -276,6 +277,22 @@ impl Vehicle {
     /// The main pack, which powers the motors, if it is reported.
     pub fn battery(&self) -> Option<&Battery> {
         self.batteries.first()
+    }
+
+    /// The name of the autopilot and its version, as far as both are known; empty if neither is.
+    pub fn firmware_name(&self) -> String {
+        let name = self.heartbeat.and_then(|beat| beat.autopilot_name());
+        let version = self.version.map(|version| {
+            let (major, minor, patch) = version.firmware;
+            format!("{major}.{minor}.{patch}")
+        });
+        let parts = name.map(str::to_owned).into_iter().chain(version);
+        parts.collect::<Vec<_>>().join(" ")
+    }
+
+    /// Whether the vehicle is known to run PX4.
+    pub fn runs_px4(&self) -> bool {
+        self.heartbeat.is_some_and(|heartbeat| heartbeat.is_px4())
     }
 
     /// Whether an arm command should succeed in the current mode: the pre-arm bit is set and the filter has a

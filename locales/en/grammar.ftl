@@ -44,6 +44,7 @@ grammar-no-mode = unknown mode `{ $mode }`
 grammar-no-mode-copter = a copter has no mode `{ $mode }`
 grammar-no-mode-plane = a plane has no mode `{ $mode }`
 grammar-no-mode-rover = a rover has no mode `{ $mode }`
+grammar-no-mode-px4 = PX4 has no mode `{ $mode }`
 grammar-no-mode-sub = a sub has no mode `{ $mode }`
 grammar-no-area = unknown area `{ $area }`
 grammar-area = area

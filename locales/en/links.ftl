@@ -22,6 +22,7 @@ links-round-trip = round trip
 links-dropped = dropped
 links-dropped-figures = bad CRC { $crc }, noise { $skipped } B, unknown ids { $unknown }, undecoded { $undecoded }
 links-missing = never arrived
+links-autopilots = autopilots
 links-others = other
 links-other-figures = peers { $peers }, reconnected { $reconnects }, not sent { $unsent }
 links-signing = signatures

@@ -72,6 +72,7 @@ effect-mode = mode { $mode }
 effect-still = standing still
 effect-landed = on the ground
 effect-altitude = { $metres } m above home, within { $tolerance } m
+effect-taken-off = takeoff ended at { $metres } m or higher
 effect-place = within { $metres } m of the target
 effect-heading = heading { $degrees }°
 effect-velocity = flying at this velocity

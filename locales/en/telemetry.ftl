@@ -37,6 +37,19 @@ carried-none = { $vehicles } with none
 carried-unread = not read yet: { $vehicles }
 carried-unsupported = no such list: { $vehicles }
 
+heard-event = event { $id } ({ $level })
+heard-events-lost = { $count ->
+    [one] { $count } event was lost: the vehicle no longer has it
+   *[other] { $count } events were lost: the vehicle no longer has them
+}
+event-emergency = emergency
+event-alert = alert
+event-critical = critical
+event-error = error
+event-warning = warning
+event-notice = notice
+event-info = info
+event-debug = debug
 heard-plan-complete = plan flown to its end
 heard-plan-back = plan went back from item { $before } to { $item }
 heard-plan-skipped = plan went on from item { $before } to { $item }; not reported as reached: { $items }

@@ -44,6 +44,7 @@ grammar-no-mode = невідомий режим `{ $mode }`
 grammar-no-mode-copter = у коптера немає режиму `{ $mode }`
 grammar-no-mode-plane = у літака немає режиму `{ $mode }`
 grammar-no-mode-rover = у ровера немає режиму `{ $mode }`
+grammar-no-mode-px4 = PX4 не має режиму `{ $mode }`
 grammar-no-mode-sub = у підводного апарата немає режиму `{ $mode }`
 grammar-no-area = невідома ділянка `{ $area }`
 grammar-area = ділянка

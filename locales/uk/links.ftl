@@ -22,6 +22,7 @@ links-round-trip = туди й назад
 links-dropped = відкинуто
 links-dropped-figures = хибна CRC { $crc }, шум { $skipped } B, невідомі номери { $unknown }, не розібрано { $undecoded }
 links-missing = не дійшло
+links-autopilots = автопілоти
 links-others = інше
 links-other-figures = вузлів { $peers }, повторних з'єднань { $reconnects }, не надіслано { $unsent }
 links-signing = підписи

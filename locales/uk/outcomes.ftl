@@ -77,6 +77,7 @@ effect-mode = режим { $mode }
 effect-still = зупинка на місці
 effect-landed = на землі
 effect-altitude = { $metres } m над домом, ±{ $tolerance } m
+effect-taken-off = зліт завершено на висоті { $metres } m або вище
 effect-place = до цілі менше ніж { $metres } m
 effect-heading = курс { $degrees }°
 effect-velocity = політ із такою швидкістю

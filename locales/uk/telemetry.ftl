@@ -25,6 +25,20 @@ carried-none = { $vehicles } — нічого
 carried-unread = ще не прочитано: { $vehicles }
 carried-unsupported = такого списку немає: { $vehicles }
 
+heard-event = подія { $id } ({ $level })
+heard-events-lost = { $count ->
+    [one] втрачено { $count } подію: апарат її вже не зберігає
+    [few] втрачено { $count } події: апарат їх уже не зберігає
+   *[other] втрачено { $count } подій: апарат їх уже не зберігає
+}
+event-emergency = аварія
+event-alert = тривога
+event-critical = критично
+event-error = помилка
+event-warning = попередження
+event-notice = сповіщення
+event-info = інформація
+event-debug = налагодження
 heard-plan-complete = план виконано до кінця
 heard-plan-back = політ за планом повернувся з пункту { $before } до { $item }
 heard-plan-skipped = політ за планом перейшов із пункту { $before } до { $item }; про виконання не повідомлено: { $items }

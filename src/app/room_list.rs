@@ -106,6 +106,7 @@ impl Room {
             | Self::Links
             | Self::Hangar
             | Self::Parameters
+            | Self::Files
             | Self::Mission
             | Self::Review => false,
         }

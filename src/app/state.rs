@@ -325,12 +325,12 @@ impl<R> State<R> {
         !self.session.task.over && progress.is_none_or(|progress| progress.can_pledge)
     }
 
-    /// The vehicle class for modes on the command line: that of the first target; a copter if it is
+    /// The class whose modes are valid on the command line: that of the first target's modes; a copter if it is
     /// unknown.
     pub fn class(&self) -> VehicleClass {
         let first = self.addressed().first().copied();
         let vehicle = first.and_then(|id| self.session.vehicles.get(&id));
         let heartbeat = vehicle.and_then(|vehicle| vehicle.heartbeat);
-        heartbeat.map_or(VehicleClass::Copter, |heartbeat| heartbeat.class)
+        heartbeat.map_or(VehicleClass::Copter, |heartbeat| heartbeat.mode.class)
     }
 }

@@ -7,7 +7,7 @@ use super::encode::LongFields;
 use crate::ledger::Risk;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{Mode, Vehicle};
 
 /// Arms and disarms the motors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -50,13 +50,22 @@ impl ArmingCommand {
 
     pub(super) fn likely_reason(self, vehicle: &Vehicle) -> Option<Text> {
         match self {
+            Self::Arm if !vehicle.prearm.is_empty() && vehicle.runs_px4() => {
+                Some(vehicle.prearm.join("; ").into())
+            }
             Self::Arm if !vehicle.prearm.is_empty() => {
                 Some(format!("PreArm: {}", vehicle.prearm.join("; PreArm: ")).into())
             }
-            Self::Arm => vehicle
-                .mode()
-                .filter(|mode| mode.is("LAND") || mode.is("RTL"))
-                .map(|mode| text!("reason-arm-mode", mode = vehicle.name_of(mode))),
+            Self::Arm => {
+                let comes_down = |mode: &Mode| mode.is("LAND") || mode.is("RTL");
+                let mode = vehicle.mode().filter(comes_down)?;
+                let name = vehicle.name_of(mode);
+                Some(if vehicle.runs_px4() {
+                    text!("reason-px4-arm-mode", mode = name)
+                } else {
+                    text!("reason-arm-mode", mode = name)
+                })
+            }
             Self::Disarm => vehicle.airborne().then(|| text!("reason-in-the-air")),
             Self::Kill => None,
         }

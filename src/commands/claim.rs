@@ -12,7 +12,11 @@ use crate::vehicle::{Mode, Vehicle};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Claim {
     mode: Option<Mode>,
+    /// A second mode that agrees with the claim: the one that follows by itself.
+    follows: Option<Mode>,
     armed: Option<bool>,
+    /// Whether the claim ends when the vehicle disarms: PX4 then changes its mode by itself.
+    ends_disarmed: bool,
 }
 
 impl Claim {
@@ -20,7 +24,25 @@ impl Claim {
     pub(super) fn mode(before: &Vehicle, name: &str) -> Self {
         Self {
             mode: mode_named(before, name),
-            armed: None,
+            ..Self::default()
+        }
+    }
+
+    /// A claim to be in a mode that ends on the ground.
+    fn landing_mode(before: &Vehicle, name: &str) -> Self {
+        Self {
+            ends_disarmed: before.runs_px4(),
+            ..Self::mode(before, name)
+        }
+    }
+
+    /// A claim to be armed and in a mode of PX4, or in the one that follows by itself.
+    fn px4_flight(before: &Vehicle, mode: &str, follows: Option<&str>) -> Self {
+        Self {
+            mode: mode_named(before, mode),
+            follows: follows.and_then(|name| mode_named(before, name)),
+            armed: Some(true),
+            ends_disarmed: false,
         }
     }
 
@@ -42,8 +64,12 @@ impl Claim {
     /// holds.
     pub fn contradicted(&self, vehicle: &Vehicle) -> Option<Text> {
         let now = vehicle.heartbeat?;
+        if self.ends_disarmed && !now.armed {
+            return None;
+        }
         if let Some(mode) = self.mode
             && mode != now.mode
+            && self.follows != Some(now.mode)
         {
             return Some(text!("outcome-overtaken", mode = vehicle.name_of(now.mode)));
         }
@@ -63,11 +89,11 @@ impl Command {
     pub fn claim(&self, before: &Vehicle) -> Claim {
         match self {
             Self::Arming(command) => Claim {
-                mode: None,
                 armed: Some(match command {
                     ArmingCommand::Arm => true,
                     ArmingCommand::Disarm | ArmingCommand::Kill => false,
                 }),
+                ..Claim::default()
             },
             Self::Flight(command) => command.claim(before),
             Self::PlanFlight(command) => command.claim(before),
@@ -88,6 +114,7 @@ fn flight_in_this_mode(before: &Vehicle) -> Claim {
     Claim {
         mode: before.mode(),
         armed: Some(true),
+        ..Claim::default()
     }
 }
 
@@ -95,12 +122,15 @@ impl FlightCommand {
     pub(super) fn claim(&self, before: &Vehicle) -> Claim {
         match self {
             Self::SetMode { name } => Claim::mode(before, name),
-            Self::Land => Claim::mode(before, "LAND"),
-            Self::ReturnToLaunch => Claim::mode(before, "RTL"),
+            Self::Land => Claim::landing_mode(before, "LAND"),
+            Self::ReturnToLaunch => Claim::landing_mode(before, "RTL"),
             Self::Hold => match holding_mode(before) {
                 Some(name) => Claim::mode(before, name),
                 None => flight_in_this_mode(before),
             },
+            Self::Takeoff { .. } if before.runs_px4() => {
+                Claim::px4_flight(before, "AUTO.TAKEOFF", Some("AUTO.LOITER"))
+            }
             Self::Takeoff { .. } => flight_in_this_mode(before),
             Self::Resume => Claim::default(),
         }
@@ -110,6 +140,13 @@ impl FlightCommand {
 impl MotionCommand {
     fn claim(self, before: &Vehicle) -> Claim {
         match self {
+            // PX4 flies to places in AUTO.LOITER.
+            Self::Goto { .. } | Self::Altitude { .. } | Self::Yaw { .. } if before.runs_px4() => {
+                Claim::px4_flight(before, "AUTO.LOITER", None)
+            }
+            Self::Orbit { .. } if before.runs_px4() => {
+                Claim::px4_flight(before, "POSCTL.ORBIT", None)
+            }
             Self::Goto { .. }
             | Self::Altitude { .. }
             | Self::Yaw { .. }

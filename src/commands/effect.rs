@@ -45,6 +45,11 @@ pub(super) enum Watched {
         altitude_m: f64,
         tolerance_m: f64,
     },
+    /// The vehicle has climbed at least this far above home, and PX4 has ended the takeoff by another mode.
+    TakenOff {
+        least_m: f64,
+        takeoff: Mode,
+    },
     Place(TravelEnd),
     Heading(f64),
     Velocity([f64; 3]),
@@ -97,6 +102,18 @@ impl PlanAim {
     }
 }
 
+/// Whether the vehicle is on the ground in the mode that landed it. PX4 changes the mode when it disarms.
+fn has_landed(vehicle: &Vehicle, mode: Mode) -> bool {
+    let is_over = mode.class == VehicleClass::Px4 && !vehicle.armed();
+    (is_over || vehicle.mode() == Some(mode)) && vehicle.is_on_the_ground()
+}
+
+/// Whether the vehicle is at least this high, and no longer in the mode of the takeoff.
+fn has_taken_off(vehicle: &Vehicle, least_m: f64, takeoff: Mode) -> bool {
+    let is_up = vehicle.altitude_m().is_some_and(|now| now >= least_m);
+    is_up && vehicle.airborne() && vehicle.mode() != Some(takeoff)
+}
+
 /// Whether the vehicle flies its plan and neither pauses nor has reached the end.
 fn is_flown(vehicle: &Vehicle) -> bool {
     let moves = match vehicle.plan.phase {
@@ -116,7 +133,7 @@ impl Effect {
             Watched::Nothing => return None,
             Watched::Armed(armed) => vehicle.heartbeat.is_some_and(|beat| beat.armed == *armed),
             Watched::Mode(mode) => vehicle.mode() == Some(*mode),
-            Watched::Landed(mode) => vehicle.mode() == Some(*mode) && vehicle.is_on_the_ground(),
+            Watched::Landed(mode) => has_landed(vehicle, *mode),
             Watched::Still => speed_m_s(vehicle).is_some_and(|speed| speed < STILL_M_S),
             Watched::Altitude {
                 altitude_m,
@@ -124,6 +141,7 @@ impl Effect {
             } => vehicle
                 .altitude_m()
                 .is_some_and(|now| (now - altitude_m).abs() <= *tolerance_m),
+            Watched::TakenOff { least_m, takeoff } => has_taken_off(vehicle, *least_m, *takeoff),
             Watched::Place(place) => arrived(vehicle, *place),
             Watched::Heading(heading) => vehicle
                 .heading_deg()
@@ -169,6 +187,9 @@ impl Effect {
                 metres = format!("{altitude_m:.1}"),
                 tolerance = format!("{tolerance_m:.1}")
             ),
+            Watched::TakenOff { least_m, .. } => {
+                text!("effect-taken-off", metres = format!("{least_m:.1}"))
+            }
             Watched::Place(_) => text!("effect-place", metres = ARRIVED_M.to_string()),
             Watched::Heading(heading) => {
                 text!("effect-heading", degrees = format!("{heading:.0}"))
@@ -204,13 +225,39 @@ pub(super) fn mode_effect(before: &Vehicle, name: &str) -> Effect {
 /// checked.
 pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     match mode_named(before, name) {
-        Some(mode) if mode.class == VehicleClass::Copter => {
+        Some(mode) if is_copter(before, mode) => {
             let way_m = before.distance_home_m().unwrap_or(0.0);
             let height_m = before.altitude_m().unwrap_or(0.0).max(0.0);
             let time = patience(way_m / 1.5 + height_m / 0.3 + 180.0);
             Effect::new(Watched::Landed(mode), time)
         }
         _ => mode_effect(before, name),
+    }
+}
+
+/// Whether a vehicle in this mode is a multirotor.
+fn is_copter(vehicle: &Vehicle, mode: Mode) -> bool {
+    let class = vehicle.heartbeat.map(|heartbeat| heartbeat.class);
+    match mode.class {
+        VehicleClass::Px4 => class == Some(VehicleClass::Copter),
+        class => class == VehicleClass::Copter,
+    }
+}
+
+/// The effect of a takeoff. PX4 ends it in another mode, by default AUTO.LOITER, and does not descend to a height below
+/// the vehicle.
+pub(super) fn takeoff_effect(before: &Vehicle, altitude_m: f64) -> Effect {
+    let climb = altitude_effect(before, altitude_m, 0.05);
+    let takeoff = before
+        .mode()
+        .filter(|mode| mode.class == VehicleClass::Px4)
+        .and_then(|mode| mode.class.mode("AUTO.TAKEOFF"));
+    match (takeoff, &climb.watched) {
+        (Some(takeoff), Watched::Altitude { tolerance_m, .. }) => {
+            let least_m = altitude_m - tolerance_m;
+            Effect::new(Watched::TakenOff { least_m, takeoff }, climb.within)
+        }
+        _ => climb,
     }
 }
 

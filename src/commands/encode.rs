@@ -1,4 +1,5 @@
 //! Commands as MAVLink messages. Only finite numbers are encoded: one NaN in a setpoint crashes ArduPilot's simulator.
+//! In commands to PX4, NaN stands for what is left to the vehicle.
 
 use mavlink::dialects::ardupilotmega::{
     COMMAND_INT_DATA, COMMAND_LONG_DATA, MavCmd, MavFrame, MavMessage, MavParamType,
@@ -63,7 +64,7 @@ pub(super) fn long(
     fields: &LongFields,
     confirmation: u8,
 ) -> Result<Outgoing, Text> {
-    finite(&fields.params)?;
+    encodable(vehicle, &fields.params)?;
     let mut payload = Vec::with_capacity(33);
     for param in fields.params {
         payload.extend_from_slice(&param.to_le_bytes());
@@ -106,7 +107,7 @@ impl IntFields {
 
 /// `COMMAND_INT` to a vehicle.
 pub(super) fn int(vehicle: &Vehicle, fields: &IntFields) -> Result<Outgoing, Text> {
-    finite(&fields.params)?;
+    encodable(vehicle, &fields.params)?;
     finite(&[fields.z])?;
     let mut payload = Vec::with_capacity(35);
     for param in fields.params {
@@ -290,7 +291,18 @@ fn checked(point: LatLon) -> Result<LatLon, Text> {
     }
 }
 
-fn finite(values: &[f32]) -> Result<(), Text> {
+/// Refuses numbers that a command to this vehicle cannot carry.
+fn encodable(vehicle: &Vehicle, params: &[f32]) -> Result<(), Text> {
+    if !vehicle.runs_px4() {
+        return finite(params);
+    }
+    params
+        .iter()
+        .filter(|param| !param.is_nan())
+        .try_for_each(|param| finite(&[*param]))
+}
+
+pub(super) fn finite(values: &[f32]) -> Result<(), Text> {
     match values.iter().find(|value| !value.is_finite()) {
         None => Ok(()),
         Some(value) => Err(text!("refused-not-finite", value = value.to_string())),

@@ -4,12 +4,12 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
-use super::effect::{Effect, Watched, altitude_effect, landing_effect, mode_effect};
+use super::effect::{Effect, Watched, landing_effect, mode_effect, takeoff_effect};
 use super::encode::LongFields;
 use super::modes::{holding_mode, mode_number};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{Mode, Vehicle, VehicleClass};
 
 /// Begins, ends and interrupts a flight.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +19,7 @@ pub enum FlightCommand {
         /// The mode's name, such as `GUIDED`.
         name: String,
     },
-    /// Take off straight up in GUIDED.
+    /// Take off straight up, with ArduPilot in GUIDED.
     Takeoff {
         /// Height above home to climb to.
         altitude_m: f64,
@@ -31,7 +31,7 @@ pub enum FlightCommand {
     /// its modes have no names, once it has accepted the command.
     ReturnToLaunch,
     /// Stop and stay. A copter pauses in GUIDED and AUTO and enters BRAKE from other modes; a plane enters LOITER, a rover
-    /// HOLD, a sub POSHOLD. A vehicle whose modes have no names is asked to pause.
+    /// HOLD, a sub POSHOLD, any vehicle with PX4 AUTO.LOITER. A vehicle whose modes have no names is asked to pause.
     Hold,
     /// Resume after a hold.
     Resume,
@@ -58,7 +58,7 @@ impl FlightCommand {
     pub(super) fn effect(&self, before: &Vehicle) -> Effect {
         match self {
             Self::SetMode { name } => mode_effect(before, name),
-            Self::Takeoff { altitude_m } => altitude_effect(before, *altitude_m, 0.05),
+            Self::Takeoff { altitude_m } => takeoff_effect(before, *altitude_m),
             Self::Land => landing_effect(before, "LAND"),
             Self::ReturnToLaunch => landing_effect(before, "RTL"),
             Self::Hold => match holding_mode(before) {
@@ -80,7 +80,8 @@ impl FlightCommand {
 
 /// What a takeoff still needs, in the order of the steps; `None` if nothing is known to be missing.
 fn takeoff_reason(vehicle: &Vehicle) -> Option<Text> {
-    let other_mode = vehicle.mode().filter(|mode| !mode.is("GUIDED"));
+    let needs_guided = |mode: &Mode| mode.class != VehicleClass::Px4 && !mode.is("GUIDED");
+    let other_mode = vehicle.mode().filter(needs_guided);
     let other_mode = other_mode.map(|mode| vehicle.name_of(mode));
     match other_mode {
         Some(mode) if !vehicle.armed() => Some(text!("reason-takeoff-mode-arm", mode = mode)),
@@ -96,10 +97,7 @@ const MOST_PLAIN: u32 = 0xffff;
 
 pub(super) fn mode_fields(vehicle: &Vehicle, name: &str) -> Result<LongFields, Text> {
     let number = mode_number(vehicle, name)?;
-    let is_px4 = vehicle
-        .heartbeat
-        .is_some_and(|heartbeat| heartbeat.is_px4());
-    let fields = if is_px4 && number > MOST_PLAIN {
+    let fields = if vehicle.runs_px4() && number > MOST_PLAIN {
         // PX4 takes the main mode and the sub-mode of its number apart.
         let [.., main, sub] = number.to_le_bytes();
         [1.0, f32::from(main), f32::from(sub)]

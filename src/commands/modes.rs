@@ -2,7 +2,7 @@
 
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Heartbeat, Mode, Vehicle, VehicleClass};
+use crate::vehicle::{Heartbeat, Mode, Vehicle, VehicleClass, is_same_name};
 
 /// The mode in which the vehicle holds its position; `None` if it pauses in its current mode
 /// instead.
@@ -14,6 +14,7 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
         VehicleClass::Plane => Some("LOITER"),
         VehicleClass::Rover => Some("HOLD"),
         VehicleClass::Sub => Some("POSHOLD"),
+        VehicleClass::Px4 => Some("AUTO.LOITER"),
         VehicleClass::Other => None,
     }
 }
@@ -25,7 +26,9 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
 /// of its autopilot's modes are unknown.
 pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
     if let Ok(number) = name.parse::<u8>() {
-        return Ok(u32::from(number));
+        // A plain number is PX4's main mode.
+        let place = if vehicle.runs_px4() { 16 } else { 0 };
+        return Ok(u32::from(number) << place);
     }
     let Some(heartbeat) = vehicle.heartbeat else {
         return Err(text!("refused-not-heard"));
@@ -45,7 +48,9 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
         !modes.is_complete() || modes.numbered(number).is_some_and(|it| it.is_selectable)
     };
     number.filter(is_offered).ok_or_else(|| {
-        if heartbeat.is_ardupilot() || vehicle.modes.is_complete() {
+        if vehicle.runs_px4() && is_same_name(name, "GUIDED") {
+            text!("refused-px4-guided")
+        } else if heartbeat.mode.class != VehicleClass::Other || vehicle.modes.is_complete() {
             text!("refused-no-mode", mode = name)
         } else {
             text!("refused-mode-autopilot")
@@ -54,9 +59,11 @@ pub(super) fn mode_number(vehicle: &Vehicle, name: &str) -> Result<u32, Text> {
 }
 
 /// A mode by name, or by a plain number; `None` if this vehicle has no such mode, or reports its
-/// modes with other numbers than those that set them, as autopilots other than `ArduPilot` do.
+/// modes with other numbers than those that set them, as autopilots other than `ArduPilot` and PX4 do.
 pub(super) fn mode_named(vehicle: &Vehicle, name: &str) -> Option<Mode> {
-    let has_names = |it: &Heartbeat| it.is_ardupilot() || vehicle.modes.named(name).is_some();
+    let has_names = |it: &Heartbeat| {
+        it.mode.class != VehicleClass::Other || vehicle.modes.named(name).is_some()
+    };
     let heartbeat = vehicle.heartbeat.filter(has_names)?;
     let class = heartbeat.mode.class;
     let number = mode_number(vehicle, name).ok()?;

@@ -5,7 +5,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::MavCmd;
 
 use super::destination::{Destination, Heading};
-use super::effect::{Effect, SOON, Watched, altitude_effect, travel_time, yaw_effect};
+use super::effect::{Effect, SOON, Watched, altitude_effect, mode_effect, travel_time, yaw_effect};
 use super::encode::{self, FRAME_GLOBAL, FRAME_RELATIVE, IntFields, LongFields};
 use super::request::{Repeat, Request};
 use super::setpoint::{
@@ -162,6 +162,7 @@ impl MotionCommand {
                     None => Effect::nothing(),
                 }
             }
+            Self::Orbit { .. } if before.runs_px4() => mode_effect(before, "POSCTL.ORBIT"),
             Self::Speed { .. } | Self::Orbit { .. } | Self::RegionOfInterest { .. } => {
                 Effect::nothing()
             }

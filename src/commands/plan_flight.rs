@@ -13,6 +13,8 @@ use crate::vehicle::{PlanPhase, Vehicle};
 
 /// The mode that flies a plan.
 pub(super) const AUTO: &str = "AUTO";
+/// The mode of PX4 that flies a plan.
+pub(super) const MISSION: &str = "AUTO.MISSION";
 /// The modes in which a plan that has begun waits: those of `hold`, and those in which a pilot holds a vehicle.
 const WAITING_MODES: [&str; 6] = ["BRAKE", "LOITER", "GUIDED", "POSHOLD", "HOLD", "ALT_HOLD"];
 /// A vehicle below this speed over ground counts as standing still.
@@ -34,6 +36,11 @@ pub enum PlanFlight {
     Skip,
     /// Leave AUTO and return.
     Abort,
+}
+
+/// The mode in which this vehicle flies a plan.
+fn plan_mode(vehicle: &Vehicle) -> &'static str {
+    if vehicle.runs_px4() { MISSION } else { AUTO }
 }
 
 impl PlanFlight {
@@ -89,7 +96,7 @@ impl PlanFlight {
     pub(super) fn effect(self, before: &Vehicle) -> Effect {
         let at_item = |item| Effect::new(Watched::PlanItem(PlanAim::new(before, item)), SOON);
         match self {
-            Self::Start => mode_effect(before, AUTO),
+            Self::Start => mode_effect(before, plan_mode(before)),
             Self::Goto { item } => at_item(item),
             Self::Pause => FlightCommand::Hold.effect(before),
             Self::Resume { item } => {
@@ -103,7 +110,7 @@ impl PlanFlight {
 
     pub(super) fn claim(self, before: &Vehicle) -> Claim {
         match self {
-            Self::Start | Self::Resume { .. } => Claim::mode(before, AUTO),
+            Self::Start | Self::Resume { .. } => Claim::mode(before, plan_mode(before)),
             Self::Pause => FlightCommand::Hold.claim(before),
             Self::Abort => FlightCommand::ReturnToLaunch.claim(before),
             Self::Goto { .. } | Self::Skip => Claim::default(),

@@ -49,7 +49,7 @@ impl Deed {
                 let class = vehicle
                     .mode()
                     .map_or(VehicleClass::Other, |mode| mode.class);
-                let is_px4 = vehicle.heartbeat.is_some_and(|beat| beat.is_px4());
+                let is_px4 = vehicle.runs_px4();
                 let number = match u8::try_from(*number) {
                     Ok(main) if is_px4 => u32::from_le_bytes([0, 0, main, *sub]),
                     _ => *number,

@@ -93,13 +93,13 @@ pub(super) fn mode_summary(name: &str, context: &Context) -> Text {
     }
     match built_in(name, context).unwrap_or(name) {
         "GUIDED" => text!("mode-guided"),
-        "AUTO" => text!("mode-auto"),
-        "RTL" => text!("mode-rtl"),
+        "AUTO" | "AUTO.MISSION" => text!("mode-auto"),
+        "RTL" | "AUTO.RTL" => text!("mode-rtl"),
         "SMART_RTL" => text!("mode-smart-rtl"),
-        "LAND" => text!("mode-land"),
-        "BRAKE" | "HOLD" => text!("mode-brake"),
+        "LAND" | "AUTO.LAND" => text!("mode-land"),
+        "BRAKE" | "HOLD" | "AUTO.LOITER" => text!("mode-brake"),
         "CIRCLE" => text!("mode-circle"),
-        "FOLLOW" => text!("mode-follow"),
+        "FOLLOW" | "AUTO.FOLLOW" => text!("mode-follow"),
         _ => text!("grammar-mode"),
     }
 }
@@ -136,10 +136,12 @@ fn classes(context: &Context) -> Vec<VehicleClass> {
             VehicleClass::Plane,
             VehicleClass::Rover,
             VehicleClass::Sub,
+            VehicleClass::Px4,
         ],
         class @ (VehicleClass::Copter
         | VehicleClass::Plane
         | VehicleClass::Rover
-        | VehicleClass::Sub) => vec![class],
+        | VehicleClass::Sub
+        | VehicleClass::Px4) => vec![class],
     }
 }

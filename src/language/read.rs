@@ -247,6 +247,7 @@ fn mode(text: &str, context: &Context) -> Result<String, Misread> {
             VehicleClass::Plane => text!("grammar-no-mode-plane", mode = text),
             VehicleClass::Rover => text!("grammar-no-mode-rover", mode = text),
             VehicleClass::Sub => text!("grammar-no-mode-sub", mode = text),
+            VehicleClass::Px4 => text!("grammar-no-mode-px4", mode = text),
             VehicleClass::Other => text!("grammar-no-mode", mode = text),
         })
     })

@@ -78,10 +78,10 @@ pub(super) fn apply(
         autopilot: beat.autopilot,
         class,
         mode: Mode {
-            class: if beat.autopilot == Heartbeat::ARDUPILOT {
-                class
-            } else {
-                VehicleClass::Other
+            class: match beat.autopilot {
+                Heartbeat::ARDUPILOT => class,
+                Heartbeat::PX4 => VehicleClass::Px4,
+                _ => VehicleClass::Other,
             },
             number: beat.custom_mode,
         },

@@ -19,9 +19,9 @@ const MOST_UNFINISHED: usize = 8;
 const SAME_CHECK: Duration = Duration::from_secs(2);
 /// The placeholder for missing chunks.
 const MISSING: &[u8] = b"...";
-/// The prefixes by which `ArduPilot` marks a reason not to arm: from its periodic check, or from a refused arm
-/// command.
-const REASON_PREFIXES: [&str; 2] = ["PreArm:", "Arm:"];
+/// The prefixes of a reason not to arm: of `ArduPilot` from its periodic check, or from a refused arm command; of PX4
+/// from its checks, or from a refused arm command.
+const REASON_PREFIXES: [&str; 4] = ["PreArm:", "Arm:", "Preflight Fail:", "Arming denied:"];
 
 /// A STATUSTEXT as received.
 #[derive(Debug, Clone)]
@@ -200,7 +200,8 @@ pub(super) fn apply(
     reasons_at: &mut Option<Duration>,
     report: &mut HandlerNotices<'_>,
 ) {
-    let text = sanitised(&joined.text);
+    // PX4 ends texts that it also sends as events with a tab.
+    let text = sanitised(joined.text.trim_end());
     if text.is_empty() {
         return;
     }

@@ -1,23 +1,32 @@
 //! Checks of a command against the parameters of the vehicle, before it is sent.
 
+use super::parameter_code::is_bytewise;
 use crate::commands::{Command, ParameterCommand};
 use crate::diagnostic::nearest;
 use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle::Vehicle;
 
 /// Checks a command against the vehicle's list or the parameter's type, as far as known. `ArduPilot` itself ignores
-/// unknown names, and truncates values silently.
+/// unknown names, and truncates values silently. A vehicle that takes the bytes of integers must have sent the
+/// parameter before, since the type decides the bytes.
 ///
 /// # Errors
 /// Why the value cannot be set.
-pub(super) fn check(command: &Command, list: &ParameterList) -> Result<(), Text> {
+pub(super) fn check(
+    command: &Command,
+    list: &ParameterList,
+    vehicle: &Vehicle,
+) -> Result<(), Text> {
     let Command::Parameter(ParameterCommand::Set { name, value }) = command else {
         return Ok(());
     };
     let Some(known) = list.get(name) else {
         return if is_known(list) {
             Err(lacking(name, list))
+        } else if is_bytewise(vehicle) {
+            Err(text!("refused-parameter-type", name = name))
         } else {
             Ok(())
         };

@@ -185,7 +185,8 @@ impl Transaction {
 
     /// Stores a status text, which may explain a refusal.
     pub fn hear_text(&mut self, notice: &Notice) {
-        if notice.severity <= Severity::Warning {
+        // A command that was sent again may be refused with the same texts.
+        if notice.severity <= Severity::Warning && !self.texts.contains(&notice.text) {
             self.texts.push(notice.text.clone());
         }
     }

@@ -101,6 +101,15 @@ impl Vehicle {
         self.mode().map(|mode| self.name_of(mode))
     }
 
+    /// As [`Self::mode_name`], but of a built-in name in two parts only the second: `TAKEOFF` for `AUTO.TAKEOFF`.
+    pub fn short_mode_name(&self) -> Option<String> {
+        let mode = self.mode()?;
+        match (self.modes.numbered(mode.number), mode.last_part()) {
+            (None, Some(part)) => Some(part.to_owned()),
+            _ => Some(self.name_of(mode)),
+        }
+    }
+
     /// The mode that was set last, if the vehicle is in another mode.
     pub fn mode_not_reached(&self) -> Option<Mode> {
         let now = self.heartbeat.as_ref().map(|beat: &Heartbeat| beat.mode)?;
@@ -111,7 +120,10 @@ impl Vehicle {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
+    use crate::vehicle::{SystemStatus, VehicleClass};
 
     fn mode(index: u8, number: u32, name: &str) -> AnnouncedMode {
         AnnouncedMode {
@@ -158,5 +170,24 @@ mod tests {
         assert_eq!(vehicle.name_of(Mode::copter(6)), "GO_HOME");
         assert_eq!(vehicle.name_of(Mode::copter(4)), "GUIDED");
         assert_eq!(vehicle.name_of(Mode::copter(65)), "MODE_65");
+    }
+
+    #[test]
+    fn the_short_name_is_the_second_part_of_a_built_in_one() {
+        let mut vehicle = Vehicle::new(1, 1);
+        let class = VehicleClass::Px4;
+        vehicle.heartbeat = Some(Heartbeat {
+            mav_type: 2,
+            autopilot: Heartbeat::PX4,
+            class: VehicleClass::Copter,
+            mode: class.mode("AUTO.TAKEOFF").expect("a mode"),
+            armed: true,
+            status: SystemStatus::Active,
+            at: Duration::ZERO,
+        });
+        assert_eq!(vehicle.mode_name().as_deref(), Some("AUTO.TAKEOFF"));
+        assert_eq!(vehicle.short_mode_name().as_deref(), Some("TAKEOFF"));
+        vehicle.modes.add(mode(1, 0x0204_0000, "Take.Off"), 2);
+        assert_eq!(vehicle.short_mode_name().as_deref(), Some("Take.Off"));
     }
 }

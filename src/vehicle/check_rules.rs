@@ -25,7 +25,7 @@ pub fn check_rules(
             VehicleClass::Copter => Some(VehicleKind::Copter),
             VehicleClass::Plane => Some(VehicleKind::Plane),
             VehicleClass::Rover => Some(VehicleKind::Rover),
-            VehicleClass::Sub | VehicleClass::Other => None,
+            VehicleClass::Sub | VehicleClass::Px4 | VehicleClass::Other => None,
         },
         ceiling_m: limit(CEILING, "FENCE_ALT_MAX"),
         radius_m: limit(CIRCLE, "FENCE_RADIUS"),

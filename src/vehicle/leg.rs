@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use super::route::Route;
-use super::{PlanPhase, Vehicle};
+use super::{Mode, PlanPhase, Vehicle};
 use crate::geo::LatLon;
 use crate::geo::maths;
 
@@ -60,7 +60,8 @@ pub struct PlanLeg {
 impl Vehicle {
     /// Whether the vehicle flies its plan.
     pub fn flies_plan(&self) -> bool {
-        self.armed() && self.mode().is_some_and(|mode| mode.is("AUTO"))
+        let flies = |mode: Mode| mode.is("AUTO") || mode.is("AUTO.MISSION");
+        self.armed() && self.mode().is_some_and(flies)
     }
 
     /// Notes the time of arrival at the place where the vehicle stays for the current item of its

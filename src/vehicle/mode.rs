@@ -1,10 +1,13 @@
 //! Flight modes by name, per class of vehicle. Source: ArduPilot's `Mode::Number` enums of each vehicle
-//! (ArduCopter, `ArduPlane`, Rover, `ArduSub`; 4.6), the same numbers as MAVLink's `COPTER_MODE` and siblings.
+//! (ArduCopter, `ArduPlane`, Rover, `ArduSub`; 4.6), the same numbers as MAVLink's `COPTER_MODE` and siblings. PX4 has
+//! one table for all its vehicles.
 
 use std::fmt;
 
 use mavlink::dialects::ardupilotmega::MavType;
 use serde::{Deserialize, Serialize};
+
+use super::px4_modes::PX4;
 
 /// The class of a vehicle, which has its own mode table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -15,6 +18,8 @@ pub enum VehicleClass {
     /// Ground vehicles and boats.
     Rover,
     Sub,
+    /// Any vehicle with PX4, as the class of its modes only: its own class is that of its type.
+    Px4,
     /// Any other vehicle, whose modes are shown by number.
     Other,
 }
@@ -118,7 +123,7 @@ const SUB: &[(u32, &str)] = &[
 ];
 
 /// Modes that stop a vehicle where it is, under the names of every class.
-const STOPPING: [&str; 2] = ["BRAKE", "HOLD"];
+const STOPPING: [&str; 3] = ["BRAKE", "HOLD", "AUTO.LOITER"];
 
 const COPTER_TYPES: &[MavType] = &[
     MavType::MAV_TYPE_QUADROTOR,
@@ -171,19 +176,21 @@ impl VehicleClass {
             Self::Plane => PLANE,
             Self::Rover => ROVER,
             Self::Sub => SUB,
+            Self::Px4 => PX4,
             Self::Other => &[],
         }
     }
 
-    /// The mode with this name, if any; case does not matter and underscores are optional.
+    /// The mode with this name, if any; case does not matter and underscores are optional. The second part of a
+    /// two-part name is enough: `RTL` for `AUTO.RTL`.
     pub fn mode(self, name: &str) -> Option<Mode> {
-        self.modes()
-            .iter()
-            .find(|(_, known)| is_same_name(known, name))
-            .map(|&(number, _)| Mode {
-                class: self,
-                number,
-            })
+        let modes = self.modes();
+        let whole = modes.iter().find(|(_, known)| is_same_name(known, name));
+        let found = whole.or_else(|| modes.iter().find(|(_, known)| ends_with(known, name)));
+        found.map(|&(number, _)| Mode {
+            class: self,
+            number,
+        })
     }
 }
 
@@ -205,6 +212,12 @@ impl Mode {
             .map(|&(_, name)| name)
     }
 
+    /// The second part of a two-part name.
+    pub fn last_part(self) -> Option<&'static str> {
+        let parts = self.name()?.split_once('.');
+        parts.map(|(_, part)| part)
+    }
+
     /// Whether the vehicle returns or lands on its own, and so ends on the ground.
     pub fn comes_down(self) -> bool {
         let names: &[&str] = match self.class {
@@ -212,6 +225,7 @@ impl Mode {
             // In RTL, a plane circles above its home, so RTL is missing here.
             VehicleClass::Plane => &["QLAND", "QRTL", "LOITER_ALT_QLAND", "AUTOLAND"],
             VehicleClass::Rover => &["RTL", "SMART_RTL"],
+            VehicleClass::Px4 => &["AUTO.LAND", "AUTO.RTL", "AUTO.PRECLAND"],
             VehicleClass::Sub | VehicleClass::Other => &[],
         };
         names.iter().any(|name| self.is(name))
@@ -222,9 +236,10 @@ impl Mode {
         STOPPING.iter().any(|name| self.is(name))
     }
 
-    /// Whether this is the mode of that name.
+    /// Whether this is the mode of that name; the second part of a two-part name is enough.
     pub fn is(self, name: &str) -> bool {
-        self.name().is_some_and(|known| is_same_name(known, name))
+        self.name()
+            .is_some_and(|known| is_same_name(known, name) || ends_with(known, name))
     }
 }
 
@@ -232,6 +247,12 @@ impl Mode {
 /// vehicle looks up the name of its mode.
 pub fn is_same_name(one: &str, other: &str) -> bool {
     letters(one).eq(letters(other))
+}
+
+/// Whether the second part of a two-part name is that name.
+fn ends_with(known: &str, name: &str) -> bool {
+    let parts = known.split_once('.');
+    parts.is_some_and(|(_, part)| is_same_name(part, name))
 }
 
 fn letters(name: &str) -> impl Iterator<Item = u8> {
@@ -259,6 +280,7 @@ mod tests {
             VehicleClass::Plane,
             VehicleClass::Rover,
             VehicleClass::Sub,
+            VehicleClass::Px4,
         ] {
             for &(number, name) in class.modes() {
                 assert_eq!(class.mode(name), Some(Mode { class, number }));
@@ -281,6 +303,16 @@ mod tests {
         assert!(comes_down(VehicleClass::Copter, "RTL"));
         assert!(!comes_down(VehicleClass::Plane, "RTL"));
         assert!(comes_down(VehicleClass::Plane, "QRTL"));
+    }
+
+    #[test]
+    fn the_second_part_of_a_px4_name_is_enough() {
+        let px4 = VehicleClass::Px4;
+        let rtl = px4.mode("rtl").expect("a mode");
+        assert_eq!(rtl.number, 0x0504_0000);
+        assert_eq!(rtl.to_string(), "AUTO.RTL");
+        assert!(rtl.is("RTL") && rtl.is("AUTO.RTL") && !rtl.is("AUTO") && rtl.comes_down());
+        assert_eq!(px4.mode("GUIDED"), None);
     }
 
     #[test]

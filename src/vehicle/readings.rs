@@ -18,7 +18,8 @@ pub struct Heartbeat {
     pub autopilot: u8,
     /// The class by `MAV_TYPE`, whatever the autopilot. Names of modes follow the class of `mode` instead.
     pub class: VehicleClass,
-    /// The mode. Its class is [`VehicleClass::Other`] unless the autopilot is `ArduPilot`, whose modes alone have names.
+    /// The mode. Its class is that of the vehicle with `ArduPilot`, [`VehicleClass::Px4`] with PX4, and
+    /// [`VehicleClass::Other`] with other autopilots, whose modes have no names.
     pub mode: Mode,
     /// Whether the motors are armed.
     pub armed: bool,
@@ -31,6 +32,18 @@ impl Heartbeat {
     /// The `MAV_AUTOPILOT` of `ArduPilot`.
     pub const ARDUPILOT: u8 = MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA as u8;
 
+    /// The `MAV_AUTOPILOT` of PX4.
+    pub const PX4: u8 = MavAutopilot::MAV_AUTOPILOT_PX4 as u8;
+
+    /// The autopilot's name, if this program knows it.
+    pub fn autopilot_name(&self) -> Option<&'static str> {
+        match self.autopilot {
+            Self::ARDUPILOT => Some("ArduPilot"),
+            Self::PX4 => Some("PX4"),
+            _ => None,
+        }
+    }
+
     /// Whether the autopilot is `ArduPilot`.
     pub fn is_ardupilot(&self) -> bool {
         self.autopilot == Self::ARDUPILOT
@@ -38,7 +51,7 @@ impl Heartbeat {
 
     /// Whether the autopilot is PX4, whose mode numbers have the main mode and the sub-mode in the upper two bytes.
     pub fn is_px4(&self) -> bool {
-        self.autopilot == MavAutopilot::MAV_AUTOPILOT_PX4 as u8
+        self.autopilot == Self::PX4
     }
 }
 

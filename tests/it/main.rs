@@ -28,6 +28,7 @@ mod pictures;
 mod processes;
 mod profiles;
 mod pty;
+mod px4;
 mod recordings;
 mod records;
 mod replays;

@@ -29,7 +29,7 @@ const NAMES: &[&str] = &[
     // Keys.
     "Ctrl Enter Esc Tab R1 g1 w3 w3/12 p3",
     // Formats of plans, and the programs that write them.
-    "QGC WPL plan MAVProxy KML KMZ kml GeoJSON XML QGroundControl SRTM deflate NAV_DELAY DISARM_DELAY",
+    "MPC_Z_VEL_MAX_UP MPC_Z_VEL_MAX_DN MPC_YAWRAUTO_MAX GF_ACTION OFFBOARD QGC WPL plan MAVProxy KML KMZ kml GeoJSON XML QGroundControl SRTM deflate NAV_DELAY DISARM_DELAY",
     // Units that are not part of an argument.
     "B B/s cr g in kB/s kB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kg rpm/V uSv MiB",
     // Kinds of batteries and radios.
@@ -80,6 +80,7 @@ fn from_tables() -> BTreeSet<String> {
         VehicleClass::Plane,
         VehicleClass::Rover,
         VehicleClass::Sub,
+        VehicleClass::Px4,
     ] {
         class.modes().iter().for_each(|(_, mode)| add(mode));
     }

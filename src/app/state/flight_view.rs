@@ -154,7 +154,7 @@ impl FlightView {
             Some(VehicleClass::Plane) => "plane",
             Some(VehicleClass::Rover) => "rover",
             Some(VehicleClass::Sub) => "sub",
-            Some(VehicleClass::Other) | None => "vehicle",
+            Some(VehicleClass::Px4 | VehicleClass::Other) | None => "vehicle",
         }
     }
 

@@ -1,7 +1,7 @@
 //! The links: a line for each, and the doctor's findings and all counters of the link under the
 //! cursor.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -180,6 +180,7 @@ fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let link = &state.session().links()[at];
     let inner = panel.titled(&format!("{} {}", at + 1, panel.text(&link.name)), buffer);
     let mut lines = counters(link, panel.look);
+    lines.extend(autopilots(state, at));
     lines.extend(radios(state, at, panel.look));
     let mut row = 0;
     for (label, words) in lines {
@@ -233,6 +234,19 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
         (text!("links-others"), counted(others)),
     ]);
     lines
+}
+
+/// The autopilots of the vehicles on a link, by name, with the number of vehicles; `None` if no name is known.
+fn autopilots(state: &State, at: usize) -> Option<(Text, String)> {
+    let vehicles = state.session().vehicles().values();
+    let mine = vehicles.filter(|vehicle| vehicle.link.via.map(usize::from) == Some(at));
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for name in mine.filter_map(|vehicle| vehicle.heartbeat?.autopilot_name()) {
+        *counts.entry(name).or_default() += 1;
+    }
+    let named = counts.iter().map(|(name, count)| format!("{name} {count}"));
+    let words = named.collect::<Vec<_>>().join(", ");
+    (!words.is_empty()).then(|| (text!("links-autopilots"), words))
 }
 
 /// The radio tests of the vehicles on a link: what was requested, and what was measured.

@@ -301,8 +301,8 @@ fn load(vehicle: &Vehicle) -> String {
 }
 
 fn firmware(vehicle: &Vehicle) -> String {
-    vehicle.version.map_or(UNKNOWN.to_owned(), |version| {
-        let (major, minor, patch) = version.firmware;
-        format!("{major}.{minor}.{patch}")
-    })
+    match vehicle.firmware_name() {
+        unknown if unknown.is_empty() => UNKNOWN.to_owned(),
+        known => known,
+    }
 }

@@ -154,7 +154,7 @@ fn teams(row: &Row<'_>) -> Cell {
 }
 
 fn mode(vehicle: &Vehicle) -> Cell {
-    let Some(mode) = vehicle.mode_name() else {
+    let Some(mode) = vehicle.short_mode_name() else {
         return unknown();
     };
     if vehicle.has_paused() {

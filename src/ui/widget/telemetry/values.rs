@@ -395,11 +395,11 @@ fn load(vehicle: &Vehicle) -> String {
     })
 }
 
+/// The firmware, once its version is known: a name alone is not worth a row.
 fn firmware(vehicle: &Vehicle) -> String {
-    vehicle.version.map_or(String::new(), |version| {
-        let (major, minor, patch) = version.firmware;
-        format!("{major}.{minor}.{patch}")
-    })
+    vehicle
+        .version
+        .map_or_else(String::new, |_| vehicle.firmware_name())
 }
 
 #[cfg(test)]
