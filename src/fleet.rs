@@ -22,6 +22,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::vehicle::VehicleId;
+use crate::wire::{GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, MavAddress, SystemId};
 
 mod clock;
 mod hub;
@@ -70,7 +71,7 @@ enum FleetRequest {
     Forget(VehicleId),
 }
 
-/// The data that the fleet stores: frames, logs and keys.
+/// The data that the fleet stores: frames, logs and keys; and the id under which it sends.
 #[derive(Debug, Clone, Default)]
 pub struct Keeping {
     /// The recorder of the frames of all links.
@@ -81,6 +82,18 @@ pub struct Keeping {
     pub plans: Option<Arc<dyn PlanShelf>>,
     /// The keys of signed links.
     pub signer: Option<Signer>,
+    /// The system id of this program; the usual one if there is none.
+    pub station: Option<SystemId>,
+}
+
+impl Keeping {
+    /// This program's address on every link.
+    fn address(&self) -> MavAddress {
+        MavAddress {
+            system: self.station.unwrap_or(GROUND_STATION_SYSTEM),
+            component: GROUND_STATION_COMPONENT,
+        }
+    }
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.

@@ -10,16 +10,17 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{FILE_TRANSFER_PROTOCOL_DATA, MavMessage};
 
-use crate::commands::Command;
+use crate::commands::{Command, DeviceCommand, REQUEST_CONTROL};
 use crate::messages::Inbox;
 use crate::parameters::ParameterSnapshot;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{AskedSpeeds, Vehicle};
-use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, Outgoing, SystemId};
+use crate::vehicle::{AskedSpeeds, HeldChannels, Vehicle};
+use crate::wire::{ComponentId, Content, Frame, Outgoing, SystemId};
 
 mod acknowledgement;
 mod bench;
+mod control;
 mod download;
 mod fit;
 mod ftp;
@@ -38,6 +39,7 @@ mod radio;
 mod set_up;
 mod settings;
 mod signing;
+mod sticks;
 mod streams;
 mod surroundings;
 #[cfg(test)]
@@ -45,6 +47,7 @@ mod tests;
 mod timesync;
 mod transaction;
 
+use control::ControlDesk;
 use download::Download;
 use hearing::{Hearing, watch_silence};
 use line::{Line, Moment};
@@ -52,6 +55,7 @@ use lists::{Lists, ListsDesk};
 use logs::LogReader;
 use output::Output;
 use signing::VehicleSigning;
+use sticks::Sticks;
 use streams::Streams;
 use surroundings::Surroundings;
 use timesync::Timesync;
@@ -93,6 +97,8 @@ pub struct Session {
     logs: LogReader,
     ftp: FtpClient,
     signing: VehicleSigning,
+    control: ControlDesk,
+    sticks: Sticks,
     output: Output,
     surroundings: Surroundings,
     /// The time of the last poll.
@@ -115,10 +121,19 @@ impl Session {
             logs: LogReader::default(),
             ftp: FtpClient::default(),
             signing: VehicleSigning::default(),
+            control: ControlDesk::default(),
+            sticks: Sticks::default(),
             output: Output::default(),
             surroundings: Surroundings::new(),
             now,
         }
+    }
+
+    /// The session, as the ground station with another system id than the usual one.
+    #[must_use]
+    pub fn as_station(mut self, station: SystemId) -> Self {
+        self.vehicle.station = station;
+        self
     }
 
     /// The model of the vehicle, as far as it has been heard.
@@ -255,12 +270,19 @@ impl Session {
             self.poll(now);
             return;
         }
+        if let Command::Device(DeviceCommand::Sticks(change)) = order.command {
+            self.sticks
+                .order(&order, change, &mut self.vehicle, now, &mut self.output);
+            self.poll(now);
+            return;
+        }
         if matches!(order.command, Command::Plan(_)) {
             let (lists, desk) = self.lists(now);
             lists.order(order, desk);
             self.poll(now);
             return;
         }
+        self.control.note(&order.command, now);
         let (line, moment) = self.line(now);
         line.order(order, moment);
     }
@@ -273,6 +295,15 @@ impl Session {
     pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
         let (line, moment) = self.line(now);
         line.steer(steering, moment)
+    }
+
+    /// Holds channels that are steered by keys, until the next call or for a second; `None` releases all channels.
+    pub fn steer_by_hand(&mut self, held: Option<HeldChannels>, now: Duration) {
+        match held {
+            Some(held) => self.sticks.steer(held, &mut self.vehicle, now),
+            None => self.sticks.release(&mut self.vehicle, now),
+        }
+        self.poll(now);
     }
 
     /// Advances time: retries, deadlines, silence. Must be called within the time that [`Self::patience`] returns.
@@ -306,6 +337,11 @@ impl Session {
             .poll(&self.vehicle, &mut self.ftp, now, &mut self.output);
         self.handle_files(None, now);
         self.signing.poll(&self.vehicle, now, &mut self.output);
+        if self.control.poll(&self.vehicle, now, &mut self.output) {
+            self.line.expect_ack(REQUEST_CONTROL, now);
+        }
+        self.sticks
+            .poll(&mut self.vehicle, now, &mut self.output);
         self.advance(now);
     }
 
@@ -321,6 +357,8 @@ impl Session {
             || self.download.fetching().is_under_way()
             || self.ftp.is_busy()
             || self.signing.is_busy()
+            || self.control.is_busy()
+            || self.sticks.is_busy(&self.vehicle)
         {
             BUSY_POLL
         } else {
@@ -366,11 +404,14 @@ impl Session {
         lists.receive(frame, desk);
         self.logs.receive(frame, now);
         if let Content::Message(MavMessage::FILE_TRANSFER_PROTOCOL(data)) = &frame.content
-            && matches!(data.target_system, 0 | GROUND_STATION_SYSTEM)
+            && [0, self.vehicle.station].contains(&data.target_system)
         {
             self.handle_files(Some(&data.payload), now);
         }
-        self.line.receive(frame, now, &mut self.output);
+        self.control
+            .receive(frame, &self.vehicle, now, &mut self.output);
+        self.line
+            .receive(frame, self.vehicle.station, now, &mut self.output);
     }
 
     /// Advances the file client, and passes on the events of its tasks.

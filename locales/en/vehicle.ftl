@@ -47,6 +47,12 @@ vehicle-wind-from = { $speed } m/s from { $from }°
 vehicle-ground = rangefinder
 vehicle-place-of = position
 vehicle-load = CPU load
+vehicle-control = control
+vehicle-control-free = no station
+vehicle-control-here = this console
+vehicle-control-station = station { $station }
+vehicle-control-open = may be taken over
+vehicle-held = RC override
 vehicle-firmware = firmware
 
 vehicle-curves = last { $seconds } s

@@ -48,6 +48,8 @@ argument-plan-height = height above home; 30 m by default
 argument-plan-turns = number of turns; 2 by default
 verb-logs = list or download flight logs, or stop a download; downloads continue where they stopped
 verb-signing = give vehicles a signing key, replace it, or remove it; disarmed only
+verb-control = request control of vehicles, release it, or let another ground station take it over
+verb-rc = for tests: hold a channel of the transmitter at a pulse width until `rc release` (RC_CHANNELS_OVERRIDE)
 verb-long = send any MAV_CMD as COMMAND_LONG; parameters left out are 0
 verb-int = send any MAV_CMD as COMMAND_INT; for a position, x and y are degrees times 1e7
 verb-messages = begin new statistics of the messages on the links, or export them
@@ -60,6 +62,13 @@ argument-message-fields = `NAME=VALUE` for each field: numbers, names joined by 
 
 argument-log-folder = folder for the files
 argument-log-number = number in `logs list`
+argument-control-request = take control, or ask the station in control for it
+argument-control-takeover = other stations may take control over later without asking
+argument-control-release = give control up
+argument-control-allow = let another station take over
+argument-control-seconds = time to take over; 10 s by default
+argument-rc-channel = channel of the transmitter: 1 roll, 2 pitch, 3 throttle, 4 yaw by default
+argument-rc-release = give all channels back to the transmitter
 argument-signing-setup = make a key, and prove that the vehicle uses it
 argument-signing-rotate = replace the key
 argument-signing-remove = go back to unsigned frames

@@ -42,6 +42,10 @@ pub(super) struct SimArguments {
     /// Boot as slowly as the real autopilot: the first heartbeat after 1 s, ready for GUIDED after 42 s.
     #[arg(long)]
     realistic_boot: bool,
+    /// Let vehicles announce which ground station is in control of them, and refuse the commands of others
+    /// (CONTROL_STATUS). ArduCopter 4.6 lacks this.
+    #[arg(long)]
+    operator_control: bool,
     /// Place the first vehicle here: latitude, longitude, height above sea level in metres, heading in degrees.
     #[arg(
         long,
@@ -101,6 +105,9 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
     let mut world = World::new(&config);
     if options.strict_signing {
         world.require_signatures();
+    }
+    if options.operator_control {
+        world.announce_control();
     }
     allow_many_files();
     runtime()?.block_on(async {

@@ -254,6 +254,12 @@ pub const SETTINGS: &[Setting] = &[
         "Whether frames that are not signed with the key of their vehicle are ignored.",
     ),
     setting(
+        "connect.station",
+        SettingKind::Whole(1, 255),
+        Some("SORTIE_STATION"),
+        "MAVLink system id of this console; by default 255, which ArduPilot expects (SYSID_MYGCS). Two consoles need two ids.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

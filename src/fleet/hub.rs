@@ -119,7 +119,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
         cancel,
     } = surroundings;
     let (inbound, mut inbound_out) = mpsc::channel(INBOUND_KEPT);
-    let (sharing, mut overheard) = Sharing::new();
+    let (sharing, mut overheard) = Sharing::new(keeping.address());
     let mut hub = Hub {
         clock,
         streams,
@@ -168,6 +168,7 @@ impl Hub {
             sink: self.keeping.sink.as_ref(),
             relay: &self.sharing.relay,
             signer: self.keeping.signer.as_ref(),
+            system: self.keeping.address().system,
         };
         let (inbound, cancel) = (self.inbound.clone(), self.cancel.clone());
         let link = link::open_shared(id, transport, services, inbound, cancel);
@@ -342,7 +343,9 @@ impl Hub {
         let (inbox, inbox_out) = mpsc::channel(BATCHES_KEPT);
         let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
         let (parameters, parameters_out) = watch::channel(ParameterSnapshot::default());
-        let mut session = Session::new(system, component, now).wanting(self.streams, now);
+        let mut session = Session::new(system, component, now)
+            .as_station(self.keeping.address().system)
+            .wanting(self.streams, now);
         if let Some(keeper) = &self.keeping.logs {
             session = session.keeping_logs(Arc::new(BlockingKeeper(Arc::clone(keeper))));
         }
@@ -363,6 +366,7 @@ impl Hub {
             backlog: VecDeque::new(),
             dropped: 0,
             sent: SentCommands::default(),
+            own: self.keeping.address(),
             is_twin_said: Arc::clone(&self.sharing.is_twin_said),
         };
         tokio::spawn(task.run(self.cancel.clone()));

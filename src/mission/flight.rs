@@ -142,6 +142,7 @@ impl Flight {
             Setup::Home => Some(text!("refused-protected-home")),
             Setup::Limits => Some(text!("refused-protected-limits")),
             Setup::PlanItem(item) => Some(item.refusal()),
+            Setup::Sticks => Some(text!("refused-protected-sticks")),
             Setup::Anything => Some(text!("refused-protected-raw")),
         }
     }

@@ -188,6 +188,7 @@ impl Console {
             records: self.options.preferences.records.clone(),
             data: self.options.preferences.data.clone(),
             signer: self.options.preferences.signer.clone(),
+            station: self.options.preferences.config.connect.station,
             occasion: Occasion {
                 stake: self.attempt.stake,
                 flown_by: self.options.flown_by(),

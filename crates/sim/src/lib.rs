@@ -95,6 +95,7 @@ mod link;
 mod mask;
 mod mixer;
 mod mode;
+mod operator;
 mod parameters;
 mod payload;
 mod place;
@@ -316,6 +317,14 @@ impl World {
     pub fn require_signatures(&mut self) {
         for slot in &mut self.slots {
             slot.require_signatures();
+        }
+    }
+
+    /// Gives the vehicles operator control, which the real vehicle lacks: they announce the ground station in control,
+    /// and refuse the commands of others.
+    pub fn announce_control(&mut self) {
+        for slot in &mut self.slots {
+            slot.autopilot.operator = Some(Box::default());
         }
     }
 

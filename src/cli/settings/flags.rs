@@ -61,6 +61,9 @@ pub(in crate::cli) struct Common {
         help_heading = "Settings"
     )]
     require_signing: Option<String>,
+    /// Use this MAVLink system id, 1 to 255, instead of 255: two consoles on the same vehicles need two ids.
+    #[arg(long, global = true, value_name = "ID", help_heading = "Settings")]
+    station: Option<String>,
     /// Write a log to FILE.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     log: Option<String>,
@@ -85,6 +88,7 @@ impl Common {
                 "--require-signing",
                 &self.require_signing,
             ),
+            ("connect.station", "--station", &self.station),
             ("log.file", "--log", &self.log),
             ("log.level", "--log-level", &self.log_level),
         ];

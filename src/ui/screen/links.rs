@@ -1,7 +1,7 @@
 //! The links: a line for each, and the doctor's findings and all counters of the link under the
 //! cursor.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -18,6 +18,9 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::{below, clip, columns, put, row_of, upper, wrap};
+use crate::vehicle::VehicleId;
+use crate::vehicle_id::ranges;
+use crate::wire::SystemId;
 
 mod forwards;
 
@@ -180,6 +183,7 @@ fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let link = &state.session().links()[at];
     let inner = panel.titled(&format!("{} {}", at + 1, panel.text(&link.name)), buffer);
     let mut lines = counters(link, panel.look);
+    lines.extend(controls(state, at, panel.look));
     lines.extend(radios(state, at, panel.look));
     let mut row = 0;
     for (label, words) in lines {
@@ -233,6 +237,24 @@ fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
         (text!("links-others"), counted(others)),
     ]);
     lines
+}
+
+/// The ground stations in control of the vehicles on a link, if any vehicle announces its own: `255: 1-3; free: 4`.
+fn controls(state: &State, at: usize, look: &Look) -> Option<(Text, String)> {
+    let vehicles = state.session().vehicles().values();
+    let mine = vehicles.filter(|vehicle| vehicle.link.via.map(usize::from) == Some(at));
+    let mut owners: BTreeMap<Option<SystemId>, Vec<VehicleId>> = BTreeMap::new();
+    for vehicle in mine {
+        if let Some(control) = vehicle.control {
+            owners.entry(control.owner).or_default().push(vehicle.id);
+        }
+    }
+    let parts = owners.into_iter().map(|(owner, vehicles)| {
+        let owner = owner.map_or_else(|| look.say("links-control-free"), |id| id.to_string());
+        format!("{owner}: {}", ranges(vehicles))
+    });
+    let parts: Vec<String> = parts.collect();
+    (!parts.is_empty()).then(|| (text!("links-control"), parts.join("; ")))
 }
 
 /// The radio tests of the vehicles on a link: what was requested, and what was measured.

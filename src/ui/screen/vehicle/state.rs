@@ -53,6 +53,9 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
 fn entries(subject: &VehicleSubject<'_>) -> Vec<Entry> {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let mut entries = vec![mode(vehicle, look), ready(subject)];
+    entries.extend(control(vehicle, look));
+    let held = vehicle.held.map(|held| held.text());
+    entries.extend(held.map(|held| ("vehicle-held", held, Role::Danger)));
     entries.extend([
         ("vehicle-altitude", altitude(vehicle, look), Role::Text),
         ("vehicle-speed", speed(vehicle, look), Role::Text),
@@ -124,6 +127,25 @@ fn ready(subject: &VehicleSubject<'_>) -> Entry {
     } else {
         (WARNING, look.say("vehicle-not-ready"), Role::Warning)
     }
+}
+
+/// The ground station in control, if the vehicle announces it.
+fn control(vehicle: &Vehicle, look: &Look) -> Option<Entry> {
+    let control = vehicle.control?;
+    let (text, role) = match control.owner {
+        None => (text!("vehicle-control-free"), Role::Text),
+        Some(_) if vehicle.is_controlled_here() => (text!("vehicle-control-here"), Role::Ok),
+        Some(owner) => (
+            text!("vehicle-control-station", station = owner),
+            Role::Warning,
+        ),
+    };
+    let mut value = look.text(&text);
+    if control.takeover {
+        let open = look.say("vehicle-control-open");
+        value = format!("{value}, {open}");
+    }
+    Some(("vehicle-control", value, role))
 }
 
 fn altitude(vehicle: &Vehicle, look: &Look) -> String {

@@ -159,6 +159,10 @@ fn mode(vehicle: &Vehicle) -> Cell {
     };
     if vehicle.has_paused() {
         (format!("{mode} {PAUSED}"), Role::Warning)
+    } else if vehicle.held.is_some() {
+        (format!("{mode} RC"), Role::Danger)
+    } else if let Some(station) = vehicle.barred_by() {
+        (format!("{mode} @{station}"), Role::Warning)
     } else {
         (mode, Role::Text)
     }
