@@ -141,7 +141,10 @@ impl Command {
     /// (ArduCopter would ignore it silently), a relative target without a position, a value that is not a finite
     /// number.
     pub fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
-        if let Some(reason) = vehicle.not_in_control().filter(|_| self.is_ignored_silently()) {
+        if let Some(reason) = vehicle
+            .not_in_control()
+            .filter(|_| self.is_ignored_silently())
+        {
             return Err(reason);
         }
         let long = |fields| Request::long(vehicle, &fields, confirmation);

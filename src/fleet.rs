@@ -20,8 +20,7 @@ use crate::session::{
 };
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{HeldChannels, Vehicle, VehicleId};
 use crate::wire::{GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, MavAddress, SystemId};
 
 mod clock;
@@ -66,6 +65,7 @@ enum FleetRequest {
     Order(VehicleId, VehicleCommand),
     Steer(VehicleId, Steering),
     FetchParameters(VehicleId),
+    Sticks(VehicleId, Option<HeldChannels>),
     Restarted(VehicleId),
     Want(VehicleId, Want),
     Forget(VehicleId),
@@ -196,6 +196,18 @@ impl Fleet {
     /// The hub has ended or cannot keep up; nothing was requested.
     pub fn fetch_parameters(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
         self.ask(FleetRequest::FetchParameters(vehicle))
+    }
+
+    /// Holds the channels of a vehicle's transmitter for a second; `None` releases all channels.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was sent.
+    pub fn steer_by_hand(
+        &self,
+        vehicle: VehicleId,
+        held: Option<HeldChannels>,
+    ) -> Result<(), Unreachable> {
+        self.ask(FleetRequest::Sticks(vehicle, held))
     }
 
     /// Records that a vehicle's autopilot was restarted: its earlier state is void.

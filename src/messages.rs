@@ -286,6 +286,7 @@ impl Inbox {
             heartbeat: vehicle.heartbeat,
             station: vehicle.station,
             held: vehicle.held,
+            twin: vehicle.twin,
             link: vehicle.link,
             texts: std::mem::take(&mut vehicle.texts),
             ..Vehicle::new(vehicle.system, vehicle.component)

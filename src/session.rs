@@ -83,6 +83,9 @@ const IDLE_POLL: Duration = Duration::from_millis(500);
 /// The time between polls while a radio is tested: the precision of its delays.
 const TEST_POLL: Duration = Duration::from_millis(10);
 
+/// Another vehicle with the same system id is gone after this much silence.
+const TWIN_GONE_AFTER: Duration = Duration::from_secs(5);
+
 /// The state of a conversation with one vehicle.
 #[derive(Debug, Clone)]
 pub struct Session {
@@ -297,6 +300,11 @@ impl Session {
         line.steer(steering, moment)
     }
 
+    /// Notes that another vehicle with the same system id is heard.
+    pub fn note_twin(&mut self, now: Duration) {
+        self.vehicle.twin = Some(now);
+    }
+
     /// Holds channels that are steered by keys, until the next call or for a second; `None` releases all channels.
     pub fn steer_by_hand(&mut self, held: Option<HeldChannels>, now: Duration) {
         match held {
@@ -315,6 +323,8 @@ impl Session {
         let mut notices = Vec::new();
         self.inbox.poll(&mut self.vehicle, now, &mut notices);
         self.output.say(notices);
+        let twin = &mut self.vehicle.twin;
+        *twin = twin.filter(|heard| now < *heard + TWIN_GONE_AFTER);
         let lost = watch_silence(&mut self.vehicle, now);
         self.output.say(lost);
         if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
@@ -340,8 +350,7 @@ impl Session {
         if self.control.poll(&self.vehicle, now, &mut self.output) {
             self.line.expect_ack(REQUEST_CONTROL, now);
         }
-        self.sticks
-            .poll(&mut self.vehicle, now, &mut self.output);
+        self.sticks.poll(&mut self.vehicle, now, &mut self.output);
         self.advance(now);
     }
 

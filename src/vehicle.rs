@@ -12,6 +12,7 @@ use crate::geo::maths;
 use crate::wire::{ComponentId, GROUND_STATION_SYSTEM, MavAddress, SystemId};
 
 mod announced;
+mod board_id;
 mod carried;
 mod check_rules;
 mod control;
@@ -33,6 +34,7 @@ mod way_home;
 
 pub use crate::vehicle_id::VehicleId;
 pub use announced::{AnnouncedMode, AnnouncedModes};
+pub use board_id::BoardId;
 pub use carried::CarriedLists;
 pub use check_rules::check_rules;
 pub use control::ControlStatus;
@@ -77,6 +79,8 @@ pub struct Vehicle {
     pub control: Option<ControlStatus>,
     /// The channels of the transmitter that this program holds; `None` if it holds none.
     pub held: Option<HeldChannels>,
+    /// When another vehicle with the same system id was last heard; `None` if there is none.
+    pub twin: Option<Duration>,
     /// Identity and state from HEARTBEAT; `None` before the first one.
     pub heartbeat: Option<Heartbeat>,
     /// The modes that the vehicle has announced.
@@ -160,6 +164,7 @@ impl Vehicle {
             station: GROUND_STATION_SYSTEM,
             control: None,
             held: None,
+            twin: None,
             heartbeat: None,
             modes: AnnouncedModes::default(),
             intended_mode: None,

@@ -88,3 +88,13 @@ radio-no-vehicles = no vehicle is heard there
 radio-no-link = no link { $link }: there are { $count }
 radio-no-setting = unknown setting `{ $word }`
 radio-wrong-value = `{ $word }`: write { $least } to { $most } { $unit }
+
+sticks-title = STICKS OF { $vehicle }: Esc releases them
+sticks-roll = roll
+sticks-pitch = pitch
+sticks-throttle = throttle
+sticks-yaw = yaw
+sticks-keys = ← → roll, ↑ ↓ pitch, W S throttle, A D yaw; a released key centres its stick, Space centres all
+sticks-released = sticks of { $vehicle } given back to the transmitter
+sticks-replay = a replay cannot be flown
+sticks-none = no vehicle under the cursor

@@ -54,6 +54,8 @@ vehicle-control-station = station { $station }
 vehicle-control-open = may be taken over
 vehicle-held = RC override
 vehicle-firmware = firmware
+vehicle-board = board
+vehicle-board-twin = (two vehicles have id { $system })
 
 vehicle-curves = last { $seconds } s
 vehicle-least = min

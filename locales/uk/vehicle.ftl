@@ -54,6 +54,8 @@ vehicle-control-station = станція { $station }
 vehicle-control-open = можна перейняти
 vehicle-held = RC override
 vehicle-firmware = прошивка
+vehicle-board = плата
+vehicle-board-twin = (номер { $system } мають два апарати)
 
 vehicle-curves = останні { $seconds } s
 vehicle-least = мін.

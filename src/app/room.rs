@@ -182,6 +182,7 @@ pub fn act(state: &mut State, action: Action) -> Answer {
             Room::Workshop.alone(state, |it| workshop::act::act(it, action))
         }
         Action::Show(_)
+        | Action::TakeSticks
         | Action::CommandLine
         | Action::Help
         | Action::Notices

@@ -11,6 +11,7 @@ use tokio_util::sync::CancellationToken;
 use super::backend::frame;
 use super::home::StartPlace;
 use super::{Failure, parse_speedup, runtime};
+use crate::hash::fnv1a;
 use crate::link::{Endpoint, Simulator, StartedSimulator};
 use crate::sim::{SYSTEMS, World, WorldConfig};
 
@@ -106,6 +107,7 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
     if options.strict_signing {
         world.require_signatures();
     }
+    world.mark_boards(place(&endpoints));
     if options.operator_control {
         world.announce_control();
     }
@@ -141,6 +143,17 @@ fn endpoints(options: &SimArguments) -> Vec<Endpoint> {
         endpoints.push(Endpoint::Tcp { host, port });
     }
     endpoints
+}
+
+/// A number for the place of the simulator, from the first of its addresses: as with ArduPilot's SITL, the ids of the
+/// boards depend on it.
+fn place(endpoints: &[Endpoint]) -> u64 {
+    endpoints.first().map_or(0, |endpoint| match endpoint {
+        Endpoint::Pipes => 0,
+        Endpoint::Tcp { host, port } | Endpoint::Udp { host, port } => {
+            fnv1a(format!("{host}:{port}").as_bytes())
+        }
+    })
 }
 
 /// Raises the limit on open files, usually 1024, as any user may: each TCP server needs one file.

@@ -51,7 +51,10 @@ const NAMED: [(MavResult, AckResult); 11] = [
         MavResult::MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME,
         AckResult::UnsupportedFrame,
     ),
-    (MavResult::MAV_RESULT_NOT_IN_CONTROL, AckResult::NotInControl),
+    (
+        MavResult::MAV_RESULT_NOT_IN_CONTROL,
+        AckResult::NotInControl,
+    ),
 ];
 
 /// The copter modes that take a speed.

@@ -31,9 +31,13 @@ pub fn hold_message(vehicle: &Vehicle, held: &HeldChannels) -> MavMessage {
 
 /// The message that gives channels back to the transmitter.
 pub fn release_message(vehicle: &Vehicle, held: &HeldChannels) -> MavMessage {
-    message(vehicle, held, |channel, _| {
-        if channel < 8 { 0 } else { RELEASED }
-    })
+    message(
+        vehicle,
+        held,
+        |channel, _| {
+            if channel < 8 { 0 } else { RELEASED }
+        },
+    )
 }
 
 fn message(

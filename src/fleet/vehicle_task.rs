@@ -16,7 +16,7 @@ use crate::notice::Notice;
 use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::session::{Report, Session, Steering, VehicleCommand, Want};
 use crate::text;
-use crate::vehicle::{Severity, Vehicle};
+use crate::vehicle::{HeldChannels, Severity, Vehicle};
 use crate::wire::{Frame, MavAddress};
 
 /// The maximum number of reports that a task keeps while the console does not read.
@@ -33,6 +33,10 @@ pub(super) enum ToVehicle {
     Steer(Steering),
     /// A request to download all its parameters.
     FetchParameters,
+    /// The positions of its sticks; `None` releases them.
+    Sticks(Option<HeldChannels>),
+    /// Another vehicle with its system id is heard.
+    Twin,
     /// Its autopilot has been restarted.
     Restarted,
     /// A change to its simulator or its link.
@@ -134,6 +138,8 @@ impl VehicleTask {
             ToVehicle::Order(order) => self.session.order(order, now),
             ToVehicle::Steer(steering) => self.steer(&steering, now),
             ToVehicle::FetchParameters => self.session.fetch_parameters(now),
+            ToVehicle::Sticks(held) => self.session.steer_by_hand(held, now),
+            ToVehicle::Twin => self.session.note_twin(now),
             ToVehicle::Restarted => self.session.restarted(now),
             ToVehicle::Want(want) => {
                 self.session.carry_out(want);

@@ -34,10 +34,6 @@ impl Vehicle {
     pub fn not_in_control(&self) -> Option<Text> {
         let owner = self.barred_by()?;
         let line = format!("{} control request", self.id);
-        Some(text!(
-            "reason-not-in-control",
-            station = owner,
-            line = line
-        ))
+        Some(text!("reason-not-in-control", station = owner, line = line))
     }
 }

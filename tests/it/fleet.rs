@@ -29,6 +29,7 @@ mod logs;
 mod parameters;
 mod senders;
 pub(crate) mod signing;
+mod sticks;
 
 const PATIENCE: Duration = Duration::from_secs(90);
 

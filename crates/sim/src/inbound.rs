@@ -72,12 +72,7 @@ fn is_barred(autopilot: &Autopilot, frame: &Frame) -> bool {
 }
 
 /// Answers a request of a station that is not in control; `true` if it may pass, because it changes nothing.
-fn refuse(
-    autopilot: &Autopilot,
-    link: &mut Link,
-    frame: &Frame,
-    request: &StationRequest,
-) -> bool {
+fn refuse(autopilot: &Autopilot, link: &mut Link, frame: &Frame, request: &StationRequest) -> bool {
     match request {
         StationRequest::Command(command) if operator::is_question(command.number) => return true,
         StationRequest::Command(command) => {

@@ -320,6 +320,15 @@ impl World {
         }
     }
 
+    /// Gives the vehicles other board ids, which depend on `place` alone: two worlds of the same seed then differ, and
+    /// each has the same ids in every run. To be called before the first step.
+    pub fn mark_boards(&mut self, place: u64) {
+        for slot in &mut self.slots {
+            let own = &mut slot.autopilot.vehicle.board_id;
+            *own ^= place.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        }
+    }
+
     /// Gives the vehicles operator control, which the real vehicle lacks: they announce the ground station in control,
     /// and refuse the commands of others.
     pub fn announce_control(&mut self) {

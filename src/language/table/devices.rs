@@ -4,8 +4,8 @@ use strum::VariantNames as _;
 
 use super::{Built, command, confirmed, question, raw, setting, swarm};
 use crate::commands::{
-    Act, Command, ControlChange, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand, QueryCommand,
-    StickChange,
+    Act, Command, ControlChange, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand,
+    QueryCommand, StickChange,
 };
 use crate::language::argument::{Argument, Arguments, Kind, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
@@ -252,7 +252,11 @@ const CONTROL: VerbRow = VerbRow {
     verb: setting("control"),
     scope: Scope::Everywhere,
     aliases: &[],
-    examples: &["3 control request", "3 control allow 10", "all control release"],
+    examples: &[
+        "3 control request",
+        "3 control allow 10",
+        "all control release",
+    ],
     forms: &[
         Form::new(
             &[
@@ -299,10 +303,9 @@ const RC: VerbRow = VerbRow {
     aliases: &[],
     examples: &["rc 3 1500us", "rc release"],
     forms: &[
-        Form::new(
-            &[Argument::flag("release", "argument-rc-release")],
-            |_| sticks(StickChange::Release),
-        ),
+        Form::new(&[Argument::flag("release", "argument-rc-release")], |_| {
+            sticks(StickChange::Release)
+        }),
         Form::new(
             &[
                 Argument::value(

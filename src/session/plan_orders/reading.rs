@@ -146,7 +146,8 @@ impl Reading {
         now: Duration,
         out: &mut Vec<MavMessage>,
     ) {
-        if let (Way::Items(download), Some((kind, answer))) = (&mut self.way, wire::answer(frame, station))
+        if let (Way::Items(download), Some((kind, answer))) =
+            (&mut self.way, wire::answer(frame, station))
             && kind == self.kind
         {
             let step = download.receive(answer, now, out);

@@ -70,7 +70,7 @@ fn capabilities(bits: u64) -> AutopilotVersion {
     AutopilotVersion {
         firmware: (4, 6, 0),
         capabilities: bits,
-        uid: 0,
+        board: None,
         hash: [0; 8],
     }
 }

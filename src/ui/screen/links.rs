@@ -160,7 +160,7 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
     let mut row = 0;
     for finding in mine {
         let (sign, role) = signed(finding.cause.weight());
-        let says = format!("{}: {}", panel.say(sign), panel.text(&finding.cause.says()));
+        let says = format!("{}: {}", panel.say(sign), panel.text(&finding.says()));
         let lines = wrap(&says, width).into_iter().map(|line| (line, role));
         let advice = wrap(&panel.text(&finding.advice()), width)
             .into_iter()

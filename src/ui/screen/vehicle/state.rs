@@ -69,6 +69,7 @@ fn entries(subject: &VehicleSubject<'_>) -> Vec<Entry> {
         ("vehicle-place-of", place(vehicle), Role::Text),
         ("vehicle-load", load(vehicle), Role::Text),
         ("vehicle-firmware", firmware(vehicle), Role::Text),
+        board(vehicle, look),
     ]);
     entries
 }
@@ -327,4 +328,15 @@ fn firmware(vehicle: &Vehicle) -> String {
         let (major, minor, patch) = version.firmware;
         format!("{major}.{minor}.{patch}")
     })
+}
+
+/// The id of the autopilot's board, and whether another vehicle with the same number is heard.
+fn board(vehicle: &Vehicle, look: &Look) -> Entry {
+    let board = vehicle.version.and_then(|version| version.board);
+    let board = board.map_or_else(|| UNKNOWN.to_owned(), |board| board.to_string());
+    if vehicle.twin.is_none() {
+        return ("vehicle-board", board, Role::Text);
+    }
+    let twin = look.text(&text!("vehicle-board-twin", system = vehicle.system));
+    ("vehicle-board", format!("{board} {twin}"), Role::Danger)
 }

@@ -138,6 +138,9 @@ fn unknown() -> Cell {
 
 fn id(row: &Row<'_>) -> Cell {
     let badge = Badge::of_vehicle(row.vehicle.id);
+    if row.vehicle.twin.is_some() {
+        return (format!("{}!", row.vehicle.id), Role::Danger);
+    }
     (row.vehicle.id.to_string(), badge.role)
 }
 
