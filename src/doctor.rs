@@ -13,8 +13,9 @@ use mavlink::dialects::ardupilotmega::{
 use mavlink::{MavlinkVersion, MessageData as _};
 
 use crate::inspector::{Census, Direction, FrameSource, MessageTally};
-use crate::vehicle::BoardId;
-use crate::wire::{Anatomy, ComponentId, Content, Counters, Decoder, Seal, SequenceStep, SystemId};
+use crate::wire::{
+    Anatomy, BoardId, ComponentId, Content, Counters, Decoder, Seal, SequenceStep, SystemId,
+};
 
 mod diagnosis;
 #[cfg(test)]

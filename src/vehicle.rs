@@ -12,7 +12,6 @@ use crate::geo::maths;
 use crate::wire::{ComponentId, GROUND_STATION_SYSTEM, MavAddress, SystemId};
 
 mod announced;
-mod board_id;
 mod carried;
 mod check_rules;
 mod control;
@@ -33,8 +32,8 @@ mod traffic;
 mod way_home;
 
 pub use crate::vehicle_id::VehicleId;
+pub use crate::wire::BoardId;
 pub use announced::{AnnouncedMode, AnnouncedModes};
-pub use board_id::BoardId;
 pub use carried::CarriedLists;
 pub use check_rules::check_rules;
 pub use control::ControlStatus;

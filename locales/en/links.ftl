@@ -89,12 +89,12 @@ radio-no-link = no link { $link }: there are { $count }
 radio-no-setting = unknown setting `{ $word }`
 radio-wrong-value = `{ $word }`: write { $least } to { $most } { $unit }
 
-sticks-title = STICKS OF { $vehicle }: Esc releases them
+sticks-title = STICKS OF { $vehicle }: { $key } releases them
 sticks-roll = roll
 sticks-pitch = pitch
 sticks-throttle = throttle
 sticks-yaw = yaw
-sticks-keys = ← → roll, ↑ ↓ pitch, W S throttle, A D yaw; a released key centres its stick, Space centres all
+sticks-keys = ← → roll, ↑ ↓ pitch, W S throttle, A D yaw; a released key centres its stick
 sticks-released = sticks of { $vehicle } given back to the transmitter
 sticks-replay = a replay cannot be flown
 sticks-none = no vehicle under the cursor

@@ -89,12 +89,12 @@ radio-no-link = каналу { $link } немає: каналів { $count }
 radio-no-setting = невідомий параметр `{ $word }`
 radio-wrong-value = `{ $word }`: напишіть від { $least } до { $most } { $unit }
 
-sticks-title = СТІКИ { $vehicle }: Esc відпускає їх
+sticks-title = СТІКИ { $vehicle }: { $key } відпускає їх
 sticks-roll = крен
 sticks-pitch = тангаж
 sticks-throttle = газ
 sticks-yaw = рискання
-sticks-keys = ← → крен, ↑ ↓ тангаж, W S газ, A D рискання; відпущена клавіша повертає стік у центр, пробіл — усі
+sticks-keys = ← → крен, ↑ ↓ тангаж, W S газ, A D рискання; відпущена клавіша повертає стік у центр
 sticks-released = стіки { $vehicle } повернено передавачу
 sticks-replay = запис пілотувати не можна
 sticks-none = під курсором немає апарата

@@ -5,8 +5,9 @@ use std::time::Duration;
 
 use super::{Chart, ChartChange, HeartbeatRole, Sender, Way};
 use crate::geo::maths;
-use crate::vehicle::BoardId;
-use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
+use crate::wire::{
+    BoardId, ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId,
+};
 
 mod signatures;
 

@@ -97,7 +97,7 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
         StationRequest::Command(command) => {
             let result = match &mut autopilot.operator {
                 Some(operator) if command.number == REQUEST_CONTROL => {
-                    operator.request(frame.system, command)
+                    operator.request(frame.system, command.p)
                 }
                 _ => commands::execute(autopilot, link, command),
             };

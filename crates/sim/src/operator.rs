@@ -17,7 +17,6 @@ use mavlink::dialects::ardupilotmega::{
 use sortie_wire::{CONTROL_STATUS, Frame, GROUND_STATION_COMPONENT, Outgoing};
 
 use super::cmd;
-use super::commands::Command;
 use super::payload::Payload;
 
 /// `MAV_CMD_REQUEST_OPERATOR_CONTROL`, which the dialect lacks.
@@ -81,8 +80,8 @@ impl OperatorControl {
 
     /// Carries out a request for control, or its release. A request that needs the owner's permission fails, and the
     /// owner gets it.
-    pub(super) fn request(&mut self, from: u8, command: &Command) -> MavResult {
-        let [action, takeover, timeout_s, _] = command.p;
+    pub(super) fn request(&mut self, from: u8, params: [f32; 4]) -> MavResult {
+        let [action, takeover, timeout_s, _] = params;
         if action < 0.5 {
             if self.owner != from {
                 return MavResult::MAV_RESULT_FAILED;

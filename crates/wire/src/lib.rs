@@ -15,6 +15,7 @@ use mavlink::{MavlinkVersion, Message as _, MessageData as _};
 
 mod anatomy;
 mod beyond;
+mod board_id;
 #[macro_use]
 mod channels;
 mod checksum;
@@ -25,6 +26,7 @@ mod signature;
 
 pub use anatomy::{Anatomy, frame_len, without_payload};
 pub use beyond::CONTROL_STATUS;
+pub use board_id::BoardId;
 pub use checksum::FtpChecksum;
 pub use decoder::{Counters, Decoder, is_frame_start};
 pub use encoder::{Encoder, Outgoing};

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent};
 
-use super::act;
+use super::ending::quit;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, SessionEffect};
@@ -49,7 +49,10 @@ fn obstacle(state: &State) -> Option<Text> {
 /// Handles a key while the sticks are held. Only Esc and quitting end the mode.
 pub fn key(state: &mut State, mut mode: StickMode, key: KeyEvent) -> Effects {
     if state.keymap.action(key, Place::Anywhere) == Some(Action::Quit) {
-        return act::act(state, Action::Quit);
+        return quit(state);
+    }
+    if state.keymap.action(key, Place::Prompt) == Some(Action::Escape) {
+        return Effects::none();
     }
     match key.code {
         KeyCode::Esc => return Effects::none(),
@@ -183,11 +186,11 @@ mod tests {
 
     #[test]
     fn the_sticks_are_released_with_the_mode() {
-        for end in [KeyCode::Esc] {
+        {
             let mut app = flying(Activity::Free);
             open(&mut app.state);
             assert!(pulse(&mut app, 1000, 0).is_some());
-            let effects = press(&mut app, end);
+            let effects = press(&mut app, KeyCode::Esc);
             let released = Effect::Session(SessionEffect::Sticks {
                 vehicle: 3,
                 held: None,

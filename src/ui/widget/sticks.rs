@@ -4,18 +4,21 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
+use crate::app::State;
+use crate::app::action::Action;
+use crate::app::keymap::Place;
 use crate::app::state::{StickAxis, StickMode};
 use crate::text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{put, wrap};
 
-/// The width of the box, and its height with three rows of text.
+/// The width of the box, and its height with its frame.
 const WIDTH: u16 = 76;
-const HEIGHT: u16 = 6;
+const HEIGHT: u16 = 5;
 
 /// Draws the positions and the keys at the bottom, so that the vehicle stays visible.
-pub fn draw(mode: &StickMode, panel: Panel<'_>, buffer: &mut Buffer) {
+pub fn draw(state: &State, mode: &StickMode, panel: Panel<'_>, buffer: &mut Buffer) {
     let area = panel.area;
     let width = WIDTH.min(area.width);
     let height = HEIGHT.min(area.height);
@@ -25,7 +28,11 @@ pub fn draw(mode: &StickMode, panel: Panel<'_>, buffer: &mut Buffer) {
         width,
         height,
     };
-    let title = panel.text(&text!("sticks-title", vehicle = mode.vehicle()));
+    let title = panel.text(&text!(
+        "sticks-title",
+        vehicle = mode.vehicle(),
+        key = state.keymap().key(Action::Escape, Place::Prompt)
+    ));
     let inner = panel.at(place).boxed(&title, Role::Danger, buffer);
     let mut spans = Vec::new();
     for axis in StickAxis::ALL {
