@@ -250,7 +250,7 @@ fn no_word_of_a_message_breaks_a_line_of_the_screen() {
 
 /// Messages that name a key which no keymap changes: the answer to a question, and the plain console, which has no
 /// keymap.
-const FIXED_KEYS: &[&str] = &["ask-taken-back", "plain-asks", "sticks-keys"];
+const FIXED_KEYS: &[&str] = &["ask-taken-back", "plain-asks"];
 /// Messages whose words and signs are not keys: articles, and the signs of legends and of the
 /// grammar.
 const SIGN_LEGENDS: &[&str] = &["debrief-timeline", "standing-chart", "verb-int", "grammar-"];
