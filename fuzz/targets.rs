@@ -17,7 +17,7 @@ use sortie::exercise::Exercise;
 use sortie::geo::LatLon;
 use sortie::hangar::service::{self, ServiceBounds, ServiceSetup};
 use sortie::hangar::{Hangar, HangarLimits, HangarSetup, HangarToken, Restart};
-use sortie::inspector;
+use sortie::inspector::{self, FieldReading};
 use sortie::language::{Context, Script, parse};
 use sortie::link::{TlogPiece, TlogReader, TlogSalvage};
 use sortie::mission::Mission;
@@ -106,11 +106,8 @@ pub fn frames(bytes: &[u8]) {
 fn inspect(frame: &[u8]) {
     if let Some(anatomy) = Anatomy::of(frame) {
         let reading = inspector::read(&anatomy);
-        let figures = reading.values.iter().filter_map(|field| field.number());
-        assert!(
-            figures.fold(true, |all, it| all && it.is_finite()),
-            "only numbers are drawn"
-        );
+        let mut figures = reading.values.iter().filter_map(FieldReading::number);
+        assert!(figures.all(f64::is_finite), "only numbers are drawn");
     }
 }
 

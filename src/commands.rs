@@ -12,6 +12,7 @@ use crate::vehicle::{PauseChange, Vehicle};
 
 mod arming;
 mod claim;
+mod control;
 mod deed;
 mod destination;
 mod device;
@@ -36,12 +37,14 @@ mod raw;
 mod request;
 mod setpoint;
 mod speeds;
+mod sticks;
 mod task;
 #[cfg(test)]
 mod tests;
 
 pub use arming::ArmingCommand;
 pub use claim::Claim;
+pub use control::{ControlChange, REQUEST_CONTROL};
 pub use deed::{Deed, Goal, GoalComponent, Spot, Subject};
 pub use destination::{Destination, Heading};
 pub use device::DeviceCommand;
@@ -63,6 +66,7 @@ pub use raw::{RawCommand, RawMessage};
 pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 pub use speeds::{CHANGE_SPEED, asked_again};
+pub use sticks::{CENTRE_US, StickChange, hold_message, release_message};
 pub use task::PlanTask;
 
 /// A command to one vehicle, grouped by subject. Every command in these groups has one verb of the
@@ -105,6 +109,8 @@ pub enum Setup<'command> {
     PlanItem(ProtectedItem),
     /// A file on board, which may contain parameters, a plan or a script.
     Files,
+    /// The channels of the transmitter.
+    Sticks,
     /// Anything: a raw command is not interpreted.
     Anything,
 }
@@ -118,6 +124,7 @@ impl Command {
             Self::Plan(command) => command.setup(),
             Self::Device(DeviceCommand::Fence { .. }) => Some(Setup::Limits),
             Self::File(command) => command.changes_files().then_some(Setup::Files),
+            Self::Device(DeviceCommand::Sticks(StickChange::Hold { .. })) => Some(Setup::Sticks),
             Self::Raw(_) => Some(Setup::Anything),
             Self::Parameter(ParameterCommand::Get { .. })
             | Self::Motion(_)
@@ -142,6 +149,12 @@ impl Command {
     /// (ArduCopter would ignore it silently), a relative target without a position, a value that is not a finite
     /// number.
     pub fn request(&self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
+        if let Some(reason) = vehicle
+            .not_in_control()
+            .filter(|_| self.is_ignored_silently())
+        {
+            return Err(reason);
+        }
         if vehicle.runs_px4()
             && let Some(request) = px4::request(self, vehicle, confirmation)
         {
@@ -163,6 +176,24 @@ impl Command {
             Self::Plan(_) => Err(text!("refused-plan-here")),
             Self::Signing(_) => Err(text!("refused-signing-here")),
             Self::Raw(command) => command.request(vehicle, confirmation),
+        }
+    }
+
+    /// Whether a vehicle that obeys another ground station ignores the command without an answer that says so.
+    fn is_ignored_silently(&self) -> bool {
+        match self {
+            Self::Motion(command) => command.is_setpoint(),
+            Self::Parameter(command) => matches!(command, ParameterCommand::Set { .. }),
+            Self::Arming(_)
+            | Self::Flight(_)
+            | Self::PlanFlight(_)
+            | Self::Device(_)
+            | Self::Query(_)
+            | Self::Log(_)
+            | Self::File(_)
+            | Self::Plan(_)
+            | Self::Signing(_)
+            | Self::Raw(_) => false,
         }
     }
 

@@ -12,6 +12,7 @@ use crate::alert::AlertKind;
 use crate::rehearsal::{TOO_NEAR_M, TOO_NEAR_VERTICALLY_M};
 use crate::text::Language;
 use crate::vehicle_id::VehicleIds;
+use crate::wire::SystemId;
 
 mod layers;
 mod live;
@@ -102,6 +103,8 @@ pub struct ConnectConfig {
     pub forward: Vec<String>,
     /// Whether frames without a valid signature are ignored.
     pub require_signing: bool,
+    /// The system id of this program; the usual one if there is none.
+    pub station: Option<SystemId>,
 }
 
 /// The symbols that a terminal can show besides letters.

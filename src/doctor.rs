@@ -7,18 +7,22 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavType};
+use mavlink::dialects::ardupilotmega::{
+    AUTOPILOT_VERSION_DATA, HEARTBEAT_DATA, MavAutopilot, MavMessage, MavType,
+};
 use mavlink::{MavlinkVersion, MessageData as _};
 
 use crate::inspector::{Census, Direction, FrameSource, MessageTally};
-use crate::wire::{Anatomy, ComponentId, Counters, Seal, SequenceStep, SystemId};
+use crate::wire::{
+    Anatomy, BoardId, ComponentId, Content, Counters, Decoder, Seal, SequenceStep, SystemId,
+};
 
 mod diagnosis;
 #[cfg(test)]
 mod tests;
 mod words;
 
-pub use diagnosis::{Cause, LinkFinding, Weight, diagnose};
+pub use diagnosis::{Cause, HeardBoard, LinkFinding, Weight, diagnose};
 
 /// The time span of a chart: the last seconds of a link.
 pub const WINDOW: Duration = Duration::from_secs(10);
@@ -86,6 +90,8 @@ pub struct Sender {
     pub answered_ago: Option<Duration>,
     /// The number of messages sent to its peer, except heartbeats.
     pub asked: u64,
+    /// The id of its board, if it has sent it.
+    pub board: Option<BoardId>,
 }
 
 /// The sequence counts of a link's senders, by their ids.
@@ -185,6 +191,8 @@ pub struct Observation {
     pub counters: Counters,
     pub numbered: NumberedSenders,
     pub senders: Vec<Sender>,
+    /// The addresses of its peers, by number, where they have one.
+    pub peers: BTreeMap<u32, String>,
     /// The last bytes in which no frame was found.
     pub noise: Vec<u8>,
     /// The vehicles for which the console has a key.
@@ -229,7 +237,20 @@ fn sender(census: &Census, source: FrameSource, now: Duration) -> Option<Sender>
         version1: version == MavlinkVersion::V1,
         answered_ago: census.answered_at(source).map(|at| now.saturating_sub(at)),
         asked: census.asked(source.peer),
+        board: board(census, source),
     })
+}
+
+/// The id of a sender's board, from its last `AUTOPILOT_VERSION`.
+fn board(census: &Census, source: FrameSource) -> Option<BoardId> {
+    let mut tallies = census.of(source);
+    let (_, tally) = tallies.find(|(id, _)| *id == AUTOPILOT_VERSION_DATA::ID)?;
+    let mut decoder = Decoder::new();
+    decoder.push(&tally.last);
+    match decoder.next_frame()?.content {
+        Content::Message(MavMessage::AUTOPILOT_VERSION(data)) => BoardId::of(data.uid, &data.uid2),
+        Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => None,
+    }
 }
 
 fn dress(tally: &MessageTally) -> Option<(MavlinkVersion, bool)> {
@@ -339,6 +360,10 @@ impl Chart {
             seen.is_some_and(|(_, observation)| observation.keyed.contains(&system))
         };
         has(self.seen.front()) && has(self.seen.back())
+    }
+
+    fn peer_name(&self, peer: u32) -> Option<String> {
+        self.last().and_then(|last| last.peers.get(&peer).cloned())
     }
 
     fn senders(&self) -> &[Sender] {

@@ -20,8 +20,8 @@ use crate::session::{
 };
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Vehicle;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{HeldChannels, Vehicle, VehicleId};
+use crate::wire::{GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, MavAddress, SystemId};
 
 mod clock;
 mod hub;
@@ -65,12 +65,13 @@ enum FleetRequest {
     Order(VehicleId, VehicleCommand),
     Steer(VehicleId, Steering),
     FetchParameters(VehicleId),
+    Sticks(VehicleId, Option<HeldChannels>),
     Restarted(VehicleId),
     Want(VehicleId, Want),
     Forget(VehicleId),
 }
 
-/// The data that the fleet stores: frames, logs and keys.
+/// The data that the fleet stores: frames, logs and keys; and the id under which it sends.
 #[derive(Debug, Clone, Default)]
 pub struct Keeping {
     /// The recorder of the frames of all links.
@@ -83,6 +84,18 @@ pub struct Keeping {
     pub plans: Option<Arc<dyn PlanShelf>>,
     /// The keys of signed links.
     pub signer: Option<Signer>,
+    /// The system id of this program; the usual one if there is none.
+    pub station: Option<SystemId>,
+}
+
+impl Keeping {
+    /// This program's address on every link.
+    fn address(&self) -> MavAddress {
+        MavAddress {
+            system: self.station.unwrap_or(GROUND_STATION_SYSTEM),
+            component: GROUND_STATION_COMPONENT,
+        }
+    }
 }
 
 /// The console's end of the fleet. Dropping it, or cancelling its token, ends every task.
@@ -185,6 +198,18 @@ impl Fleet {
     /// The hub has ended or cannot keep up; nothing was requested.
     pub fn fetch_parameters(&self, vehicle: VehicleId) -> Result<(), Unreachable> {
         self.ask(FleetRequest::FetchParameters(vehicle))
+    }
+
+    /// Holds the channels of a vehicle's transmitter for a second; `None` releases all channels.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was sent.
+    pub fn steer_by_hand(
+        &self,
+        vehicle: VehicleId,
+        held: Option<HeldChannels>,
+    ) -> Result<(), Unreachable> {
+        self.ask(FleetRequest::Sticks(vehicle, held))
     }
 
     /// Records that a vehicle's autopilot was restarted: its earlier state is void.

@@ -324,6 +324,8 @@ pub struct LinkServices<'a> {
     pub relay: &'a Relay,
     /// Signs their frames, and checks signatures.
     pub signer: Option<&'a Signer>,
+    /// The system id to send as.
+    pub system: SystemId,
 }
 
 /// Opens a link to vehicles as [`open_recorded`] does, with these services. Frames from within this
@@ -339,13 +341,18 @@ pub fn open_shared(
         sink,
         relay,
         signer,
+        system,
     } = services;
     let signed = match (&transport, signer) {
         (Transport::Address(Address::File { .. }) | Transport::Pipe(_), _) | (_, None) => None,
         (Transport::Address(address), Some(signer)) => Some(signer.on(&address.to_string(), id)),
     };
     let tap = Tap::relayed(sink.cloned(), relay.port_of_link(id)).signed_by(signed);
-    let link = open_tapped(id, transport, LinkConfig::default(), tap, inbound, cancel);
+    let config = LinkConfig {
+        system,
+        ..LinkConfig::default()
+    };
+    let link = open_tapped(id, transport, config, tap, inbound, cancel);
     relay.add_link(id, link.outlet.clone());
     link
 }

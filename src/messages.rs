@@ -14,11 +14,12 @@ use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Place, Severity, Vehicle, VehicleId};
-use crate::wire::{Content, Frame};
+use crate::wire::{CONTROL_STATUS, Content, Frame};
 
 mod attitude;
 mod battery;
 mod clock;
+mod control;
 mod ekf;
 mod fence;
 mod gps;
@@ -141,6 +142,9 @@ impl Inbox {
             Content::Undecoded { id, payload } if *id == HEARTBEAT_ID => {
                 let beat = heartbeat::Beat::from_payload(payload);
                 heartbeat::apply(vehicle, beat, &mut self.idle, &mut report);
+            }
+            Content::Undecoded { id, payload } if *id == CONTROL_STATUS => {
+                control::apply(vehicle, &payload[..12], &mut report);
             }
             Content::Undecoded { .. } | Content::Unknown { .. } => {}
         }
@@ -289,6 +293,9 @@ impl Inbox {
         vehicle.link.reboots += 1;
         *vehicle = Vehicle {
             heartbeat: vehicle.heartbeat,
+            station: vehicle.station,
+            held: vehicle.held,
+            twin: vehicle.twin,
             link: vehicle.link,
             texts: std::mem::take(&mut vehicle.texts),
             ..Vehicle::new(vehicle.system, vehicle.component)

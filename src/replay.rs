@@ -390,6 +390,7 @@ fn begin(view: ReplayView, started: Started) -> Vec<Event> {
             link: LINK.into(),
             way: Way::File,
             cause: Cause::Recording,
+            boards: Vec::new(),
         }])
         .into(),
     ]

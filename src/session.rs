@@ -10,16 +10,17 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
-use crate::commands::Command;
+use crate::commands::{Command, DeviceCommand, REQUEST_CONTROL};
 use crate::messages::Inbox;
 use crate::parameters::ParameterSnapshot;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{AskedSpeeds, Vehicle};
-use crate::wire::{ComponentId, Content, Frame, GROUND_STATION_SYSTEM, Outgoing, SystemId};
+use crate::vehicle::{AskedSpeeds, HeldChannels, Vehicle};
+use crate::wire::{ComponentId, Content, Frame, Outgoing, SystemId};
 
 mod acknowledgement;
 mod bench;
+mod control;
 mod defaults;
 mod download;
 mod events;
@@ -42,6 +43,7 @@ mod radio;
 mod set_up;
 mod settings;
 mod signing;
+mod sticks;
 mod streams;
 mod surroundings;
 #[cfg(test)]
@@ -50,6 +52,7 @@ mod timesync;
 mod transaction;
 mod transfers;
 
+use control::ControlDesk;
 use defaults::DefaultsReader;
 use download::Download;
 use events::Events;
@@ -60,6 +63,7 @@ use lists::{Lists, ListsDesk};
 use logs::LogReader;
 use output::Output;
 use signing::VehicleSigning;
+use sticks::Sticks;
 use streams::Streams;
 use surroundings::Surroundings;
 use timesync::Timesync;
@@ -88,6 +92,9 @@ const IDLE_POLL: Duration = Duration::from_millis(500);
 /// The time between polls while a radio is tested: the precision of its delays.
 const TEST_POLL: Duration = Duration::from_millis(10);
 
+/// Another vehicle with the same system id is gone after this much silence.
+const TWIN_GONE_AFTER: Duration = Duration::from_secs(5);
+
 /// The state of a conversation with one vehicle.
 #[derive(Debug, Clone)]
 pub struct Session {
@@ -105,6 +112,8 @@ pub struct Session {
     files: FileOrders,
     ftp: FtpClient,
     signing: VehicleSigning,
+    control: ControlDesk,
+    sticks: Sticks,
     output: Output,
     surroundings: Surroundings,
     /// The time of the last poll.
@@ -130,10 +139,19 @@ impl Session {
             files: FileOrders::default(),
             ftp: FtpClient::default(),
             signing: VehicleSigning::default(),
+            control: ControlDesk::default(),
+            sticks: Sticks::default(),
             output: Output::default(),
             surroundings: Surroundings::new(),
             now,
         }
+    }
+
+    /// The session, as the ground station with another system id than the usual one.
+    #[must_use]
+    pub fn as_station(mut self, station: SystemId) -> Self {
+        self.vehicle.station = station;
+        self
     }
 
     /// The model of the vehicle, as far as it has been heard.
@@ -281,12 +299,19 @@ impl Session {
             self.poll(now);
             return;
         }
+        if let Command::Device(DeviceCommand::Sticks(change)) = order.command {
+            self.sticks
+                .order(&order, change, &mut self.vehicle, now, &mut self.output);
+            self.poll(now);
+            return;
+        }
         if matches!(order.command, Command::Plan(_)) {
             let (lists, desk) = self.lists(now);
             lists.order(order, desk);
             self.poll(now);
             return;
         }
+        self.control.note(&order.command, now);
         let (line, moment) = self.line(now);
         line.order(order, moment);
     }
@@ -301,6 +326,20 @@ impl Session {
         line.steer(steering, moment)
     }
 
+    /// Notes that another vehicle with the same system id is heard.
+    pub fn note_twin(&mut self, now: Duration) {
+        self.vehicle.twin = Some(now);
+    }
+
+    /// Holds channels that are steered by keys, until the next call or for a second; `None` releases all channels.
+    pub fn steer_by_hand(&mut self, held: Option<HeldChannels>, now: Duration) {
+        match held {
+            Some(held) => self.sticks.steer(held, &mut self.vehicle, now),
+            None => self.sticks.release(&mut self.vehicle, now),
+        }
+        self.poll(now);
+    }
+
     /// Advances time: retries, deadlines, silence. Must be called within the time that [`Self::patience`] returns.
     pub fn poll(&mut self, now: Duration) {
         self.now = now;
@@ -310,6 +349,8 @@ impl Session {
         let mut notices = Vec::new();
         self.inbox.poll(&mut self.vehicle, now, &mut notices);
         self.output.say(notices);
+        let twin = &mut self.vehicle.twin;
+        *twin = twin.filter(|heard| now < *heard + TWIN_GONE_AFTER);
         let lost = watch_silence(&mut self.vehicle, now);
         self.output.say(lost);
         if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
@@ -339,6 +380,10 @@ impl Session {
         files.poll(&mut scene);
         self.handle_files(None, now);
         self.signing.poll(&self.vehicle, now, &mut self.output);
+        if self.control.poll(&self.vehicle, now, &mut self.output) {
+            self.line.expect_ack(REQUEST_CONTROL, now);
+        }
+        self.sticks.poll(&mut self.vehicle, now, &mut self.output);
         self.advance(now);
     }
 
@@ -356,6 +401,8 @@ impl Session {
             || self.ftp.is_busy()
             || self.events.is_busy()
             || self.signing.is_busy()
+            || self.control.is_busy()
+            || self.sticks.is_busy(&self.vehicle)
         {
             BUSY_POLL
         } else {
@@ -407,11 +454,13 @@ impl Session {
         lists.receive(frame, desk);
         self.logs.receive(frame, now);
         if let Content::Message(MavMessage::FILE_TRANSFER_PROTOCOL(data)) = &frame.content
-            && matches!(data.target_system, 0 | GROUND_STATION_SYSTEM)
+            && [0, self.vehicle.station].contains(&data.target_system)
         {
             self.handle_files(Some(&data.payload), now);
         }
-        self.line.receive(frame, now, &mut self.output);
+        ControlDesk::receive(frame, &self.vehicle, now, &mut self.output);
+        self.line
+            .receive(frame, self.vehicle.station, now, &mut self.output);
     }
 
     fn advance(&mut self, now: Duration) {

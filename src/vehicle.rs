@@ -9,12 +9,14 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::geo::maths;
-use crate::wire::{ComponentId, MavAddress, SystemId};
+use crate::wire::{ComponentId, GROUND_STATION_SYSTEM, MavAddress, SystemId};
 
 mod announced;
 mod carried;
 mod check_rules;
+mod control;
 mod fence_switch;
+mod held_channels;
 mod idle_disarm;
 mod leg;
 mod limits;
@@ -31,10 +33,13 @@ mod traffic;
 mod way_home;
 
 pub use crate::vehicle_id::VehicleId;
+pub use crate::wire::BoardId;
 pub use announced::{AnnouncedMode, AnnouncedModes};
 pub use carried::CarriedLists;
 pub use check_rules::check_rules;
+pub use control::ControlStatus;
 pub use fence_switch::FenceSwitch;
+pub use held_channels::HeldChannels;
 pub use idle_disarm::IdleDisarm;
 pub use leg::{LegSpeed, PlanLeg};
 pub use limits::{EKF_BAD, Grade, VIBRATION_BAD_M_S2};
@@ -68,6 +73,14 @@ pub struct Vehicle {
     pub system: SystemId,
     /// The component id of the vehicle's autopilot.
     pub component: ComponentId,
+    /// The system id as which this program talks to the vehicle.
+    pub station: SystemId,
+    /// The ground stations in control; `None` if the vehicle announces none.
+    pub control: Option<ControlStatus>,
+    /// The channels of the transmitter that this program holds; `None` if it holds none.
+    pub held: Option<HeldChannels>,
+    /// When another vehicle with the same system id was last heard; `None` if there is none.
+    pub twin: Option<Duration>,
     /// Identity and state from HEARTBEAT; `None` before the first one.
     pub heartbeat: Option<Heartbeat>,
     /// The modes that the vehicle has announced.
@@ -148,6 +161,10 @@ impl Vehicle {
             id: VehicleId::from(system),
             system,
             component,
+            station: GROUND_STATION_SYSTEM,
+            control: None,
+            held: None,
+            twin: None,
             heartbeat: None,
             modes: AnnouncedModes::default(),
             intended_mode: None,

@@ -80,9 +80,13 @@ effect-plan-item = item { $item } is current
 effect-plan-flown = flying the plan in AUTO at item { $item }
 effect-home = home moved
 effect-servo = output { $output } at { $pulse } us
+effect-control = this console in control
+effect-no-control = no station in control
 effect-rebooted = rebooted
 
 # The logs of a vehicle.
+outcome-sticks-held = channels held: { $channels }; `rc release` gives them back
+outcome-sticks-released = all channels given back to the transmitter
 outcome-logs-none = the vehicle has no logs
 outcome-logs-listed = { $count ->
     [one] 1 log, { $size } kB: { $logs }

@@ -82,6 +82,7 @@ action-pin = draw a graph of the field, or remove the graph
 action-hex = show the last frame byte by byte
 action-sort = sort by the next column
 action-sort-reverse = reverse the order
+action-take-sticks = fly the vehicle by keys, for tests
 action-acknowledge = acknowledge the alerts
 action-next-outcome = show failed, running or finished commands
 action-own-vehicles = show commands to this vehicle or the selection

@@ -47,7 +47,15 @@ vehicle-wind-from = { $speed } m/s from { $from }°
 vehicle-ground = rangefinder
 vehicle-place-of = position
 vehicle-load = CPU load
+vehicle-control = control
+vehicle-control-free = no station
+vehicle-control-here = this console
+vehicle-control-station = station { $station }
+vehicle-control-open = may be taken over
+vehicle-held = RC override
 vehicle-firmware = firmware
+vehicle-board = board
+vehicle-board-twin = (two vehicles have id { $system })
 
 vehicle-curves = last { $seconds } s
 vehicle-least = min

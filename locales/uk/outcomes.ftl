@@ -85,9 +85,13 @@ effect-plan-item = поточний пункт — { $item }
 effect-plan-flown = політ за планом в AUTO з пункту { $item }
 effect-home = дім перенесено
 effect-servo = вихід { $output } на { $pulse } us
+effect-control = керує ця консоль
+effect-no-control = не керує жодна станція
 effect-rebooted = перезапуск
 
 # Журнали польотів апарата.
+outcome-sticks-held = утримуються канали: { $channels }; `rc release` повертає їх
+outcome-sticks-released = усі канали повернено передавачу
 outcome-logs-none = апарат не має журналів
 outcome-logs-listed = { $count ->
     [one] { $count } журнал, { $size } kB: { $logs }

@@ -47,7 +47,15 @@ vehicle-wind-from = { $speed } m/s з { $from }°
 vehicle-ground = далекомір
 vehicle-place-of = координати
 vehicle-load = процесор
+vehicle-control = керує
+vehicle-control-free = жодна станція
+vehicle-control-here = ця консоль
+vehicle-control-station = станція { $station }
+vehicle-control-open = можна перейняти
+vehicle-held = RC override
 vehicle-firmware = прошивка
+vehicle-board = плата
+vehicle-board-twin = (номер { $system } мають два апарати)
 
 vehicle-curves = останні { $seconds } s
 vehicle-least = мін.

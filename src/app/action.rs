@@ -94,6 +94,8 @@ actions! {
         /// Return to the home screen.
         Leave,
         Acknowledge,
+        /// Take the sticks of the vehicle under the cursor.
+        TakeSticks,
         Quit,
     }
     groups {

@@ -13,7 +13,7 @@ use crate::ledger::EntryId;
 use crate::moment::MomentKind;
 use crate::review::Review;
 use crate::text::{Language, Text};
-use crate::vehicle::{RadioTest, VehicleId};
+use crate::vehicle::{HeldChannels, RadioTest, VehicleId};
 use crate::workshop::Design;
 
 /// How a mission is to be flown.
@@ -213,6 +213,12 @@ pub enum SessionEffect {
     Radio {
         vehicles: Vec<VehicleId>,
         test: Option<RadioTest>,
+    },
+    /// Hold the sticks of a vehicle for a second, or release them.
+    Sticks {
+        vehicle: VehicleId,
+        /// The positions; `None` to release them.
+        held: Option<HeldChannels>,
     },
     /// Close the links to these vehicles; if heard again, they count as new.
     Forget(Vec<VehicleId>),

@@ -184,6 +184,7 @@ pub fn act(state: &mut State, action: Action) -> Answer {
             Room::Workshop.alone(state, |it| workshop::act::act(it, action))
         }
         Action::Show(_)
+        | Action::TakeSticks
         | Action::CommandLine
         | Action::Help
         | Action::Notices

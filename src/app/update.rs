@@ -41,6 +41,7 @@ mod review;
 mod selection;
 mod show;
 mod start;
+mod sticks;
 mod telemetry;
 mod typing;
 mod vehicle_files;
@@ -49,6 +50,7 @@ mod vehicle_files;
 pub fn update(state: &mut State, event: Event) -> Effects {
     let (room, had_overlay) = (state.room, state.overlay.is_some());
     let said = state.message().cloned();
+    let held = sticks::held(state);
     let watch = pace::watch(state, &event);
     let mut effects = react(state, event);
     // A message disappears with its subject, unless it has only just appeared.
@@ -56,6 +58,7 @@ pub fn update(state: &mut State, event: Event) -> Effects {
     if is_elsewhere && state.message() == said.as_ref() {
         state.hush();
     }
+    effects.extend(sticks::released(state, held));
     effects.extend(telemetry::signals(state));
     effects.extend(palette::wanted(state));
     effects.extend(plans::wanted_ground(state));
@@ -84,6 +87,7 @@ fn react(state: &mut State, event: Event) -> Effects {
             let mut effects = parameters::wanted(state);
             effects.extend(plans::keep(state));
             effects.extend(vehicle_files::wanted(state));
+            effects.extend(sticks::tick(state));
             return effects;
         }
         Event::Terminal(event) => return terminal(state, event),

@@ -11,6 +11,7 @@ use tokio_util::sync::CancellationToken;
 use super::backend::frame;
 use super::home::StartPlace;
 use super::{Failure, parse_speedup, runtime};
+use crate::hash::fnv1a;
 use crate::link::{Endpoint, Simulator, StartedSimulator};
 use crate::sim::{SYSTEMS, World, WorldConfig};
 
@@ -42,6 +43,10 @@ pub(super) struct SimArguments {
     /// Boot as slowly as the real autopilot: the first heartbeat after 1 s, ready for GUIDED after 42 s.
     #[arg(long)]
     realistic_boot: bool,
+    /// Let vehicles announce which ground station is in control of them, and refuse the commands of others
+    /// (`CONTROL_STATUS`). ArduCopter 4.6 lacks this.
+    #[arg(long)]
+    operator_control: bool,
     /// Place the first vehicle here: latitude, longitude, height above sea level in metres, heading in degrees.
     #[arg(
         long,
@@ -102,6 +107,10 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
     if options.strict_signing {
         world.require_signatures();
     }
+    world.mark_boards(place(&endpoints));
+    if options.operator_control {
+        world.announce_control();
+    }
     allow_many_files();
     runtime()?.block_on(async {
         let cancel = CancellationToken::new();
@@ -134,6 +143,17 @@ fn endpoints(options: &SimArguments) -> Vec<Endpoint> {
         endpoints.push(Endpoint::Tcp { host, port });
     }
     endpoints
+}
+
+/// A number for the place of the simulator, from the first of its addresses: as with ArduPilot's SITL, the ids of the
+/// boards depend on it.
+fn place(endpoints: &[Endpoint]) -> u64 {
+    endpoints.first().map_or(0, |endpoint| match endpoint {
+        Endpoint::Pipes => 0,
+        Endpoint::Tcp { host, port } | Endpoint::Udp { host, port } => {
+            fnv1a(format!("{host}:{port}").as_bytes())
+        }
+    })
 }
 
 /// Raises the limit on open files, usually 1024, as any user may: each TCP server needs one file.

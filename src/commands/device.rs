@@ -4,13 +4,15 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavCmd;
 
+use super::control::ControlChange;
 use super::effect::{Effect, SOON, Watched};
 use super::encode::LongFields;
+use super::sticks::StickChange;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 
-/// Sets outputs, switches the fence, or reboots the autopilot.
+/// Sets outputs, switches the fence, reboots the autopilot, changes the station in control, or takes the sticks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum DeviceCommand {
     /// Set a servo output.
@@ -29,6 +31,10 @@ pub enum DeviceCommand {
     Fence { on: bool },
     /// Reboot the autopilot (refused while armed).
     Reboot,
+    /// Change the ground station in control.
+    Control(ControlChange),
+    /// Hold or release channels of the transmitter.
+    Sticks(StickChange),
 }
 
 impl DeviceCommand {
@@ -47,6 +53,9 @@ impl DeviceCommand {
             }
             Self::Reboot if vehicle.armed() => return Err(text!("refused-reboot-armed")),
             Self::Reboot => LongFields::new(MavCmd::MAV_CMD_PREFLIGHT_REBOOT_SHUTDOWN, &[1.0]),
+            Self::Control(change) => change.fields(vehicle)?,
+            // A session repeats channels; it does not send them as commands.
+            Self::Sticks(_) => return Err(text!("refused-sticks-here")),
         })
     }
 
@@ -60,7 +69,10 @@ impl DeviceCommand {
                 let reboots = before.link.reboots;
                 Effect::new(Watched::Rebooted { reboots }, Duration::from_secs(30))
             }
-            Self::Servo { .. } | Self::Relay { .. } | Self::Fence { .. } => Effect::nothing(),
+            Self::Control(change) => change.effect(before),
+            Self::Servo { .. } | Self::Relay { .. } | Self::Fence { .. } | Self::Sticks(_) => {
+                Effect::nothing()
+            }
         }
     }
 
@@ -74,7 +86,8 @@ impl DeviceCommand {
     pub(super) fn likely_reason(self, vehicle: &Vehicle) -> Option<Text> {
         match self {
             Self::Reboot => vehicle.armed().then(|| text!("reason-armed")),
-            Self::Servo { .. } | Self::Relay { .. } | Self::Fence { .. } => None,
+            Self::Control(change) => change.likely_reason(vehicle),
+            Self::Servo { .. } | Self::Relay { .. } | Self::Fence { .. } | Self::Sticks(_) => None,
         }
     }
 }

@@ -9,6 +9,7 @@ use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, PlanPhase, Vehicle, VehicleClass};
+use crate::wire::SystemId;
 
 /// The horizontal distance from a place within which it counts as reached.
 const ARRIVED_M: f64 = 1.5;
@@ -65,6 +66,8 @@ pub(super) enum Watched {
     Rebooted {
         reboots: u32,
     },
+    /// This station is in control, or none.
+    Owner(Option<SystemId>),
 }
 
 /// An item at which a plan is to continue.
@@ -162,6 +165,9 @@ impl Effect {
                     == Some(pulse_us)
             }
             Watched::Rebooted { reboots } => vehicle.link.reboots > *reboots,
+            Watched::Owner(owner) => vehicle
+                .control
+                .is_some_and(|control| control.owner == *owner),
         })
     }
 
@@ -202,6 +208,8 @@ impl Effect {
                 text!("effect-servo", output = *output, pulse = *pulse_us)
             }
             Watched::Rebooted { .. } => text!("effect-rebooted"),
+            Watched::Owner(Some(_)) => text!("effect-control"),
+            Watched::Owner(None) => text!("effect-no-control"),
         }
     }
 

@@ -49,12 +49,14 @@ pub(super) struct LongFields {
 impl LongFields {
     /// Fields with the first parameters given and the others 0.
     pub fn new(command: MavCmd, given: &[f32]) -> Self {
+        Self::numbered(command as u16, given)
+    }
+
+    /// As [`Self::new`], with the number of the command.
+    pub fn numbered(command: u16, given: &[f32]) -> Self {
         let mut params = [0.0; 7];
         params[..given.len()].copy_from_slice(given);
-        Self {
-            command: command as u16,
-            params,
-        }
+        Self { command, params }
     }
 }
 

@@ -28,11 +28,13 @@ pub enum AckResult {
     IntOnly,
     /// Not possible with the given frame.
     UnsupportedFrame,
+    /// Another ground station is in control of the vehicle.
+    NotInControl,
     /// A number unknown to this program.
     Other(u8),
 }
 
-const NAMED: [(MavResult, AckResult); 10] = [
+const NAMED: [(MavResult, AckResult); 11] = [
     (MavResult::MAV_RESULT_ACCEPTED, AckResult::Accepted),
     (
         MavResult::MAV_RESULT_TEMPORARILY_REJECTED,
@@ -48,6 +50,10 @@ const NAMED: [(MavResult, AckResult); 10] = [
     (
         MavResult::MAV_RESULT_COMMAND_UNSUPPORTED_MAV_FRAME,
         AckResult::UnsupportedFrame,
+    ),
+    (
+        MavResult::MAV_RESULT_NOT_IN_CONTROL,
+        AckResult::NotInControl,
     ),
 ];
 
@@ -73,6 +79,7 @@ impl AckResult {
             Self::LongOnly => text!("reason-long-only"),
             Self::IntOnly => text!("reason-int-only"),
             Self::UnsupportedFrame => text!("reason-frame"),
+            Self::NotInControl => text!("reason-other-station"),
             Self::Accepted | Self::InProgress => Text::default(),
             Self::Other(number) => text!("reason-other", number = number),
         }
@@ -106,6 +113,7 @@ pub fn explain(
         | AckResult::LongOnly
         | AckResult::IntOnly
         | AckResult::UnsupportedFrame
+        | AckResult::NotInControl
         | AckResult::Other(_) => text!("outcome-verb-refused", verb = verb, reason = reason()),
     }
 }
@@ -113,6 +121,9 @@ pub fn explain(
 /// The likely reason for a refusal without a text, from the vehicle's state.
 fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Option<Text> {
     let is_unknown = result == AckResult::Unsupported;
+    if result == AckResult::NotInControl {
+        return vehicle.not_in_control();
+    }
     match command {
         Command::Motion(MotionCommand::Orbit { .. }) if is_unknown => {
             Some(text!("reason-no-orbit"))

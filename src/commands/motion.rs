@@ -76,6 +76,18 @@ pub enum MotionCommand {
 }
 
 impl MotionCommand {
+    /// Whether the command is a setpoint, which vehicles do not answer.
+    pub(super) fn is_setpoint(self) -> bool {
+        match self {
+            Self::Goto { .. } | Self::Altitude { .. } | Self::Velocity { .. } => true,
+            Self::Speed { .. }
+            | Self::Yaw { .. }
+            | Self::Orbit { .. }
+            | Self::RegionOfInterest { .. }
+            | Self::SetHome { .. } => false,
+        }
+    }
+
     pub(super) fn request(self, vehicle: &Vehicle, confirmation: u8) -> Result<Request, Text> {
         match self {
             Self::Goto {

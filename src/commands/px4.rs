@@ -201,7 +201,7 @@ fn lacking(command: DeviceCommand) -> Option<Text> {
         DeviceCommand::Servo { .. } => Some(text!("refused-px4-servo")),
         DeviceCommand::Relay { .. } => Some(text!("refused-px4-relay")),
         DeviceCommand::Fence { .. } => Some(text!("refused-px4-fence")),
-        DeviceCommand::Reboot => None,
+        DeviceCommand::Reboot | DeviceCommand::Control(_) | DeviceCommand::Sticks(_) => None,
     }
 }
 

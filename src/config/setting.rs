@@ -260,6 +260,12 @@ pub const SETTINGS: &[Setting] = &[
         "File with the documentation of parameters: apm.pdef.xml or apm.pdef.json of ArduPilot, parameters.json of PX4.",
     ),
     setting(
+        "connect.station",
+        SettingKind::Whole(1, 255),
+        Some("SORTIE_STATION"),
+        "MAVLink system id of this console; by default 255, which ArduPilot expects (SYSID_MYGCS). Two consoles need two ids.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

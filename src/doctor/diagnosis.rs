@@ -5,7 +5,9 @@ use std::time::Duration;
 
 use super::{Chart, ChartChange, HeartbeatRole, Sender, Way};
 use crate::geo::maths;
-use crate::wire::{ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
+use crate::wire::{
+    BoardId, ComponentId, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId,
+};
 
 mod signatures;
 
@@ -53,6 +55,19 @@ pub struct LinkFinding {
     /// Its kind of connection, on which the advice depends.
     pub way: Way,
     pub cause: Cause,
+    /// The boards that share a system id, and their places; empty for other causes.
+    pub boards: Vec<HeardBoard>,
+}
+
+/// A vehicle among several with one system id.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct HeardBoard {
+    /// The id of its board, if known.
+    pub board: Option<BoardId>,
+    /// The index of its link in the list of charts.
+    pub link: usize,
+    /// Its address, if the link has several peers.
+    pub address: Option<String>,
 }
 
 /// The weight of a finding.
@@ -173,11 +188,28 @@ pub fn diagnose(charts: &[Chart]) -> Vec<LinkFinding> {
         findings.extend(causes.into_iter().map(|cause| LinkFinding {
             link,
             way: chart.way(),
+            boards: boards(charts, &cause),
             cause,
         }));
     }
     findings.sort_by_key(|finding| finding.cause.weight());
     findings
+}
+
+/// The vehicles that share the system id of a finding.
+fn boards(charts: &[Chart], cause: &Cause) -> Vec<HeardBoard> {
+    let Cause::DuplicateSystem(system) = cause else {
+        return Vec::new();
+    };
+    let heard = charts.iter().enumerate().flat_map(|(link, chart)| {
+        let mine = autopilots(chart).filter(|sender| sender.source.system == *system);
+        mine.map(move |sender| HeardBoard {
+            board: sender.board,
+            link,
+            address: chart.peer_name(sender.source.peer),
+        })
+    });
+    heard.collect()
 }
 
 /// The findings of a link without a fault.

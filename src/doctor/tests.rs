@@ -27,6 +27,7 @@ fn chart(seals: &[Seal], keyed: &[SystemId], is_signing_required: bool) -> Chart
             version1: false,
             answered_ago: Some(Duration::ZERO),
             asked: 10,
+            board: None,
         };
         let observation = Observation {
             up: true,
@@ -34,6 +35,7 @@ fn chart(seals: &[Seal], keyed: &[SystemId], is_signing_required: bool) -> Chart
             numbered: [((3, 1), frames)].into(),
             senders: vec![sender],
             noise: Vec::new(),
+            peers: BTreeMap::new(),
             keyed: keyed.to_vec(),
             is_signing_required,
         };

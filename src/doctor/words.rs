@@ -1,6 +1,6 @@
 //! The texts of findings: cause and advice.
 
-use super::{Cause, LinkFinding, SealCounts, Way};
+use super::{Cause, HeardBoard, LinkFinding, SealCounts, Way};
 use crate::text;
 use crate::text::Text;
 
@@ -79,7 +79,31 @@ impl Cause {
     }
 }
 
+impl HeardBoard {
+    /// The vehicle's place and the id of its board.
+    fn says(&self) -> Text {
+        let place = match &self.address {
+            Some(address) => Text::verbatim(address),
+            None => text!("doctor-board-link", link = self.link + 1),
+        };
+        match self.board {
+            Some(board) => text!("heard-board", place = place, board = board.to_string()),
+            None => place,
+        }
+    }
+}
+
 impl LinkFinding {
+    /// The finding, with the vehicles that it is about.
+    pub fn says(&self) -> Text {
+        let says = self.cause.says();
+        if self.boards.is_empty() {
+            return says;
+        }
+        let boards = self.boards.iter().map(HeardBoard::says).collect();
+        Text::joined(": ", vec![says, Text::joined(", ", boards)])
+    }
+
     /// The advice; empty without a fault.
     pub fn advice(&self) -> Text {
         match self.cause {

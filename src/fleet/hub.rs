@@ -7,6 +7,10 @@ use std::time::Duration;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+mod rivals;
+
+use rivals::Rival;
+
 use super::keepers::{BlockingFiles, BlockingKeeper, BlockingShelf, desk_of};
 use super::sharing::Sharing;
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
@@ -31,8 +35,6 @@ const INBOUND_KEPT: usize = 256;
 const BATCHES_KEPT: usize = 256;
 /// The delay before a full queue is tried again.
 const TRIED_AGAIN_AFTER: Duration = Duration::from_millis(50);
-/// The interval of warnings about a shared system id.
-const CONFLICT_EVERY: Duration = Duration::from_secs(30);
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 struct FrameSender {
@@ -45,7 +47,8 @@ struct PeerRoute {
     /// The autopilot's component; other components with its system id may use another route.
     component: ComponentId,
     heard_at: Duration,
-    conflict_said_at: Option<Duration>,
+    /// A second sender with the same system id.
+    rival: Option<Rival>,
     inbox: mpsc::Sender<ToVehicle>,
     state: watch::Receiver<Arc<Vehicle>>,
     /// Waiting changes to the vehicle's simulator or its link, oldest first.
@@ -64,7 +67,7 @@ impl PeerRoute {
             sender,
             component,
             heard_at,
-            conflict_said_at: None,
+            rival: None,
             inbox,
             state,
             wants: VecDeque::new(),
@@ -119,7 +122,7 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
         cancel,
     } = surroundings;
     let (inbound, mut inbound_out) = mpsc::channel(INBOUND_KEPT);
-    let (sharing, mut overheard) = Sharing::new();
+    let (sharing, mut overheard) = Sharing::new(keeping.address());
     let mut hub = Hub {
         clock,
         streams,
@@ -146,6 +149,9 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
                 Some(FleetRequest::FetchParameters(vehicle)) => {
                     hub.pass_on(vehicle, ToVehicle::FetchParameters);
                 }
+                Some(FleetRequest::Sticks(vehicle, held)) => {
+                    hub.pass_on(vehicle, ToVehicle::Sticks(held));
+                }
                 Some(FleetRequest::Restarted(vehicle)) => hub.pass_on(vehicle, ToVehicle::Restarted),
                 Some(FleetRequest::Want(vehicle, want)) => hub.want(vehicle, want),
                 Some(FleetRequest::Forget(vehicle)) => hub.forget(vehicle),
@@ -168,6 +174,7 @@ impl Hub {
             sink: self.keeping.sink.as_ref(),
             relay: &self.sharing.relay,
             signer: self.keeping.signer.as_ref(),
+            system: self.keeping.address().system,
         };
         let (inbound, cancel) = (self.inbound.clone(), self.cancel.clone());
         let link = link::open_shared(id, transport, services, inbound, cancel);
@@ -284,7 +291,7 @@ impl Hub {
             .iter()
             .any(|frame| frame.component == route.component && frame.is_verified());
         if is_autopilot {
-            if route.sender != from && !self.reroute(system, from, now).await {
+            if route.sender != from && !self.reroute(system, from, &frames, now).await {
                 return;
             }
             if let Some(route) = self.routes.get_mut(&system) {
@@ -310,7 +317,13 @@ impl Hub {
     /// for long enough, it is the same vehicle with a new connection or another port; otherwise it
     /// is a second vehicle with the same id, whose frames are not accepted. Returns whether the
     /// frames are accepted.
-    async fn reroute(&mut self, system: SystemId, from: FrameSender, now: Duration) -> bool {
+    async fn reroute(
+        &mut self,
+        system: SystemId,
+        from: FrameSender,
+        frames: &[Frame],
+        now: Duration,
+    ) -> bool {
         let (Some(route), Some(link)) = (
             self.routes.get_mut(&system),
             self.links.get(usize::from(from.link.0)),
@@ -318,7 +331,7 @@ impl Hub {
             return false;
         };
         if now.saturating_sub(route.heard_at) < LOST_AFTER {
-            self.complain(system, from, now).await;
+            self.meet_rival(system, from, frames, now).await;
             return false;
         }
         let news = ToVehicle::Route(link.clone(), from.peer);
@@ -342,7 +355,9 @@ impl Hub {
         let (inbox, inbox_out) = mpsc::channel(BATCHES_KEPT);
         let (state, state_out) = watch::channel(Arc::new(Vehicle::new(system, component)));
         let (parameters, parameters_out) = watch::channel(ParameterSnapshot::default());
-        let mut session = Session::new(system, component, now).wanting(self.streams, now);
+        let mut session = Session::new(system, component, now)
+            .as_station(self.keeping.address().system)
+            .wanting(self.streams, now);
         if let Some(keeper) = &self.keeping.logs {
             session = session.keeping_logs(Arc::new(BlockingKeeper(Arc::clone(keeper))));
         }
@@ -366,6 +381,7 @@ impl Hub {
             backlog: VecDeque::new(),
             dropped: 0,
             sent: SentCommands::default(),
+            own: self.keeping.address(),
             is_twin_said: Arc::clone(&self.sharing.is_twin_said),
         };
         tokio::spawn(task.run(self.cancel.clone()));
@@ -375,28 +391,6 @@ impl Hub {
         self.tell(FleetEvent::Appeared(state_out)).await;
         let id = VehicleId::from(system);
         self.tell(FleetEvent::Parameters(id, parameters_out)).await;
-    }
-
-    /// Warns about two senders with one system id, since commands would reach either of them; the first one is kept.
-    async fn complain(&mut self, system: SystemId, from: FrameSender, now: Duration) {
-        let Some(route) = self.routes.get_mut(&system) else {
-            return;
-        };
-        if route
-            .conflict_said_at
-            .is_some_and(|said| now < said + CONFLICT_EVERY)
-        {
-            return;
-        }
-        route.conflict_said_at = Some(now);
-        let used = route.sender;
-        let text = text!(
-            "heard-two-places",
-            system = system,
-            used = self.name_of(used),
-            ignored = self.name_of(from)
-        );
-        self.warn(system, text, now).await;
     }
 
     async fn warn(&self, system: SystemId, text: Text, now: Duration) {

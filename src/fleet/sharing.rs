@@ -12,18 +12,13 @@ use crate::forward::{ForwardSpec, StationWatch};
 use crate::ledger::ForeignCommand;
 use crate::link::{self, Address, ForwardCounts, Inbound, LinkId, LinkStatus, Relay, StationNews};
 use crate::vehicle::Vehicle;
-use crate::wire::{Content, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, MavAddress};
+use crate::wire::{Content, MavAddress};
 
 /// The maximum number of commands of other stations that wait for the hub; further ones pass without a row.
 const NEWS_KEPT: usize = 256;
 /// The maximum number of batches from forwards that wait for the hub. The hub ignores them, since
 /// the relay has already passed them on.
 const INBOUND_KEPT: usize = 16;
-/// The console's address on every link.
-pub(super) const OWN: MavAddress = MavAddress {
-    system: GROUND_STATION_SYSTEM,
-    component: GROUND_STATION_COMPONENT,
-};
 
 /// A forward that can be watched.
 #[derive(Debug, Clone)]
@@ -59,15 +54,15 @@ pub(super) struct Overheard {
 }
 
 impl Sharing {
-    pub fn new() -> (Self, Overheard) {
+    pub fn new(own: MavAddress) -> (Self, Overheard) {
         let (news, news_out) = mpsc::channel(NEWS_KEPT);
         let (inbound, frames) = mpsc::channel(INBOUND_KEPT);
         let sharing = Self {
-            relay: Relay::new(OWN, news),
+            relay: Relay::new(own, news),
             forwards: BTreeMap::new(),
             opened: 0,
             inbound,
-            stations: StationWatch::new(OWN),
+            stations: StationWatch::new(own),
             is_twin_said: Arc::default(),
         };
         let overheard = Overheard {

@@ -9,7 +9,6 @@ use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::keepers::desk_of;
-use super::sharing::OWN;
 use super::{FleetClock, FleetEvent};
 use crate::forward::SentCommands;
 use crate::link::{LinkHandle, LinkPeer, To};
@@ -17,8 +16,8 @@ use crate::notice::Notice;
 use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::session::{Report, Session, Steering, VehicleCommand, Want};
 use crate::text;
-use crate::vehicle::{Severity, Vehicle};
-use crate::wire::Frame;
+use crate::vehicle::{HeldChannels, Severity, Vehicle};
+use crate::wire::{Frame, MavAddress};
 
 /// The maximum number of reports that a task keeps while the console does not read.
 const BACKLOG: usize = 1000;
@@ -34,6 +33,10 @@ pub(super) enum ToVehicle {
     Steer(Steering),
     /// A request to download all its parameters.
     FetchParameters,
+    /// The positions of its sticks; `None` releases them.
+    Sticks(Option<HeldChannels>),
+    /// Another vehicle with its system id is heard.
+    Twin,
     /// Its autopilot has been restarted.
     Restarted,
     /// A change to its simulator or its link.
@@ -58,6 +61,8 @@ pub(super) struct VehicleTask {
     pub dropped: u64,
     /// The commands sent to the vehicle.
     pub sent: SentCommands,
+    /// The console's own address.
+    pub own: MavAddress,
     /// Whether a station with the console's own address has been reported.
     pub is_twin_said: Arc<AtomicBool>,
 }
@@ -133,6 +138,8 @@ impl VehicleTask {
             ToVehicle::Order(order) => self.session.order(order, now),
             ToVehicle::Steer(steering) => self.steer(&steering, now),
             ToVehicle::FetchParameters => self.session.fetch_parameters(now),
+            ToVehicle::Sticks(held) => self.session.steer_by_hand(held, now),
+            ToVehicle::Twin => self.session.note_twin(now),
             ToVehicle::Restarted => self.session.restarted(now),
             ToVehicle::Want(want) => {
                 self.session.carry_out(want);
@@ -152,7 +159,7 @@ impl VehicleTask {
     /// cannot be distinguished from answers to this console's.
     fn look_for_twin(&mut self, frame: &Frame, now: Duration) {
         let vehicle = self.session.vehicle().id;
-        let Some(command) = self.sent.stray(&frame.content, OWN, now) else {
+        let Some(command) = self.sent.stray(&frame.content, self.own, now) else {
             return;
         };
         if self.is_twin_said.swap(true, Ordering::Relaxed) {
@@ -160,8 +167,8 @@ impl VehicleTask {
         }
         let text = text!(
             "foreign-twin",
-            system = OWN.system,
-            component = OWN.component,
+            system = self.own.system,
+            component = self.own.component,
             vehicle = vehicle,
             command = command
         );

@@ -94,6 +94,7 @@ fn ending(result: AckResult, progress: u8) -> RowEnding {
         | AckResult::LongOnly
         | AckResult::IntOnly
         | AckResult::UnsupportedFrame
+        | AckResult::NotInControl
         | AckResult::Other(_) => RowState::Refused,
     };
     RowEnding::new(state, result.reason())

@@ -211,6 +211,11 @@ impl Census {
         self.peers.get(&peer).map(String::as_str)
     }
 
+    /// The names of all peers that have one.
+    pub fn peer_names(&self) -> &BTreeMap<u32, String> {
+        &self.peers
+    }
+
     /// Every kind of message, ordered by source and id.
     pub fn tallies(&self) -> impl Iterator<Item = (TallyKey, &MessageTally)> {
         self.tallies.iter().map(|(&key, tally)| (key, tally))

@@ -82,8 +82,14 @@ impl Tap {
 
     /// The link doctor's view of the link.
     pub fn observe(&self, status: &LinkStatus) -> Observation {
-        let (senders, noise) =
-            self.look(|census, now| (doctor::observe(census, now), census.noise().to_vec()));
+        let (senders, noise, peers) = self.look(|census, now| {
+            let senders = doctor::observe(census, now);
+            (
+                senders,
+                census.noise().to_vec(),
+                census.peer_names().clone(),
+            )
+        });
         let signing = self.signing.as_ref();
         Observation {
             up: status.state == LinkState::Up,
@@ -93,6 +99,7 @@ impl Tap {
             numbered: status.numbered.clone(),
             senders,
             noise,
+            peers,
         }
     }
 

@@ -143,6 +143,7 @@ impl Flight {
             Setup::Limits => Some(text!("refused-protected-limits")),
             Setup::PlanItem(item) => Some(item.refusal()),
             Setup::Files => Some(text!("refused-protected-files")),
+            Setup::Sticks => Some(text!("refused-protected-sticks")),
             Setup::Anything => Some(text!("refused-protected-raw")),
         }
     }

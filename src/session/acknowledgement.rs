@@ -6,7 +6,7 @@ use mavlink::MessageData as _;
 use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, MavMessage};
 
 use crate::commands::AckResult;
-use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM};
+use crate::wire::{Content, Frame, SystemId};
 
 const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 
@@ -21,8 +21,8 @@ pub(super) struct Acknowledgement {
 }
 
 impl Acknowledgement {
-    /// The acknowledgement in a frame, unless it was meant for another ground station.
-    pub fn from_frame(frame: &Frame) -> Option<Self> {
+    /// The acknowledgement in a frame, unless it was meant for another ground station than `station`.
+    pub fn from_frame(frame: &Frame, station: SystemId) -> Option<Self> {
         let (ack, target) = match &frame.content {
             Content::Message(MavMessage::COMMAND_ACK(ack)) => (
                 Self {
@@ -44,7 +44,7 @@ impl Acknowledgement {
                 return None;
             }
         };
-        (target == 0 || target == GROUND_STATION_SYSTEM).then_some(ack)
+        (target == 0 || target == station).then_some(ack)
     }
 }
 

@@ -17,7 +17,7 @@ use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
-use crate::wire::Frame;
+use crate::wire::{Frame, SystemId};
 
 /// The maximum number of orders that wait for one vehicle; more are refused.
 const MOST_WAITING: usize = 32;
@@ -96,13 +96,19 @@ impl Line {
     }
 
     /// Looks for the awaited answer in a frame of the vehicle's autopilot.
-    pub fn receive(&mut self, frame: &Frame, now: Duration, output: &mut Output) {
-        let ack = Acknowledgement::from_frame(frame);
+    pub fn receive(
+        &mut self,
+        frame: &Frame,
+        station: SystemId,
+        now: Duration,
+        output: &mut Output,
+    ) {
+        let ack = Acknowledgement::from_frame(frame, station);
         if ack.is_some_and(|ack| self.owed.take(ack.command, now)) {
             return;
         }
         if let Some(active) = &mut self.active {
-            active.receive(frame, now, output);
+            active.receive(frame, station, now, output);
         }
     }
 

@@ -174,7 +174,7 @@ impl PlanReader {
         now: Duration,
         out: &mut Vec<MavMessage>,
     ) {
-        if let Some((kind, answer)) = wire::answer(frame) {
+        if let Some((kind, answer)) = wire::answer(frame, vehicle.station) {
             self.answered(vehicle, kind, answer, now, out);
         } else if let Some(kind) = wire::others_upload(frame) {
             self.changed(kind, now, out);

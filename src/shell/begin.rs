@@ -22,6 +22,8 @@ use crate::text::Text;
 
 /// How long the program waits for its vehicles' processes when it ends.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
+/// The time in which the links of a session send that it releases channels.
+const RELEASE_TIME: Duration = Duration::from_millis(250);
 
 impl Console {
     /// Starts a mission that the trainee has chosen.
@@ -164,6 +166,7 @@ impl Console {
     /// Ends the session and stores the waiting flights, waiting only briefly: processes that still
     /// run then end with the program.
     pub(super) async fn close(&mut self) {
+        self.release_sticks().await;
         self.end_session();
         self.store_flights();
         // The plain console still reports what could not be stored.
@@ -172,9 +175,18 @@ impl Console {
         ending.over(LAST_PROCESS_PATIENCE).await;
     }
 
+    /// Releases the channels that the session holds, and gives its links time to send that.
+    pub(super) async fn release_sticks(&self) {
+        let running = self.running.as_ref();
+        if running.is_some_and(RunningSession::release_sticks) {
+            tokio::time::sleep(RELEASE_TIME).await;
+        }
+    }
+
     /// Ends the session and starts another one, which has to be passed to [`Self::begun`].
     async fn start(&mut self, plan: SessionPlan) -> Result<Started, Text> {
         let is_something_open = self.running.is_some() || self.replaying.is_some();
+        self.release_sticks().await;
         // The old session ends first: the new one may need its ports.
         self.end_session();
         self.store_flights();
@@ -188,6 +200,7 @@ impl Console {
             records: self.options.preferences.records.clone(),
             data: self.options.preferences.data.clone(),
             signer: self.options.preferences.signer.clone(),
+            station: self.options.preferences.config.connect.station,
             occasion: Occasion {
                 stake: self.attempt.stake,
                 flown_by: self.options.flown_by(),

@@ -84,6 +84,12 @@ impl Console {
                 }
                 Ok(())
             }
+            SessionEffect::Sticks { vehicle, held } => {
+                if let Some(running) = &self.running {
+                    running.steer_by_hand(vehicle, held);
+                }
+                Ok(())
+            }
             SessionEffect::Forward(change) => self.change_forwards(change),
             SessionEffect::Process(deed, vehicle) => {
                 if let Some(running) = &self.running {
@@ -112,6 +118,7 @@ impl Console {
                 Ok(())
             }
             SessionEffect::Leave => {
+                self.release_sticks().await;
                 self.end_session();
                 Ok(())
             }

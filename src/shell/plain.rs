@@ -279,6 +279,7 @@ impl Plain {
             Some(
                 Overlay::Prompt(_)
                 | Overlay::Profiles { .. }
+                | Overlay::Sticks(_)
                 | Overlay::Help(_)
                 | Overlay::Log { .. },
             )

@@ -19,7 +19,7 @@ use crate::record::{Happening, NoticeLine};
 use crate::session::{Report, Want};
 use crate::sim::Airframe;
 use crate::swarm::Path;
-use crate::vehicle::{RadioTest, Severity, Vehicle, VehicleId};
+use crate::vehicle::{HeldChannels, RadioTest, Severity, Vehicle, VehicleId};
 
 mod forwards;
 mod hangar;
@@ -121,6 +121,26 @@ impl RunningSession {
                 tracing::warn!("vehicle {vehicle}: the test of its radio was not set");
             }
         }
+    }
+
+    /// Holds the sticks of a vehicle for a second, or releases them.
+    pub fn steer_by_hand(&self, vehicle: VehicleId, held: Option<HeldChannels>) {
+        if self.fleet.steer_by_hand(vehicle, held).is_err() {
+            tracing::warn!("vehicle {vehicle}: its sticks were not moved");
+        }
+    }
+
+    /// Releases the channels of all vehicles; returns whether any was held.
+    pub fn release_sticks(&self) -> bool {
+        let held = self.vehicles.iter().filter_map(|vehicle| {
+            let vehicle = vehicle.borrow();
+            vehicle.held.is_some().then_some(vehicle.id)
+        });
+        let held: Vec<VehicleId> = held.collect();
+        for &vehicle in &held {
+            self.steer_by_hand(vehicle, None);
+        }
+        !held.is_empty()
     }
 
     /// Pauses or resumes the embedded simulator.

@@ -87,7 +87,10 @@ impl StoredText {
 
     /// The text whose English words the file contains; those words if this version of the program has other ones for it.
     pub fn text(&self, english: &str) -> Text {
-        let known = self.known().filter(|text| text.to_string() == english);
+        let known = self.known().filter(|text| {
+            let words = text.to_string();
+            words == english
+        });
         known.unwrap_or_else(|| Text::verbatim(english))
     }
 

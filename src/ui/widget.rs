@@ -30,6 +30,7 @@ pub mod palette;
 pub mod profiles;
 pub mod prompt;
 pub mod replay;
+pub mod sticks;
 pub mod swarm;
 pub mod telemetry;
 pub mod traffic;

@@ -5,7 +5,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::{MavAutopilot, MavSysStatusSensor};
 
 use super::radio_test::TestedRadio;
-use super::{EkfFlags, FixType, Mode, PlanPause, Severity, SystemStatus, VehicleClass};
+use super::{BoardId, EkfFlags, FixType, Mode, PlanPause, Severity, SystemStatus, VehicleClass};
 use crate::geo::LatLon;
 use crate::geo::maths;
 
@@ -326,8 +326,8 @@ pub struct AutopilotVersion {
     pub firmware: (u8, u8, u8),
     /// The vehicle's capabilities, as bits of `MAV_PROTOCOL_CAPABILITY`.
     pub capabilities: u64,
-    /// The board's unique id; it distinguishes two vehicles with the same system id.
-    pub uid: u64,
+    /// The board's unique id, if it has one; it distinguishes two vehicles with the same system id.
+    pub board: Option<BoardId>,
     /// The first eight bytes of the firmware's hash, as text.
     pub hash: [u8; 8],
 }

@@ -23,12 +23,14 @@ use tokio::net::UdpSocket;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::CancellationToken;
 
+mod control;
 pub(crate) mod files;
 mod forwards;
 mod logs;
 mod parameters;
 mod senders;
 pub(crate) mod signing;
+mod sticks;
 
 const PATIENCE: Duration = Duration::from_secs(90);
 

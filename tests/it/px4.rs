@@ -80,6 +80,7 @@ impl Talk {
                 match report {
                     Report::Row(row) => self.rows.push(row),
                     Report::Notice(notice) => self.notices.push(notice.text.to_string()),
+                    Report::Folder(_) => {}
                 }
             }
             let sent = self.session.take_outgoing();

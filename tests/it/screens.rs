@@ -30,6 +30,7 @@ mod plans;
 mod replay;
 mod review;
 mod rooms;
+mod shared;
 mod vehicle;
 mod wire;
 mod workshop;

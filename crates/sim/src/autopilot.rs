@@ -21,6 +21,7 @@ use super::boot::{Boot, BootEvent};
 use super::counters::{CounterInputs, Counters};
 use super::crash::{CrashInputs, CrashWatch};
 use super::failsafe::{self, Failsafe};
+use super::operator::OperatorControl;
 use super::parameters::Parameters;
 use super::plan::ListKind;
 use super::vehicle::{Build, Vehicle};
@@ -42,6 +43,8 @@ pub(super) struct Autopilot {
     counters: Counters,
     imu_watch: ImuWatch,
     pub(super) workbench: Workbench,
+    /// Which ground station is in control; `None` if every one may command the vehicle.
+    pub(super) operator: Option<Box<OperatorControl>>,
     reboot_at: Option<Duration>,
 }
 
@@ -70,6 +73,7 @@ impl Autopilot {
             counters: Counters::default(),
             imu_watch: ImuWatch::default(),
             workbench: Workbench::default(),
+            operator: None,
             reboot_at: None,
         }
     }
@@ -84,6 +88,7 @@ impl Autopilot {
             counters,
             imu_watch,
             workbench,
+            operator: _,
             reboot_at,
         } = self;
         let watches: [&dyn std::fmt::Debug; 7] = [
@@ -135,7 +140,9 @@ impl Autopilot {
         vehicle.plans = std::mem::take(&mut before.plans);
         vehicle.log = std::mem::take(&mut before.log).rebooted();
         vehicle.fence_changed();
+        let operator = self.operator.take().map(|_| Box::default());
         *self = Self::booted(vehicle);
+        self.operator = operator;
         self.begin_first_mode();
         if self.vehicle.boot.realistic {
             self.vehicle.radio.forget_switches();

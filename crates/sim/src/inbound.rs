@@ -14,6 +14,7 @@ use super::autopilot::Autopilot;
 use super::autopilot::telemetry;
 use super::commands::{self, Command};
 use super::link::Link;
+use super::operator::{self, REQUEST_CONTROL, Refusal};
 use super::parameters::BY_NAME;
 use super::place::Place;
 use super::transfer::{self, Transfers};
@@ -35,24 +36,71 @@ pub(super) fn handle(
     if enforced && frame.system != autopilot.vehicle.tuning.ground_station {
         return;
     }
+    let is_barred = is_barred(autopilot, frame);
     if let Some(Addressed { to, request }) = StationRequest::read(&frame.content) {
         if to == 0 || to == autopilot.vehicle.system {
+            if is_barred && !refuse(autopilot, link, frame, &request) {
+                return;
+            }
             carry_out(autopilot, link, frame, &request);
         }
         return;
+    }
+    if is_barred {
+        match operator::refusal(frame) {
+            Refusal::None => {}
+            Refusal::Silent => return,
+            Refusal::Answered(answer) => return link.replies.push(*answer),
+        }
     }
     if transfer::handle(transfers, autopilot, link, frame) {
         return;
     }
     if let Content::Message(message) = &frame.content {
+        if let (Some(operator), MavMessage::HEARTBEAT(_)) = (&mut autopilot.operator, message) {
+            operator.hear(frame.system, autopilot.vehicle.uptime());
+        }
         converse(autopilot, link, frame, message);
     }
+}
+
+/// Whether another ground station is in control of the vehicle. The vehicle's own system is never barred.
+fn is_barred(autopilot: &Autopilot, frame: &Frame) -> bool {
+    let operator = autopilot.operator.as_ref();
+    frame.system != autopilot.vehicle.system
+        && operator.is_some_and(|operator| !operator.admits(frame.system))
+}
+
+/// Answers a request of a station that is not in control; `true` if it may pass, because it changes nothing.
+fn refuse(autopilot: &Autopilot, link: &mut Link, frame: &Frame, request: &StationRequest) -> bool {
+    match request {
+        StationRequest::Command(command) if operator::is_question(command.number) => return true,
+        StationRequest::Command(command) => {
+            let result = MavResult::MAV_RESULT_NOT_IN_CONTROL;
+            link.replies.push(acknowledgement(command, result, frame));
+        }
+        StationRequest::SetParameter { name, .. } => {
+            // The unchanged value shows the refusal.
+            if let Some(parameter) = autopilot.vehicle.parameters.named(name) {
+                link.reply(autopilot.vehicle.parameters.message(&parameter));
+            }
+        }
+        StationRequest::Setpoint(_)
+        | StationRequest::Attitude(_)
+        | StationRequest::SetMode { .. } => {}
+    }
+    false
 }
 
 fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request: &StationRequest) {
     match request {
         StationRequest::Command(command) => {
-            let result = commands::execute(autopilot, link, command);
+            let result = match &mut autopilot.operator {
+                Some(operator) if command.number == REQUEST_CONTROL => {
+                    operator.request(frame.system, command.p)
+                }
+                _ => commands::execute(autopilot, link, command),
+            };
             let place = if commands::answers_first(command.number) {
                 link.replies.len()
             } else {
@@ -97,7 +145,8 @@ fn acknowledgement(command: &Command, result: MavResult, frame: &Frame) -> Outgo
     reason = "ground stations in use still send what the dialect calls superseded"
 )]
 fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: &MavMessage) {
-    if frame.system == autopilot.vehicle.tuning.ground_station {
+    let is_pilot = matches!(message, MavMessage::HEARTBEAT(_)) || !is_barred(autopilot, frame);
+    if is_pilot && frame.system == autopilot.vehicle.tuning.ground_station {
         hear_pilot(autopilot, message);
     }
     let own = |target: u8| target == 0 || target == autopilot.vehicle.system;

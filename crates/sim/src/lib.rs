@@ -95,6 +95,7 @@ mod link;
 mod mask;
 mod mixer;
 mod mode;
+mod operator;
 mod parameters;
 mod payload;
 mod place;
@@ -316,6 +317,23 @@ impl World {
     pub fn require_signatures(&mut self) {
         for slot in &mut self.slots {
             slot.require_signatures();
+        }
+    }
+
+    /// Gives the vehicles other board ids, which depend on `place` alone: two worlds of the same seed then differ, and
+    /// each has the same ids in every run. To be called before the first step.
+    pub fn mark_boards(&mut self, place: u64) {
+        for slot in &mut self.slots {
+            let own = &mut slot.autopilot.vehicle.board_id;
+            *own ^= place.wrapping_mul(0x9E37_79B9_7F4A_7C15);
+        }
+    }
+
+    /// Gives the vehicles operator control, which the real vehicle lacks: they announce the ground station in control,
+    /// and refuse the commands of others.
+    pub fn announce_control(&mut self) {
+        for slot in &mut self.slots {
+            slot.autopilot.operator = Some(Box::default());
         }
     }
 

@@ -233,7 +233,8 @@ impl Port {
         }
     }
 
-    fn answer(&mut self, outgoing: &Outgoing, signing: &mut Signing) {
+    /// Sends a message that is not telemetry.
+    pub(super) fn answer(&mut self, outgoing: &Outgoing, signing: &mut Signing) {
         self.seal(signing);
         let before = self.pending.len();
         self.encoder.encode(outgoing, &mut self.pending);

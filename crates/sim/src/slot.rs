@@ -84,6 +84,7 @@ impl VehicleSlot {
             let said = std::mem::take(&mut self.autopilot.vehicle.outbox);
             self.tell(&said, None);
         }
+        self.announce();
         self.stream();
         for (_, port) in self.ports.iter_mut().filter(|(_, port)| port.open) {
             port.list(&self.autopilot, &mut self.serials.signing);
@@ -91,6 +92,19 @@ impl VehicleSlot {
         }
         if self.autopilot.take_reboot() {
             self.reboot();
+        }
+    }
+
+    /// Sends the announcements of operator control, and the requests for it.
+    fn announce(&mut self) {
+        let now = self.autopilot.vehicle.uptime();
+        let Some(operator) = &mut self.autopilot.operator else {
+            return;
+        };
+        for news in operator.step(now) {
+            for (_, port) in self.ports.iter_mut().filter(|(_, port)| port.open) {
+                port.answer(&news, &mut self.serials.signing);
+            }
         }
     }
 

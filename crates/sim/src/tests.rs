@@ -13,6 +13,7 @@ mod ground;
 mod links;
 mod messages;
 mod numbers;
+mod operator;
 mod piloted;
 mod protocol;
 mod retracing;

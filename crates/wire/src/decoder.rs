@@ -4,6 +4,7 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::error::ParserError;
 use mavlink::{MavlinkVersion, Message as _};
 
+use super::beyond;
 use super::checksum;
 use super::{Content, Frame, Seal};
 
@@ -199,7 +200,7 @@ impl Decoder {
             self.position += end;
             return Some(frame);
         }
-        let crc = checksum::of_frame(&bytes[1..crc_at], MavMessage::extra_crc(layout.id));
+        let crc = checksum::of_frame(&bytes[1..crc_at], beyond::seed(layout.id));
         if crc.to_le_bytes() != bytes[crc_at..crc_at + 2] {
             let counted_already = self.position < self.dropped_until;
             if followed_by_start && !counted_already {
@@ -217,16 +218,16 @@ impl Decoder {
     fn parse(&mut self, layout: &FrameLayout) -> Frame {
         let bytes = &self.buffer[self.position..];
         let payload = &bytes[layout.header_len..layout.header_len + layout.payload_len];
+        if beyond::is_beyond(layout.id) {
+            let content = by_hand(layout.id, payload);
+            self.counters.frames += 1;
+            return self.frame(layout, content);
+        }
         let content = match MavMessage::parse(layout.version, layout.id, payload) {
             Ok(message) => Content::Message(message),
             Err(ParserError::InvalidEnum { .. }) => {
                 self.counters.undecoded += 1;
-                let mut extended = Box::new([0; 255]);
-                extended[..payload.len()].copy_from_slice(payload);
-                Content::Undecoded {
-                    id: layout.id,
-                    payload: extended,
-                }
+                by_hand(layout.id, payload)
             }
             Err(_) => {
                 // Longer than the dialect's definition: a newer revision of the message.
@@ -264,10 +265,20 @@ impl Decoder {
     }
 }
 
-/// Whether the dialect has the message. `extra_crc` returns 0 for unknown messages, and one known message has the
+/// The content of a frame whose payload is read by hand.
+fn by_hand(id: u32, payload: &[u8]) -> Content {
+    let mut extended = Box::new([0; 255]);
+    extended[..payload.len()].copy_from_slice(payload);
+    Content::Undecoded {
+        id,
+        payload: extended,
+    }
+}
+
+/// Whether the message can be checked. `seed` returns 0 for unknown messages, and one known message has the
 /// seed 0.
 fn is_known(id: u32) -> bool {
     /// The id of `COMPONENT_INFORMATION`.
     const SEED_IS_ZERO: u32 = 395;
-    MavMessage::extra_crc(id) != 0 || id == SEED_IS_ZERO
+    beyond::seed(id) != 0 || id == SEED_IS_ZERO
 }

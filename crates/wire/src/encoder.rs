@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::MavMessage;
 use mavlink::{MavlinkVersion, Message as _};
 
+use super::beyond;
 use super::checksum;
 use super::decoder::{FLAG_SIGNED, STX_V1, STX_V2};
 use super::signature::{self, SigningKey, Stamp};
@@ -20,7 +21,7 @@ pub enum Outgoing {
     /// A message of the dialect whose payload was laid out by hand, because one of its enum fields carries a
     /// number that the dialect has no name for (any `MAV_CMD` by number).
     Raw {
-        /// The message id; it must be one of the dialect's.
+        /// The message id; it must be one of the dialect's, or [`CONTROL_STATUS`](super::CONTROL_STATUS).
         id: u32,
         /// The payload in wire order, little-endian, extension fields included.
         payload: Vec<u8>,
@@ -134,7 +135,7 @@ impl Encoder {
         };
         self.head(head, bytes);
         bytes.extend_from_slice(payload);
-        let crc = checksum::of_frame(&bytes[start + 1..], MavMessage::extra_crc(id));
+        let crc = checksum::of_frame(&bytes[start + 1..], beyond::seed(id));
         bytes.extend_from_slice(&crc.to_le_bytes());
         if let Some((key, stamp)) = seal {
             stamp.append_to(bytes);

@@ -14,6 +14,8 @@ use mavlink::dialects::ardupilotmega::{
 use mavlink::{MavlinkVersion, Message as _, MessageData as _};
 
 mod anatomy;
+mod beyond;
+mod board_id;
 #[macro_use]
 mod channels;
 mod checksum;
@@ -23,6 +25,8 @@ mod loss;
 mod signature;
 
 pub use anatomy::{Anatomy, frame_len, without_payload};
+pub use beyond::CONTROL_STATUS;
+pub use board_id::BoardId;
 pub use checksum::FtpChecksum;
 pub use decoder::{Counters, Decoder, is_frame_start};
 pub use encoder::{Encoder, Outgoing};
@@ -109,8 +113,8 @@ pub enum Content {
     /// A message of the dialect.
     Message(MavMessage),
     /// A message of the dialect whose payload holds an enum value that the dialect lacks (a vehicle
-    /// type or a command newer than this program). Its checksum was right, so single fields can be
-    /// read from the payload.
+    /// type or a command newer than this program), or [`CONTROL_STATUS`]. Its checksum was right, so
+    /// single fields can be read from the payload.
     Undecoded {
         /// The message id in the header.
         id: u32,

@@ -135,6 +135,7 @@ impl RoomModel for Fly {
         does(key('s'), Action::View(ViewAction::Sort)),
         does(key('S'), Action::View(ViewAction::SortReverse)),
         does(key('x'), Action::Acknowledge),
+        does(key('J'), Action::TakeSticks),
         writes('@', "select @"),
         writes('w', "hint"),
         writes('o', "workload "),

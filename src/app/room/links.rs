@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use crate::app::State;
 use crate::app::action::{Action, Step};
-use crate::app::keymap::{KeyHint, KeyRow, hint};
+use crate::app::keymap::{KeyHint, KeyRow, does, hint, key};
 use crate::app::room::{Answer, Room, RoomModel};
 use crate::app::state::LinkSummary;
 
@@ -50,7 +50,7 @@ const HINTS: &[KeyHint] = &[
 ];
 
 impl RoomModel for Links {
-    const KEYS: &'static [KeyRow] = &[];
+    const KEYS: &'static [KeyRow] = &[does(key('J'), Action::TakeSticks)];
 
     fn hints(_state: &State) -> &'static [KeyHint] {
         HINTS

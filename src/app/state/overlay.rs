@@ -3,6 +3,7 @@
 use tui_input::Input;
 
 use super::HelpPage;
+use super::sticks::StickMode;
 use crate::app::effect::Effect;
 use crate::app::room_list::Room;
 use crate::commands::Order;
@@ -25,6 +26,8 @@ pub enum Overlay {
         /// The index of the chosen line.
         cursor: usize,
     },
+    /// The sticks of a vehicle that is flown by keys.
+    Sticks(StickMode),
     Help(HelpPage),
     Log {
         log: Log,

@@ -3,7 +3,7 @@
 use super::ending::{guarded, leave, quit};
 use super::selection;
 use super::show::{brief, look_back, show};
-use super::{mission, pace, palette, profiles, replay, vehicle_files};
+use super::{mission, pace, palette, profiles, replay, sticks, vehicle_files};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::Effects;
@@ -34,6 +34,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
         Action::Leave => return leave(state),
         Action::Profiles => profiles::open(state),
         Action::Quit => return quit(state),
+        Action::TakeSticks => sticks::open(state),
         Action::Acknowledge => fly::acknowledge_pressing(state),
         Action::Aids => {
             let requests = standing::change_aids(state);

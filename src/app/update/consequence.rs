@@ -43,6 +43,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Connect(_)
         | SessionEffect::Forward(_)
         | SessionEffect::Radio { .. }
+        | SessionEffect::Sticks { .. }
         | SessionEffect::Forget(_)
         | SessionEffect::Restart { .. }
         | SessionEffect::Process(..)

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers};
 
-use super::{act, consequence, palette, profiles, prompt, reader, selection, typing};
+use super::{act, consequence, palette, profiles, prompt, reader, selection, sticks, typing};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
@@ -35,6 +35,7 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
         Some(Overlay::Confirm(question)) => confirm(state, question, key),
         Some(Overlay::Prompt(prompt)) => prompt::key(state, prompt, key),
         Some(Overlay::Profiles { cursor }) => profiles::key(state, cursor, key),
+        Some(Overlay::Sticks(mode)) => sticks::key(state, mode, key),
         Some(Overlay::Help(page)) => {
             reader::help(state, page, key);
             Effects::none()
@@ -120,7 +121,11 @@ pub fn paste(state: &mut State, text: &str) {
         }
         other @ (None
         | Some(
-            Overlay::Confirm(_) | Overlay::Profiles { .. } | Overlay::Help(_) | Overlay::Log { .. },
+            Overlay::Confirm(_)
+            | Overlay::Sticks(_)
+            | Overlay::Profiles { .. }
+            | Overlay::Help(_)
+            | Overlay::Log { .. },
         )) => {
             state.overlay = other;
             let key = state.keymap.key(Action::CommandLine, Place::Anywhere);

@@ -145,7 +145,7 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         text!(
             "doctor-notice",
             link = name,
-            finding = finding.cause.says(),
+            finding = finding.says(),
             advice = finding.advice()
         ),
     );

@@ -2,9 +2,10 @@
 
 use strum::VariantNames as _;
 
-use super::{command, confirmed, question, raw, setting, swarm};
+use super::{Built, command, confirmed, question, raw, setting, swarm};
 use crate::commands::{
-    Act, Command, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand, QueryCommand,
+    Act, Command, ControlChange, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand,
+    QueryCommand, StickChange,
 };
 use crate::language::argument::{Argument, Arguments, Kind, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
@@ -23,6 +24,8 @@ pub(super) static ROWS: &[VerbRow] = &[
     raw::SEND,
     LOGS,
     SIGNING,
+    CONTROL,
+    RC,
 ];
 
 const SERVO: VerbRow = VerbRow {
@@ -244,3 +247,88 @@ const SIGNING: VerbRow = VerbRow {
         ),
     ],
 };
+
+const CONTROL: VerbRow = VerbRow {
+    verb: setting("control"),
+    scope: Scope::Everywhere,
+    aliases: &[],
+    examples: &[
+        "3 control request",
+        "3 control allow 10",
+        "all control release",
+    ],
+    forms: &[
+        Form::new(
+            &[
+                Argument::flag("request", "argument-control-request"),
+                Argument::flag("takeover", "argument-control-takeover").optional(),
+            ],
+            |given| {
+                let takeover = given.flag("takeover");
+                control(ControlChange::Request { takeover })
+            },
+        ),
+        Form::new(
+            &[Argument::flag("release", "argument-control-release")],
+            |_| control(ControlChange::Release),
+        ),
+        Form::new(
+            &[
+                Argument::flag("allow", "argument-control-allow"),
+                Argument::value(
+                    "seconds",
+                    Kind::Whole(Unit::Seconds, 3.0, 60.0),
+                    "argument-control-seconds",
+                )
+                .optional(),
+            ],
+            |given| {
+                let seconds = given.number("seconds").unwrap_or(ALLOWED_S) as u16;
+                control(ControlChange::Allow { seconds })
+            },
+        ),
+    ],
+};
+
+/// How long another station may take control, if the line does not say, in seconds.
+const ALLOWED_S: f64 = 10.0;
+
+fn control(change: ControlChange) -> Built {
+    command(Command::Device(DeviceCommand::Control(change)))
+}
+
+const RC: VerbRow = VerbRow {
+    verb: setting("rc"),
+    scope: Scope::Everywhere,
+    aliases: &[],
+    examples: &["rc 3 1500us", "rc release"],
+    forms: &[
+        Form::new(&[Argument::flag("release", "argument-rc-release")], |_| {
+            sticks(StickChange::Release)
+        }),
+        Form::new(
+            &[
+                Argument::value(
+                    "channel",
+                    Kind::Whole(Unit::None, 1.0, 16.0),
+                    "argument-rc-channel",
+                ),
+                Argument::value(
+                    "pulse",
+                    Kind::Whole(Unit::Microseconds, 800.0, 2200.0),
+                    "argument-pulse",
+                ),
+            ],
+            |given| {
+                sticks(StickChange::Hold {
+                    channel: given.required("channel")? as u8,
+                    pulse_us: given.required("pulse")? as u16,
+                })
+            },
+        ),
+    ],
+};
+
+fn sticks(change: StickChange) -> Built {
+    command(Command::Device(DeviceCommand::Sticks(change)))
+}

@@ -95,6 +95,7 @@ impl Shared {
             sink: None,
             relay: &self.relay,
             signer: None,
+            system: 255,
         };
         let link = open_shared(id, transport, services, inbound, cancel);
         self.links.push(link);

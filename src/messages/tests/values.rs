@@ -265,7 +265,7 @@ fn outputs_of_a_second_port_do_not_replace_the_first() {
 
 #[test]
 fn two_boards_with_long_ids_only_are_told_apart() {
-    let uid = |first: u8| {
+    let board = |first: u8| {
         let mut bench = Bench::new();
         let mut uid2 = [7; 18];
         uid2[0] = first;
@@ -276,10 +276,10 @@ fn two_boards_with_long_ids_only_are_told_apart() {
         }));
         let version = bench.vehicle.version.expect("a version");
         assert_eq!(version.firmware, (4, 6, 1));
-        version.uid
+        version.board
     };
-    assert_ne!(uid(51), uid(52));
-    assert_eq!(uid(51), uid(51));
+    assert_ne!(board(51), board(52));
+    assert_eq!(board(51), board(51));
 }
 
 #[test]

@@ -60,8 +60,8 @@ fn read(text: &str) -> ParameterDocuments {
     found.documents
 }
 
-fn range(least: f64, most: f64) -> Option<DocumentedRange> {
-    Some(DocumentedRange { least, most })
+fn range(least: f64, most: f64) -> DocumentedRange {
+    DocumentedRange { least, most }
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn both_files_of_ardupilot_say_the_same() {
     assert_eq!(height.description, "Height above home <before> the return.");
     assert_eq!(
         (height.range, height.increment),
-        (range(30.0, 300_000.0), Some(1.0))
+        (Some(range(30.0, 300_000.0)), Some(1.0))
     );
     assert!(xml.get("LOG_BITMASK").expect("documented").needs_reboot);
     assert_eq!((xml.len(), json.len()), (4, 4));
@@ -89,7 +89,7 @@ fn the_file_of_px4_is_read() {
     let found = read(PX4);
     let height = found.get("RTL_RETURN_ALT").expect("documented");
     assert_eq!(height.description, "Above home.");
-    assert_eq!(height.range, range(0.0, f64::INFINITY));
+    assert_eq!(height.range, Some(range(0.0, f64::INFINITY)));
     assert_eq!(height.increment, Some(0.5));
     let action = found.get("NAV_RCL_ACT").expect("documented");
     assert_eq!(action.meaning(2.0).as_deref(), Some("Return"));

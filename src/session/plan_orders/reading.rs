@@ -10,7 +10,7 @@ use crate::session::ftp::{FtpClient, FtpEvent, FtpFault, FtpTask, FtpTicket};
 use crate::session::plans::download::{Download, Step};
 use crate::session::plans::wire;
 use crate::vehicle::Transfer;
-use crate::wire::Frame;
+use crate::wire::{Frame, SystemId};
 
 /// The pause before a list is requested again: the vehicle may still be waiting for items of an upload.
 const REST: Duration = Duration::from_secs(2);
@@ -139,8 +139,15 @@ impl Reading {
     }
 
     /// Handles a message of the vehicle.
-    pub fn receive(&mut self, frame: &Frame, now: Duration, out: &mut Vec<MavMessage>) {
-        if let (Way::Items(download), Some((kind, answer))) = (&mut self.way, wire::answer(frame))
+    pub fn receive(
+        &mut self,
+        frame: &Frame,
+        station: SystemId,
+        now: Duration,
+        out: &mut Vec<MavMessage>,
+    ) {
+        if let (Way::Items(download), Some((kind, answer))) =
+            (&mut self.way, wire::answer(frame, station))
             && kind == self.kind
         {
             let step = download.receive(answer, now, out);

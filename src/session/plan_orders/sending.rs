@@ -19,7 +19,7 @@ use super::packed;
 use crate::plan::{Item, ListKind};
 use crate::session::plans::wire::mission_type;
 use crate::vehicle::Vehicle;
-use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, Outgoing};
+use crate::wire::{Content, Frame, Outgoing};
 
 /// How long the first request may take before the length is sent again, and how many times it is sent.
 const FIRST_REQUEST_WITHIN: Duration = Duration::from_secs(1);
@@ -90,7 +90,7 @@ impl Sending {
             MavMessage::MISSION_ACK(data) => (data.target_system, data.mission_type),
             _ => return,
         };
-        if !matches!(to, 0 | GROUND_STATION_SYSTEM) || list as u8 != self.kind.number() {
+        if ![0, vehicle.station].contains(&to) || list as u8 != self.kind.number() {
             return;
         }
         match message {

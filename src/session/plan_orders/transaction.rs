@@ -149,7 +149,7 @@ impl Transaction {
         match &mut self.phase {
             Phase::Keeping(reading) | Phase::Checking(reading) => {
                 let mut messages = Vec::new();
-                reading.receive(frame, desk.now, &mut messages);
+                reading.receive(frame, desk.vehicle.station, desk.now, &mut messages);
                 desk.output.send(messages);
             }
             Phase::Writing(Writing::Items(sending)) => {

@@ -70,7 +70,7 @@ fn capabilities(bits: u64) -> AutopilotVersion {
     AutopilotVersion {
         firmware: (4, 6, 0),
         capabilities: bits,
-        uid: 0,
+        board: None,
         hash: [0; 8],
     }
 }
@@ -316,7 +316,7 @@ fn commands_newer_than_the_dialect_and_answers_to_others_are_told_apart() {
     payload[36..38].copy_from_slice(&[0, 1]);
     let mut newer = frame(MavMessage::MISSION_COUNT(MISSION_COUNT_DATA::DEFAULT));
     newer.content = Content::Undecoded { id: 73, payload };
-    let Some((ListKind::Fence, Answer::Item(seq, item))) = wire::answer(&newer) else {
+    let Some((ListKind::Fence, Answer::Item(seq, item))) = wire::answer(&newer, 255) else {
         panic!("an item of the fence");
     };
     assert_eq!((seq, item.command, item.y), (2, 60_000, 0));
@@ -324,7 +324,7 @@ fn commands_newer_than_the_dialect_and_answers_to_others_are_told_apart() {
         target_system: 254,
         ..MISSION_COUNT_DATA::DEFAULT
     }));
-    assert_eq!(wire::answer(&others), None);
+    assert_eq!(wire::answer(&others, 255), None);
 }
 
 #[test]

@@ -14,7 +14,7 @@ use mavlink::dialects::ardupilotmega::{
 
 use crate::plan::command::has_place;
 use crate::plan::{Item, ListKind};
-use crate::wire::{Content, Frame, GROUND_STATION_SYSTEM, MavAddress};
+use crate::wire::{Content, Frame, MavAddress, SystemId};
 
 /// MAVLink ids of the messages that carry an item.
 const MISSION_ITEM: u32 = MISSION_ITEM_DATA::ID;
@@ -39,7 +39,7 @@ pub(in crate::session) enum Form {
 }
 
 /// The answer in a frame, with the list that it is about. Answers to other ground stations do not count.
-pub(in crate::session) fn answer(frame: &Frame) -> Option<(ListKind, Answer)> {
+pub(in crate::session) fn answer(frame: &Frame, station: SystemId) -> Option<(ListKind, Answer)> {
     let (target, kind, answer) = match &frame.content {
         Content::Message(MavMessage::MISSION_COUNT(data)) => {
             let kind = kind(data.mission_type as u8)?;
@@ -72,7 +72,7 @@ pub(in crate::session) fn answer(frame: &Frame) -> Option<(ListKind, Answer)> {
         }
         Content::Message(_) | Content::Undecoded { .. } | Content::Unknown { .. } => return None,
     };
-    (target == 0 || target == GROUND_STATION_SYSTEM).then_some((kind, answer))
+    [0, station].contains(&target).then_some((kind, answer))
 }
 
 /// The kind of the list if a frame shows that the vehicle has accepted another program's upload.

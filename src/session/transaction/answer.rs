@@ -12,7 +12,7 @@ use crate::session::acknowledgement::Acknowledgement;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
-use crate::wire::{Content, Frame};
+use crate::wire::{Content, Frame, SystemId};
 
 /// How long status texts may follow a refusal to explain it.
 const REASON_PATIENCE: Duration = Duration::from_millis(300);
@@ -26,13 +26,19 @@ const PROGRESS_UNKNOWN: u8 = 255;
 
 impl Transaction {
     /// Looks for the answer in a frame of the vehicle's autopilot.
-    pub fn receive(&mut self, frame: &Frame, now: Duration, output: &mut Output) {
+    pub fn receive(
+        &mut self,
+        frame: &Frame,
+        station: SystemId,
+        now: Duration,
+        output: &mut Output,
+    ) {
         if !matches!(self.phase, TransactionPhase::AwaitingAnswer { .. }) {
             return;
         }
         match (&self.request.answer, &frame.content) {
             (Answer::Ack(command), _) => {
-                if let Some(ack) = Acknowledgement::from_frame(frame)
+                if let Some(ack) = Acknowledgement::from_frame(frame, station)
                     && ack.command == *command
                 {
                     self.acknowledged(ack, now, output);

@@ -37,6 +37,7 @@ use crate::store::{LogFolder, PlanFiles, Records, Runs, TransferredFiles};
 use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
+use crate::wire::SystemId;
 
 /// The position and heading of the first vehicle in free flight.
 const FREE_FLIGHT_START: Start = Start {
@@ -72,6 +73,8 @@ pub(in crate::shell) struct SessionBackend {
     pub data: Option<PathBuf>,
     /// The keys of signed links.
     pub signer: Option<Signer>,
+    /// The system id of this program; the usual one if there is none.
+    pub station: Option<SystemId>,
     /// The stake and the career of a mission.
     pub occasion: Occasion,
     /// The trainee's attempts before this one, oldest first.
@@ -111,6 +114,7 @@ impl SessionPlan {
             files: Some(Arc::new(TransferredFiles)),
             plans: Some(self.shelf(backend.occasion.stake, backend.data.as_deref())),
             signer: backend.signer.clone(),
+            station: backend.station,
         }
     }
 

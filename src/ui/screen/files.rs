@@ -108,7 +108,7 @@ fn grouped(number: u32) -> String {
     let digits = number.to_string();
     let mut grouped = String::new();
     for (at, digit) in digits.chars().enumerate() {
-        if at > 0 && (digits.len() - at) % 3 == 0 {
+        if at > 0 && (digits.len() - at).is_multiple_of(3) {
             grouped.push(' ');
         }
         grouped.push(digit);
@@ -127,9 +127,8 @@ fn missing(state: &State, vehicle: VehicleId) -> (Text, Role) {
             let text = text!("files-not-listed", reason = reason, key = again);
             (text, Role::Warning)
         }
-        Some(_) => (text!("files-listing"), Role::Muted),
         None if state.replay().is_some() => (text!("files-in-replay"), Role::Muted),
-        None => (text!("files-listing"), Role::Muted),
+        Some(_) | None => (text!("files-listing"), Role::Muted),
     }
 }
 

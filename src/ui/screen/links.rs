@@ -18,6 +18,9 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::{below, clip, columns, put, row_of, upper, wrap};
+use crate::vehicle::VehicleId;
+use crate::vehicle_id::ranges;
+use crate::wire::SystemId;
 
 mod forwards;
 
@@ -157,7 +160,7 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
     let mut row = 0;
     for finding in mine {
         let (sign, role) = signed(finding.cause.weight());
-        let says = format!("{}: {}", panel.say(sign), panel.text(&finding.cause.says()));
+        let says = format!("{}: {}", panel.say(sign), panel.text(&finding.says()));
         let lines = wrap(&says, width).into_iter().map(|line| (line, role));
         let advice = wrap(&panel.text(&finding.advice()), width)
             .into_iter()
@@ -181,6 +184,7 @@ fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&format!("{} {}", at + 1, panel.text(&link.name)), buffer);
     let mut lines = counters(link, panel.look);
     lines.extend(autopilots(state, at));
+    lines.extend(controls(state, at, panel.look));
     lines.extend(radios(state, at, panel.look));
     let mut row = 0;
     for (label, words) in lines {
@@ -247,6 +251,24 @@ fn autopilots(state: &State, at: usize) -> Option<(Text, String)> {
     let named = counts.iter().map(|(name, count)| format!("{name} {count}"));
     let words = named.collect::<Vec<_>>().join(", ");
     (!words.is_empty()).then(|| (text!("links-autopilots"), words))
+}
+
+/// The ground stations in control of the vehicles on a link, if any vehicle announces its own: `255: 1-3; free: 4`.
+fn controls(state: &State, at: usize, look: &Look) -> Option<(Text, String)> {
+    let vehicles = state.session().vehicles().values();
+    let mine = vehicles.filter(|vehicle| vehicle.link.via.map(usize::from) == Some(at));
+    let mut owners: BTreeMap<Option<SystemId>, Vec<VehicleId>> = BTreeMap::new();
+    for vehicle in mine {
+        if let Some(control) = vehicle.control {
+            owners.entry(control.owner).or_default().push(vehicle.id);
+        }
+    }
+    let parts = owners.into_iter().map(|(owner, vehicles)| {
+        let owner = owner.map_or_else(|| look.say("links-control-free"), |id| id.to_string());
+        format!("{owner}: {}", ranges(vehicles))
+    });
+    let parts: Vec<String> = parts.collect();
+    (!parts.is_empty()).then(|| (text!("links-control"), parts.join("; ")))
 }
 
 /// The radio tests of the vehicles on a link: what was requested, and what was measured.

@@ -28,6 +28,7 @@ pub fn draw(state: &State, overlay: &Overlay, panel: Panel<'_>, buffer: &mut Buf
         Overlay::Profiles { cursor } => {
             super::profiles::draw(state, *cursor, panel, buffer);
         }
+        Overlay::Sticks(mode) => super::sticks::draw(state, mode, panel, buffer),
         Overlay::Help(page) => draw_help(state, page, panel, buffer),
         Overlay::Log { log, cursor } => {
             super::log::draw(state, *log, *cursor, panel, buffer);

@@ -58,7 +58,7 @@ fn waiting_lines(state: &State, look: &Look, width: u16) -> Vec<(String, Role)> 
     lines.extend(session.worst_finding().map(|finding| {
         let says = text!(
             "links-ailing",
-            finding = finding.cause.says(),
+            finding = finding.says(),
             key = state.key(Action::Show(Room::Links))
         );
         let text = format!("  {}", look.text(&says));

@@ -154,11 +154,11 @@ fn no_english_is_left_in_ukrainian_faults_of_a_mission() {
     let path = folder.path().display().to_string();
     let checked = sortie(&["check", &path, "--lang", "uk"]);
     let found = text(&checked.stdout);
-    for number in 0..BREAKS.len() {
+    for (number, broken) in BREAKS.iter().enumerate() {
         let place = format!("{path}/{number}.toml:");
         let lines: Vec<&str> = found.lines().filter(|it| it.starts_with(&place)).collect();
         // One fault each, without others that follow from it.
-        assert_eq!(lines.len(), 1, "{:?}: {lines:#?}", BREAKS[number]);
+        assert_eq!(lines.len(), 1, "{broken:?}: {lines:#?}");
         // What is typed or listed is the same in every language.
         let said = lines[0][place.len()..].split("; відомі:").next();
         let said: String = said

@@ -2,22 +2,59 @@
 
 use super::*;
 
+/// The id of vehicle 1's board, once it is known.
+fn board(console: &Console) -> Option<String> {
+    let version = console.vehicle(1)?.version?;
+    version.board.map(|board| board.to_string())
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn one_vehicle_on_two_links_is_no_conflict_of_ids() {
+    let (addresses, cancel) = serve(world(1), 1.0).await;
+    let mut console = Console::start();
+    console.connect(&addresses[0]);
+    console
+        .until("the board is known", |console| board(console).is_some())
+        .await;
+    console.connect(&addresses[0]);
+    console
+        .until("it is told as one vehicle", |console| {
+            let mut notices = console.notices.iter();
+            notices.any(|text| text.contains("vehicle 1 is heard twice"))
+        })
+        .await;
+    cancel.cancel();
+}
+
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn two_vehicles_with_one_system_id_are_named() {
     let (first, cancel_first) = serve(world(1), 1.0).await;
-    let (second, cancel_second) = serve(world(1), 1.0).await;
+    let mut other = world(1);
+    other.mark_boards(7);
+    let (second, cancel_second) = serve(other, 1.0).await;
     let mut console = Console::start();
     console.connect(&first[0]);
+    console
+        .until("the first board is known", |console| {
+            board(console).is_some()
+        })
+        .await;
+    let known = board(&console).expect("known");
     console.connect(&second[0]);
     console
         .until("the conflict is named", |console| {
-            console
-                .notices
-                .iter()
-                .any(|text| text.contains("two senders use system id 1"))
+            console.notices.iter().any(|text| {
+                let names_both = text.matches(", board ").count() == 2 && text.contains(&known);
+                names_both && text.contains("two senders use system id 1")
+            })
         })
         .await;
     assert_eq!(console.vehicles.len(), 1);
+    console
+        .until("the vehicle is marked", |console| {
+            console.vehicle(1).is_some_and(|it| it.twin.is_some())
+        })
+        .await;
     cancel_first.cancel();
     cancel_second.cancel();
 }

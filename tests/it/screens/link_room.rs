@@ -33,7 +33,12 @@ fn link(name: &str, up: bool) -> LinkSummary {
 }
 
 fn finding(link: usize, way: Way, cause: Cause) -> LinkFinding {
-    LinkFinding { link, way, cause }
+    LinkFinding {
+        link,
+        way,
+        cause,
+        boards: Vec::new(),
+    }
 }
 
 /// A console in the room of links, with one faulty link and one closed link.

@@ -13,7 +13,7 @@ use sortie::plan::Item;
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Theme};
 use sortie::vehicle::{
-    AutopilotVersion, FenceArea, FencePlan, FenceShape, GpsAccuracy, Health, Hud, Plan,
+    AutopilotVersion, BoardId, FenceArea, FencePlan, FenceShape, GpsAccuracy, Health, Hud, Plan,
     PlanProgress, RallyPlan, RcChannels, Severity, StatusText, Stored, Target, Transfer, Vehicle,
     Vibration, Wind,
 };
@@ -107,7 +107,7 @@ fn talkative(altitude_m: f64) -> Vehicle {
     vehicle.version = Some(AutopilotVersion {
         firmware: (4, 6, 0),
         capabilities: 0,
-        uid: 0,
+        board: BoardId::of(0x5EED, &[0; 18]),
         hash: [0; 8],
     });
     add_channels(&mut vehicle);

@@ -146,7 +146,7 @@ impl Messages {
     }
 
     fn add_link(&self, link: usize, traffic: &LinkTraffic, filter: &str, lines: &mut Vec<Branch>) {
-        let systems = self.systems(link, traffic, filter);
+        let systems = systems(link, traffic, filter);
         if systems.is_empty() && !self.filter.is_empty() {
             return;
         }
@@ -174,26 +174,6 @@ impl Messages {
                 }
             }
         }
-    }
-
-    /// The messages of a link that match the filter, by system and component.
-    fn systems(&self, link: usize, traffic: &LinkTraffic, filter: &str) -> Systems {
-        let mut systems = Systems::new();
-        let Some(census) = &traffic.census else {
-            return systems;
-        };
-        for (key, tally) in census.tallies() {
-            if !census.is_credible(key, tally) || !matches(filter, key) {
-                continue;
-            }
-            systems
-                .entry(Node::system_of(link, key.source))
-                .or_default()
-                .entry(Node::Component(link, key.source))
-                .or_default()
-                .push(Branch::of(Node::Message(link, key), tally, traffic.now));
-        }
-        systems
     }
 
     /// Adds a line that can be closed, and returns whether it is open. With a filter, every line is
@@ -231,4 +211,24 @@ fn matches(filter: &str, key: TallyKey) -> bool {
     }
     let wanted = filter.to_lowercase();
     name_of(key.message).to_lowercase().contains(&wanted) || key.message.to_string() == filter
+}
+
+/// The messages of a link that match the filter, by system and component.
+fn systems(link: usize, traffic: &LinkTraffic, filter: &str) -> Systems {
+    let mut systems = Systems::new();
+    let Some(census) = &traffic.census else {
+        return systems;
+    };
+    for (key, tally) in census.tallies() {
+        if !census.is_credible(key, tally) || !matches(filter, key) {
+            continue;
+        }
+        systems
+            .entry(Node::system_of(link, key.source))
+            .or_default()
+            .entry(Node::Component(link, key.source))
+            .or_default()
+            .push(Branch::of(Node::Message(link, key), tally, traffic.now));
+    }
+    systems
 }

@@ -38,6 +38,7 @@ fn action_replayed(action: Action) -> ReplayUse {
         | Action::AgainAlike
         | Action::Abandon
         | Action::Acknowledge
+        | Action::TakeSticks
         | Action::Map(MapAction::GotoHere)
         | Action::Parameters(
             ParametersAction::LoadParameters

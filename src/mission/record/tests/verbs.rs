@@ -4,9 +4,10 @@ use super::*;
 
 /// The verbs that a record may name. A record outlives the table: if a verb gets another name, the old one must stay
 /// readable ([`language::verb`]) before it is changed here.
-const RECORDED_VERBS: [&str; 57] = [
+const RECORDED_VERBS: [&str; 59] = [
     "altitude",
     "arm",
+    "control",
     "disarm",
     "drop",
     "fence",
@@ -41,6 +42,7 @@ const RECORDED_VERBS: [&str; 57] = [
     "plan start",
     "predict",
     "rally",
+    "rc",
     "reboot",
     "relay",
     "relay to",

@@ -11,7 +11,7 @@ pub(super) fn now(state: &State) -> Vec<Text> {
     let links = session.links().iter().flat_map(link_texts);
     let forwards = session.forwards().iter().map(forward_text);
     let findings = session.findings().iter();
-    let ailments = findings.flat_map(|finding| [finding.cause.says(), finding.advice()]);
+    let ailments = findings.flat_map(|finding| [finding.says(), finding.advice()]);
     let vehicles = session.vehicles().values();
     let radios = vehicles.filter_map(|vehicle| radio_text(vehicle));
     let all = links.chain(radios).chain(forwards);

@@ -53,6 +53,9 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
 fn entries(subject: &VehicleSubject<'_>) -> Vec<Entry> {
     let (vehicle, look) = (subject.vehicle, subject.look);
     let mut entries = vec![mode(vehicle, look), ready(subject)];
+    entries.extend(control(vehicle, look));
+    let held = vehicle.held.map(|held| held.text());
+    entries.extend(held.map(|held| ("vehicle-held", held, Role::Danger)));
     entries.extend([
         ("vehicle-altitude", altitude(vehicle, look), Role::Text),
         ("vehicle-speed", speed(vehicle, look), Role::Text),
@@ -66,6 +69,7 @@ fn entries(subject: &VehicleSubject<'_>) -> Vec<Entry> {
         ("vehicle-place-of", place(vehicle), Role::Text),
         ("vehicle-load", load(vehicle), Role::Text),
         ("vehicle-firmware", firmware(vehicle), Role::Text),
+        board(vehicle, look),
     ]);
     entries
 }
@@ -124,6 +128,25 @@ fn ready(subject: &VehicleSubject<'_>) -> Entry {
     } else {
         (WARNING, look.say("vehicle-not-ready"), Role::Warning)
     }
+}
+
+/// The ground station in control, if the vehicle announces it.
+fn control(vehicle: &Vehicle, look: &Look) -> Option<Entry> {
+    let control = vehicle.control?;
+    let (text, role) = match control.owner {
+        None => (text!("vehicle-control-free"), Role::Text),
+        Some(_) if vehicle.is_controlled_here() => (text!("vehicle-control-here"), Role::Ok),
+        Some(owner) => (
+            text!("vehicle-control-station", station = owner),
+            Role::Warning,
+        ),
+    };
+    let mut value = look.text(&text);
+    if control.takeover {
+        let open = look.say("vehicle-control-open");
+        value = format!("{value}, {open}");
+    }
+    Some(("vehicle-control", value, role))
 }
 
 fn altitude(vehicle: &Vehicle, look: &Look) -> String {
@@ -305,4 +328,15 @@ fn firmware(vehicle: &Vehicle) -> String {
         unknown if unknown.is_empty() => UNKNOWN.to_owned(),
         known => known,
     }
+}
+
+/// The id of the autopilot's board, and whether another vehicle with the same number is heard.
+fn board(vehicle: &Vehicle, look: &Look) -> Entry {
+    let board = vehicle.version.and_then(|version| version.board);
+    let board = board.map_or_else(|| UNKNOWN.to_owned(), |board| board.to_string());
+    if vehicle.twin.is_none() {
+        return ("vehicle-board", board, Role::Text);
+    }
+    let twin = look.text(&text!("vehicle-board-twin", system = vehicle.system));
+    ("vehicle-board", format!("{board} {twin}"), Role::Danger)
 }

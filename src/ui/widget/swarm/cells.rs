@@ -138,6 +138,9 @@ fn unknown() -> Cell {
 
 fn id(row: &Row<'_>) -> Cell {
     let badge = Badge::of_vehicle(row.vehicle.id);
+    if row.vehicle.twin.is_some() {
+        return (format!("{}!", row.vehicle.id), Role::Danger);
+    }
     (row.vehicle.id.to_string(), badge.role)
 }
 
@@ -159,6 +162,10 @@ fn mode(vehicle: &Vehicle) -> Cell {
     };
     if vehicle.has_paused() {
         (format!("{mode} {PAUSED}"), Role::Warning)
+    } else if vehicle.held.is_some() {
+        (format!("{mode} RC"), Role::Danger)
+    } else if let Some(station) = vehicle.barred_by() {
+        (format!("{mode} @{station}"), Role::Warning)
     } else {
         (mode, Role::Text)
     }
