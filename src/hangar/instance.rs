@@ -229,7 +229,9 @@ impl InstanceTask {
             () = self.shared.cancel.cancelled() => InstanceEvent::Over(None),
             request = self.requests.recv() => match request {
                 Some(InstanceRequest::Attach(answer)) => {
-                    drop(answer.send(self.relay.attach()));
+                    let pipe = self.relay.attach();
+                    self.shown.refused += u32::from(pipe.is_none());
+                    drop(answer.send(pipe));
                     InstanceEvent::Nothing
                 }
                 Some(InstanceRequest::Restart) => InstanceEvent::Restart,
@@ -294,6 +296,11 @@ impl InstanceTask {
             }
             None => None,
         };
+        if let Some(dump) = self.dump() {
+            let hint = self.shown.hint.take();
+            let told = hint.into_iter().chain([format!("its stack is in {dump}")]);
+            self.shown.hint = Some(told.collect::<Vec<_>>().join("; "));
+        }
         if wait.is_none() {
             self.shared.roster.lay_down(self.shown.id);
         }
@@ -314,6 +321,13 @@ impl InstanceTask {
                 }
             }
         }
+    }
+
+    /// The file with the stack that the autopilot has left in its folder, if it crashed there.
+    fn dump(&self) -> Option<String> {
+        let names = std::fs::read_dir(&self.order.folder).ok()?.flatten();
+        let mut names = names.map(|file| file.file_name().to_string_lossy().into_owned());
+        names.find(|name| name.starts_with("dumpstack") && name.ends_with(".out"))
     }
 
     fn diagnosis(&self, lack: String, meter: &InstanceMeter) -> String {
