@@ -7,11 +7,11 @@
 use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavType};
+use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavAutopilot, MavMessage, MavType};
 use mavlink::{MavlinkVersion, MessageData as _};
 
 use crate::inspector::{Census, Direction, FrameSource, MessageTally};
-use crate::wire::{Anatomy, ComponentId, Counters, Seal, SequenceStep, SystemId};
+use crate::wire::{Anatomy, ComponentId, Content, Counters, Frame, Seal, SequenceStep, SystemId};
 
 mod diagnosis;
 #[cfg(test)]
@@ -100,6 +100,9 @@ pub struct NumberedFrames {
     pub late: u64,
     /// Frames by their signatures.
     pub seals: SealCounts,
+    /// Whether the sender is a ground station. Vehicles forward only some of a station's frames, so its gaps are no
+    /// losses.
+    pub is_station: bool,
 }
 
 /// Frames of one sender, by their signatures.
@@ -172,6 +175,7 @@ impl NumberedFrames {
             lost: self.lost.saturating_sub(before.lost),
             late: self.late.saturating_sub(before.late),
             seals: self.seals.since(before.seals),
+            is_station: self.is_station,
         }
     }
 }
@@ -234,6 +238,14 @@ fn sender(census: &Census, source: FrameSource, now: Duration) -> Option<Sender>
 
 fn dress(tally: &MessageTally) -> Option<(MavlinkVersion, bool)> {
     Anatomy::of(&tally.last).map(|frame| (frame.version, frame.signed))
+}
+
+/// Whether a frame is the heartbeat of a ground station.
+pub fn is_of_a_station(frame: &Frame) -> bool {
+    let Content::Message(MavMessage::HEARTBEAT(beat)) = &frame.content else {
+        return false;
+    };
+    beat.mavtype == MavType::MAV_TYPE_GCS
 }
 
 fn role(heartbeat: &MessageTally) -> HeartbeatRole {

@@ -36,6 +36,8 @@ pub(super) enum ToVehicle {
     FetchParameters,
     /// Its autopilot has been restarted.
     Restarted,
+    /// Another ground station is heard on its link.
+    StationHeard,
     /// A change to its simulator or its link.
     Want(Want),
     /// The vehicle is now reached over another link or peer.
@@ -134,6 +136,7 @@ impl VehicleTask {
             ToVehicle::Steer(steering) => self.steer(&steering, now),
             ToVehicle::FetchParameters => self.session.fetch_parameters(now),
             ToVehicle::Restarted => self.session.restarted(now),
+            ToVehicle::StationHeard => self.session.station_heard(now),
             ToVehicle::Want(want) => {
                 self.session.carry_out(want);
                 // In missions, each vehicle has its own link.
@@ -142,6 +145,7 @@ impl VehicleTask {
             ToVehicle::Route(link, peer) => {
                 self.session.sign_with(desk_of(&link));
                 self.session.heard_via(link.id().0, now);
+                self.session.moved(now);
                 self.reconnects = link.status().borrow().reconnects;
                 self.route = (link, peer);
             }

@@ -216,10 +216,7 @@ fn a_terminal_that_is_too_small_is_told_so_until_it_grows() {
         .see("24")
         .see("60")
         .see("15");
-    terminal
-        .resize(120, 40)
-        .see("4 vehicles")
-        .see("ledger ──");
+    terminal.resize(120, 40).see("4 vehicles").see("ledger ──");
     terminal.command("quit");
     assert_eq!(terminal.end(), 0);
 }

@@ -8,6 +8,7 @@ use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
 use crate::app::state::{Activity, TimeFlow};
 use crate::campaign::Stake;
+use crate::doctor::Way;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -86,6 +87,9 @@ fn obstacle(state: &State) -> Option<Text> {
         _ if session.task.over => Some(text!("deed-over")),
         _ if session.is_paused() => Some(text!("pause-is-one")),
         _ if session.hangar.is_some() => Some(text!("pause-not-processes")),
+        Some(Activity::Connected { addresses }) if is_a_recording(addresses) => {
+            Some(text!("pause-recording"))
+        }
         Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
         Some(Activity::Mission { .. } | Activity::Free) => {
             let not_begun = || session.is_reading().then(|| text!("pause-not-begun"));
@@ -94,6 +98,12 @@ fn obstacle(state: &State) -> Option<Text> {
                 .or_else(not_begun)
         }
     }
+}
+
+/// Whether everything that is heard comes from recordings.
+fn is_a_recording(addresses: &[String]) -> bool {
+    let is_file = |address: &String| Way::of(address) == Way::File || address.ends_with(".tlog");
+    !addresses.is_empty() && addresses.iter().all(is_file)
 }
 
 /// Starts a mission, after a question if something would be lost; a locked one is refused.

@@ -1,6 +1,7 @@
 //! Commands to vehicles: their targets, the question before a dangerous command, and their ledger
 //! entries.
 
+use super::own_fence;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
@@ -133,7 +134,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
     }
     let targets = ranges(order.targets.iter().copied());
     let key = state.keymap.key(Action::Submit, Place::Prompt);
-    let danger = match state.session.hazard(order) {
+    let danger = match own_fence::hazard(state, order) {
         Some(_) => Danger::Confirm,
         None => order.verb.danger,
     };
@@ -145,7 +146,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
 
 /// Sends a command, or asks before a dangerous one.
 pub fn give(state: &mut State, order: Order) -> Effects {
-    let hazard = state.session.hazard(&order);
+    let hazard = own_fence::hazard(state, &order);
     if order.verb.danger == Danger::None && hazard.is_none() {
         return Effects::from(send(state, order).effect);
     }
@@ -175,7 +176,7 @@ pub fn give(state: &mut State, order: Order) -> Effects {
 
 /// Sends the uploads of a draft's lists; if any of them is dangerous, asks once for all of them.
 pub fn give_uploads(state: &mut State, orders: Vec<Order>) -> Effects {
-    let is_dangerous = |order: &&Order| state.session.hazard(order).is_some();
+    let is_dangerous = |order: &&Order| own_fence::hazard(state, order).is_some();
     let Some(worst) = orders.iter().find(is_dangerous).cloned() else {
         return upload(state, orders);
     };
