@@ -1,5 +1,6 @@
 //! One instance's task: its process, its connection, its stages and its end.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -327,7 +328,8 @@ impl InstanceTask {
     fn dump(&self) -> Option<String> {
         let names = std::fs::read_dir(&self.order.folder).ok()?.flatten();
         let mut names = names.map(|file| file.file_name().to_string_lossy().into_owned());
-        names.find(|name| name.starts_with("dumpstack") && name.ends_with(".out"))
+        let is_output = |name: &String| Path::new(name).extension().is_some_and(|it| it == "out");
+        names.find(|name| name.starts_with("dumpstack") && is_output(name))
     }
 
     fn diagnosis(&self, lack: String, meter: &InstanceMeter) -> String {

@@ -1,5 +1,7 @@
 //! The course of a session: pause, end, restart.
 
+use std::path::Path;
+
 use super::ending::{ask, guarded, leave, loss};
 use super::replay;
 use crate::app::State;
@@ -102,7 +104,12 @@ fn obstacle(state: &State) -> Option<Text> {
 
 /// Whether everything that is heard comes from recordings.
 fn is_a_recording(addresses: &[String]) -> bool {
-    let is_file = |address: &String| Way::of(address) == Way::File || address.ends_with(".tlog");
+    let is_tlog = |address: &String| {
+        Path::new(address)
+            .extension()
+            .is_some_and(|it| it == "tlog")
+    };
+    let is_file = |address: &String| Way::of(address) == Way::File || is_tlog(address);
     !addresses.is_empty() && addresses.iter().all(is_file)
 }
 
