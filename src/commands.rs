@@ -270,7 +270,7 @@ impl Command {
             Self::File(command) => command.hazard(),
             Self::Device(command) => command.hazard(vehicle),
             Self::Signing(change) => Some(signing_hazard(*change)),
-            Self::Raw(command) => command.hazard(),
+            Self::Raw(command) => Some(command.hazard()),
             Self::Arming(_)
             | Self::Flight(_)
             | Self::PlanFlight(_)

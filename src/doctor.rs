@@ -14,7 +14,7 @@ use mavlink::{MavlinkVersion, MessageData as _};
 
 use crate::inspector::{Census, Direction, FrameSource, MessageTally};
 use crate::wire::{
-    Anatomy, BoardId, ComponentId, Content, Counters, Decoder, Seal, SequenceStep, SystemId,
+    Anatomy, BoardId, ComponentId, Content, Counters, Decoder, Frame, Seal, SequenceStep, SystemId,
 };
 
 mod diagnosis;
@@ -106,6 +106,9 @@ pub struct NumberedFrames {
     pub late: u64,
     /// Frames by their signatures.
     pub seals: SealCounts,
+    /// Whether the sender is a ground station. Vehicles forward only some of a station's frames, so its gaps are no
+    /// losses.
+    pub is_station: bool,
 }
 
 /// Frames of one sender, by their signatures.
@@ -178,6 +181,7 @@ impl NumberedFrames {
             lost: self.lost.saturating_sub(before.lost),
             late: self.late.saturating_sub(before.late),
             seals: self.seals.since(before.seals),
+            is_station: self.is_station,
         }
     }
 }
@@ -255,6 +259,14 @@ fn board(census: &Census, source: FrameSource) -> Option<BoardId> {
 
 fn dress(tally: &MessageTally) -> Option<(MavlinkVersion, bool)> {
     Anatomy::of(&tally.last).map(|frame| (frame.version, frame.signed))
+}
+
+/// Whether a frame is the heartbeat of a ground station.
+pub fn is_of_a_station(frame: &Frame) -> bool {
+    let Content::Message(MavMessage::HEARTBEAT(beat)) = &frame.content else {
+        return false;
+    };
+    beat.mavtype == MavType::MAV_TYPE_GCS
 }
 
 fn role(heartbeat: &MessageTally) -> HeartbeatRole {

@@ -94,7 +94,8 @@ pub struct Instance {
     /// The missing condition if a stage takes long or, after the instance has ended, the next step.
     #[serde(default)]
     pub hint: Option<String>,
-    /// The number of refused connections from other processes.
+    /// The number of refused connections: from other processes in place of its own, and of a second program to the
+    /// vehicle.
     #[serde(default)]
     pub refused: u32,
     /// The last lines that it printed, oldest first; set when it has ended without a request.

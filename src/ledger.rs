@@ -219,12 +219,19 @@ pub struct LedgerEntry {
 
 impl LedgerEntry {
     /// The state of one of the entry's rows in a few words. A rehearsal without an effect counts as
-    /// failed.
+    /// failed; a raw command is only known to be accepted, because no effect of it is watched.
     pub fn state_of(&self, row: &LedgerRow) -> Text {
         match (self.verb.counts_as, row.state) {
             (CountsAs::Rehearsal, RowState::NoEffect) => text!("state-rehearsal-failed"),
+            (_, RowState::Done) if !self.watches_effects() => text!("state-accepted"),
             _ => row.text(),
         }
+    }
+
+    /// Whether an effect of the command can be observed, apart from its acceptance; `MAV_CMD`s sent as typed are not
+    /// interpreted.
+    pub fn watches_effects(&self) -> bool {
+        !matches!(self.verb.name, "long" | "int")
     }
 
     /// Whether every row has ended.

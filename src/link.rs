@@ -19,6 +19,7 @@ use crate::doctor::{NumberedSenders, SealCounts};
 use crate::forward::ForwardSpec;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 use crate::wire::{
     ComponentId, Counters, Frame, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, Outgoing,
     SystemId,
@@ -101,6 +102,8 @@ pub enum Transport {
     Address(Address),
     /// A byte pipe within this program, such as the embedded simulator's.
     Pipe(DuplexStream),
+    /// The byte pipe to the process that simulates this vehicle.
+    Sitl(VehicleId, DuplexStream),
 }
 
 /// The options of a link.
@@ -344,7 +347,11 @@ pub fn open_shared(
         system,
     } = services;
     let signed = match (&transport, signer) {
-        (Transport::Address(Address::File { .. }) | Transport::Pipe(_), _) | (_, None) => None,
+        (
+            Transport::Address(Address::File { .. }) | Transport::Pipe(_) | Transport::Sitl(..),
+            _,
+        )
+        | (_, None) => None,
         (Transport::Address(address), Some(signer)) => Some(signer.on(&address.to_string(), id)),
     };
     let tap = Tap::relayed(sink.cloned(), relay.port_of_link(id)).signed_by(signed);
@@ -399,6 +406,7 @@ fn open_tapped(
             (name, LinkState::Connecting)
         }
         Transport::Pipe(_) => (text!("link-simulator"), LinkState::Up),
+        Transport::Sitl(vehicle, _) => (text!("link-sitl", vehicle = *vehicle), LinkState::Up),
     };
     let can_send = !matches!(transport, Transport::Address(Address::File { .. }));
     let outbox_len = if tap.is_forward() {

@@ -183,6 +183,16 @@ impl Session {
         self.download.resume(now);
     }
 
+    /// Notes that another ground station is heard on the vehicle's link, which may change what is on board.
+    pub fn station_heard(&mut self, now: Duration) {
+        self.lists.station_heard(now);
+    }
+
+    /// Notes that the vehicle is heard from another sender than before.
+    pub fn moved(&mut self, now: Duration) {
+        self.vehicle.link.moved_at = Some(now);
+    }
+
     /// Handles one frame from this vehicle's system. Only its autopilot counts as heard: a companion computer with the
     /// same system id may keep sending when the autopilot has stopped.
     pub fn receive(&mut self, frame: &Frame, now: Duration) {

@@ -51,8 +51,8 @@ pub use plan::{
 pub use radio_test::{RadioPreset, RadioTest, RadioTraffic, TestedRadio};
 pub use readings::{
     Attitude, AutopilotVersion, Battery, Ekf, Fence, GlobalPosition, Gps, GpsAccuracy, Health,
-    Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanPhase, PlanProgress, RcChannels,
-    StatusText, Target, Unheard, Vibration, Wind,
+    Heartbeat, Hud, LinkQuality, LocalPosition, Place, PlanPhase, PlanProgress, PositionJump,
+    RcChannels, StatusText, Target, Unheard, Vibration, Wind,
 };
 pub use speeds::{AskedSpeeds, SpeedAxis};
 pub use status::{EkfFlags, FixType, LandedState, Severity, SystemStatus};
@@ -89,6 +89,8 @@ pub struct Vehicle {
     pub intended_mode: Option<u32>,
     pub attitude: Option<Attitude>,
     pub global: Option<GlobalPosition>,
+    /// The last jump of its position that no flight explains.
+    pub jump: Option<PositionJump>,
     /// `LOCAL_POSITION_NED`: metres from the EKF origin.
     pub local: Option<LocalPosition>,
     /// Home (`HOME_POSITION`); `None` until it is received.
@@ -170,6 +172,7 @@ impl Vehicle {
             intended_mode: None,
             attitude: None,
             global: None,
+            jump: None,
             local: None,
             home: None,
             target: None,

@@ -74,6 +74,7 @@ foreign-twin = another ground station uses the address of this console ({ $syste
 
 # The name of a link to a simulator that the console runs.
 link-simulator = simulator
+link-sitl = SITL { $vehicle }
 
 # Radios under test
 

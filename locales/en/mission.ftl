@@ -169,6 +169,7 @@ pause-is-none = not paused
 pause-not-begun = nothing to pause: the clock starts when you leave the brief
 pause-not-processes = no pause: ArduPilot keeps its own time
 pause-not-real = no pause for real drones: `hold` stops them in the air
+pause-recording = no pause here: `sortie replay FILE` plays a recording with pauses, jumps and other speeds
 pause-not-allowed = the rules of this mission allow no pause
 pause-refuses = the simulation is paused
 pause-refuses-help = `continue` or { $key } resumes; then give the command

@@ -160,3 +160,4 @@ vehicle-severity-notice = notice
 vehicle-severity-info = info
 vehicle-severity-debug = debug
 vehicle-unexpected = not expected here: `all` leaves it out (`connect.expect`)
+mode-of-another = mode { $mode } was not set by this console; GCS { $system }/{ $component } is on this link

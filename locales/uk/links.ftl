@@ -74,6 +74,7 @@ foreign-twin = інша наземна станція має ту саму ад�
 
 # The name of a link to a simulator that the console runs.
 link-simulator = симулятор
+link-sitl = SITL { $vehicle }
 
 # Випробування радіо
 

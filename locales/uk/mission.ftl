@@ -177,6 +177,7 @@ pause-is-none = паузи немає
 pause-not-begun = пауза не потрібна: відлік почнеться, коли ви закриєте інструктаж
 pause-not-processes = пауза неможлива: ArduPilot має власний час
 pause-not-real = для справжніх дронів пауза неможлива: у повітрі їх зупиняє `hold`
+pause-recording = тут паузи немає: `sortie replay FILE` відтворює запис із паузами, перемотуванням і зміною темпу
 pause-not-allowed = правила цього завдання не дозволяють пауз
 pause-refuses = симуляція на паузі
 pause-refuses-help = спершу зніміть паузу: `continue` або { $key }; тоді дайте команду

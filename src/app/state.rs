@@ -265,6 +265,7 @@ impl<R> State<R> {
                 | Purpose::CopyDesign(_)
                 | Purpose::RenameDesign(_)
                 | Purpose::ExportDesign
+                | Purpose::Filter(_)
         );
         self.overlay = Some(Overlay::Prompt(Prompt {
             input: entered.into().into(),

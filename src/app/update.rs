@@ -29,6 +29,7 @@ mod macros;
 mod mission;
 mod offer;
 mod order;
+mod own_fence;
 mod pace;
 mod palette;
 mod profiles;

@@ -8,7 +8,7 @@ use crate::geo::maths;
 use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, PlanPhase, Vehicle, VehicleClass};
+use crate::vehicle::{Mode, PlanPhase, Target, Vehicle, VehicleClass};
 use crate::wire::SystemId;
 
 /// The horizontal distance from a place within which it counts as reached.
@@ -18,6 +18,8 @@ const ARRIVED_HEIGHT_M: f64 = 1.0;
 /// A climb counts as done this far below its target height, because its last part is slow. A
 /// setpoint given earlier would abort a takeoff.
 const CLIMB_ENDS_M: f64 = 1.5;
+/// The distance from which a vehicle's target is another one than that of its command.
+const OTHER_TARGET_M: f64 = 5.0;
 /// The tolerance of a turn.
 const TURNED_DEG: f64 = 5.0;
 /// The distance from the requested place within which home counts as set.
@@ -169,6 +171,15 @@ impl Effect {
                 .control
                 .is_some_and(|control| control.owner == *owner),
         })
+    }
+
+    /// Whether a vehicle's target is another place than the one that it was sent to.
+    pub fn is_elsewhere(&self, target: &Target) -> bool {
+        let Watched::Place(TravelEnd::Global { point, .. }) = self.watched else {
+            return false;
+        };
+        let elsewhere = |at: LatLon| at.distance_m(point) > OTHER_TARGET_M;
+        target.at_point.is_some_and(elsewhere)
     }
 
     /// How long to wait for the effect after the acceptance.

@@ -5,6 +5,7 @@ use mavlink::dialects::ardupilotmega::{COMMAND_INT_DATA, COMMAND_LONG_DATA};
 
 use super::arming::risk_of_number;
 use super::encode::{IntFields, LongFields};
+use super::mav_cmd::command_name;
 use super::request::{Answer, Request};
 use crate::inspector::WrittenPayload;
 use crate::ledger::Risk;
@@ -82,16 +83,28 @@ impl RawCommand {
         }
     }
 
-    /// A description of a raw message, for the question before it is sent; `None` for a `MAV_CMD`,
-    /// whose line already shows everything.
-    pub(super) fn hazard(&self) -> Option<Text> {
+    /// A description of what is sent, for the question before.
+    pub(super) fn hazard(&self) -> Text {
         match self {
-            Self::Message(RawMessage { name, fields, .. }) => Some(if fields.is_empty() {
+            Self::Message(RawMessage { name, fields, .. }) if fields.is_empty() => {
                 text!("hazard-message-empty", message = *name)
-            } else {
+            }
+            Self::Message(RawMessage { name, fields, .. }) => {
                 text!("hazard-message", message = *name, fields = fields)
-            }),
-            Self::Long { .. } | Self::Int { .. } => None,
+            }
+            Self::Long { command, params } => hazard_of_command(*command, &params.map(f64::from)),
+            Self::Int {
+                command,
+                params: [p1, p2, p3, p4],
+                x,
+                y,
+                z,
+                ..
+            } => {
+                let mut all = [*p1, *p2, *p3, *p4, 0.0, 0.0, *z].map(f64::from);
+                (all[4], all[5]) = (f64::from(*x), f64::from(*y));
+                hazard_of_command(*command, &all)
+            }
         }
     }
 
@@ -109,6 +122,16 @@ impl RawCommand {
             } => risk_of_number(command, first, second),
         }
     }
+}
+
+/// The name of a `MAV_CMD` and its parameters, without the zeros at the end.
+fn hazard_of_command(command: u16, params: &[f64; 7]) -> Text {
+    let name = command_name(command).map_or_else(|| command.to_string(), str::to_owned);
+    let is_given = |param: &f64| param.is_nan() || param.abs() > 0.0;
+    let count = params.iter().rposition(is_given).map_or(0, |last| last + 1);
+    let given = params.iter().take(count).map(f64::to_string);
+    let words: Vec<String> = std::iter::once(name).chain(given).collect();
+    text!("hazard-command", command = words.join(" "))
 }
 
 impl RawMessage {
@@ -141,5 +164,34 @@ impl RawMessage {
         command.map_or(Risk::None, |command| {
             risk_of_number(command, self.param(0), self.param(1))
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_question_names_the_command_and_its_parameters() {
+        let long = RawCommand::Long {
+            command: 209,
+            params: [1.0, 0.0, 20.5, 2.0, 0.0, 0.0, 0.0],
+        };
+        let asked = long.hazard().to_string();
+        assert!(asked.contains("DO_MOTOR_TEST 1 0 20.5 2"), "{asked}");
+        assert!(!asked.contains("2 0"), "{asked}");
+        let int = RawCommand::Int {
+            command: 192,
+            frame: 6,
+            params: [0.0; 4],
+            x: 504_500_001,
+            y: 305_200_000,
+            z: 20.0,
+        };
+        let asked = int.hazard().to_string();
+        assert!(
+            asked.contains("DO_REPOSITION 0 0 0 0 504500001 305200000 20"),
+            "{asked}"
+        );
     }
 }

@@ -366,12 +366,16 @@ fn lost_share(chart: &Chart) -> f64 {
 }
 
 /// Ground stations that are heard in addition to a vehicle and can command it, too; none in a
-/// recording.
+/// recording. A component of this type within a vehicle's system belongs to the vehicle.
 fn other_stations(chart: &Chart) -> impl Iterator<Item = Cause> {
+    let vehicles: BTreeSet<SystemId> = autopilots(chart)
+        .map(|sender| sender.source.system)
+        .collect();
     let senders = chart.senders().iter();
     let stations = senders
         .filter(|_| chart.way() != Way::File)
-        .filter(|sender| sender.role == HeartbeatRole::GroundStation);
+        .filter(|sender| sender.role == HeartbeatRole::GroundStation)
+        .filter(|sender| !vehicles.contains(&sender.source.system));
     let ids: BTreeSet<_> = stations.map(Sender::ids).collect();
     ids.into_iter()
         .map(|(system, component)| Cause::OtherStation(system, component))

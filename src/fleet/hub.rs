@@ -15,6 +15,7 @@ use super::keepers::{BlockingFiles, BlockingKeeper, BlockingShelf, desk_of};
 use super::sharing::Sharing;
 use super::vehicle_task::{ParameterFeed, ToVehicle, VehicleTask};
 use super::{FleetClock, FleetEvent, FleetRequest, Keeping};
+use crate::doctor::is_of_a_station;
 use crate::forward::{ForwardSpec, SentCommands};
 use crate::inspector::Census;
 use crate::ledger::RowState;
@@ -276,8 +277,20 @@ impl Hub {
         }
     }
 
+    /// Tells the vehicles of a link that another ground station is heard there. A vehicle that does not keep up misses it.
+    fn note_station(&self, from: FrameSender) {
+        for route in self.routes.values() {
+            if route.sender.link == from.link {
+                drop(route.inbox.try_send(ToVehicle::StationHeard));
+            }
+        }
+    }
+
     async fn deliver(&mut self, system: SystemId, from: FrameSender, frames: Vec<Frame>) {
         let now = self.clock.now();
+        if system != self.keeping.address().system && frames.iter().any(is_of_a_station) {
+            self.note_station(from);
+        }
         if !self.routes.contains_key(&system) {
             let Some(component) = frames.iter().find_map(autopilot_of) else {
                 return;

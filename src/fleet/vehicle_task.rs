@@ -39,6 +39,8 @@ pub(super) enum ToVehicle {
     Twin,
     /// Its autopilot has been restarted.
     Restarted,
+    /// Another ground station is heard on its link.
+    StationHeard,
     /// A change to its simulator or its link.
     Want(Want),
     /// The vehicle is now reached over another link or peer.
@@ -141,6 +143,7 @@ impl VehicleTask {
             ToVehicle::Sticks(held) => self.session.steer_by_hand(held, now),
             ToVehicle::Twin => self.session.note_twin(now),
             ToVehicle::Restarted => self.session.restarted(now),
+            ToVehicle::StationHeard => self.session.station_heard(now),
             ToVehicle::Want(want) => {
                 self.session.carry_out(want);
                 // In missions, each vehicle has its own link.
@@ -149,6 +152,7 @@ impl VehicleTask {
             ToVehicle::Route(link, peer) => {
                 self.session.sign_with(desk_of(&link));
                 self.session.heard_via(link.id().0, now);
+                self.session.moved(now);
                 self.reconnects = link.status().borrow().reconnects;
                 self.route = (link, peer);
             }

@@ -1,5 +1,6 @@
 //! One instance's task: its process, its connection, its stages and its end.
 
+use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -229,7 +230,9 @@ impl InstanceTask {
             () = self.shared.cancel.cancelled() => InstanceEvent::Over(None),
             request = self.requests.recv() => match request {
                 Some(InstanceRequest::Attach(answer)) => {
-                    drop(answer.send(self.relay.attach()));
+                    let pipe = self.relay.attach();
+                    self.shown.refused += u32::from(pipe.is_none());
+                    drop(answer.send(pipe));
                     InstanceEvent::Nothing
                 }
                 Some(InstanceRequest::Restart) => InstanceEvent::Restart,
@@ -294,6 +297,11 @@ impl InstanceTask {
             }
             None => None,
         };
+        if let Some(dump) = self.dump() {
+            let hint = self.shown.hint.take();
+            let told = hint.into_iter().chain([format!("its stack is in {dump}")]);
+            self.shown.hint = Some(told.collect::<Vec<_>>().join("; "));
+        }
         if wait.is_none() {
             self.shared.roster.lay_down(self.shown.id);
         }
@@ -314,6 +322,14 @@ impl InstanceTask {
                 }
             }
         }
+    }
+
+    /// The file with the stack that the autopilot has left in its folder, if it crashed there.
+    fn dump(&self) -> Option<String> {
+        let names = std::fs::read_dir(&self.order.folder).ok()?.flatten();
+        let mut names = names.map(|file| file.file_name().to_string_lossy().into_owned());
+        let is_output = |name: &String| Path::new(name).extension().is_some_and(|it| it == "out");
+        names.find(|name| name.starts_with("dumpstack") && is_output(name))
     }
 
     fn diagnosis(&self, lack: String, meter: &InstanceMeter) -> String {

@@ -53,6 +53,11 @@ struct OutputInner {
     file: Mutex<LogFile>,
 }
 
+/// Whether a line of ArduPilot's tells nothing. It stays in the file.
+fn is_noise(line: &str) -> bool {
+    line.trim() == "Skipping port (null)"
+}
+
 impl ProcessOutput {
     /// The output of a new instance, with its files in this folder.
     pub(super) fn new(folder: PathBuf) -> Self {
@@ -117,6 +122,7 @@ impl ProcessOutput {
             return;
         }
         let note = locked(&self.0.file).write(&lines, Instant::now());
+        let lines: Vec<String> = lines.into_iter().filter(|line| !is_noise(line)).collect();
         let mut kept = locked(&self.0.kept);
         let mut number = *self.0.last.borrow();
         // If there are very many lines, only the last ones are kept.

@@ -97,6 +97,11 @@ pub(super) fn session(pid: u32) -> Vec<u32> {
     system::session(pid)
 }
 
+/// Whether a process is stopped by a signal, such as SIGSTOP.
+pub(super) fn is_stopped(pid: u32) -> bool {
+    system::is_stopped(pid)
+}
+
 /// The resources of a process.
 pub(super) fn usage(pid: u32) -> Option<ProcessUsage> {
     system::usage(pid)

@@ -11,7 +11,7 @@ const PATIENCE: Duration = Duration::from_secs(20);
 /// faster than real time if the machine allows it.
 const PATIENCE_FOR_READINESS: Duration = Duration::from_secs(90);
 /// The simulated time of silence after which the heartbeat counts as lost; one is sent every second.
-const SILENCE: Duration = Duration::from_secs(10);
+const SILENCE: Duration = Duration::from_secs(3);
 
 /// The condition that an instance lacks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -188,8 +188,8 @@ mod tests {
     #[test]
     fn a_silent_instance_is_only_a_process_until_it_is_heard_again() {
         let mut stages = ready(1.0);
-        assert_eq!(stages.stage(s(11)), SitlStage::Ready);
-        assert_eq!(stages.stage(s(12)), SitlStage::Process);
+        assert_eq!(stages.stage(s(4)), SitlStage::Ready);
+        assert_eq!(stages.stage(s(5)), SitlStage::Process);
         assert_eq!(stages.lack(s(13)), Some((Lack::Sound, s(11))));
         stages.heard(s(14));
         assert_eq!(
@@ -200,9 +200,9 @@ mod tests {
 
     #[test]
     fn one_that_is_slow_on_purpose_may_be_silent_for_longer() {
-        assert_eq!(ready(0.1).stage(s(101)), SitlStage::Ready);
-        assert_eq!(ready(0.1).stage(s(102)), SitlStage::Process);
-        assert_eq!(ready(100.0).stage(s(11)), SitlStage::Ready);
+        assert_eq!(ready(0.1).stage(s(31)), SitlStage::Ready);
+        assert_eq!(ready(0.1).stage(s(32)), SitlStage::Process);
+        assert_eq!(ready(100.0).stage(s(4)), SitlStage::Ready);
     }
 
     #[test]

@@ -154,3 +154,22 @@ fn the_oldest_foreign_commands_fall_out() {
     assert_eq!(ids.len(), FOREIGN_KEPT);
     assert!(ids.is_sorted() && ids[0] == ForeignId(1));
 }
+
+#[test]
+fn a_raw_command_is_called_accepted_because_no_effect_is_watched() {
+    const LONG: Verb = Verb {
+        name: "long",
+        ..ARM
+    };
+    for (verb, word) in [(&LONG, "accepted"), (&ARM, "effect seen")] {
+        let mut ledger = Ledger::new();
+        let line = Given {
+            verb,
+            ..given("1 it")
+        };
+        let id = ledger.open(Duration::ZERO, line, &[1]);
+        ledger.apply(&update(id, 1, RowState::Done, 1));
+        let entry = ledger.entries().next().expect("one");
+        assert_eq!(entry.state_of(&entry.rows[0]).to_string(), word);
+    }
+}

@@ -10,6 +10,7 @@ use tokio::sync::watch;
 use tokio::time::Instant;
 
 use super::{LinkState, LinkStatus, Rates, SignedLink, Tap};
+use crate::doctor::is_of_a_station;
 use crate::text::Text;
 use crate::wire::{Counters, Frame, SequenceStep};
 
@@ -145,6 +146,7 @@ impl LinkMeter {
             let frames = self.status.numbered.entry(sender).or_default();
             frames.note(step);
             frames.seals.note(frame.seal);
+            frames.is_station |= is_of_a_station(frame);
         }
     }
 

@@ -13,7 +13,7 @@ const LONGEST_RETRY: Duration = Duration::from_secs(5);
 /// Runs a link until its end.
 pub(super) async fn run(mut link: LinkCore, transport: Transport) {
     let reason = match transport {
-        Transport::Pipe(pipe) => {
+        Transport::Pipe(pipe) | Transport::Sitl(_, pipe) => {
             link.up(None);
             match stream::session(&mut link, pipe, None).await {
                 ConnectionEnd::Cancelled => None,

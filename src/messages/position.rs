@@ -8,7 +8,12 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::attitude::heading_deg;
 use crate::geo::LatLon;
-use crate::vehicle::{GlobalPosition, LegSpeed, LocalPosition, Place, Vehicle};
+use crate::vehicle::{GlobalPosition, LegSpeed, LocalPosition, Place, PositionJump, Vehicle};
+
+/// The distance between two positions that a correction of the estimate may explain.
+const JUMP_M: f64 = 200.0;
+/// No vehicle is faster.
+const FASTEST_M_S: f64 = 200.0;
 
 /// Applies `GLOBAL_POSITION_INT`. Latitude and longitude 0 mean an unknown position from `ArduPilot`; so does a height
 /// at an end of the range.
@@ -26,7 +31,8 @@ pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DAT
         heading_deg: (data.hdg != u16::MAX).then(|| heading_deg(f32::from(data.hdg) * 0.01)),
         at: now,
     });
-    vehicle.global = position;
+    let before = std::mem::replace(&mut vehicle.global, position);
+    vehicle.jump = before.zip(position).and_then(jump).or(vehicle.jump);
     if let Some(position) = position {
         vehicle.note_speed(position.speed_m_s());
     }
@@ -38,6 +44,16 @@ pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DAT
         vehicle.cruise = LegSpeed::after(vehicle.cruise, position.ground_speed_m_s(), at);
         vehicle.note_arrival(at);
     }
+}
+
+/// The jump between two positions that no flight explains.
+fn jump((before, now): (GlobalPosition, GlobalPosition)) -> Option<PositionJump> {
+    let passed_s = now.at.saturating_sub(before.at).as_secs_f64();
+    let distance_m = before.at_point.distance_m(now.at_point);
+    (distance_m > JUMP_M + FASTEST_M_S * passed_s).then_some(PositionJump {
+        distance_m,
+        at: now.at,
+    })
 }
 
 /// Applies `LOCAL_POSITION_NED`; a message with NaN changes nothing.

@@ -62,15 +62,22 @@ pub fn differences<'a>(
     found.collect()
 }
 
-/// Whether a parameter identifies one vehicle or counts its use: its system id, the ids of its
-/// sensors, its hours. It must not be copied: two vehicles with the same system id receive each
+/// Whether a parameter identifies one vehicle, counts its use or its lists, or holds what it has
+/// measured by itself: its system id, the ids of its sensors, its hours, the number of its plan's
+/// items, the offsets of its gyroscopes. It must not be copied: two vehicles with the same system id receive each
 /// other's commands.
 pub fn is_the_vehicles_own(name: &str) -> bool {
-    matches!(name, "SYSID_THISMAV" | "MAV_SYSID" | "FORMAT_VERSION")
-        || name.starts_with("STAT_")
+    let is_one_of_its_ids = matches!(name, "SYSID_THISMAV" | "MAV_SYSID" | "FORMAT_VERSION")
         || name.contains("DEVID")
-        || name.contains("DEV_ID")
-        || name.ends_with("_GND_PRESS")
+        || name.contains("DEV_ID");
+    let is_counted = name.starts_with("STAT_")
+        || name.ends_with("_TOTAL")
+        || matches!(name, "SYS_NUM_RESETS" | "SYS_NUMRESETS");
+    let is_measured = name.ends_with("_GND_PRESS")
+        || name.ends_with("_CALTEMP")
+        || name == "COMPASS_DEC"
+        || (name.starts_with("INS_GYR") && name.contains("OFFS"));
+    is_one_of_its_ids || is_counted || is_measured
 }
 
 #[cfg(test)]
@@ -109,9 +116,19 @@ mod tests {
             "STAT_RUNTIME",
             "COMPASS_DEV_ID2",
             "BARO1_DEVID",
+            "MIS_TOTAL",
+            "RALLY_TOTAL",
+            "FENCE_TOTAL",
+            "INS_GYROFFS_X",
+            "INS_GYR2OFFS_Z",
+            "INS_GYR1_CALTEMP",
+            "COMPASS_DEC",
+            "SYS_NUM_RESETS",
         ] {
             assert!(is_the_vehicles_own(own), "{own}");
         }
-        assert!(!is_the_vehicles_own("WPNAV_SPEED"));
+        for common in ["WPNAV_SPEED", "INS_GYRO_FILTER", "FENCE_RADIUS"] {
+            assert!(!is_the_vehicles_own(common), "{common}");
+        }
     }
 }

@@ -41,6 +41,11 @@ impl Lists {
         self.orders.take_from(shelf);
     }
 
+    /// Notes that another ground station is heard.
+    pub fn station_heard(&mut self, now: Duration) {
+        self.reader.station_heard(now);
+    }
+
     /// Whether a list is being read or an order is being carried out.
     pub fn is_busy(&self) -> bool {
         self.reader.is_busy() || self.orders.is_busy()

@@ -42,6 +42,10 @@ const NOT_AGAIN_WITHIN: Duration = Duration::from_secs(3);
 /// less than one small message a second.
 const AGAIN_AFTER: Duration = Duration::from_secs(120);
 const AGAIN_PER_ITEM: Duration = Duration::from_secs(1);
+/// As [`AGAIN_AFTER`], while another ground station is heard, which may upload a list unseen.
+const AGAIN_BESIDE_STATION: Duration = Duration::from_secs(20);
+/// How long a ground station counts as present after its last heartbeat.
+const STATION_STAYS: Duration = Duration::from_secs(10);
 /// The waits after the first, second and third failures; after a fourth, nothing more is requested.
 const AFTER_FAILURE: [Duration; 3] = [
     Duration::from_secs(20),
@@ -87,6 +91,8 @@ pub(super) struct PlanReader {
     /// The lists that the user knows to be on board: as first read, or as last read or written by
     /// an order. A list of another program that is read in the background is not one of them.
     acknowledged: [Option<Vec<Item>>; 3],
+    /// When another ground station was last heard.
+    station_at: Option<Duration>,
     /// The count and the ids in `MISSION_CURRENT`.
     announced: Option<[u32; 4]>,
 }
@@ -150,12 +156,27 @@ impl PlanReader {
         self.due[kind as usize] = Some(now);
     }
 
+    /// Notes that another ground station is heard. Lists that are to be read again much later are read soon.
+    pub fn station_heard(&mut self, now: Duration) {
+        let before = self.station_at.replace(now);
+        let is_new = before.is_none_or(|at| now.saturating_sub(at) >= STATION_STAYS);
+        let soon = now + AGAIN_BESIDE_STATION;
+        for due in self.due.iter_mut().flatten().filter(|_| is_new) {
+            *due = soon.min(*due);
+        }
+    }
+
     fn is_read(&mut self, kind: ListKind, length: usize, now: Duration) {
         let list = kind as usize;
         self.read_at[list] = Some(now);
         self.failures[list] = 0;
+        let has_company = |at| now.saturating_sub(at) < STATION_STAYS;
+        let after = match self.station_at.filter(|at| has_company(*at)) {
+            Some(_) => AGAIN_BESIDE_STATION,
+            None => AGAIN_AFTER,
+        };
         // The length fits: no list has more than some thousand items.
-        let again = now + AGAIN_AFTER + AGAIN_PER_ITEM * length as u32;
+        let again = now + after + AGAIN_PER_ITEM * length as u32;
         self.due[list] = (!self.has_id(kind)).then_some(again);
     }
 

@@ -80,6 +80,16 @@ pub(super) struct Transaction {
     /// Whether the effect showed while setpoints were being repeated.
     effect_has_shown: bool,
     texts: Vec<Text>,
+    /// The report of another value than the one that was set.
+    contrary: Option<Contrary>,
+}
+
+/// A parameter's value that differs from the one that was set: an old one, or the refusal.
+#[derive(Debug, Clone)]
+struct Contrary {
+    text: Text,
+    /// How long the value that was set may still follow.
+    until: Duration,
 }
 
 impl Transaction {
@@ -129,6 +139,7 @@ impl Transaction {
             effect,
             request,
             texts: Vec::new(),
+            contrary: None,
             order,
         };
         transaction.send(now, output);

@@ -10,6 +10,9 @@ use crate::sim::Airframe;
 /// Pulses of the radio and of the throttle's output, in microseconds.
 const PULSE_US: [(&str, f64); 3] = [("MIN", 1000.0), ("MAX", 2000.0), ("TRIM", 1500.0)];
 const CELL_FULL_V: f64 = 4.2;
+/// The limits of a vehicle's `DataFlash` logs: a new one takes the place of the oldest, and none is written if the disk is
+/// nearly full.
+const LOGS: [(&str, f64); 2] = [("LOG_MAX_FILES", 20.0), ("LOG_FILE_MB_FREE", 1000.0)];
 /// The cell voltage at which a pack under load counts as low.
 const CELL_LOW_V: f64 = 3.5;
 /// The voltages over which the thrust is kept constant, as shares of the full battery: 9.6 and 12.8 V of three cells.
@@ -22,6 +25,8 @@ const USUAL_AUTHORITY: f64 = 0.35 * 0.39;
 /// settings of the kind, which for a copter match the embedded simulator.
 pub(super) fn of(kind: SitlKind) -> Vec<(String, f64)> {
     let mut all = vec![("BATT_MONITOR".to_owned(), 4.0)];
+    let logs = LOGS.map(|(name, value)| (name.to_owned(), value));
+    all.extend(logs);
     for compass in ["", "2", "3"] {
         for (axis, offset) in [("X", 5.0), ("Y", 13.0), ("Z", -18.0)] {
             all.push((format!("COMPASS_OFS{compass}_{axis}"), offset));

@@ -127,6 +127,13 @@ pub struct Target {
     pub at: Duration,
 }
 
+/// A jump from one reported position to the next, farther than the vehicle can have flown.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PositionJump {
+    pub distance_m: f64,
+    pub at: Duration,
+}
+
 /// The GPS report (`GPS_RAW_INT`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gps {
@@ -349,6 +356,8 @@ pub struct LinkQuality {
     pub reboots: u32,
     /// The number of the link on which it is heard.
     pub via: Option<u16>,
+    /// When it was last heard from another sender than before, which may be another vehicle with its system id.
+    pub moved_at: Option<Duration>,
     /// The test of the vehicle's radio, if a test is on.
     pub radio: Option<TestedRadio>,
 }

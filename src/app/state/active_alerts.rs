@@ -50,6 +50,10 @@ pub struct ActiveAlerts {
     close: BTreeMap<VehicleId, CloseVehicle>,
     /// The most threatening other aircraft, for each vehicle that aircraft come too close to.
     traffic: BTreeMap<VehicleId, TrafficConflict>,
+    /// Vehicles that do not belong to the session: their alerts stand, but press nobody.
+    pub(in crate::app) strangers: BTreeSet<VehicleId>,
+    /// The number of reboots of each vehicle with alerts, when it was last observed.
+    reboots: BTreeMap<VehicleId, u32>,
     /// Alerts that have begun and need a notice.
     begun: Vec<(VehicleId, Alert)>,
 }
@@ -97,6 +101,11 @@ impl ActiveAlerts {
         let known = self.standing.remove(&vehicle.id).unwrap_or_default();
         let before = known.clone();
         let mut known = known;
+        let reboots = self.reboots.insert(vehicle.id, vehicle.link.reboots);
+        if reboots.is_some_and(|before| vehicle.link.reboots > before) {
+            // The checks begin anew.
+            known.retain(|old| old.alert.kind != AlertKind::Prearm);
+        }
         let mut standing: Vec<Standing> = Vec::new();
         for alert in present {
             let at = known.iter().position(|old| old.alert.kind == alert.kind);
@@ -116,6 +125,8 @@ impl ActiveAlerts {
     /// Drops a vehicle's alerts.
     pub fn forget(&mut self, vehicle: VehicleId) {
         self.standing.remove(&vehicle);
+        self.reboots.remove(&vehicle);
+        self.strangers.remove(&vehicle);
         self.down.remove(&vehicle);
         self.close.remove(&vehicle);
         self.traffic.remove(&vehicle);
@@ -193,10 +204,11 @@ impl ActiveAlerts {
         count
     }
 
-    /// The serious alerts that are neither acknowledged nor muted, except failed pre-arm checks.
+    /// The serious alerts of the session's vehicles that are neither acknowledged nor muted, except failed pre-arm checks.
     pub fn open(&self) -> impl Iterator<Item = (VehicleId, &Standing)> {
         let vehicles = self.standing.iter();
-        let standing = vehicles.flat_map(|(&id, all)| all.iter().map(move |one| (id, one)));
+        let own = vehicles.filter(|(id, _)| !self.strangers.contains(id));
+        let standing = own.flat_map(|(&id, all)| all.iter().map(move |one| (id, one)));
         standing.filter(|(_, one)| {
             let minor = one.alert.severity > Severity::Warning;
             let stands = one.ended.is_none();
@@ -206,7 +218,8 @@ impl ActiveAlerts {
 
     fn ring(&mut self, id: VehicleId, old: Option<&Standing>, alert: &Alert, now: Duration) {
         let worse = old.is_some_and(|old| alert.severity < old.alert.severity);
-        if (old.is_some() && !worse) || self.is_muted(alert.kind) {
+        let is_stranger = self.strangers.contains(&id);
+        if (old.is_some() && !worse) || self.is_muted(alert.kind) || is_stranger {
             return;
         }
         let call = BellCall {

@@ -16,6 +16,11 @@ use crate::vehicle::{
 /// How long a text about a failsafe counts as current.
 const TEXT_LIFE: Duration = Duration::from_secs(60);
 
+/// How long a jump of the position counts as current.
+const JUMP_LIFE: Duration = Duration::from_secs(60);
+/// How long a change of a vehicle's sender counts as current; it is over once it is acknowledged.
+const MOVE_LIFE: Duration = Duration::from_secs(600);
+
 /// A condition that needs attention now.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Alert {
@@ -39,9 +44,9 @@ pub fn alerts(
 ) -> impl Iterator<Item = Alert> {
     let found = [
         crashed(vehicle),
-        link_lost(vehicle),
+        link(vehicle, now),
         failsafe(vehicle, now),
-        gps(vehicle),
+        gps(vehicle, now),
         filter(vehicle),
         battery(vehicle),
         way_home(vehicle, reserve_percent),
@@ -121,15 +126,15 @@ fn crashed(vehicle: &Vehicle) -> Option<Alert> {
         .and_then(says)
 }
 
-fn link_lost(vehicle: &Vehicle) -> Option<Alert> {
-    let lost = || {
-        condition(
-            AlertKind::LinkLost,
-            Severity::Alert,
-            text!("alert-link-lost"),
-        )
-    };
-    vehicle.link.lost.then(lost)
+/// The alert that a vehicle is silent, or was heard from another sender than before.
+fn link(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
+    let says = |severity, text| Some(condition(AlertKind::LinkLost, severity, text));
+    if vehicle.link.lost {
+        return says(Severity::Alert, text!("alert-link-lost"));
+    }
+    let has_moved = |at| now.saturating_sub(at) < MOVE_LIFE;
+    vehicle.link.moved_at.filter(|at| has_moved(*at))?;
+    says(Severity::Warning, text!("alert-other-sender"))
 }
 
 fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
@@ -142,8 +147,15 @@ fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
     Some(condition(AlertKind::Failsafe, Severity::Critical, text))
 }
 
-fn gps(vehicle: &Vehicle) -> Option<Alert> {
+fn gps(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
     let says = |text| Some(condition(AlertKind::Gps, Severity::Critical, text));
+    let jump = vehicle
+        .jump
+        .filter(|jump| now.saturating_sub(jump.at) < JUMP_LIFE);
+    if let Some(jump) = jump {
+        let distance = figure(jump.distance_m / 1000.0, 1);
+        return says(text!("alert-position-jump", distance = distance));
+    }
     if !vehicle.armed() {
         return None;
     }

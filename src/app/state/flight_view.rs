@@ -192,12 +192,22 @@ impl FlightView {
             .min_by_key(|alert| alert.severity)
     }
 
-    /// The number of armed vehicles.
+    /// The number of the session's vehicles that are armed as far as known: those that are in contact, and whose
+    /// process has not ended.
     pub fn armed(&self) -> usize {
-        self.vehicles
-            .values()
-            .filter(|vehicle| vehicle.armed())
+        let is_down = |vehicle: &Vehicle| self.alerts.down.contains(&vehicle.id);
+        let vehicles = self.vehicles.values().map(Arc::as_ref);
+        vehicles
+            .filter(|vehicle| vehicle.armed() && self.expects(vehicle.id))
+            .filter(|vehicle| !vehicle.link.lost && !is_down(vehicle))
             .count()
+    }
+
+    /// Whether the vehicle that is heard on a link has been simulated by a process that has ended.
+    pub fn leads_to_ended_process(&self, link: usize) -> bool {
+        let down = self.alerts.down.iter();
+        let mut vehicles = down.filter_map(|id| self.vehicles.get(id));
+        vehicles.any(|vehicle| vehicle.link.via.map(usize::from) == Some(link))
     }
 
     /// The names of a vehicle's groups.

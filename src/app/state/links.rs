@@ -108,6 +108,8 @@ pub struct LinkCounters {
     pub undecoded: u64,
     /// Frames missing according to their sequence numbers, by sender.
     pub lost: Vec<((SystemId, ComponentId), u64)>,
+    /// The senders that are ground stations.
+    pub stations: BTreeSet<(SystemId, ComponentId)>,
     /// Messages that could not be sent.
     pub unsent: u64,
     /// The number of reconnections.
@@ -118,8 +120,26 @@ pub struct LinkCounters {
 }
 
 impl LinkCounters {
-    /// Frames missing according to their sequence numbers, of all senders.
+    /// Frames missing according to their sequence numbers, of all senders except other ground stations: vehicles forward
+    /// only some of their frames.
     pub fn all_lost(&self) -> u64 {
-        self.lost.iter().map(|(_, count)| count).sum()
+        let lost = self.lost.iter();
+        let of_vehicles = lost.filter(|(sender, _)| !self.stations.contains(sender));
+        of_vehicles.map(|(_, count)| count).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gaps_of_another_ground_station_are_not_lost_frames() {
+        let counters = LinkCounters {
+            lost: vec![((1, 1), 3), ((252, 230), 205)],
+            stations: [(252, 230)].into(),
+            ..LinkCounters::default()
+        };
+        assert_eq!(counters.all_lost(), 3);
     }
 }

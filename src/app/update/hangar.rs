@@ -109,15 +109,23 @@ fn news(before: Option<&Instance>, instance: &Instance, state: &State) -> Option
     None
 }
 
+/// The line of a process's last output that tells most about its end: the first of its last errors, otherwise the last
+/// line.
+fn telling_line(output: &[String]) -> Option<&String> {
+    const LOOKED_AT: usize = 20;
+    let recent = output.iter().skip(output.len().saturating_sub(LOOKED_AT));
+    let is_error = |line: &&String| {
+        line.contains("ERROR:") || line.to_lowercase().contains("segmentation fault")
+    };
+    let mut lines = output.iter().rev();
+    let last = lines.find(|line| !line.trim().is_empty());
+    recent.clone().find(is_error).or(last)
+}
+
 /// The text about a process that ended: the reason, its last output, and the next step.
 fn crash(instance: &Instance, keymap: &Keymap) -> Text {
     let reason = instance.fault.clone().unwrap_or_default();
-    let last = instance
-        .output
-        .iter()
-        .rev()
-        .find(|line| !line.trim().is_empty());
-    let what = match last {
+    let what = match telling_line(&instance.output) {
         Some(line) => text!("hangar-crash-said", reason = reason, line = line.trim()),
         None => text!("hangar-crash", reason = reason),
     };
@@ -133,4 +141,20 @@ fn crash(instance: &Instance, keymap: &Keymap) -> Text {
     );
     let parts = std::iter::once(what).chain(next).chain([again]);
     Text::joined("; ", parts.collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_line_about_a_crash_is_its_error() {
+        let lines = |text: &str| text.lines().map(str::to_owned).collect::<Vec<_>>();
+        let crashed = lines("Loaded\nERROR: segmentation fault - aborting\nNo dump\nFailed\n\n");
+        let told = telling_line(&crashed).expect("a line");
+        assert_eq!(told, "ERROR: segmentation fault - aborting");
+        let plain = lines("Loaded\nFailed\n");
+        assert_eq!(telling_line(&plain).expect("a line"), "Failed");
+        assert_eq!(telling_line(&[]), None);
+    }
 }

@@ -10,7 +10,7 @@ use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::{Meaning, Place, latin_key};
 use crate::app::room::{Room, plans};
-use crate::app::state::{Confirm, Consequence, Overlay};
+use crate::app::state::{Confirm, Overlay};
 use crate::language::{Word, words};
 use crate::notice::sanitised;
 use crate::text;
@@ -210,10 +210,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
             let answer = answered(&question, c);
             question.typed.push(answer);
             if question.typed == question.answer {
-                // Only a change of the session leads to another screen.
-                if matches!(question.then, Consequence::Effect(Effect::Session(_))) {
-                    state.typing.answered_at = Some(state.wall);
-                }
+                state.typing.answered_at = Some(state.wall);
                 let mut effects = consequence::carry_out(state, question.then);
                 effects.extend(palette::go_on(state));
                 return effects;

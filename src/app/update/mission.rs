@@ -1,5 +1,7 @@
 //! The course of a session: pause, end, restart.
 
+use std::path::Path;
+
 use super::ending::{ask, guarded, leave, loss};
 use super::replay;
 use crate::app::State;
@@ -8,6 +10,7 @@ use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
 use crate::app::state::{Activity, TimeFlow};
 use crate::campaign::Stake;
+use crate::doctor::Way;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -86,6 +89,9 @@ fn obstacle(state: &State) -> Option<Text> {
         _ if session.task.over => Some(text!("deed-over")),
         _ if session.is_paused() => Some(text!("pause-is-one")),
         _ if session.hangar.is_some() => Some(text!("pause-not-processes")),
+        Some(Activity::Connected { addresses }) if is_a_recording(addresses) => {
+            Some(text!("pause-recording"))
+        }
         Some(Activity::Connected { .. }) => Some(text!("pause-not-real")),
         Some(Activity::Mission { .. } | Activity::Free) => {
             let not_begun = || session.is_reading().then(|| text!("pause-not-begun"));
@@ -94,6 +100,17 @@ fn obstacle(state: &State) -> Option<Text> {
                 .or_else(not_begun)
         }
     }
+}
+
+/// Whether everything that is heard comes from recordings.
+fn is_a_recording(addresses: &[String]) -> bool {
+    let is_tlog = |address: &String| {
+        Path::new(address)
+            .extension()
+            .is_some_and(|it| it == "tlog")
+    };
+    let is_file = |address: &String| Way::of(address) == Way::File || is_tlog(address);
+    !addresses.is_empty() && addresses.iter().all(is_file)
 }
 
 /// Starts a mission, after a question if something would be lost; a locked one is refused.

@@ -27,7 +27,7 @@ enum Nearness {
     Words,
     /// Every word of the text is the beginning of a word of the line or of its meaning.
     Meaning,
-    /// The letters occur in order, but not together.
+    /// The letters occur in the line in order, but not together.
     Scattered,
 }
 
@@ -81,9 +81,13 @@ fn scored(state: &State, written: &str) -> Vec<Scored> {
             let synonyms = synonyms(&line, &state.locale);
             let hint_words = state.locale.text(&hint);
             let meaning = format!("{hint_words} {}", synonyms.unwrap_or_default());
-            let searched = format!("{line} {meaning}");
-            let score = pattern.score(Utf32Str::new(&searched, &mut buffer), &mut matcher)?;
             let near = Nearness::of(&line, &meaning, wanted);
+            // Letters scattered over a sentence mean nothing.
+            let searched = match near {
+                Nearness::Scattered => line.clone(),
+                Nearness::Line | Nearness::Words | Nearness::Meaning => format!("{line} {meaning}"),
+            };
+            let score = pattern.score(Utf32Str::new(&searched, &mut buffer), &mut matcher)?;
             // Completion finds verbs by scattered letters.
             let is_verb = || verbs.iter().any(|(verb, _)| *verb == line);
             let is_meant = near != Nearness::Scattered || !is_verb();

@@ -1,6 +1,7 @@
 //! Commands to vehicles: their targets, the question before a dangerous command, and their ledger
 //! entries.
 
+use super::own_fence;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
@@ -146,7 +147,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
 /// The reason to ask before an order is sent, beyond the danger of its verb; `None` without one.
 fn hazard(state: &State, order: &Order) -> Option<Text> {
     let doubt = || parameters::order_doubt(state, order);
-    state.session.hazard(order).or_else(doubt)
+    own_fence::hazard(state, order).or_else(doubt)
 }
 
 /// Sends a command, or asks before a dangerous one.

@@ -2,7 +2,7 @@
 //! questions.
 
 use super::order::{self, Given};
-use super::{consequence, console_line};
+use super::{consequence, console_line, own_fence};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, ProgramAnswer, ProgramFault};
 use crate::app::event::ProgramLine;
@@ -42,7 +42,7 @@ fn carry_out(
     permit(state, line)?;
     match order::read_for(state, line, &[])? {
         Given::Order(order) => {
-            let hazard = state.session.hazard(&order);
+            let hazard = own_fence::hazard(state, &order);
             if order.verb.danger == Danger::Confirm || hazard.is_some() {
                 let reason = hazard.unwrap_or_else(|| text!("api-asks"));
                 asks(said, Diagnostic::new(first_word(line), reason))?;

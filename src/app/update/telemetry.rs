@@ -15,6 +15,8 @@ use crate::app::room::{fly, ledger};
 use crate::app::state::{
     Activity, BellCall, FlightView, Overlay, TrafficPicture, separation_limits, too_close,
 };
+use crate::doctor::Cause;
+use crate::ledger::RowState;
 use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::scoring::Report;
@@ -28,6 +30,8 @@ const ANNOUNCED_WITHIN: Duration = Duration::from_secs(5);
 /// The interval between checks of the distances between vehicles and to other aircraft, in
 /// milliseconds.
 const SEPARATION_MS: u128 = 500;
+/// How long after the last news of this console's own command a new mode counts as its effect.
+const MODE_FOLLOWS_WITHIN: Duration = Duration::from_secs(5);
 
 /// Advances wall time and, except in a replay, flight time.
 pub fn tick(state: &mut State, now: Duration, wall: Duration) {
@@ -75,7 +79,12 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
     }
     let id = vehicle.id;
     let reserve_percent = session.reserve_percent();
+    if !session.expects(id) {
+        session.alerts.strangers.insert(id);
+    }
     session.alerts.observe(&vehicle, reserve_percent, state.now);
+    let strange = strange_mode(state, &vehicle);
+    let session = &mut state.session;
     let is_new = !session.vehicles.contains_key(&id);
     session.insert(vehicle);
     map::heard(state, id);
@@ -87,8 +96,40 @@ pub fn vehicle(state: &mut State, vehicle: Arc<Vehicle>) {
             state.notices.push(notice);
         }
     }
+    if let Some(notice) = strange {
+        state.notices.push(notice);
+    }
     note_begun(state);
     state.touch();
+}
+
+/// A notice that a vehicle's mode was not set by this console, while another ground station is on the link: the vehicle
+/// answers that station alone, so its command is not heard.
+fn strange_mode(state: &State, vehicle: &Vehicle) -> Option<Notice> {
+    let session = &state.session;
+    let before = session.vehicles.get(&vehicle.id)?.mode()?;
+    let mode = vehicle.mode().filter(|mode| *mode != before)?;
+    let is_live =
+        matches!(session.activity, Some(Activity::Connected { .. })) && state.replay.is_none();
+    let is_own = session.latest(vehicle.id).is_some_and(|(_, row)| {
+        row.state != RowState::Overtaken
+            && state.now.saturating_sub(row.changed_at) < MODE_FOLLOWS_WITHIN
+    });
+    if !is_live || is_own {
+        return None;
+    }
+    let mut findings = session.connections.findings.iter();
+    let (system, component) = findings.find_map(|finding| match finding.cause {
+        Cause::OtherStation(system, component) => Some((system, component)),
+        _ => None,
+    })?;
+    let text = text!(
+        "mode-of-another",
+        mode = vehicle.name_of(mode),
+        system = system,
+        component = component
+    );
+    Some(Notice::about(vehicle.id, state.now, Severity::Notice, text))
 }
 
 /// Adds notices of alerts that have begun and were not reported yet.

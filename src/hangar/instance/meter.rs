@@ -52,8 +52,35 @@ impl InstanceMeter {
             .map_or(0, |(_, usage)| usage.cpu.as_millis() as u64)
     }
 
-    /// The resource usage as text, to distinguish a waiting process from a busy one.
+    /// The resource usage as text, to distinguish a waiting process from a busy one and from a stopped one.
     pub fn told(&self) -> String {
+        if process::is_stopped(self.pid) {
+            return "; it is stopped (SIGSTOP)".to_owned();
+        }
         format!(", using {:.0} % of a core", 100.0 * self.cores)
+    }
+}
+
+#[cfg(all(test, target_os = "linux"))]
+mod tests {
+    use std::process::Command;
+
+    use nix::sys::signal::{Signal, kill};
+    use nix::sys::wait::{WaitPidFlag, waitpid};
+    use nix::unistd::Pid;
+
+    use super::*;
+
+    #[test]
+    fn a_stopped_process_is_said_to_be_stopped() {
+        let mut sleeper = Command::new("sleep").arg("60").spawn().expect("started");
+        let pid = Pid::from_raw(sleeper.id().cast_signed());
+        let meter = InstanceMeter::new(sleeper.id());
+        assert!(!meter.told().contains("SIGSTOP"));
+        kill(pid, Signal::SIGSTOP).expect("stopped");
+        waitpid(pid, Some(WaitPidFlag::WUNTRACED)).expect("it has stopped");
+        assert!(meter.told().contains("SIGSTOP"), "{}", meter.told());
+        sleeper.kill().expect("ended");
+        sleeper.wait().expect("ended");
     }
 }

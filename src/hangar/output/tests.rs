@@ -47,6 +47,16 @@ async fn lines_are_numbered_and_found_again() {
 }
 
 #[tokio::test]
+async fn a_line_that_tells_nothing_is_in_the_file_only() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let output = ProcessOutput::new(folder.path().to_owned());
+    read(&output, b"one\nSkipping port (null)\ntwo\n").await;
+    assert_eq!(texts(&output.last(9)), ["one", "two"]);
+    let written = fs::read_to_string(folder.path().join("output.log")).expect("written");
+    assert!(written.contains("Skipping"));
+}
+
+#[tokio::test]
 async fn only_the_last_lines_stay_in_memory() {
     let folder = tempfile::tempdir().expect("a folder");
     let output = ProcessOutput::new(folder.path().to_owned());

@@ -24,6 +24,10 @@ pub(super) fn session(_: u32) -> Vec<u32> {
     Vec::new()
 }
 
+pub(super) fn is_stopped(_: u32) -> bool {
+    false
+}
+
 pub(super) fn usage(_: u32) -> Option<ProcessUsage> {
     None
 }

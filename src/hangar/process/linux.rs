@@ -65,6 +65,11 @@ pub(super) fn session(leader: u32) -> Vec<u32> {
         .collect()
 }
 
+pub(super) fn is_stopped(pid: u32) -> bool {
+    let stat = Stat::read(pid);
+    stat.is_some_and(|stat| stat.field(STATE) == Some("T"))
+}
+
 pub(super) fn usage(pid: u32) -> Option<ProcessUsage> {
     let memory_bytes = resident(pid)?;
     let clock = ClockId::pid_cpu_clock_id(Pid::from_raw(i32::try_from(pid).ok()?)).ok()?;

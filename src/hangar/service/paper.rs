@@ -68,7 +68,7 @@ pub(super) async fn ready(
 
 /// The instances, a line for each.
 #[utoipa::path(get, operation_id = "plain_list", path = "/list", responses(
-    (status = 200, description = "Number, stage and fault", body = String, content_type = "text/plain"),
+    (status = 200, description = "Number, stage, exposed port and fault", body = String, content_type = "text/plain"),
 ))]
 pub(super) async fn list(State(state): State<Arc<ServiceState>>, headers: HeaderMap) -> Response {
     let all = state.instances();
@@ -77,13 +77,16 @@ pub(super) async fn list(State(state): State<Arc<ServiceState>>, headers: Header
     either(&headers, lines, &json)
 }
 
-/// An instance as a line: number, stage, and remarks.
+/// An instance as a line: number, stage, exposed port, and remarks.
 fn line(instance: &Instance) -> String {
     let mut line = format!("{} {}", instance.id, instance.stage.word());
     let [have, of] = instance.parameters;
     if instance.stage == SitlStage::Heartbeat && of > 0 {
         // Writing to a string cannot fail.
         let _ = write!(line, " (parameters {have}/{of})");
+    }
+    if let Some(port) = instance.port {
+        let _ = write!(line, " tcp:127.0.0.1:{port}");
     }
     if let Some(fault) = &instance.fault {
         let _ = write!(line, ": {fault}");

@@ -25,6 +25,17 @@ fn a_position_of_zero_means_unknown() {
 }
 
 #[test]
+fn a_jump_that_no_flight_explains_is_noted() {
+    let mut bench = Bench::new();
+    bench.hear(global(-353_632_620, 1_491_652_370));
+    bench.hear(global(-353_632_000, 1_491_652_370));
+    assert_eq!(bench.vehicle.jump, None);
+    bench.hear(global(353_632_620, -308_347_630));
+    let jump = bench.vehicle.jump.expect("half round the globe");
+    assert!(jump.distance_m > 1e7);
+}
+
+#[test]
 fn values_at_the_end_of_their_range_are_no_figures() {
     let mut bench = Bench::new();
     for count in [-1, i32::MIN, i32::MAX] {

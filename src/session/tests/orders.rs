@@ -414,3 +414,37 @@ fn a_radio_under_test_delays_both_directions_and_shows_its_figures() {
     scene.pass(ms(20));
     assert_eq!(scene.session.vehicle().link.radio, None);
 }
+
+/// While a list is downloaded, the old value may still be on its way when a new one is set.
+#[test]
+fn an_old_value_on_its_way_is_no_refusal() {
+    let value = |param_value| {
+        MavMessage::PARAM_VALUE(mavlink::dialects::ardupilotmega::PARAM_VALUE_DATA {
+            param_id: "INS_GYROFFS_Y".into(),
+            param_type: mavlink::dialects::ardupilotmega::MavParamType::MAV_PARAM_TYPE_REAL32,
+            param_value,
+            ..Default::default()
+        })
+    };
+    let set = || {
+        Command::Parameter(crate::commands::ParameterCommand::Set {
+            name: "INS_GYROFFS_Y".to_owned(),
+            value: 0.5,
+        })
+    };
+    let mut scene = Scene::new();
+    scene.order(1, "param", set());
+    scene.hear(value(0.25));
+    scene.pass(ms(300));
+    scene.hear(value(0.5));
+    scene.pass(ms(2000));
+    assert_eq!(scene.states(1).last(), Some(&RowState::Done));
+
+    scene.order(2, "param", set());
+    scene.hear(value(0.25));
+    scene.pass(ms(900));
+    assert!(!scene.states(2).contains(&RowState::Refused));
+    scene.pass(ms(200));
+    assert_eq!(scene.states(2).last(), Some(&RowState::Refused));
+    assert!(scene.explanation(2).contains("stayed 0.25"));
+}

@@ -94,3 +94,26 @@ fn a_target_that_is_not_sent_any_more_is_forgotten_unless_the_vehicle_is_silent(
         assert_eq!(has_target(&scene), remembered);
     }
 }
+
+#[test]
+fn a_vehicle_that_keeps_another_target_has_dropped_the_goto() {
+    let mut scene = under_way();
+    let goto = Command::Motion(MotionCommand::Goto {
+        destination: Destination::Global {
+            at_point: LatLon::new(50.4518, 30.52),
+            altitude_m: Some(20.0),
+        },
+        heading: Heading::Auto,
+    });
+    scene.order(2, "goto", goto);
+    for second in 1..=3 {
+        assert!(!scene.states(2).contains(&RowState::NoEffect), "{second}");
+        scene.pass(ms(1000));
+        scene.heartbeat(GUIDED, true);
+        hear_target(&mut scene);
+    }
+    scene.pass(ms(100));
+    assert_eq!(scene.states(2).last(), Some(&RowState::NoEffect));
+    assert!(scene.explanation(2).contains("outside its fence?"));
+    assert!(!scene.states(1).contains(&RowState::NoEffect));
+}

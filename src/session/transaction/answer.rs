@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 
-use super::{Transaction, TransactionPhase};
+use super::{Contrary, Transaction, TransactionPhase};
 use crate::commands::{AckResult, Answer, explain};
 use crate::ledger::RowState;
 use crate::session::Output;
@@ -21,6 +21,9 @@ const REASON_PATIENCE: Duration = Duration::from_millis(300);
 const ANSWER_FOLLOWS_WITHIN: Duration = Duration::from_millis(300);
 /// How long after an "in progress" answer the next answer may take.
 const PROGRESS_PATIENCE: Duration = Duration::from_secs(20);
+/// How long a different value of a parameter that was set may be followed by the one that was set:
+/// while a list is downloaded, or another value is read, the old value may still be on its way.
+const CONTRARY_PATIENCE: Duration = Duration::from_secs(1);
 /// The value in `COMMAND_ACK` for an unknown progress.
 const PROGRESS_UNKNOWN: u8 = 255;
 
@@ -49,7 +52,7 @@ impl Transaction {
                 if id.is_ok_and(|id| id.eq_ignore_ascii_case(name)) {
                     match self.order.parameter_outcome(value.param_value) {
                         Ok(text) => self.accept(Some(text), now, output),
-                        Err(text) => self.end(RowState::Refused, Some(text), now, output),
+                        Err(text) => self.contradict(text, now),
                     }
                 }
             }
@@ -67,6 +70,9 @@ impl Transaction {
         else {
             return;
         };
+        if let Some(contrary) = self.contrary.take_if(|contrary| now >= contrary.until) {
+            return self.end(RowState::Refused, Some(contrary.text), now, output);
+        }
         if self.is_answer_lost(vehicle, deadline, now) {
             let remark = text!("outcome-answer-lost");
             return self.end(RowState::Done, Some(remark), now, output);
@@ -106,6 +112,13 @@ impl Transaction {
         } else {
             now >= shown_since + ANSWER_FOLLOWS_WITHIN || now >= deadline
         }
+    }
+
+    /// Notes that the vehicle has reported another value than the one that was set.
+    fn contradict(&mut self, text: Text, now: Duration) {
+        let before = self.contrary.take();
+        let until = before.map_or(now + CONTRARY_PATIENCE, |before| before.until);
+        self.contrary = Some(Contrary { text, until });
     }
 
     fn silence(&self, now: Duration) -> Text {

@@ -15,6 +15,8 @@ use crate::vehicle::Vehicle;
 const GATHERING_SPEED: Duration = Duration::from_secs(4);
 /// How long a vehicle may take to start an accepted command: the change shows with its next heartbeat.
 const BEGINS_WITHIN: Duration = Duration::from_secs(3);
+/// How old a command must be at a report of the vehicle's target: an earlier report may be about the previous target.
+const TARGET_CHANGES_WITHIN: Duration = Duration::from_secs(3);
 
 impl Transaction {
     /// Advances time while the effect is awaited.
@@ -31,12 +33,25 @@ impl Transaction {
                 let text = not_seen(&self.claim.describe(vehicle), BEGINS_WITHIN);
                 self.end(RowState::NoEffect, Some(text), now, output);
             }
+            Some(false) if self.keeps_another_target(vehicle) => {
+                let text = text!("outcome-other-target");
+                self.end(RowState::NoEffect, Some(text), now, output);
+            }
             Some(false) if now >= since + self.effect.within() => {
                 let text = not_seen(&self.effect.describe(vehicle), self.effect.within());
                 self.end(RowState::NoEffect, Some(text), now, output);
             }
             Some(false) => self.repeat_setpoint(now, output),
         }
+    }
+
+    /// Whether the vehicle flies to another place, long after the command: it has dropped the command without an answer.
+    fn keeps_another_target(&self, vehicle: &Vehicle) -> bool {
+        let target = vehicle.target;
+        target.is_some_and(|target| {
+            target.at >= self.first_sent + TARGET_CHANGES_WITHIN
+                && self.effect.is_elsewhere(&target)
+        })
     }
 
     fn has_begun(&self, vehicle: &Vehicle) -> bool {

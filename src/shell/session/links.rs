@@ -1,5 +1,6 @@
 //! A session's links for display, and their notices.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -170,6 +171,13 @@ fn lost(status: &LinkStatus) -> Vec<((SystemId, ComponentId), u64)> {
         .collect()
 }
 
+/// The senders that are ground stations.
+fn stations(status: &LinkStatus) -> BTreeSet<(SystemId, ComponentId)> {
+    let senders = status.numbered.iter();
+    let stations = senders.filter(|(_, frames)| frames.is_station);
+    stations.map(|(&sender, _)| sender).collect()
+}
+
 fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
     let up = status.state == LinkState::Up;
     LinkSummary {
@@ -188,6 +196,7 @@ fn summary(status: &LinkStatus, round_trip: Option<Duration>) -> LinkSummary {
             unknown: status.decoder.unknown_messages,
             undecoded: status.decoder.undecoded,
             lost: lost(status),
+            stations: stations(status),
             unsent: status.dropped_out,
             reconnects: status.reconnects,
             seals: status.seals(),

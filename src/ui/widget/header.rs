@@ -6,7 +6,7 @@ use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::state::{Room, rate};
+use crate::app::state::{LinkSummary, Room, rate};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -127,7 +127,7 @@ fn mission_alert(state: &State) -> Option<Text> {
 fn vehicles(state: &State, short: bool) -> Option<Text> {
     let session = state.session();
     session.activity()?;
-    let (armed, all) = (session.armed(), session.vehicles().len());
+    let (armed, all) = (session.armed(), session.all().count());
     let count = if short {
         text!("header-armed-short", armed = armed, all = all)
     } else {
@@ -145,11 +145,16 @@ fn recorded_at(state: &State, short: bool) -> Option<Text> {
     Some(replay::time_of_day(view, short).into())
 }
 
+/// Whether a link is up. The pipe to a simulator's process stays open when the process ends.
+fn is_up(state: &State, at: usize, link: &LinkSummary) -> bool {
+    link.up && !state.session().leads_to_ended_process(at)
+}
+
 fn links(state: &State, short: bool) -> Text {
     let links = state.session().links();
     match links {
         [] => text!("header-no-link"),
-        [link] if link.up => text!("header-link-up"),
+        [link] if is_up(state, 0, link) => text!("header-link-up"),
         // A long address is cut, so that the state stays visible.
         [link] => {
             let name = clip(
@@ -159,7 +164,11 @@ fn links(state: &State, short: bool) -> Text {
             text!("header-link-down", name = name)
         }
         links => {
-            let up = links.iter().filter(|link| link.up).count();
+            let links_up = links
+                .iter()
+                .enumerate()
+                .filter(|(at, link)| is_up(state, *at, link));
+            let up = links_up.count();
             if short {
                 text!("header-links-short", up = up, all = links.len())
             } else {

@@ -126,6 +126,15 @@ fn an_enter_that_is_added_to_an_answer_is_not_meant_for_what_follows() {
 }
 
 #[test]
+fn an_enter_added_to_the_answer_about_an_order_does_nothing_in_the_room() {
+    let mut console = Console::flying(1);
+    console.press("P").at(100).give("reboot").press("1");
+    assert_eq!(console.sent_to(), [1]);
+    console.at(100).press("enter");
+    assert!(console.state().overlay().is_none());
+}
+
+#[test]
 fn a_wrong_line_stays_with_the_wrong_word_marked() {
     let mut console = Console::flying(4);
     for (line, word) in [

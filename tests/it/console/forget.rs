@@ -1,8 +1,10 @@
 //! Vehicles that are forgotten, and those that are not expected.
 
 use sortie::app::effect::{Effect, SessionEffect};
+use sortie::app::event::LinkEvent;
 use sortie::app::state::{Activity, Overlay};
-use sortie::ledger::LedgerEntry;
+use sortie::doctor::{Cause, LinkFinding, Way};
+use sortie::ledger::{LedgerEntry, RowState};
 
 use super::selection;
 use crate::fixtures;
@@ -80,6 +82,55 @@ fn simulated_vehicles_are_not_forgotten() {
     console.give("forget 1");
     assert!(fault(&console).contains("simulated vehicles"));
     assert_eq!(known(&console), [1, 2]);
+}
+
+#[test]
+fn strangers_neither_press_nor_count() {
+    let console = connected(Some("1-2,7"));
+    assert!(console.state().session().alerts().pressing().is_none());
+    let header = console.screen(200, 50).lines().next().map(str::to_owned);
+    assert!(header.is_some_and(|line| line.contains("2 vehicles")));
+    let mut all = connected(None);
+    assert!(all.at(1).state().session().alerts().pressing().is_some());
+}
+
+/// ArduCopter answers the station that asks; the others see only the new mode.
+#[test]
+fn a_mode_that_another_station_may_have_set_names_the_station() {
+    let mode = |number| {
+        let mut vehicle = fixtures::airborne(1, 0.0, 10.0);
+        if let Some(beat) = &mut vehicle.heartbeat {
+            beat.mode.number = number;
+        }
+        vehicle
+    };
+    let told = |console: &Console| {
+        let notices = console.state().notices();
+        let mut texts = notices.lines().map(|line| line.notice.text.to_string());
+        texts.any(|text| text.contains("was not set by this console; GCS 252/230"))
+    };
+    for (is_heard, is_own, is_named) in [
+        (true, false, true),
+        (false, false, false),
+        (true, true, false),
+    ] {
+        let mut console = connected(None);
+        console.at(100).vehicle(mode(4));
+        if is_heard {
+            console.hear(LinkEvent::Findings(vec![LinkFinding {
+                link: 0,
+                way: Way::UdpIn,
+                cause: Cause::OtherStation(252, 230),
+                boards: Vec::new(),
+            }]));
+        }
+        if is_own {
+            console.give("1 mode loiter");
+            console.row(1, RowState::Done, None);
+        }
+        console.vehicle(mode(5));
+        assert_eq!(told(&console), is_named, "{is_heard} {is_own}");
+    }
 }
 
 #[test]

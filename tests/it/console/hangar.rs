@@ -2,8 +2,8 @@
 
 use sortie::alert::AlertKind;
 use sortie::app::effect::{Effect, SessionEffect, TerminalEffect};
-use sortie::app::event::{ProcessEvent, SessionEvent, Started};
-use sortie::app::state::{Activity, Instance, Overlay, Room, SitlStage};
+use sortie::app::event::{LinkEvent, ProcessEvent, SessionEvent, Started};
+use sortie::app::state::{Activity, Instance, LinkSummary, Overlay, Room, SitlStage};
 use sortie::campaign::Stake;
 use sortie::language::ProcessDeed;
 use sortie::vehicle::Severity;
@@ -94,6 +94,39 @@ fn last_notice(console: &Console) -> (Severity, Option<u16>, String) {
         .expect("a notice");
     let notice = &line.notice;
     (notice.severity, notice.vehicle, notice.text.to_string())
+}
+
+#[test]
+fn the_header_counts_neither_the_link_nor_the_vehicle_of_an_ended_process() {
+    let mut console = ready();
+    for id in 1..=2 {
+        let mut vehicle = fixtures::airborne(id, 20.0, 20.0);
+        vehicle.link.via = Some(id - 1);
+        console.vehicle(vehicle);
+    }
+    let link = LinkSummary {
+        up: true,
+        ..LinkSummary::default()
+    };
+    console.hear(LinkEvent::Summaries(vec![link; 2]));
+    let header = |console: &Console| {
+        let screen = console.screen(200, 50);
+        screen.lines().next().unwrap_or_default().to_owned()
+    };
+    let before = header(&console);
+    assert!(
+        before.contains("2/2 links") && before.contains("2 armed"),
+        "{before}"
+    );
+    hear(
+        &mut console,
+        vec![crashed(1), instance(2, SitlStage::Ready)],
+    );
+    let after = header(&console);
+    assert!(
+        after.contains("1/2 links") && after.contains("1 armed"),
+        "{after}"
+    );
 }
 
 #[test]

@@ -228,6 +228,8 @@ fn exact_words_and_beginnings_come_before_scattered_letters() {
         assert_eq!(first(verb)[0], verb);
     }
     assert_eq!(first("tko")[0], "takeoff");
+    let noise = first("tlog");
+    assert!(!noise.contains(&"quit".to_owned()), "{noise:?}");
 }
 
 #[test]

@@ -291,6 +291,23 @@ fn vehicles_are_compared_with_each_other() {
 }
 
 #[test]
+fn an_earlier_filter_hides_no_difference() {
+    let mut console = in_the_room(2);
+    arrives(&mut console, 2, list(2.0, 500.0));
+    console.press("/").write("acc").press("enter");
+    console.press("d").write("2").press("enter");
+    assert_eq!(names(&console).len(), 3);
+}
+
+#[test]
+fn a_new_search_replaces_the_text_of_the_earlier_one() {
+    let mut console = in_the_room(1);
+    console.press("/").write("acc").press("enter");
+    console.press("/").write("speed").press("enter");
+    assert_eq!(names(&console), ["WPNAV_SPEED"]);
+}
+
+#[test]
 fn names_of_parameters_complete_on_the_command_line() {
     let mut console = in_the_room(1);
     console.press("F").press(":").write("param set WPN");

@@ -383,3 +383,13 @@ fn a_hint_is_scrolled_to_when_it_is_asked_for() {
         );
     }
 }
+
+#[test]
+fn a_recording_that_is_played_names_the_command_that_can_pause() {
+    let mut console = Console::new();
+    console.start(Activity::Connected {
+        addresses: vec!["file:flight.tlog".to_owned()],
+    });
+    console.give("pause");
+    assert!(said(&console).contains("`sortie replay FILE`"));
+}

@@ -92,7 +92,10 @@ pub(super) fn incomplete(vehicle: VehicleId, list: &ParameterList) -> Text {
 }
 
 fn compare(state: &mut State, with: Other) {
-    state.rooms.parameters.comparison = Some(Comparison::new(with));
+    let room = &mut state.rooms.parameters;
+    room.comparison = Some(Comparison::new(with));
+    // An earlier filter would hide the differences, and leave them out of their number.
+    room.filter.clear();
     state.room = Room::Parameters;
 }
 

@@ -107,3 +107,44 @@ fn a_text_about_an_alert_that_stands_does_not_ring_too() {
     alerts.hear(at(20), call(AlertKind::Message));
     assert!(alerts.due(at(20)).ring);
 }
+
+#[test]
+fn after_a_reboot_the_checks_before_arming_begin_anew() {
+    let mut unready = Vehicle::new(1, 1);
+    unready.prearm.push("GPS not healthy".to_owned());
+    unready.health = Some(crate::vehicle::Health {
+        present: crate::vehicle::Health::PREARM,
+        enabled: crate::vehicle::Health::PREARM,
+        healthy: 0,
+        load_percent: 0.0,
+        at: Duration::ZERO,
+    });
+    let mut alerts = ActiveAlerts::default();
+    alerts.observe(&unready, USUAL_RESERVE_PERCENT, at(43));
+    let since = alerts.worst(1).map(|one| one.since);
+    assert_eq!(since, Some(at(43)));
+    let mut booted = Vehicle::new(1, 1);
+    booted.link.reboots = 1;
+    alerts.observe(&booted, USUAL_RESERVE_PERCENT, at(60));
+    unready.link.reboots = 1;
+    alerts.observe(&unready, USUAL_RESERVE_PERCENT, at(62));
+    let since = alerts.worst(1).map(|one| one.since);
+    assert_eq!(since, Some(at(62)));
+}
+
+#[test]
+fn a_jump_and_another_sender_raise_alerts() {
+    let mut vehicle = Vehicle::new(1, 1);
+    vehicle.jump = Some(crate::vehicle::PositionJump {
+        distance_m: 19_900_000.0,
+        at: at(10),
+    });
+    vehicle.link.moved_at = Some(at(10));
+    let mut alerts = ActiveAlerts::default();
+    alerts.observe(&vehicle, USUAL_RESERVE_PERCENT, at(11));
+    let pressing = alerts.pressing().expect("both press");
+    assert!(pressing.first.alert.text.to_string().contains("19900.0 km"));
+    assert_eq!(pressing.others, 1);
+    alerts.acknowledge(|_, _| true);
+    assert_eq!(alerts.pressing(), None);
+}

@@ -111,3 +111,20 @@ fn a_list_that_changes_while_it_is_read_is_broken_off_and_read_anew() {
     };
     assert_eq!(scene.asked_for(cancelled), 1);
 }
+
+/// ArduCopter reports an upload only on the port that it came from.
+#[test]
+fn beside_another_station_a_list_without_an_id_is_read_again_soon() {
+    for (station, rounds) in [(false, 1), (true, 3)] {
+        let mut scene = Scene::new(Manner::Modern, 5);
+        scene.announce(4, 0);
+        for _ in 0..70 {
+            scene.pass(Duration::from_secs(1));
+            if station {
+                scene.reader.station_heard(scene.now);
+            }
+        }
+        let of_the_plan = |asked: &MavMessage| matches!(asked, MavMessage::MISSION_REQUEST_LIST(data) if data.mission_type == MISSION);
+        assert_eq!(scene.asked_for(of_the_plan), rounds, "{station}");
+    }
+}

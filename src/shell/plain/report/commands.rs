@@ -98,6 +98,7 @@ fn outcome(entry: &LedgerEntry) -> Text {
         let explanation = row.remark().map(|text| text.regarding(""));
         let state = match row.state {
             RowState::NoEffect => entry.state_of(row),
+            RowState::Done if !row.is_over() => entry.state_of(row),
             state => state.text(),
         };
         let fate = (state, explanation);

@@ -269,6 +269,7 @@ fn command(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     };
     let state = match line.state {
         RowState::Done if line.ended_by.is_some() => row.words.over.clone(),
+        RowState::Done if !entry.watches_effects() => row.words.state(RowState::Accepted),
         RowState::Done => row.words.done.clone(),
         RowState::InProgress(percent) => format!("{percent} %"),
         RowState::Sent if line.tries > 1 => look.text(&text!("fly-try", count = line.tries)),

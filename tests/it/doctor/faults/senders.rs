@@ -68,6 +68,19 @@ async fn another_ground_station_is_named_and_its_gaps_are_no_loss() {
     assert_eq!(patient.causes(), [Cause::OtherStation(252, 230)]);
 }
 
+/// A companion computer that calls itself a ground station, with the system id of its vehicle.
+#[tokio::test(start_paused = true)]
+async fn a_component_of_a_vehicle_is_no_other_ground_station() {
+    let (mut patient, mut far) = Patient::piped(Way::Tcp);
+    let (mut vehicle, mut part) = (Voice::new(4, 1), Voice::new(4, 6));
+    for _ in 0..9 {
+        let said = part.say(ground_station_heartbeat());
+        let bytes = [vehicle.second(), vehicle.answer(), said].concat();
+        patient.feed(&mut far, &bytes, 1).await;
+    }
+    assert_eq!(patient.causes(), [Cause::Well(1)]);
+}
+
 #[tokio::test(start_paused = true)]
 async fn one_udp_peer_with_an_odd_numbering_is_no_duplicate() {
     let (mut patient, remote) = Patient::listening().await;
