@@ -25,8 +25,8 @@ detect-outlook = { $count } reported
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
-detect-advice-missed = missed: { $missed }, false reports: { $wrong }. Look again, lower and slower, and confirm before you report
-detect-advice-wrong = false reports: { $wrong }. Confirm with another sensor, or from a shorter distance, before you report
+detect-advice-missed = Look again, lower and slower, and confirm each contact before you report it (missed: { $missed }, false reports: { $wrong }).
+detect-advice-wrong = Confirm each contact with another sensor, or from a shorter distance, before you report it (false reports: { $wrong }).
 
 # Looking at a place closely before it is reported.
 checked-result = { $count }/{ $all } reports

@@ -46,7 +46,7 @@ parameters-marked = { $count } differ, { $marked } marked
 parameters-hidden = { $count } only on this vehicle (o)
 parameters-filter = /{ $filter }: { $count }
 parameters-only-changed = only changed
-parameters-other-than-default = only other than default
+parameters-other-than-default = only non-default
 parameters-setting = setting: { $count } left
 parameters-sets-on = targets: { $vehicles }
 parameters-none-yet = nothing received yet
@@ -139,7 +139,7 @@ documentation-reboot = takes effect after a reboot
 documentation-values = values: { $values }
 documentation-bits = bits: { $bits }
 documentation-outside = { $name } = { $value } is outside its documented range: { $range }
-documentation-not-listed = { $name } = { $value } is none of its documented values
+documentation-not-listed = { $name } = { $value } is not one of its documented values
 documentation-unknown-bits = { $name } = { $value } has bits without a documented meaning
-documentation-still = { $doubt }; { $submit } sets it nevertheless
+documentation-still = { $doubt }; { $submit } sets it anyway
 parameters-column-meaning = UNIT, MEANING

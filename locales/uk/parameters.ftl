@@ -143,7 +143,7 @@ documentation-reboot = діє після перезавантаження
 documentation-values = значення: { $values }
 documentation-bits = біти: { $bits }
 documentation-outside = { $name } = { $value } поза описаним діапазоном: { $range }
-documentation-not-listed = { $name } = { $value } немає серед описаних значень
+documentation-not-listed = { $name } = { $value }: такого значення в описі немає
 documentation-unknown-bits = { $name } = { $value } має біти, яких в описі немає
-documentation-still = { $doubt }; { $submit } все одно встановлює
+documentation-still = { $doubt }; { $submit } все одно встановлює значення
 parameters-column-meaning = ОДИНИЦЯ, ЗМІСТ

@@ -95,4 +95,4 @@ action-abandon = припинити завдання
 action-next-section = перейти до наступного розділу
 action-previous-section = перейти до попереднього розділу
 action-drill = виконати вправу до завдання
-action-truth-map = показати на карті, що було насправді, або текст
+action-truth-map = показати текст або карту того, що було насправді

@@ -162,4 +162,4 @@ vehicle-severity-notice = примітка
 vehicle-severity-info = інформація
 vehicle-severity-debug = налагодження
 vehicle-unexpected = тут не очікується: `all` його не стосується (`connect.expect`)
-mode-of-another = режим { $mode } задано не з цієї консолі; на цій лінії є ще й GCS { $system }/{ $component }
+mode-of-another = режим { $mode } задано не з цієї консолі; на цьому каналі зв'язку є ще й GCS { $system }/{ $component }

@@ -254,16 +254,16 @@ pub const SETTINGS: &[Setting] = &[
         "Whether frames that are not signed with the key of their vehicle are ignored.",
     ),
     setting(
-        "parameters.documentation",
-        SettingKind::Text,
-        Some("SORTIE_PARAMETER_DOCS"),
-        "File with the documentation of parameters: apm.pdef.xml or apm.pdef.json of ArduPilot, parameters.json of PX4.",
-    ),
-    setting(
         "connect.station",
         SettingKind::Whole(1, 255),
         Some("SORTIE_STATION"),
         "MAVLink system id of this console; by default 255, which ArduPilot expects (SYSID_MYGCS). Two consoles need two ids.",
+    ),
+    setting(
+        "parameters.documentation",
+        SettingKind::Text,
+        Some("SORTIE_PARAMETER_DOCS"),
+        "File with the documentation of parameters: apm.pdef.xml or apm.pdef.json of ArduPilot, parameters.json of PX4.",
     ),
     setting(
         "macros",

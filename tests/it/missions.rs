@@ -24,7 +24,7 @@ const REFUSALS: &[&str] = &[
     "gate-form.toml:50:18: a gate reads `NAME >= NUMBER`, with `>=`, `<=` or `==`",
     "gate-name.toml:50:18: unknown name `safty` in `gold_requires` (did you mean `safety`?)",
     "hazard-kind.toml:18:8: unknown hazard kind `vulcano`; known: ..",
-    "heights.toml:36:11: `heights` must be a list of two rising numbers, 0 to 1000 m",
+    "heights.toml:36:11: `heights` must be a list of two ascending numbers, 0 to 1000 m",
     "infinite.toml:21:8: `rate` must lie between 0.000001 and 1000000, not inf",
     "latitude.toml:9:18: `lat` must lie between -85 and 85, not 95",
     "medals.toml:50:10: medals must rise from bronze to gold, up to 1000",

@@ -87,7 +87,7 @@ mod tests {
     fn a_line_is_read_by_its_keys() {
         for (line, read) in [
             ("ефлущаа 20", Some("takeoff 20")),
-            ("\"куву фкь", Some("@red arm")),
+            ("\"кув фкь", Some("@red arm")),
             ("\"", Some("@")),
             ("ифеБ30", Some("bat<30")),
             ("іутв ф=\"a \" \"и", Some("send a=\"a \" @b")),

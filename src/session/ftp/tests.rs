@@ -333,7 +333,7 @@ proptest! {
     fn a_file_survives_the_channel(
         seed in any::<u64>(),
         // With more losses, sometimes nothing at all arrives for as long as the client waits.
-        loss in 0.0..0.3,
+        loss in 0.0..0.2,
         doubling in 0.0..0.3,
         delay in 0u32..20,
         len in 0usize..150_000,

@@ -348,7 +348,7 @@ mod tests {
         };
         let lines = objective_lines(&[objective], 40, false, &Look::default());
         let shown: Vec<String> = lines.iter().map(ToString::to_string).collect();
-        assert_eq!(shown, ["[ ] distance t… 12 % of 14 s, too close…"]);
+        assert_eq!(shown, ["[ ] distance to… 12 % of 14 s, too clos…"]);
     }
 
     #[test]

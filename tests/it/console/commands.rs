@@ -201,22 +201,22 @@ fn foreign(id: u32, at_s: u64) -> ForeignCommand {
 #[test]
 fn the_end_of_a_movement_is_not_hidden_by_a_setting_given_meanwhile() {
     let mut console = commanded();
-    console.at(20).give("1 goto n 40 e 0");
+    console.at(20).give("4 goto n 40 e 0");
     let movement = console.state().session().ledger().entries().len() as u32 - 1;
-    console.row(1, RowState::InProgress(15), None);
-    console.at(21).give("1 speed 3.5");
-    console.row(1, RowState::Done, None);
+    console.row(4, RowState::InProgress(15), None);
+    console.at(21).give("4 speed 3.5");
+    console.row(4, RowState::Done, None);
     let at = console.at(30).state().now();
     console.hear(VehicleEvent::Row(RowUpdate {
         entry: EntryId(movement),
-        vehicle: 1,
+        vehicle: 4,
         state: RowState::Done,
         tries: 1,
         at,
         explanation: None,
     }));
-    let (latest, _) = console.state().session().latest(1).expect("a command");
-    assert_eq!(latest.line, "1 goto n 40 e 0");
+    let (latest, _) = console.state().session().latest(4).expect("a command");
+    assert_eq!(latest.line, "4 goto n 40 e 0");
 }
 
 #[test]

@@ -100,7 +100,7 @@ fn an_unfinished_line_in_the_ukrainian_layout_is_offered_what_its_keys_begin() {
     assert_eq!(offered(&console)[0], "takeoff");
     console.press("ctrl-u").write("\"ку");
     assert_eq!(offered(&console)[0], "@red");
-    console.press("ctrl-u").write("\"куву дфтв").press("enter");
+    console.press("ctrl-u").write("\"кув дфтв").press("enter");
     assert_eq!(console.sent_to(), [1, 2]);
 }
 

@@ -94,7 +94,7 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[scoring]",
         "[[objectives]]\nid = \"o\"\ntitle = \"O\"\nvalue = 1\nkind = \"hover\"\nheights = [5, 2]\nradius = 5\ntime = 5\n[scoring]",
-        "54:11: `heights` must be a list of two rising numbers, 0 to 1000 m",
+        "54:11: `heights` must be a list of two ascending numbers, 0 to 1000 m",
     ),
     (
         "[scoring]",
