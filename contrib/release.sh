@@ -20,13 +20,15 @@ stage=$dist/$name
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct)
 home=${CARGO_HOME:-$HOME/.cargo}
 export SOURCE_DATE_EPOCH CARGO_INCREMENTAL=0
-export CFLAGS="-ffile-prefix-map=$PWD=/sortie -ffile-prefix-map=$home=/cargo"
+# Quoted, because a folder's name may have blanks.
+CFLAGS=$(printf '%q %q' "-ffile-prefix-map=$PWD=/sortie" "-ffile-prefix-map=$home=/cargo")
+export CFLAGS CC_SHELL_ESCAPED_FLAGS=1
 separator=$'\x1f'
 CARGO_ENCODED_RUSTFLAGS="--remap-path-prefix=$PWD=/sortie$separator--remap-path-prefix=$home=/cargo"
 CARGO_ENCODED_RUSTFLAGS+="$separator-Ctarget-feature=+crt-static"
 export CARGO_ENCODED_RUSTFLAGS
 cargo build --release --locked --target "$target" --bin sortie
-unset CARGO_ENCODED_RUSTFLAGS CFLAGS
+unset CARGO_ENCODED_RUSTFLAGS CFLAGS CC_SHELL_ESCAPED_FLAGS
 program=${CARGO_TARGET_DIR:-target}/$target/release/sortie
 
 rm -rf "$stage"

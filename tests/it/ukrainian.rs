@@ -27,7 +27,7 @@ const NAMES: &[&str] = &[
     "AHRS ASCII failsafe ArduCopter ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON Linux MAVFTP MAVLink PX4 NAT RC RTK RX SITL SQLite TOML DataFlash TCP TX UDP USB UTC UTF",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok root setgid",
     // Keys.
-    "Ctrl Enter Esc Tab R1 g1 w3 w3/12 p3",
+    "Ctrl Enter Esc Tab WASD R1 g1 w3 w3/12 p3",
     // Formats of plans, and the programs that write them.
     "MPC_Z_VEL_MAX_UP MPC_Z_VEL_MAX_DN MPC_YAWRAUTO_MAX GF_ACTION OFFBOARD QGC WPL plan MAVProxy KML KMZ kml GeoJSON XML QGroundControl SRTM deflate NAV_DELAY DISARM_DELAY",
     // Units that are not part of an argument.
@@ -37,7 +37,7 @@ const NAMES: &[&str] = &[
     // Placeholders in a line to type.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
     // Parts of MAVLink's names and of parameters' names.
-    "COMMAND_INT COMMAND_LONG MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV",
+    "COMMAND_INT COMMAND_LONG MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV MAV_SYSID CONTROL_STATUS RC_CHANNELS_OVERRIDE",
     // Addresses, options and files.
     "api data features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
     // Words of filters, and of the plain console.
