@@ -132,7 +132,10 @@ fn a_built_drone_flies_a_mission_that_pays_for_a_better_battery() {
         .press("y")
         .see_no_more("buys the right");
     // An Enter right after the answer would count as part of it.
-    terminal.press("\u{1b}[B\u{1b}[A\r").see("on board").press("\t");
+    terminal
+        .press("\u{1b}[B\u{1b}[A\r")
+        .see("on board")
+        .press("\t");
     terminal.see("LiPo 3S 5.1 Ah").see_no_more("17.2 min");
     terminal.press("\u{3}").press("y");
     assert_eq!(terminal.end(), 0);
