@@ -50,7 +50,7 @@ pub struct ActiveAlerts {
     close: BTreeMap<VehicleId, CloseVehicle>,
     /// The most threatening other aircraft, for each vehicle that aircraft come too close to.
     traffic: BTreeMap<VehicleId, TrafficConflict>,
-    /// Vehicles that do not belong to the session: their alerts stand, but press nobody.
+    /// Vehicles that do not belong to the session: their alerts are kept, but neither ring nor count.
     pub(in crate::app) strangers: BTreeSet<VehicleId>,
     /// The number of reboots of each vehicle with alerts, when it was last observed.
     reboots: BTreeMap<VehicleId, u32>,

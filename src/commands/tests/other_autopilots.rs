@@ -133,7 +133,7 @@ fn px4_takes_off_to_a_height_above_sea_level() {
     if let Some(global) = &mut px4.global {
         global.altitude_m = 30.0;
     }
-    assert_eq!(effect.seen(&px4), Some(false), "the takeoff goes on");
+    assert_eq!(effect.seen(&px4), Some(false), "the vehicle still climbs");
     assert_eq!(takeoff.claim(&px4).contradicted(&px4), None);
     enters(&mut px4, "AUTO.LOITER");
     assert_eq!(effect.seen(&px4), Some(true));

@@ -156,8 +156,8 @@ fn a_fault_has_its_place_and_leaves_the_rest() {
         places(&JSON.replace("\"version\": 0", "\"version\" 0")).len(),
         1
     );
-    for nothing in ["", "RTL_ALT,1500", "{}", "<kml/>"] {
-        assert_eq!(places(nothing), [(1, 1)], "{nothing}");
+    for unreadable in ["", "RTL_ALT,1500", "{}", "<kml/>"] {
+        assert_eq!(places(unreadable), [(1, 1)], "{unreadable}");
     }
 }
 
