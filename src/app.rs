@@ -5,6 +5,17 @@
 //! Nothing here waits, reads a clock or touches a terminal: the shell feeds events to
 //! [`App::update`], carries the effects out and draws when [`State::revision`] has changed. The
 //! shell can read the state but not change it.
+//!
+//! # How the parts fit
+//! - What a key does: `keymap` finds its action in the current room or overlay, `room` does what
+//!   belongs to one room (its cursor, its keys, the hints in its footer), `update` everything else.
+//!   `room_list` is the list of rooms.
+//! - What a line does, and when an order needs a confirmation: `update`, with the reasons from
+//!   `state`.
+//! - When an alert begins, rings and ends: `state` (`active_alerts`, `bell`).
+//! - Which faults the commands in keymaps and macros have: `lines`. Which key a step of a lesson
+//!   names: `lesson`.
+//! - What a jump of a replay restores: `snapshot`.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -29,6 +40,8 @@ pub mod room;
 pub mod room_list;
 mod snapshot;
 pub mod state;
+#[cfg(test)]
+mod testing;
 mod update;
 
 pub use room::State;

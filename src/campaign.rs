@@ -1,9 +1,25 @@
-//! A trainee's career: unlocks, earnings, possessions and skills.
+//! A trainee's career: which missions and parts are open, credits, licences for parts, and skills.
 //!
 //! A career is an append-only history of [`CareerEntry`]s, which are flights and purchases.
 //! Everything else is computed from it: [`CareerStanding::of`] folds a history into credits,
 //! experience, licences, parts and skills. The figures are therefore always consistent, and a
 //! corrected formula applies to past flights too. Every figure can be traced to its entries.
+//!
+//! A trainee buys the licence of a part once, and may then use any number of pieces of it in any
+//! design. Nothing is sold back. A flight with the trainee's own drones costs credits, also as
+//! practice.
+//!
+//! # How the parts fit
+//! - Whether a mission may be flown, and which one is recommended: `course`. How an attempt counts
+//!   (exam, graded, daily, practice), and with which seed it is flown: `attempt`, `daily`.
+//! - What a flight earns: `flown` makes it an entry, `skill` finds its evidence on skills,
+//!   `economy` has the prices of licences, the credits, the experience and the levels, `wear` the
+//!   costs of flying.
+//! - The standing: `standing` folds the history, and refuses purchases; `knowledge` estimates the
+//!   mastery of a skill and when it is due again; `soundness` finds entries that are impossible.
+//! - What the trainee sees: `reward` explains the changes by one flight, `growth` the course of the
+//!   career, `progress` its state per mission and skill; `aids` decides which hints are still
+//!   shown.
 
 mod aids;
 mod attempt;

@@ -1,4 +1,20 @@
 //! The command line, for terminals and scripts. Errors go to standard error.
+//!
+//! # How the parts fit
+//! - What all subcommands share: `settings` collects flags, environment and files, with the source of each value;
+//!   `backend`, `home`, `programs` and `designs` are options of several subcommands; `fault` prints faults with their
+//!   places; `table` aligns columns and writes Markdown and CSV; `trainee` opens profiles; `socket` connects to a
+//!   running console.
+//! - Flying: `fly` (the console, also for `connect`), `run` (a mission with a pilot script), `replay`, `sim` and
+//!   `hangar` (vehicles for other programs).
+//! - A running console: `say` gives it lines, `watch` prints its state, `mcp` offers it to language models.
+//! - After a flight: `debrief` scores it again, `verify` flies it again and compares, `records` lists, exports, signs
+//!   and joins records.
+//! - The trainee: `profile`, `report`, and `progress`, which has the columns of both and of the CSV.
+//! - Files and designs: `check` finds faults, `plan` makes, converts and rehearses plans, `workshop` predicts the
+//!   performance of a design.
+//! - The program: `doctor` examines this machine, `config` shows every setting, `manual` makes the manual pages and
+//!   completions, `bench` measures.
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};

@@ -3,6 +3,15 @@
 //! Each command is a value with named fields in physical units. It provides the MAVLink request for a given vehicle
 //! ([`Command::request`]) with the answer to wait for ([`Request::answer`]), and the effect to expect in telemetry
 //! ([`Command::effect`]).
+//!
+//! # How the parts fit
+//! - What a command is, by subject: `arming`, `flight`, `motion` with `destination`, `plan_flight`, `device`,
+//!   `control`, `query`, `parameter`, `log`, `file`, `plan`, `sticks`, `raw`; for several vehicles `manoeuvre` and
+//!   `task` (pure data); for the mission `deed`, with `find_kind`. `order` is a line with its targets.
+//! - Whether it is possible now, and which messages it takes: `request`, `encode`, `mav_cmd`, `modes`, `setpoint`
+//!   (when setpoints are ignored), `px4` (what PX4 needs instead).
+//! - When it is done: `effect`. When something else has taken over the vehicle: `claim`. When commanded speeds must
+//!   be sent again: `speeds`. Why a command was refused: `explain`.
 
 use crate::ledger::Risk;
 use crate::signing::SigningChange;

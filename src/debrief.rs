@@ -2,6 +2,11 @@
 //!
 //! Every loss of points is shown with its causes; improvements are ordered by their gain, as in `scoring`
 //! (`scoring::advice`).
+//!
+//! # How the parts fit
+//! - Why the points were lost: `points`. What happened: `timeline`. Where: `map`.
+//! - How the trainee did: `tries` (own attempts), `workload` and `swarm` (shown, not scored).
+//! - The page: `line` and `layout`.
 
 use std::fmt::Write as _;
 

@@ -3,6 +3,15 @@
 //!
 //! Keys and typed lines give the same [`Edit`]s. [`Edit::apply`] makes a new document from the old
 //! one, so the history of a draft is the list of its documents.
+//!
+//! # How the parts fit
+//! - A change: `edit` names it, `apply` carries it out, with `plan` and `fence` for the parts of a
+//!   document; `place` finds where an item goes, or refuses.
+//! - What a draft shows: `profile` (legs, times, slopes and heights), `squares` (the ground it
+//!   needs), `area` (outlines for surveys).
+//! - Before any vehicle gets it: `trial` is what flies in simulation, `flight` the figures of how
+//!   it went.
+//! - Between sessions: `shelf` holds the open drafts, `kept` turns unsaved ones into text.
 
 use std::sync::Arc;
 

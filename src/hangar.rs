@@ -12,6 +12,10 @@
 //! - `instance` is one instance's task: its process, its connection, its stages, its end. `relay`
 //!   carries bytes between it and the attached program. `progress` follows its start: `probe`
 //!   queries it, `stages` evaluates the answers. `restarts` decides whether it is started again.
+//! - `programs` finds SITL; `source` says which simulator a session uses and where.
+//! - Several hangars: `pool` distributes vehicles over them, `client` is a hangar elsewhere, and
+//!   `service` the other end of it, over HTTP, with `token` as its secret. `sockets` lists the
+//!   sockets of a process.
 
 use std::collections::BTreeMap;
 use std::io;

@@ -6,6 +6,17 @@
 //! Targets are `3`, `1-4,7`, `@red` (a named group), `all`, or none for the current selection; they come before the
 //! verb, or right after `wait`. Upper and lower case mean the same in verbs, keywords and modes. A number may carry its
 //! unit (`20m`, `5m/s`, `30s`, `3min`, `90deg`). `#` begins a comment.
+//!
+//! # How the parts fit
+//! - Reading a line: `lexer` splits it, `head` finds targets and verb, `form` matches the rest with the verb's forms,
+//!   `read` and `argument` turn words into values, `parse` builds the statement. `fault` says which word is wrong,
+//!   and why.
+//! - What can be meant: `table` has the verbs, `verb` is one row of it; `names`, `modes` and `fields` are names that
+//!   depend on the session, the vehicle's class and the message; `targets` and `choice` are vehicles, `radio` the
+//!   settings of a radio test.
+//! - Helping the user: `complete` offers the next words, `manual` writes the table as text.
+//! - `console` has the lines that the console carries out itself. `pilot` runs scripts; `wait` evaluates their
+//!   conditions.
 
 use std::collections::{BTreeMap, BTreeSet};
 

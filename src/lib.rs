@@ -14,15 +14,15 @@
 //! | | [`terminal`] | keys in, cells out: which features the terminal has, and its speed |
 //! | | [`api`] | the interface for programs: their requests, and states as JSON lines |
 //! | | [`replay`] | a recorded flight as the events that the console received then, starting at any moment |
-//! | | [`ui`] | screens and widgets: state in, cells out |
+//! | | [`ui`] | screens and widgets: state in, cells out; the roles of text (such as warning) and their styles (`themes/*.toml`) |
 //! | | [`app`] | state, events, effects, one `update`; the rooms' behaviour, their keys and the hints in their footers; when an alert is active, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
 //! | | [`hangar`] | SITL processes, started here or by a service over HTTP |
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
-//! | | [`store`] | files: missions, pilots, designs, themes, settings, profiles, runs, records; what a finished or abandoned flight adds to a career |
+//! | | [`store`] | files: missions, pilots, designs, the user's theme files, settings, profiles, runs, records; what a finished or abandoned flight adds to a career |
 //! | pure | [`exercise`] | when a mission begins and which clock counts its time (also in the console); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles and the mission, and the outcome back to the ledger |
-//! | | [`campaign`] | a career: unlocks, earnings, possessions, the mastery of each skill, and what an attempt counts as |
+//! | | [`campaign`] | a career: unlocks, credits and experience, licences for parts, the costs of flying, the mastery of each skill, and what an attempt counts as |
 //! | | [`review`] | the after-action review of a flight: answers, points to keep and to improve, later bookmarks |
 //! | | [`comparison`] | two flights of a mission side by side: the positions of the other one, the differences and their cost |
 //! | | [`debrief`] | a report as text |
@@ -31,7 +31,7 @@
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
 //! | | [`record`] | the record of a session: the frames of its links (`.tlog`), and the journal of everything else (a mission's own record is in [`mission`]) |
-//! | | [`swarm`] | manoeuvres of several vehicles |
+//! | | [`swarm`] | manoeuvres of several vehicles, the plans of a task that they share, and the default spacing of survey lines, from height and sensor |
 //! | | [`session`] | the conversation with one vehicle: commands, their retries, end and takeover; plans, parameters, logs, files; when the vehicle counts as lost |
 //! | | [`forward`] | sharing links with other ground stations: the routes of frames, and the stations' commands |
 //! | | [`language`] | the grammar, and the one table of verbs for vehicles, the mission and the console, with their properties: retries, danger, precedence, what `wait arrived` waits for |

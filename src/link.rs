@@ -3,6 +3,17 @@
 //! One task per link owns the socket, finds frames, counts dropped ones, sends a ground station's heartbeat every
 //! second, and keeps reconnecting. Received frames go to one bounded channel shared by all links; messages to send
 //! come through its [`LinkHandle`]; its state is published as [`LinkStatus`].
+//!
+//! # How the parts fit
+//! - The life of a link: `address` reads where a link leads, `connect` opens it and names the reason if it
+//!   cannot, `task` tries again (after 250 ms, later every 5 s) until the link ends. `stream` (TCP, serial, pipe),
+//!   `datagram` (UDP) and `server` (`tcpin`) carry the data; `playback` plays a recording.
+//! - What all transports share: `core` (queues, heartbeat, when reading stops), `beat` (when periodic work is due),
+//!   `peer` (decoder, numbering and protocol version of one sender), `parcel` (what a queue holds), `meter` (traffic,
+//!   losses, state).
+//! - Where else frames go: `tap` counts them for the doctor and the inspector, `sink` collects them for the
+//!   record (`tlog` is its format), `relay` shares them with other ground stations, `signer` signs and checks them.
+//! - `simulator` serves the embedded simulator; `rehearsal_tape` records a rehearsal as if links had received it.
 
 use std::fmt;
 use std::net::SocketAddr;
@@ -63,7 +74,8 @@ pub use tlog::{TlogDamage, TlogError, TlogPiece, TlogReader, TlogRecord, TlogSal
 
 /// The maximum number of messages that wait for a link; more are dropped.
 const OUTBOX_LEN: usize = 256;
-/// The maximum number of frames that wait for a forward, which carries the traffic of all vehicles; more are dropped.
+/// The maximum number of frames that wait for a forward, which carries the traffic of all vehicles. All clients of
+/// the forward share this queue; while it is full, newer frames are dropped for all of them.
 const FORWARD_OUTBOX_LEN: usize = 2048;
 
 /// The number of a link within this program.

@@ -1,5 +1,11 @@
 //! Telemetry: the changes that each `MAVLink` message makes to the model of its vehicle, and the
 //! resulting notices. One match chooses the handler; the handlers are in one file per subject.
+//!
+//! # How the parts fit
+//! - Is it there and able to fly: `heartbeat`, `health`, `landed`, `clock` (a reboot), `idle` (why it disarmed).
+//! - Where it is, and how well it knows: `position`, `attitude`, `speed`, `gps`, `ekf`, `vibration`, `rangefinder`.
+//! - What it has and does: `battery`, `outputs`, `fence`, `plan` (progress), `target`, `modes`, `control`, `version`.
+//! - What it says: `status_text` (with the reasons not to arm), `parameters`, `traffic`.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -8,6 +8,13 @@
 //! on from there. The state at that time is therefore the same, however the user has reached it.
 //!
 //! Nothing is ever sent: the sessions' messages to their vehicles are dropped.
+//!
+//! # How the parts fit
+//! - What is in the recording: `film` (its files), `logs` (a vehicle's own log beside it),
+//!   `contents` and `moments` (what happened when).
+//! - How it is shown: `player` (where it is, how fast), `stage` (the vehicles repeat what they
+//!   sent), `index` and `observer` (key frames for jumps).
+//! - `export` writes it for other programs.
 
 use std::path::Path;
 use std::sync::Arc;

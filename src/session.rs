@@ -4,18 +4,27 @@
 //! returns reports and the messages to send. The fleet drives one session per vehicle from a task;
 //! an exercise drives them in lock step with the simulator. Both therefore behave the same, and
 //! every time-out and retry can be tested without waiting.
+//!
+//! # How the parts fit
+//! - What goes in and comes out: `set_up` (what is asked of a new vehicle), `order`, `output`.
+//! - When the vehicle counts as heard, lost or back, and how its clock differs: `reception`, with `hearing`, `streams`
+//!   (rates of telemetry) and `timesync`.
+//! - What happens with an order: `orders`, with `line` (which order waits for its answer), `transaction` (send, retry,
+//!   answer, effect), `precedence` (which order supersedes which), `fit` (refused for the vehicle's parameters),
+//!   `acknowledgement`, `control` (which station the vehicle obeys).
+//! - What takes minutes and runs beside the orders: `transfers`, with `lists`, `logs`, `files`, `ftp`, `gaps` and
+//!   `defaults`; `plan_orders` and `plans`, `signing`, `download` (of parameters), `events`.
+//! - How parameters are encoded and named: `parameter_code`, `naming`, `settings` (those that a mission sets).
+//! - What lies between vehicle and console: `surroundings`, `radio` (a mission's), `bench` (a radio under test),
+//!   `sticks`.
 
 use std::sync::Arc;
 use std::time::Duration;
 
-use mavlink::dialects::ardupilotmega::MavMessage;
-
-use crate::commands::{Command, DeviceCommand, REQUEST_CONTROL};
 use crate::messages::Inbox;
 use crate::parameters::ParameterSnapshot;
-use crate::text;
 use crate::text::Text;
-use crate::vehicle::{AskedSpeeds, HeldChannels, Vehicle};
+use crate::vehicle::{HeldChannels, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, Outgoing, SystemId};
 
 mod acknowledgement;
@@ -34,12 +43,14 @@ mod lists;
 mod logs;
 mod naming;
 mod order;
+mod orders;
 mod output;
 mod parameter_code;
 mod plan_orders;
 mod plans;
 mod precedence;
 mod radio;
+mod reception;
 mod set_up;
 mod settings;
 mod signing;
@@ -52,21 +63,15 @@ mod timesync;
 mod transaction;
 mod transfers;
 
-use control::ControlDesk;
-use defaults::DefaultsReader;
 use download::Download;
 use events::Events;
-use files::FileOrders;
-use hearing::{Hearing, watch_silence};
-use line::{Line, Moment};
-use lists::{Lists, ListsDesk};
-use logs::LogReader;
+use hearing::watch_silence;
+use line::Moment;
+use orders::Orders;
 use output::Output;
-use signing::VehicleSigning;
-use sticks::Sticks;
-use streams::Streams;
+use reception::Reception;
 use surroundings::Surroundings;
-use timesync::Timesync;
+use transfers::ReadDefaults;
 
 pub use files::FileDesk;
 pub use ftp::{
@@ -100,20 +105,10 @@ const TWIN_GONE_AFTER: Duration = Duration::from_secs(5);
 pub struct Session {
     vehicle: Vehicle,
     inbox: Inbox,
-    hearing: Hearing,
-    streams: Streams,
-    timesync: Timesync,
-    lists: Lists,
-    line: Line,
+    reception: Reception,
     download: Download,
-    defaults: DefaultsReader,
     events: Events,
-    logs: LogReader,
-    files: FileOrders,
-    ftp: FtpClient,
-    signing: VehicleSigning,
-    control: ControlDesk,
-    sticks: Sticks,
+    orders: Orders,
     output: Output,
     surroundings: Surroundings,
     /// The time of the last poll.
@@ -127,20 +122,10 @@ impl Session {
         Self {
             vehicle: Vehicle::new(system, component),
             inbox: Inbox::new(),
-            hearing: Hearing::default(),
-            streams: Streams::new(WANTED_STREAMS, now),
-            timesync: Timesync::default(),
-            lists: Lists::default(),
-            line: Line::default(),
+            reception: Reception::new(now),
             download: Download::new(),
-            defaults: DefaultsReader::default(),
             events: Events::default(),
-            logs: LogReader::default(),
-            files: FileOrders::default(),
-            ftp: FtpClient::default(),
-            signing: VehicleSigning::default(),
-            control: ControlDesk::default(),
-            sticks: Sticks::default(),
+            orders: Orders::default(),
             output: Output::default(),
             surroundings: Surroundings::new(),
             now,
@@ -178,14 +163,14 @@ impl Session {
     /// the vehicle may have rebooted, and requests are repeated.
     pub fn heard_via(&mut self, link: u16, now: Duration) {
         self.vehicle.link.via = Some(link);
-        self.streams.forget(now);
-        self.lists.begin_anew(&mut self.ftp, now);
+        self.reception.begin_anew(now);
+        self.orders.transfers().link_up(now);
         self.download.resume(now);
     }
 
     /// Notes that another ground station is heard on the vehicle's link, which may change what is on board.
     pub fn station_heard(&mut self, now: Duration) {
-        self.lists.station_heard(now);
+        self.orders.transfers().station_heard(now);
     }
 
     /// Notes that the vehicle is heard from another sender than before.
@@ -219,7 +204,7 @@ impl Session {
                 let surroundings = &mut self.surroundings;
                 surroundings.test_radio(test, self.vehicle.id, self.now);
             }
-            Want::Lists(document) => self.lists.stock(&document),
+            Want::Lists(document) => self.orders.transfers().stock(&document),
         }
     }
 
@@ -241,14 +226,17 @@ impl Session {
         }
         let is_autopilot = frame.component == self.vehicle.component;
         if is_autopilot {
-            self.hear(frame, now);
+            let back = self.reception.hear(frame, &mut self.vehicle, now);
+            if back.is_some() {
+                self.download.resume(now);
+            }
+            self.output.say(back);
         }
         let reboots = self.vehicle.link.reboots;
         let mut notices = Vec::new();
         self.inbox
             .apply(&mut self.vehicle, frame, now, &mut notices);
-        self.line.hear_texts(&notices);
-        self.signing.hear_texts(&notices);
+        self.orders.hear_texts(&notices);
         self.output.say(notices);
         if is_autopilot {
             self.answer(frame, now);
@@ -270,60 +258,22 @@ impl Session {
 
     /// Repeats all requests to the autopilot after a reboot.
     fn begin_anew(&mut self, now: Duration) {
-        self.streams.forget(now);
+        self.reception.begin_anew(now);
         self.surroundings.begin_anew();
         self.download.begin_anew(&mut self.inbox);
-        self.defaults.begin_anew();
-        // Messages for the vehicle before its reboot must not reach it afterwards.
-        let newer = text!("outcome-the-reboot");
-        let (line, mut moment) = self.line(now);
-        line.clear(&newer, &mut moment);
-        line.supersede_movements(&newer, now, moment.output);
-        self.vehicle.asked_speeds = AskedSpeeds::default();
-        let (files, mut scene) = self.files(now);
-        files.clear(&newer, &mut scene);
         self.events.forget();
-        self.ftp.forget();
-        self.lists.begin_anew(&mut self.ftp, now);
-        self.logs
-            .clear(&newer, &self.vehicle, now, &mut self.output);
+        let (orders, mut moment) = self.orders(now);
+        orders.begin_anew(&mut moment);
     }
 
     /// Queues an order. An urgent one (kill, disarm, land, return, hold) cancels commands that wait or have not been
     /// answered.
     pub fn order(&mut self, order: VehicleCommand, now: Duration) {
-        if matches!(order.command, Command::Log(_)) {
-            self.logs.order(order, &self.vehicle, now, &mut self.output);
+        let (orders, moment) = self.orders(now);
+        let is_beside_the_line = orders.order(order, moment);
+        if is_beside_the_line {
             self.poll(now);
-            return;
         }
-        if matches!(order.command, Command::File(_)) {
-            let (files, mut scene) = self.files(now);
-            files.order(order, &mut scene);
-            self.poll(now);
-            return;
-        }
-        if matches!(order.command, Command::Signing(_)) {
-            let signing = &mut self.signing;
-            signing.order(order, &self.vehicle, now, &mut self.output);
-            self.poll(now);
-            return;
-        }
-        if let Command::Device(DeviceCommand::Sticks(change)) = order.command {
-            self.sticks
-                .order(&order, change, &mut self.vehicle, now, &mut self.output);
-            self.poll(now);
-            return;
-        }
-        if matches!(order.command, Command::Plan(_)) {
-            let (lists, desk) = self.lists(now);
-            lists.order(order, desk);
-            self.poll(now);
-            return;
-        }
-        self.control.note(&order.command, now);
-        let (line, moment) = self.line(now);
-        line.order(order, moment);
     }
 
     /// Sends a vehicle's setpoint in a joint manoeuvre: it is not a command, has no answer, and
@@ -332,8 +282,8 @@ impl Session {
     /// # Errors
     /// The setpoint is in the ground or not a valid position; nothing is sent.
     pub fn steer(&mut self, steering: &Steering, now: Duration) -> Result<(), Text> {
-        let (line, moment) = self.line(now);
-        line.steer(steering, moment)
+        let (orders, moment) = self.orders(now);
+        orders.steer(steering, moment)
     }
 
     /// Notes that another vehicle with the same system id is heard.
@@ -343,10 +293,7 @@ impl Session {
 
     /// Holds channels that are steered by keys, until the next call or for a second; `None` releases all channels.
     pub fn steer_by_hand(&mut self, held: Option<HeldChannels>, now: Duration) {
-        match held {
-            Some(held) => self.sticks.steer(held, &mut self.vehicle, now),
-            None => self.sticks.release(&mut self.vehicle, now),
-        }
+        self.orders.steer_by_hand(held, &mut self.vehicle, now);
         self.poll(now);
     }
 
@@ -364,37 +311,25 @@ impl Session {
         let lost = watch_silence(&mut self.vehicle, now);
         self.output.say(lost);
         if !self.vehicle.link.lost && self.vehicle.heartbeat.is_some() {
-            self.output
-                .messages
-                .extend(self.timesync.poll(self.vehicle.address(), now));
-            for (message, command) in self.streams.poll(&self.vehicle, now) {
-                self.output.messages.push(message);
-                self.line.expect_ack(command, now);
-            }
-            let is_free = self.line.is_free();
-            let (lists, desk) = self.lists(now);
-            lists.read(is_free, desk);
-            let offers_file = self.offers_defaults();
-            let fetching = self.download.fetching();
-            self.defaults.poll(fetching, offers_file, &mut self.ftp);
-            let given_up = self.events.poll(&self.vehicle, now, &mut self.output);
-            self.output.say(given_up);
-            let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
-            self.output.messages.extend(requests);
+            self.request(now);
         }
-        let (lists, desk) = self.lists(now);
-        lists.poll(desk);
-        self.logs
-            .poll(&self.vehicle, &mut self.ftp, now, &mut self.output);
-        let (files, mut scene) = self.files(now);
-        files.poll(&mut scene);
-        self.handle_files(None, now);
-        self.signing.poll(&self.vehicle, now, &mut self.output);
-        if self.control.poll(&self.vehicle, now, &mut self.output) {
-            self.line.expect_ack(REQUEST_CONTROL, now);
+        let (orders, moment) = self.orders(now);
+        let defaults = orders.poll(moment);
+        self.note_defaults(defaults);
+    }
+
+    /// Requests telemetry, lists, events and parameters that are missing.
+    fn request(&mut self, now: Duration) {
+        for command in self.reception.poll(&self.vehicle, now, &mut self.output) {
+            self.orders.expect_ack(command, now);
         }
-        self.sticks.poll(&mut self.vehicle, now, &mut self.output);
-        self.advance(now);
+        let fetching = self.download.fetching();
+        let (orders, mut moment) = self.orders(now);
+        orders.read(fetching, &mut moment);
+        let given_up = self.events.poll(&self.vehicle, now, &mut self.output);
+        self.output.say(given_up);
+        let requests = self.download.poll(&mut self.inbox, &self.vehicle, now);
+        self.output.messages.extend(requests);
     }
 
     /// The maximum time until the next poll if nothing arrives.
@@ -403,16 +338,9 @@ impl Session {
             return TEST_POLL;
         }
         if !self.surroundings.are_settled()
-            || self.line.is_busy()
-            || self.logs.is_busy()
-            || self.lists.is_busy()
             || self.download.fetching().is_under_way()
-            || self.files.is_busy()
-            || self.ftp.is_busy()
             || self.events.is_busy()
-            || self.signing.is_busy()
-            || self.control.is_busy()
-            || self.sticks.is_busy(&self.vehicle)
+            || self.orders.is_busy(&self.vehicle)
         {
             BUSY_POLL
         } else {
@@ -434,68 +362,38 @@ impl Session {
         std::mem::take(&mut self.output.reports)
     }
 
-    fn hear(&mut self, frame: &Frame, now: Duration) {
-        let back = self.hearing.hear(frame, &mut self.vehicle, now);
-        if frame.is_verified() {
-            self.streams.note(frame.content.id());
-        }
-        if back.is_some() {
-            self.streams.forget(now);
-            self.download.resume(now);
-        }
-        self.output.say(back);
-    }
-
     /// Handles answers to the console's requests, and answers the vehicle's requests.
     fn answer(&mut self, frame: &Frame, now: Duration) {
         if let Content::Message(message) = &frame.content {
-            let (reply, round_trip) = self.timesync.receive(message, self.vehicle.system, now);
+            let reply = self.reception.receive(message, &mut self.vehicle, now);
             self.output.messages.extend(reply);
-            if round_trip.is_some() {
-                self.vehicle.link.round_trip = round_trip;
-            }
             let heard = self.events.receive(message, &self.vehicle, now);
-            self.line.hear_texts(heard.as_slice());
+            self.orders.hear_events(heard.as_slice());
             self.output.say(heard);
         }
-        self.signing
-            .receive(frame, &self.vehicle, now, &mut self.output);
-        let (lists, desk) = self.lists(now);
-        lists.receive(frame, desk);
-        self.logs.receive(frame, now);
-        if let Content::Message(MavMessage::FILE_TRANSFER_PROTOCOL(data)) = &frame.content
-            && [0, self.vehicle.station].contains(&data.target_system)
-        {
-            self.handle_files(Some(&data.payload), now);
+        let (orders, mut moment) = self.orders(now);
+        let defaults = orders.receive(frame, &mut moment);
+        self.note_defaults(defaults);
+    }
+
+    fn note_defaults(&mut self, defaults: ReadDefaults) {
+        if let Some(defaults) = defaults {
+            self.inbox.note_defaults(defaults);
         }
-        ControlDesk::receive(frame, &self.vehicle, now, &mut self.output);
-        self.line
-            .receive(frame, self.vehicle.station, now, &mut self.output);
     }
 
     fn advance(&mut self, now: Duration) {
-        let (line, moment) = self.line(now);
-        line.advance(moment);
+        let (orders, moment) = self.orders(now);
+        orders.advance(moment);
     }
 
-    fn lists(&mut self, now: Duration) -> (&mut Lists, ListsDesk<'_>) {
-        let desk = ListsDesk {
-            vehicle: &mut self.vehicle,
-            parameters: self.inbox.parameters(),
-            ftp: &mut self.ftp,
-            now,
-            output: &mut self.output,
-        };
-        (&mut self.lists, desk)
-    }
-
-    fn line(&mut self, now: Duration) -> (&mut Line, Moment<'_>) {
+    fn orders(&mut self, now: Duration) -> (&mut Orders, Moment<'_>) {
         let moment = Moment {
             vehicle: &mut self.vehicle,
             parameters: self.inbox.parameters(),
             now,
             output: &mut self.output,
         };
-        (&mut self.line, moment)
+        (&mut self.orders, moment)
     }
 }

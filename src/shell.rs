@@ -2,6 +2,17 @@
 //!
 //! One loop feeds events to [`App::update`], carries out its effects, and draws when something visible has changed and
 //! the terminal is ready for a frame. Time, telemetry and missions run independently of drawing.
+//!
+//! # How the parts fit
+//! - A flight's life: `options` (how the console starts), `begin` (a session starts, and whether it counts for a
+//!   career), `session`, `pause` (pauses, Ctrl-Z, the speed-up), `pace` (how often the console ticks), `replaying`.
+//! - In: `input` (keys, answers and sizes of the terminal), `signals`, `api` (programs). Out: `sight` holds what the
+//!   terminal must show next, `plain` prints lines without a screen.
+//! - How effects are carried out: `effects`, with `orders` (to vehicles), `files`, `missions` (the missions on offer)
+//!   and `career` (profile, purchases).
+//! - Simulation in the background: `trials` (drafts), `ghost` (another flight of the mission), `last_rehearsal` (the
+//!   recording that `replay rehearsal` plays).
+//! - `drive` runs the console without terminal and user, for measurements.
 
 use std::collections::VecDeque;
 use std::io;

@@ -1,9 +1,20 @@
 //! Files of the user and of the program: missions, pilots, designs, themes, settings, profiles, runs. The hangar itself
 //! keeps the folders of its processes, and a link itself reads the recordings that it plays.
 //!
-//! Missions, designs and themes are embedded in the program. A file of the same name in an administrator's folder
-//! replaces the embedded one, one in the user's configuration folder replaces both, and a path on the command line is
-//! read as it is.
+//! Missions, pilot scripts, designs and themes are embedded in the program. A file of the same name in an
+//! administrator's folder replaces the embedded one, one in the user's configuration folder replaces both, and a path
+//! on the command line is read as it is.
+//!
+//! # How the parts fit
+//! - Where files are: `folders`; `names` expands, lists and suggests names; `source` reads texts, `regular` refuses
+//!   devices and endless files, `links` refuses links of other users.
+//! - How a file is written so that no crash, full disk or other program damages it: `output` (all or nothing),
+//!   `append` (always valid), `new_name` (replaces nothing).
+//! - A flight: `records` writes frames and journal while it is flown, `runs` the mission's own record; `settlement`
+//!   turns a finished or abandoned flight into an entry of a career, which `profiles` stores; `signature` signs
+//!   records, `sharing` lets a group read results.
+//! - What else the user keeps: `plans`, `unsaved` (drafts), `history` (typed lines), `logs` and `transferred` (files
+//!   from vehicles), `terrain`, `keys` (of MAVLink signing).
 
 use std::collections::BTreeMap;
 use std::fs;

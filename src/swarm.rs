@@ -13,6 +13,19 @@
 //! moves the whole formation, and the rows of the other members end when it has arrived. Any other movement takes a
 //! vehicle out of its manoeuvre; the others close up, or share its lines (`lanes`). A formation has the speed
 //! commanded to its leader (`speed`).
+//!
+//! **Spacing.** A survey has lines as far apart as its command says, otherwise as wide as the sensor's strip at the
+//! height of the lines, otherwise 20 m. A mission gives the strip of its sensors (`swarm_rules` in
+//! `mission::together`): that of the detector with the narrowest one, on whichever drone. Free flight has no sensors.
+//!
+//! # How the parts fit
+//! - An order: `planner` selects the vehicles that can take part and plans the manoeuvre, with `slots` (the places of
+//!   a formation), `lanes` (which vehicle flies which lines), `geometry` (which vehicle gets which place) and `site`
+//!   (the local frame).
+//! - The flight: `transit` brings all to their places, `act` carries the manoeuvre out and repeats setpoints, `march`
+//!   moves a formation, `guard` makes a vehicle wait.
+//! - Plans: `tasks` makes a plan for each vehicle of `plan survey` or `draft survey`; `divided` remembers which plans
+//!   are parts of the same work. `gathering` warns if a command sends several vehicles to one place.
 
 use std::time::Duration;
 

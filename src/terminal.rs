@@ -2,6 +2,11 @@
 //!
 //! A separate thread writes the frames, and no more of them than the line can carry (`pace`). A terminal that reads
 //! slowly, or not at all, therefore blocks nothing, and shows the newest state when it reads again.
+//!
+//! # How the parts fit
+//! - In: `keyboard` reads bytes in a thread, `input` makes keys, pastes and answers of them. Out: `backend` draws
+//!   frames, `escape_codes` writes colours that every terminal understands, `writer` writes in a thread.
+//! - What the terminal can show: `capability`. When the next frame may be drawn: `pace`. Ctrl-Z: `suspend`.
 
 use std::io::{self, Write};
 use std::sync::Arc;

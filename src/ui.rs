@@ -1,4 +1,14 @@
-//! The screens, which draw a [`State`] and do not change it.
+//! The screens, which draw a [`State`] and do not change it. The smallest terminal that they fit is `SMALLEST` in
+//! `app::state`; a smaller one shows both sizes instead.
+//!
+//! # How the parts fit
+//! - What a room shows: one file per room in `screen`. What several rooms show (header, footer, map, swarm table,
+//!   overlays): `widget`.
+//! - Which colour: a widget names a role, and `theme` gives the role its style, from `themes/*.toml` or the user's
+//!   theme files; `look` brings theme, texts and symbols to every widget, and gives drones and teams their own
+//!   colours and signs.
+//! - How it reaches cells: `panel` divides an area and writes into it, `hits` records what a click means, `ascii`
+//!   replaces characters that the terminal lacks, `window` sets the title of the terminal's window.
 
 use ratatui::Frame;
 

@@ -3,6 +3,15 @@
 //! A plain value, cheap to clone: the task that owns a vehicle changes it in place, all other code reads snapshots.
 //! `None` means that the vehicle has not reported the value (yet). Times are durations since the start of the program's
 //! clock, the same clock that every `now` argument of the pure modules reads.
+//!
+//! # How the parts fit
+//! - What it reports: `readings`, `status`, `traffic`, `control` (the station it obeys), `mode`, `px4_modes`,
+//!   `announced` (its own modes); `plan` (its lists), `radio_test`, `held_channels`.
+//! - Whether a reading is good, poor or bad: `limits`. Whether its fence is on: `fence_switch`; by which rules its
+//!   plans are checked: `check_rules`. Why it disarmed by itself: `idle_disarm`.
+//! - Where it is in its plan: `leg` and `pause`; how long the rest takes: `route`. What the way home costs:
+//!   `way_home`.
+//! - Which vehicles carry the same list: `carried`. Which speeds were commanded: `speeds`.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

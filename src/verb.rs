@@ -126,8 +126,8 @@ impl Movement {
     }
 }
 
-/// When a vehicle has arrived, for `wait arrived`. [`Effect`](crate::commands::Effect) decides when the ledger shows
-/// an order as done.
+/// When a vehicle has arrived, for `wait arrived`; applied by `arrived` in `language::wait`.
+/// [`Effect`](crate::commands::Effect) decides when the ledger shows an order as done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Arrival {
     /// When the order is done; without a visible effect, when the vehicle stands still at its target.

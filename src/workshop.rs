@@ -8,6 +8,14 @@
 //! The physics is momentum theory with measured propeller coefficients and a brushless motor
 //! modelled as a resistance and a back-EMF, fitted to bench tests of motors. The results agree with
 //! the published hover times of six real drones within about 10 %; see the tests.
+//!
+//! # How the parts fit
+//! - What can be chosen: `catalogue` has the parts, `part` their properties, `design` the choice;
+//!   `check` finds problems, with reasons.
+//! - What follows: `figures` puts the results together, from `drive` (thrust and power), `forward`
+//!   (speed and range), `pack` (the battery under load) and `loss` (how far the radio reaches).
+//!   `measure` shows figures with units and whether more is better.
+//! - How simulators fly it: `airframe`.
 
 mod airframe;
 mod catalogue;

@@ -1,5 +1,14 @@
 //! The rooms of the console. A room has state ([`Rooms`]), keys, and a behaviour for actions ([`RoomModel`]); changes
 //! beyond the room are requests ([`RoomRequest`]). The actions of a single room go only to that room.
+//!
+//! # How the parts fit
+//! - Before and after a flight: `home` (what to fly), `mission` (brief and objectives), `debrief`, `review`,
+//!   `standing`, `workshop`.
+//! - In flight: `fly` (the table), `map`, `vehicle`, `ledger`, `plans` (drafts), `parameters` and `files` of a
+//!   vehicle.
+//! - Behind it: `links` and `messages` (the traffic), `hangar` (the processes).
+//! - What several rooms use: `keys` and `footer_keys` (default keys, and hints), `page` (text with meaning),
+//!   `context` (views of the state that need the rooms), `request` (what a room asks of the console).
 
 use super::action::{Action, SelectAction, StartAction, Step, ViewAction};
 use super::keymap::{KeyHint, KeyRow};

@@ -1,4 +1,21 @@
 //! The console's state. Only [`App::update`](super::App::update) changes it; drawing reads it.
+//!
+//! # How the parts fit
+//! - What needs attention: `alert` derives the conditions of a vehicle from its telemetry, `separation` and `traffic`
+//!   find vehicles and other aircraft that come too close; `active_alerts` decides when an alert begins, becomes
+//!   worse, ends, and is acknowledged or muted; `bell` decides when it rings. `notices` folds repeated notices into
+//!   one line.
+//! - The session: `flight_view` is all that is dropped at its end; `timing`, `time` and `pace` are its clock, its
+//!   pauses and its speed-up; `flown_mission` the mission; `session_ledger` finds a vehicle's current command;
+//!   `links` and `hangar` hold the state of connections and processes; `history` and `heights` keep past readings;
+//!   `replay` and `ghost` show recorded flights.
+//! - Why an order needs a confirmation: `plan_failures` (plans that failed in a rehearsal) and `mission_fence`
+//!   (targets outside a fence of the mission, or above its ceiling).
+//! - The user: `choice` (cursor, selection, groups), `filter` and `column` (which vehicles the table shows, in which
+//!   order), `typing`, `overlay` (questions and prompts), `help` (made from the keymap and the verbs), `names` (the
+//!   names that a line may use), `sticks`; `display` has the size of the smallest terminal. `training` and `career`
+//!   hold missions, results and standing.
+//! - `views` is what other modules may read.
 
 use std::sync::Arc;
 use std::time::Duration;

@@ -1,4 +1,19 @@
 //! The one function that changes the state.
+//!
+//! # How the parts fit
+//! - A key goes to the overlay that is open, otherwise through the keymap (`keys`): `act` carries out what works in
+//!   every room, `show` changes the room, `palette` edits, completes (`offer`) and runs a line, `typing` and `prompt`
+//!   edit other texts, `reader` moves through help and logs, `latin` reads a line typed in the Ukrainian layout.
+//! - A line: `order` finds the targets of a command to vehicles, asks before a dangerous one and opens its ledger
+//!   entry; `own_fence` decides whether its target lies outside a vehicle's own fence. `console_line` carries out
+//!   lines for the console, with `alert_line`, `drafts`, `forget`, `forwards`, `radio`, `selection` and
+//!   `vehicle_files` for their subjects. `macros` checks all lines of a macro before the first one is given, `batch`
+//!   sets parameters one after another, `program` refuses what programs may not give.
+//! - `consequence` carries out what was confirmed. `ending` decides what would be lost if the session ended now.
+//! - The course of a session: `start`, `mission` (pause, restart, give up), `replay`, `review`, `ghost`, `sticks`;
+//!   `pace` decides when the speed-up may rise, and which event resets it.
+//! - Reports of the shell: `telemetry` (time, vehicles, notices, and the signals that are due), `links`, `hangar`,
+//!   `files`, `profiles`.
 
 use super::State;
 use super::effect::{Effects, FileKind};

@@ -1,4 +1,11 @@
 //! `sortie bench`: the measurements that docs/measurements.md quotes.
+//!
+//! # How the parts fit
+//! - What the console costs: `decode` (a packet), `frame` (a drawing), `latency` (a key until it shows), `replay` (a
+//!   record).
+//! - What simulated flight costs: `sim`, `missions`, `load`, and `scale` for growing swarms.
+//! - Whether the simulation is right: `fidelity`, beside recordings of the real vehicle; `campaign`, the whole
+//!   course.
 
 use std::process::ExitCode;
 

@@ -1,4 +1,5 @@
-//! `sortie report`: a profile's progress as a document.
+//! `sortie report`: a profile's progress as a document. The tables and their columns, also those of the CSV, are in
+//! `progress`; this module adds the column with the profile.
 
 use std::path::PathBuf;
 use std::process::ExitCode;

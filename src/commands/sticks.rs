@@ -20,7 +20,7 @@ pub enum StickChange {
         /// Pulse width in microseconds.
         pulse_us: u16,
     },
-    /// Release all channels.
+    /// Give all held channels back to the transmitter.
     Release,
 }
 

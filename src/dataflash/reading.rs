@@ -30,7 +30,7 @@ const KNOWN: &[&str] = &[
 const GPS_EPOCH_MS: f64 = 315_964_800_000.0;
 const LEAP_MS: f64 = 18_000.0;
 const WEEK_MS: f64 = 7.0 * 24.0 * 3600.0 * 1000.0;
-/// `EV.Id` of arming.
+/// The `Id` of an `EV` record that says that the vehicle was armed.
 const ARMED: u8 = 10;
 
 #[derive(Debug, Default)]

@@ -174,7 +174,7 @@ pub enum RadioChoice {
 /// A command about the messages on the links.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum MessagesLine {
-    /// Begin new statistics.
+    /// Forget the messages counted so far, and begin new statistics.
     Reset,
     /// Write the statistics to a file.
     Export(String),

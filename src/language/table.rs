@@ -1,4 +1,12 @@
 //! The verb table: every verb, once.
+//!
+//! # How the parts fit
+//! - For vehicles: `flight` (arm, take off, return, stop), `motion` (go, turn, climb), `swarm` (together), `plans`
+//!   (the lists on board), `devices` (outputs, parameters, logs, keys), `files`, and `raw` for commands as typed.
+//! - For the mission: `mission` (loads, reports, prediction). For a script: `waiting`.
+//! - For the console: `console` (screen, selection), `session` (start, speed, end), `drafts`, `replay`, `review`.
+//!
+//! The properties of a verb (danger, retries, precedence, when it has arrived) stand in its row.
 
 use super::argument::{Arguments, Problem};
 use super::console::ConsoleLine;

@@ -1,4 +1,5 @@
-//! The conditions that a script can wait for.
+//! The conditions that a script can wait for, and whether each of them holds now ([`Until::holds`]). When a vehicle
+//! counts as arrived is a property of its verb ([`Arrival`]); `arrived` applies it.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

@@ -1,7 +1,12 @@
 //! Passes frames between the links to vehicles and the forwards to other ground stations.
 //!
 //! The links' tasks call the relay with every frame; the relay only queues copies and never waits.
-//! A link or a forward whose queue is full drops the frame and counts it.
+//!
+//! Each link and each forward has one queue. While it is full, newer frames are dropped and
+//! counted, and so are all frames while the link is down. All clients of a forward share its queue:
+//! a frame dropped there reaches none of them. A `tcpin` forward never waits for a client; a
+//! client that does not read loses frames of its own, beyond `OUTPUT_CAP` bytes (`server`). A `tcp`
+//! station that does not read lets the queue of its forward fill.
 
 use std::collections::{BTreeMap, HashMap};
 use std::sync::atomic::{AtomicBool, Ordering};

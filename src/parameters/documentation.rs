@@ -25,7 +25,7 @@ pub struct ParameterDocuments {
 /// The documentation of one parameter; texts are empty if the file has none.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ParameterDocument {
-    /// A short title.
+    /// What the parameter sets, in a few words.
     pub title: String,
     pub description: String,
     /// The unit of the value, as the firmware writes it.

@@ -10,7 +10,7 @@ const LATEST_FRAME_US: u64 = 7 * 24 * 3600 * 1_000_000;
 /// How a journal fits the other files of its record.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum JournalFit {
-    /// Nothing contradicts it.
+    /// Nothing in the other files contradicts the journal.
     Fits,
     /// The journal belongs to a flight other than the mission of the run.
     OtherFlight(Subject),

@@ -9,6 +9,12 @@
 //! after 500 packets, at the end of the file, or without notice. The client handles packets that
 //! are lost, duplicated or out of order. Source: <https://mavlink.io/en/services/ftp.html> and
 //! `GCS_FTP.cpp` of `ArduPilot`.
+//!
+//! # How the parts fit
+//! - The client: `work` handles the answers of a task and sends what is due; `exchange` is one
+//!   request and its answer; `flow` reads a file, in bursts or piece by piece; `file`, `listing`
+//!   and `writing` open, list and write; `fault` says what went wrong. `packet` is the payload.
+//! - For tests: `server`.
 
 use std::collections::VecDeque;
 use std::time::Duration;

@@ -10,7 +10,8 @@ use crate::text;
 use crate::vehicle::{Severity, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, LossMeter};
 
-/// The time of silence after which a vehicle counts as lost; the screen must show it within 3 s.
+/// A vehicle counts as lost this long after the last verified frame of its autopilot, of any kind. The screen must
+/// show it within 3 s.
 pub const LOST_AFTER: Duration = Duration::from_millis(2500);
 
 const TYPE_GROUND_STATION: u8 = MavType::MAV_TYPE_GCS as u8;

@@ -3,6 +3,13 @@
 //!
 //! These orders are separate from the line of commands, one at a time. An upload is a [`Transaction`]: afterwards the
 //! vehicle holds the new list or the old one. It survives a lost link and a reboot of the vehicle.
+//!
+//! # How the parts fit
+//! - What to send: `goal`, or why nothing can be sent; `judging` says whether the list suits the vehicle.
+//! - How it gets there: `transaction` ends with the new list or the old one, over `sending` (item by item) or
+//!   `packed` (as a file); `reading` fetches a list, `compare` says whether it is the one that was sent.
+//! - `list` and `shelf` are the lists and files that this needs, `stock` those that a mission puts on board, `job`
+//!   the order under way.
 
 use std::collections::VecDeque;
 use std::sync::Arc;

@@ -3,48 +3,48 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::{FileDesk, KeyDesk, LogKeeper, PlanShelf, Session, Stream, Streams};
+use super::{FileDesk, KeyDesk, LogKeeper, PlanShelf, Session, Stream};
 
 impl Session {
     /// Requests these streams instead of the console's usual telemetry.
     #[must_use]
     pub fn wanting(mut self, streams: &'static [Stream], now: Duration) -> Self {
-        self.streams = Streams::new(streams, now);
+        self.reception.want(streams, now);
         self
     }
 
     /// Stores the vehicle's downloaded logs with `keeper`.
     #[must_use]
     pub fn keeping_logs(mut self, keeper: Arc<dyn LogKeeper>) -> Self {
-        self.logs.keep_in(keeper);
+        self.orders.transfers().keep_logs_in(keeper);
         self
     }
 
     /// Reads and writes the files that are copied to and from the vehicle through `desk`.
     #[must_use]
     pub fn with_files(mut self, desk: Arc<dyn FileDesk>) -> Self {
-        self.files.use_desk(desk);
+        self.orders.transfers().use_desk(desk);
         self
     }
 
     /// Reads and writes plan files through `shelf`.
     #[must_use]
     pub fn with_plan_files(mut self, shelf: Arc<dyn PlanShelf>) -> Self {
-        self.lists.take_from(shelf);
+        self.orders.transfers().take_plans_from(shelf);
         self
     }
 
     /// Takes the keys for signing from `desk`, which belongs to the link on which the vehicle is
     /// heard; without a desk, keys cannot be changed.
     pub fn sign_with(&mut self, desk: Option<Arc<dyn KeyDesk>>) {
-        self.signing.use_desk(desk);
+        self.orders.sign_with(desk);
     }
 
     /// Reads plans from the answers to other stations' requests, as in a recording, instead of
     /// requesting them.
     #[must_use]
     pub fn following_plans(mut self) -> Self {
-        self.lists.only_follow();
+        self.orders.transfers().only_follow();
         self
     }
 }

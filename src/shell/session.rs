@@ -1,4 +1,13 @@
 //! One session of the console: a fleet, the simulator or links behind it, and the mission, if any.
+//!
+//! # How the parts fit
+//! - `start` builds a session, and decides whether it is recorded; `hangar` launches the processes of its vehicles
+//!   without blocking the screen.
+//! - In flight: `mission_run` steps the mission and its clock, `orders` hands orders to vehicles, mission and
+//!   manoeuvres, `rehearsals` flies plans in the background.
+//! - What is shown: `links`, `forwards`, and `inspection`, which examines the links for the doctor and the messages
+//!   room.
+//! - What is kept: `recorder` (frames and journal), `logbook` (the record of the mission).
 
 use std::sync::Arc;
 use std::time::Duration;

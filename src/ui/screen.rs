@@ -1,4 +1,13 @@
 //! One file per room of the console.
+//!
+//! # How the parts fit
+//! - Before and after a flight: `home`, with `site` (a sketch of a mission's area), `mission`, `debrief`, `review`,
+//!   `standing`, `workshop`.
+//! - In flight: `fly` (table, telemetry, ledger, notices), `map`, `vehicle`, `ledger`, `plans`, `parameters`,
+//!   `files`.
+//! - Behind it: `links`, `messages`, `hangar`. `small` is shown instead of any room if the terminal is too small.
+//!
+//! The behaviour of a room is in the file of the same name in `app::room`.
 
 use ratatui::buffer::Buffer;
 

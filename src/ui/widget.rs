@@ -1,4 +1,14 @@
 //! Parts of screens, and shared helpers: rules with titles, clipped and wrapped text, roles of states.
+//!
+//! # How the parts fit
+//! - In every room: `header`, `footer` (the text being typed, a message or the keys), `alerts` (the most serious
+//!   alert that is not acknowledged), `urgent` (alerts with a time limit, weak links, the workload question),
+//!   `replay`.
+//! - Panes of rooms: `swarm` (the table of vehicles), `telemetry`, `mission`, `ledger`, `notices`, `map`, `leg`,
+//!   `traffic`.
+//! - Over a room: `overlay` (help and questions), `palette` (the command line), `prompt`, `profiles`, `log`,
+//!   `sticks`.
+//! - How a value is drawn: `gauge`, `bars`, `curve`; how a long name is shortened: `names`.
 
 use std::time::Duration;
 

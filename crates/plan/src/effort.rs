@@ -39,22 +39,22 @@ const LANDING_HEIGHT_M: f64 = 10.0;
 /// How fast a copter flies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pace {
-    /// `WPNAV_SPEED`, in m/s.
+    /// The horizontal speed between waypoints in m/s (`WPNAV_SPEED`).
     pub speed_m_s: f64,
-    /// `WPNAV_ACCEL`, in m/s².
+    /// The horizontal acceleration in m/s² (`WPNAV_ACCEL`).
     pub accel_m_s2: f64,
-    /// `WPNAV_JERK`, in m/s³.
+    /// The change of the horizontal acceleration in m/s³ (`WPNAV_JERK`).
     pub jerk_m_s3: f64,
-    /// `WPNAV_SPEED_UP`, in m/s.
+    /// The speed of a climb in m/s (`WPNAV_SPEED_UP`).
     pub climb_m_s: f64,
-    /// `WPNAV_SPEED_DN`, in m/s.
+    /// The speed of a descent in m/s (`WPNAV_SPEED_DN`).
     pub descent_m_s: f64,
-    /// `LAND_SPEED`, in m/s.
+    /// The speed of the last metres before the ground in m/s (`LAND_SPEED`).
     pub landing_m_s: f64,
 }
 
 impl Default for Pace {
-    /// `ArduCopter`'s defaults.
+    /// The pace of an `ArduCopter` whose parameters have their defaults.
     fn default() -> Self {
         Self {
             speed_m_s: 10.0,

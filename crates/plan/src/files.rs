@@ -1,4 +1,11 @@
 //! The file formats: how each is recognised, and one module for each.
+//!
+//! # How the parts fit
+//! - Plans of ground stations: `wpl` (`QGC WPL`), `qgc` (QGroundControl's `.plan`), `lines` (MAVProxy's old fences
+//!   and rally points).
+//! - Maps of other programs: `kml` (`archive` for KMZ) and `geojson`; `shapes` decides what their lines, polygons and
+//!   points become.
+//! - Faults need places in the text: `json` and `number` keep them.
 
 use std::ops::Range;
 

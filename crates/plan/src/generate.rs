@@ -4,6 +4,12 @@
 //! to land at home. Parts are cut so that the vehicle that uses the most energy uses as little as possible ([`Pace`]).
 //!
 //! Within the module, x is metres to the north of the first vehicle's home, y to the east.
+//!
+//! # How the parts fit
+//! - The work: `sweep` (lines over an area), `along` (lanes along a line), `around` (patterns around a place);
+//!   `source` makes the task from the shapes of a document.
+//! - Which vehicle gets it: `share` divides it by energy, `tour` orders the lines, `layers` chooses the crossing
+//!   heights, `field` finds ways inside the fence. `compose` writes the plans.
 
 use glam::DVec2;
 use sortie_geo::LatLon;
@@ -27,7 +33,7 @@ mod tour;
 use compose::compose;
 use field::Field;
 
-/// The default distance between two lines, in metres.
+/// The distance between two lines, in metres, if neither the task nor a sensor sets one.
 pub const USUAL_SPACING_M: f64 = 20.0;
 /// The default length of a leg of a sector search, in metres.
 pub const USUAL_SECTOR_M: f64 = 100.0;

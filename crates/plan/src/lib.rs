@@ -19,6 +19,16 @@
 //! let written = write(&loaded.document, FileFormat::Wpl(ListKind::Plan)).expect("it fits");
 //! assert!(written.starts_with("QGC WPL 110\n"));
 //! ```
+//!
+//! # How the parts fit
+//! - What a list is: `item`, `document`, `place`, and the numbers in `command`, `frame` and `field`
+//!   (short words); `areas` for fences. `hash` names a content.
+//! - Files: `files`, with `fault` for what is wrong and where.
+//! - Whether it can be flown: `check` by the vehicle's rules, `board` for what storage changes or
+//!   refuses.
+//! - What it costs: `legs` (times) and `effort` (time and energy).
+//! - Making plans: `generate` divides a task among vehicles, `pattern` has the patterns on a plane.
+//!   `edit` changes a plan, and jumps still lead to the same items.
 
 #![warn(missing_docs)]
 

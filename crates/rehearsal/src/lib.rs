@@ -2,6 +2,12 @@
 //! takes, what is left of its battery, and how close the vehicles come to each other.
 //!
 //! A rehearsal is a pure function of the documents and the conditions: no clock, no threads, no files.
+//!
+//! # How the parts fit
+//! - The flight: `stage` flies all vehicles in one world, `flight` records one of them, `place` has their starts and
+//!   tracks.
+//! - How close they come: `approach`; whether they stay apart if one is late: `late`.
+//! - What keeps them apart: `deconflict` finds later starts or separate heights, `order` the best order for that.
 
 #![warn(missing_docs)]
 

@@ -143,11 +143,11 @@ pub(super) fn is_question(number: u16) -> bool {
 
 /// What happens to a message of a station that is not in control.
 pub(super) enum Refusal {
-    /// It may pass.
+    /// No refusal: the vehicle takes the message.
     None,
-    /// It is dropped.
+    /// The vehicle drops the message without an answer.
     Silent,
-    /// It is answered.
+    /// The vehicle drops the message, and sends this answer.
     Answered(Box<Outgoing>),
 }
 

@@ -3,6 +3,12 @@
 //! The mavlink crate supplies the dialect (payload layouts and CRC seeds). Framing is done here because a console for
 //! debugging links has to report what it dropped and why: the crate's reader silently skips bad CRCs, unknown message
 //! ids and noise.
+//!
+//! # How the parts fit
+//! - Reading: `decoder` finds frames, `checksum` and `signature` prove them, `loss` counts what never arrived.
+//!   Writing: `encoder`.
+//! - What the dialect lacks or hides: `beyond` (messages read by hand), `channels`, `board_id`. For display:
+//!   `anatomy`.
 
 #![warn(missing_docs)]
 

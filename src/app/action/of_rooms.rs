@@ -190,7 +190,7 @@ pub enum MessagesAction {
     Hex,
     /// Put the last frame on the command line, to be edited and sent.
     SendAgain,
-    /// Begin new statistics.
+    /// Forget the messages counted so far, and begin new statistics.
     ResetStatistics,
 }
 

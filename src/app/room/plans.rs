@@ -1,6 +1,14 @@
 //! The plans that are being drawn: several drafts at a time, their items, and a map with a cursor.
 //!
 //! Keys and lines produce the same [`Edit`](crate::draft::Edit)s, so both are undone in the same way.
+//!
+//! # How the parts fit
+//! - Changing a draft: `act` (keys), `line` (lines), `change` (what both have in common), `divide` (one task, a draft
+//!   for each vehicle).
+//! - Whether it can be flown: `judge` finds faults by the limits of the vehicle, `trial` flies the drafts together in
+//!   simulation, `figures` shows how that went, `ground` reads the height of the ground.
+//! - Where drafts are: `files` reads, writes and uploads them, `keeping` saves unsaved ones for the next console.
+//! - What the screen shows: `view`, the next step in `stage`, the keys in `hints`.
 
 use std::sync::Arc;
 

@@ -17,7 +17,7 @@ const FLICKER: Duration = Duration::from_secs(10);
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Standing {
     pub alert: Alert,
-    /// When the alert reached its current severity, on the program's clock.
+    /// When the alert began or last became worse, on the program's clock.
     pub since: Duration,
     /// Whether the alert is acknowledged.
     pub acknowledged: bool,

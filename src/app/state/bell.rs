@@ -1,8 +1,13 @@
 //! Signals beyond the screen: the terminal's bell and desktop notifications.
 //!
-//! Both are for serious alerts only, and both merge alerts that come together: the bell rings at once and covers those
-//! that follow shortly, and a notification waits briefly for others. Neither repeats the same alert of a vehicle,
-//! unless it has become more serious.
+//! An alert gives a signal when it begins and each time it becomes worse, if it is critical or more serious, its kind
+//! is not muted, and it is not a failed pre-arm check. There is no reminder while it stands unacknowledged.
+//! `active_alerts` decides when an alert begins: one that ends and returns within 10 s is the same one. A critical
+//! notice also gives a signal if its vehicle has no alert of the same kind, and again only after 10 s without it.
+//! Nothing rings in a replay.
+//!
+//! Signals that come together are merged: the bell rings at once, covers the next two seconds, and rings at most
+//! every 5 s; a notification waits a second for others, and at least 10 s for the next notification.
 
 use std::time::Duration;
 

@@ -1,4 +1,5 @@
-//! The terminal that the console is shown on.
+//! The terminal that the console is shown on, and the size of the smallest one that it can be shown on
+//! ([`SMALLEST`]).
 
 use crate::geo::GridSize;
 

@@ -155,30 +155,15 @@ fn lies_within(fence: &FencePlan, area: &Area) -> bool {
 #[cfg(test)]
 mod tests {
     use std::sync::Arc;
-    use std::time::Duration;
 
     use super::*;
-    use crate::language::Context;
-    use crate::operator::read_order;
-    use crate::vehicle::{GlobalPosition, Health, Transfer, Vehicle};
-
-    const HOME: LatLon = LatLon::new(50.45, 30.52);
+    use crate::app::testing::{HOME, at_home, carry_fence, read, switch_fence_on};
+    use crate::vehicle::Vehicle;
 
     /// A vehicle at home, inside a square fence with sides of 200 m and a ceiling of 50 m.
     fn view(kind: AreaKind) -> FlightView {
         let mut view = FlightView::default();
-        let mut vehicle = Vehicle::new(1, 1);
-        vehicle.global = Some(GlobalPosition {
-            at_point: HOME,
-            altitude_amsl_m: 180.0,
-            altitude_m: 0.0,
-            north_m_s: 0.0,
-            east_m_s: 0.0,
-            down_m_s: 0.0,
-            heading_deg: None,
-            at: Duration::ZERO,
-        });
-        view.insert(Arc::new(vehicle));
+        view.insert(Arc::new(at_home(0.0)));
         view.task.areas = vec![Area {
             name: "border".to_owned(),
             kind,
@@ -186,14 +171,6 @@ mod tests {
             ceiling_m: Some(50.0),
         }];
         view
-    }
-
-    fn read(line: &str) -> Order {
-        let context = Context {
-            vehicles: &[1, 2],
-            ..Context::default()
-        };
-        read_order(line, &context, &[1]).expect("a good line")
     }
 
     fn asks(view: &FlightView, line: &str) -> bool {
@@ -278,31 +255,11 @@ mod tests {
         let line = "1 plan survey around 50.45 30.52 radius 150";
         for (side_m, out) in [(None, true), (Some(200.0), false), (Some(400.0), true)] {
             let vehicle = Arc::make_mut(view.vehicles.get_mut(&1).expect("inserted"));
-            fence(vehicle, side_m);
+            carry_fence(vehicle, side_m);
+            switch_fence_on(vehicle);
             assert_eq!(asks(&view, line), out, "{side_m:?}");
             assert!(asks(&view, &format!("{line} up 60")));
         }
-    }
-
-    /// Puts a square fence on board and switches it on.
-    fn fence(vehicle: &mut Vehicle, side_m: Option<f64>) {
-        let corners = side_m.map(|side_m| Outline::square(HOME, side_m).corners());
-        let area = |corners| FenceArea {
-            shape: FenceShape::Polygon(corners),
-            inclusion: true,
-        };
-        vehicle.plans.fence.content = Some(Arc::new(FencePlan {
-            areas: corners.into_iter().map(area).collect(),
-            ..FencePlan::default()
-        }));
-        vehicle.plans.fence.transfer = Transfer::Done;
-        vehicle.health = Some(Health {
-            present: Health::FENCE,
-            enabled: Health::FENCE,
-            healthy: 0,
-            load_percent: 0.0,
-            at: Duration::ZERO,
-        });
     }
 
     #[test]

@@ -26,7 +26,6 @@ impl StickAxis {
     pub const ALL: [Self; 4] = [Self::Roll, Self::Pitch, Self::Throttle, Self::Yaw];
 }
 
-/// A deflected stick.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Deflection {
     /// Whether its pulses are longer than those of the centre.
@@ -44,7 +43,7 @@ pub struct StickMode {
 }
 
 impl StickMode {
-    /// All sticks centred.
+    /// All sticks centred; their positions are sent at once.
     pub(in crate::app) fn new(vehicle: VehicleId) -> Self {
         Self {
             vehicle,

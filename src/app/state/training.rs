@@ -34,7 +34,7 @@ pub struct Training {
 /// One line of the list of profiles.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Trainee {
-    /// A profile's name.
+    /// A saved profile, by its name.
     Known(String),
     /// The entry to create a profile.
     New,

@@ -87,27 +87,13 @@ fn contains(area: &FenceArea, place: LatLon) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use std::time::Duration;
-
     use super::*;
-    use crate::language::Context;
-    use crate::operator::read_order;
-    use crate::vehicle::{FencePlan, GlobalPosition, Health, Place, Transfer};
+    use crate::app::testing::{HOME, at_home, carry_fence, read, switch_fence_on};
+    use crate::vehicle::Place;
 
-    const HOME: LatLon = LatLon::new(50.45, 30.52);
-
-    fn at_home() -> Vehicle {
-        let mut vehicle = Vehicle::new(1, 1);
-        vehicle.global = Some(GlobalPosition {
-            at_point: HOME,
-            altitude_amsl_m: 180.0,
-            altitude_m: 20.0,
-            north_m_s: 0.0,
-            east_m_s: 0.0,
-            down_m_s: 0.0,
-            heading_deg: None,
-            at: Duration::ZERO,
-        });
+    /// A vehicle that knows where its home is, 20 m above it.
+    fn above_home() -> Vehicle {
+        let mut vehicle = at_home(20.0);
         vehicle.home = Some(Place {
             at_point: HOME,
             altitude_amsl_m: 160.0,
@@ -116,12 +102,7 @@ mod tests {
     }
 
     fn leaves(vehicle: &Vehicle, limits: &CheckOptions, line: &str) -> bool {
-        let context = Context {
-            vehicles: &[1],
-            ..Context::default()
-        };
-        let order = read_order(line, &context, &[1]).expect("a good line");
-        leaves_own_fence(vehicle, limits, &order)
+        leaves_own_fence(vehicle, limits, &read(line))
     }
 
     #[test]
@@ -140,32 +121,19 @@ mod tests {
             ("1 takeoff 60", true),
             ("1 land", false),
         ] {
-            assert_eq!(leaves(&at_home(), &limits, line), out, "{line}");
+            assert_eq!(leaves(&above_home(), &limits, line), out, "{line}");
         }
         let none = CheckOptions::default();
-        assert!(!leaves(&at_home(), &none, "1 goto by n 200 e 0"));
+        assert!(!leaves(&above_home(), &none, "1 goto by n 200 e 0"));
     }
 
     #[test]
     fn an_area_on_board_counts_while_the_fence_is_on() {
-        let mut vehicle = at_home();
-        vehicle.plans.fence.content = Some(Arc::new(FencePlan {
-            areas: vec![FenceArea {
-                shape: FenceShape::Polygon(Outline::square(HOME, 200.0).corners()),
-                inclusion: true,
-            }],
-            ..FencePlan::default()
-        }));
-        vehicle.plans.fence.transfer = Transfer::Done;
+        let mut vehicle = above_home();
+        carry_fence(&mut vehicle, Some(200.0));
         let limits = CheckOptions::default();
         assert!(!leaves(&vehicle, &limits, "1 goto by n 110 e 0"));
-        vehicle.health = Some(Health {
-            present: Health::FENCE,
-            enabled: Health::FENCE,
-            healthy: 0,
-            load_percent: 0.0,
-            at: Duration::ZERO,
-        });
+        switch_fence_on(&mut vehicle);
         assert!(leaves(&vehicle, &limits, "1 goto by n 110 e 0"));
         assert!(!leaves(&vehicle, &limits, "1 goto by n 90 e 0"));
     }

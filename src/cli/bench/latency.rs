@@ -25,7 +25,7 @@ const STARTING: Duration = Duration::from_secs(10);
 const PATIENCE: Duration = Duration::from_secs(2);
 /// The console's query to a terminal.
 const QUESTION: &[u8] = b"\x1b[5n";
-/// The terminal's answer.
+/// A terminal's answer to the query: it is ready.
 const ANSWER: &[u8] = b"\x1b[0n";
 
 /// Options of `sortie bench latency`.

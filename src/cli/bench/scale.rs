@@ -1,5 +1,11 @@
 //! `sortie bench scale`: the cost of a growing number of flying vehicles for the simulator and the console, as
 //! measured in the paper.
+//!
+//! # How the parts fit
+//! - A measurement: `trial` flies one repeat, `swarm` is what it measures, `instances` are its SITL processes; `cost`
+//!   reads processor time, `sample` holds the figures of a repeat; `strain` says which part was overloaded.
+//! - The result: `row` combines the repeats with one number of vehicles; `figure` decides what is compared with the
+//!   paper, and `table`, `chart` and `svg` show it.
 
 use std::fs::{self, OpenOptions};
 use std::num::NonZeroU16;

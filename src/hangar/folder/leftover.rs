@@ -102,7 +102,7 @@ impl Record {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, ToSchema)]
 pub struct Leftover {
     pub program: String,
-    /// The process id.
+    /// The process id on the hangar's machine.
     pub pid: u32,
     /// The folder in which the process ran.
     pub folder: String,

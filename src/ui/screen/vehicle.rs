@@ -1,4 +1,10 @@
 //! One vehicle in detail. A large screen shows all panes at once, a smaller one in pages.
+//!
+//! # How the parts fit
+//! - Is it flying well: `state`, `horizon` and `tape` (attitude and heading), `curves` and `spark` (readings over
+//!   time).
+//! - Can its position be trusted: `estimate`. Are its parts healthy: `sensors`, `outputs`, `texts` (its own words).
+//! - What will it do: `plan`. `row` has what the panes share.
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

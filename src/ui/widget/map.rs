@@ -1,4 +1,11 @@
 //! The map: the swarm and the ground below it, from above.
+//!
+//! # How the parts fit
+//! - `canvas` turns dots into braille, half blocks or ASCII; `squares` turns ground into cells.
+//! - From the bottom up: `swept` (searched ground), `heat` (readings), `fire`; then the lines and words of `ground`
+//!   (areas, homes), `ways` (trails and targets), `traffic` and `finds` (contacts and reports), which `labels`
+//!   places; then `markers` (vehicles) and `legend` (the scale).
+//! - Other maps: `drafts` (the plans room), `sketch` (a mission before the flight), `truth` (the debrief).
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;

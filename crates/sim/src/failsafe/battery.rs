@@ -1,4 +1,13 @@
-//! The battery's two levels.
+//! The battery's two levels, low and critical, while the vehicle is armed; and the arming checks of the battery.
+//!
+//! A level is reached at once when the charge left is below `BATT_LOW_MAH` (`BATT_CRT_MAH`), and when the voltage has
+//! been below `BATT_LOW_VOLT` (`BATT_CRT_VOLT`) for longer than `BATT_LOW_TIMER` (0 ignores voltages). A limit of 0
+//! is off. Each level is reached once, until a reboot.
+//!
+//! Its action is `BATT_FS_LOW_ACT` (`BATT_FS_CRT_ACT`), unless the action of the other level was more urgent. On the
+//! ground, the vehicle disarms instead; a landing under way may go on (`FS_OPTIONS`). The action is returned as a
+//! `Reaction::Act`; `act` in `autopilot::reactions` carries it out, and falls back to RTL or LAND if it cannot
+//! enter the mode.
 
 use std::time::Duration;
 

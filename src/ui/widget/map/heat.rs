@@ -1,4 +1,4 @@
-//! The sensors' readings, as shaded cells below everything else.
+//! The sensors' readings, as shaded cells below everything but the searched ground.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};

@@ -1,5 +1,10 @@
 //! Profiles: choosing, creating and leaving them, and the data of their trainee.
 
+use sortie::app::effect::CareerEffect;
+use sortie::app::state::{Purpose, Trainee};
+use sortie::campaign::Aids;
+use sortie::text::Language;
+
 use super::*;
 
 #[test]
