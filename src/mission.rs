@@ -13,6 +13,21 @@
 //!   `KINDS`.
 //! - Points are `[east, north]` metres from the origin, as on a map; the grammar's `goto n .. e ..` names its axes.
 //! - Cells are named like chess squares: `A1` is the south-west one, letters go east, numbers go north.
+//!
+//! # How the parts fit
+//! - The file: `file` and `format` read it into `parts`; `check` finds missions that cannot be flown as intended,
+//!   `needs` designs that do not suit, `fleet` and `fit` give drones their equipment, `board` their plans. `listing`,
+//!   `campaign` and `skill` are what the home screen and the career read.
+//! - The world, which trainees see only through sensors: `world`, `hazard`, `ground_truth`. What they see of it:
+//!   `sensor`, `lookout` (when a detector finds an object), `contact`, `survey`. What they know: `weather`, `zone`,
+//!   `area`, `pad`.
+//! - The rules: `objective` (when each is met), `event` (what happens during the flight, closed areas, collisions),
+//!   `radio` (how well a link carries), `together` (separation and sensor strip for manoeuvres), `stake` (what an
+//!   exam forbids).
+//! - A flight: `flight` runs it; `clock` is its time, `craft` a vehicle as it sees it, `saying` its texts; `usage`
+//!   decides whether it has a task or needs attention; `planning` watches the commands about plans; `record` is what
+//!   it takes to score the flight again.
+//! - The trainee: `lesson`, `hint`, `feedback`, `report` (reported contacts), `progress` (the mission panel).
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -76,7 +91,7 @@ pub use event::demand::{Demand, WIND_FULL_FROM_M};
 pub use event::mover::MoverKind;
 pub use event::standard::threat_title;
 pub use file::{reference, schema};
-pub use flight::{Flight, Inject, Pledge};
+pub use flight::{Flight, Inject, PEAK_PLACE, Pledge};
 pub use hint::{Clue, Hint, Phase};
 pub use lesson::{LessonStep, STEP_KEY};
 pub use listing::{FitListing, Listing, ObjectiveListing};

@@ -24,7 +24,7 @@ pub use advice::{Improvement, improvements};
 pub use attention::{AlertFact, AlertLevel, attention_value};
 pub use command::{CommandEvent, CommandLog, CommandTally};
 pub use component::{Component, ComponentScore, ENERGY_NEEDS_OBJECTIVES, Weights};
-pub use gate::Gate;
+pub use gate::{Gate, GateSubject};
 pub use hints::HintsUsed;
 pub use report::{
     AlertReport, ComponentReport, EventKind, EventReport, EventSubject, FlightBackend,
@@ -119,6 +119,8 @@ pub struct ObjectiveFact {
     pub fraction: f64,
     /// The measured quantity that gates compare, such as cells sampled.
     pub measure: f64,
+    /// The unit of the measured quantity; empty for counts and shares.
+    pub measure_unit: &'static str,
     /// Whether it was reached.
     pub met: bool,
     /// Whether the mission fails without the objective.
@@ -239,11 +241,14 @@ fn gold_missing(
     let short = (!has_points).then(|| text!("gold-points", points = rules.medals.gold));
     let failed = (!facts.mandatory_met()).then(|| text!("gold-mandatory"));
     let others = copied.into_iter().chain(short).chain(failed);
-    let title = |id: &str| {
+    let subject = |id: &str| {
         let named = facts.objectives.iter().find(|it| it.id == id);
-        named.map(|objective| objective.title.clone())
+        named.map(|objective| GateSubject {
+            title: objective.title.clone(),
+            unit: objective.measure_unit,
+        })
     };
-    let missing = missing.map(|gate| gate.text(title));
+    let missing = missing.map(|gate| gate.text(subject));
     missing.chain(others).collect()
 }
 

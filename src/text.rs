@@ -21,7 +21,7 @@ mod locale;
 mod stored;
 
 pub use catalogue::messages;
-pub use figure::{clock, clock_s, figure, lasting, rounded, utc_of};
+pub use figure::{clock, clock_s, figure, lasting, rounded, utc_minute_of, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 pub use stored::StoredText;

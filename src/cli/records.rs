@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::PathBuf;
 use std::process::ExitCode;
+use std::time::Duration;
 
 use clap::{Args, Subcommand};
 use serde::Serialize;
@@ -15,7 +16,7 @@ use crate::replay::{Replay, TlogSpan};
 use crate::scoring::Medal;
 use crate::store::{RecordFiles, Records};
 use crate::text;
-use crate::text::{Locale, Text, clock, figure, utc_of};
+use crate::text::{Locale, Text, clock, figure, utc_minute_of, utc_of};
 use crate::vehicle_id::parse_ranges;
 
 mod export;
@@ -104,6 +105,8 @@ struct ListedRecord {
     number: Option<usize>,
     name: String,
     began: String,
+    #[serde(skip)]
+    began_unix_us: Option<u64>,
     subject: String,
     profile: Option<String>,
     /// Whether the record belongs to a run of a mission.
@@ -197,6 +200,7 @@ impl RecordsCommands<'_> {
             number,
             name: files.stem.clone(),
             began: began.map(utc_of).unwrap_or_default(),
+            began_unix_us: began,
             subject: head
                 .as_ref()
                 .map(|it| self.locale.text(&it.subject.text()))
@@ -244,6 +248,7 @@ impl RecordsCommands<'_> {
         Ok(())
     }
 
+    /// The list as a table that fits into 80 columns; `records show` adds the seed, JSON the seconds too.
     fn table(&self, records: &[ListedRecord]) -> TextTable {
         let columns = [
             (text!("records-number"), Side::Right),
@@ -251,25 +256,19 @@ impl RecordsCommands<'_> {
             (text!("records-subject"), Side::Left),
             (text!("records-length"), Side::Right),
             (text!("records-result"), Side::Left),
-            (text!("records-seed"), Side::Right),
-            (text!("records-size"), Side::Right),
+            ("MiB".into(), Side::Right),
             (text!("records-profile"), Side::Left),
         ];
         let mut table = TextTable::new(&self.locale, &columns);
         for record in records {
-            let length = match record.duration_s {
-                _ if record.being_recorded => self.locale.text(&text!("records-now")),
-                Some(seconds) => clock(std::time::Duration::from_secs_f64(seconds)),
-                None => String::new(),
-            };
+            let length = record.duration_s.map(Duration::from_secs_f64).map(clock);
             table.push(vec![
                 record.number.map_or("-".to_owned(), |it| it.to_string()),
-                record.began.clone(),
+                record.began_unix_us.map(utc_minute_of).unwrap_or_default(),
                 record.subject.clone(),
-                length,
+                length.unwrap_or_default(),
                 self.locale.text(&result_of(record)),
-                record.seed.map(|it| it.to_string()).unwrap_or_default(),
-                format!("{} MiB", mebibytes(record.bytes)),
+                mebibytes(record.bytes),
                 record.profile.clone().unwrap_or_default(),
             ]);
         }
@@ -324,22 +323,27 @@ impl RecordsCommands<'_> {
     }
 }
 
-/// The result of a record for the list: that of its mission, or that the record was cut off; empty
-/// without either.
+/// The result of a record for the list: that of its mission, or that the record goes on or was cut off; empty
+/// without any.
 fn result_of(record: &ListedRecord) -> Text {
-    let Some(result) = record.result else {
-        return if record.cut_off {
-            text!("records-cut-off")
-        } else {
-            Text::default()
-        };
-    };
-    if !result.passed {
-        return text!("records-not-passed", score = result.score);
+    match record.result {
+        _ if record.being_recorded => text!("records-now"),
+        None if record.cut_off => text!("records-cut-off"),
+        None => Text::default(),
+        Some(ListedResult {
+            score,
+            passed: false,
+            ..
+        }) => text!("records-failed", score = score),
+        Some(ListedResult {
+            score, medal: None, ..
+        }) => text!("records-passed", score = score),
+        Some(ListedResult {
+            score,
+            medal: Some(medal),
+            ..
+        }) => Text::joined(" ", vec![medal.title(), score.to_string().into()]),
     }
-    let passed = text!("records-passed", score = result.score);
-    let medal = result.medal.map(Medal::title);
-    Text::joined(", ", [passed].into_iter().chain(medal).collect())
 }
 
 /// Whether a range of numbers ends before it begins. Such a typing error must not delete anything.

@@ -117,10 +117,14 @@ impl VerbRow {
 
     /// The verb's usage, a line per form: "takeoff ALTITUDE".
     pub fn usage(&self) -> Vec<String> {
-        self.forms
-            .iter()
-            .map(|form| form.usage(self.name(), None))
-            .collect()
+        let forms = self.forms.iter();
+        forms.map(|form| form.usage(self.name(), None)).collect()
+    }
+
+    /// The usage of each form in parts that belong on one line: the verb, then each argument with its keyword.
+    pub fn usage_parts(&self) -> impl Iterator<Item = Vec<String>> {
+        let forms = self.forms.iter();
+        forms.map(|form| form.usage_parts(self.name(), None))
     }
 
     /// The verb's usages in a sentence: "`ack` or `ack KIND`".
@@ -185,19 +189,21 @@ impl Form {
 
     /// The form's usage, with the argument `marked` between ‹ and ›.
     pub(super) fn usage(&self, verb: &str, marked: Option<&Argument>) -> String {
-        let mut usage = verb.to_owned();
-        for argument in self.arguments {
+        self.usage_parts(verb, marked).join(" ")
+    }
+
+    fn usage_parts(&self, verb: &str, marked: Option<&Argument>) -> Vec<String> {
+        let arguments = self.arguments.iter().map(|argument| {
             let text = argument.usage();
-            let (open, close) = if marked.is_some_and(|marked| std::ptr::eq(marked, argument)) {
-                ("‹", "›")
+            if marked.is_some_and(|marked| std::ptr::eq(marked, argument)) {
+                format!("‹{text}›")
             } else if argument.optional {
-                ("[", "]")
+                format!("[{text}]")
             } else {
-                ("", "")
-            };
-            usage.extend([" ", open, &text, close]);
-        }
-        usage
+                text
+            }
+        });
+        std::iter::once(verb.to_owned()).chain(arguments).collect()
     }
 }
 

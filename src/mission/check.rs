@@ -2,6 +2,13 @@
 //!
 //! [`Mission::check`] examines the relations between sections. The kind of an objective returns its demands
 //! ([`Demands`]); the mission has the position of each value in the file.
+//!
+//! # How the parts fit
+//! - Can it be flown: `room` (every place is allowed), `board` (the plans on board stay inside the fences), `zones`,
+//!   `budget` (the fleet is affordable), `events` (each can occur).
+//! - Can it be passed, and not without effort: `reach` (objectives, with this equipment and in this time), `idle`
+//!   (nothing is met by doing nothing), `scores` (points and medals), `hints` (they do not give too much away).
+//! - What one file cannot show: `others`, references to other missions.
 
 use std::ops::Range;
 

@@ -2,6 +2,13 @@
 //!
 //! [`Event`]s are read from the file once. The [`Engine`](engine::Engine) of a flight watches them, changes the
 //! weather and the zones, brings people and aircraft, causes faults on board, and waits for answers to alerts.
+//!
+//! # How the parts fit
+//! - When an event occurs: `expression` evaluates conditions, on the facts of `scope`; `engine` runs the events of a
+//!   file, `standard` has those of every mission with an instructor.
+//! - What it does: `weather`, `mover` (people, aircraft, other drones), `fault` (on board), and `demand`, which turns
+//!   these into parameters of the simulator and states of the link.
+//! - What must be answered, and by what: `alert`. When a vehicle breaks a rule of the air or collides: `airspace`.
 
 use std::time::Duration;
 

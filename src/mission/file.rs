@@ -1,5 +1,10 @@
 //! A mission file: its sections in the order in which they may refer to one another. Every section is read separately,
 //! so that one fault does not hide the others.
+//!
+//! # How the parts fit
+//! - What is flown, and where: `head`, `site`, `fleet`, `board` (plans on board), `places`, `zones`, `radio`.
+//! - What counts: `objectives`, `rules`, `score`, `career` (requirements and rewards).
+//! - What happens and what is said: `events` with their `condition`s and `action`s, `advice`, `lesson`.
 
 use toml::de::DeTable;
 

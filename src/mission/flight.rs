@@ -2,6 +2,16 @@
 //!
 //! A [`Flight`] consists of parts that own their state and receive the rest as arguments; [`Flight::step`] runs them
 //! in order.
+//!
+//! # How the parts fit
+//! - What happens: `threats` (events and injects), `loads` (drops, kits, spray), `search` (contacts and reports),
+//!   `tracks`.
+//! - What the trainee says: `deeds` (reports, prediction, goal), `clues` (hints on request, and what they cost).
+//! - When it ends, and why: `verdict`. Which objectives are met: `goals`.
+//! - What the score is made of: `result` collects the facts, `orders` the commands and their quality, `swarm` the use
+//!   of the vehicles and the workload, `pledge` the prediction and the goal.
+//! - What others see: `view` (the mission panel, and what scripts wait for), `places` (names for the grammar),
+//!   `journal` (notices, broken rules), `truth` (the debrief's map), `recording`.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -48,6 +58,7 @@ use goals::Goals;
 use journal::{FlightJournal, JournalEntry};
 use loads::{Loads, LoadsScene};
 use orders::OrderCount;
+pub use places::PEAK_PLACE;
 use search::Search;
 use swarm::SwarmAccount;
 pub use threats::Inject;

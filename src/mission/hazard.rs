@@ -1,4 +1,11 @@
 //! Hazards: harmful fields that sensors can measure, and objects that they can find. One file per kind.
+//!
+//! # How the parts fit
+//! - Substances in the air: `plume` (a steady source) and `puffs` (a leak), with `source`, `gaussian` (the
+//!   concentration), `dispersion` (how wide a cloud gets) and `wander` (gusts).
+//! - Fields on the ground: `fire` (where it spreads, what stops it), `flood`, `radiation`.
+//! - Objects to find: `survivors`, `minefield`, `line` (a power line's defects); `placing` scatters them by the seed,
+//!   and `people` decides when help is too late.
 
 use std::fmt::Debug;
 use std::time::Duration;

@@ -7,7 +7,7 @@ use super::objective::{GateRoute, ObjectiveScene};
 use super::world::World;
 use super::{Area, Hint, KnownWire, Mission, Need, Outlay, Requires, Rewards};
 use crate::geo::LatLon;
-use crate::scoring::{Component, Medals, MissionFile};
+use crate::scoring::{Component, GateSubject, Medals, MissionFile};
 use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
@@ -194,12 +194,15 @@ impl Mission {
 
     /// The conditions of gold in words, with the titles of the objectives.
     fn listed_gates(&self) -> Vec<Text> {
-        let title = |id: &str| {
+        let subject = |id: &str| {
             let named = self.objectives.iter().find(|it| it.id == id);
-            named.map(|objective| objective.title.clone())
+            named.map(|objective| GateSubject {
+                title: objective.title.clone(),
+                unit: objective.kind.measure_unit(),
+            })
         };
         let gates = self.scoring.gold_requires.iter();
-        gates.map(|gate| gate.text(title)).collect()
+        gates.map(|gate| gate.text(subject)).collect()
     }
 
     /// The objectives. Their targets do not depend on the flight, so they are taken from a flight

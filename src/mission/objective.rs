@@ -1,4 +1,13 @@
 //! Objectives: the results that a trainee must reach. One file per kind.
+//!
+//! # How the parts fit
+//! - What was seen: `coverage`, `checked`, `detect`, `locate`, `perimeter`, and for surveys `sample_cells` and
+//!   `map_error`.
+//! - How vehicles flew: `stops` and `route` (gates, places), `hover`, `formation`, `standoff`, `land_on`, `recover`
+//!   (back on a pad, with enough battery), `arm_time` (armed soon after they were ready).
+//! - What was brought or saved: `deliver`, `protect`. What must not happen: `dose` (too much radiation), `link` (a
+//!   weak link at work). What came before the flight: `plans`.
+//! - `demands` is what an objective requires of its mission, for the check of the file.
 
 use std::collections::BTreeMap;
 use std::fmt::Debug;
@@ -104,6 +113,11 @@ pub(crate) trait ObjectiveKind: Debug + Send + Sync {
     /// The objective's demands on the mission; none for kinds that any flight can meet.
     fn demands(&self) -> Demands<'_> {
         Demands::default()
+    }
+
+    /// The unit of the measured quantity; empty for counts and shares.
+    fn measure_unit(&self) -> &'static str {
+        ""
     }
 
     /// The names of the places that the objective's tracker adds.

@@ -30,12 +30,13 @@ impl GateMeasure {
         component.map_or_else(|| Self::Objective(name.to_owned()), Self::Component)
     }
 
-    /// Its display name; `title` gives the title of an objective by its id.
-    fn title(&self, title: impl Fn(&str) -> Option<Text>) -> Text {
+    /// Its display name and unit; `subject` describes an objective by its id.
+    fn subject(&self, subject: impl Fn(&str) -> Option<GateSubject>) -> GateSubject {
+        let plain = |title| GateSubject { title, unit: "" };
         match self {
-            Self::Component(component) => component.title(),
-            Self::Crashes => text!("scoring-crashes"),
-            Self::Objective(id) => title(id).unwrap_or_else(|| id.as_str().into()),
+            Self::Component(component) => plain(component.title()),
+            Self::Crashes => plain(text!("scoring-crashes")),
+            Self::Objective(id) => subject(id).unwrap_or_else(|| plain(id.as_str().into())),
         }
     }
 
@@ -57,6 +58,14 @@ impl GateMeasure {
                 .map(|it| it.measure),
         }
     }
+}
+
+/// The objective that a gate compares, in words.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GateSubject {
+    pub title: Text,
+    /// The unit of its measure; empty for counts and shares.
+    pub unit: &'static str,
 }
 
 /// The name by which gates count lost vehicles.
@@ -143,19 +152,22 @@ impl Gate {
 }
 
 impl Gate {
-    /// The condition in words. `title` gives the title of an objective by its id.
-    pub fn text(&self, title: impl Fn(&str) -> Option<Text>) -> Text {
+    /// The condition in words. `subject` describes an objective by its id.
+    pub fn text(&self, subject: impl Fn(&str) -> Option<GateSubject>) -> Text {
         let loses_none = self.comparison != GateComparison::AtLeast && self.number.abs() < 1e-9;
         if self.measure == GateMeasure::Crashes && loses_none {
             return text!("gate-no-crash");
         }
-        let what = self.measure.title(title);
+        let GateSubject { title: what, unit } = self.measure.subject(subject);
         // Objectives that are met or not are measured as 1 or 0.
         let is_met = self.comparison == GateComparison::AtLeast && (self.number - 1.0).abs() < 1e-9;
         if is_met && self.objective().is_some() {
             return what;
         }
-        let number = self.number.to_string();
+        let number = match unit {
+            "" => self.number.to_string(),
+            unit => format!("{} {unit}", self.number),
+        };
         match self.comparison {
             GateComparison::AtLeast => text!("gate-at-least", what = what, number = number),
             GateComparison::AtMost => text!("gate-at-most", what = what, number = number),

@@ -30,6 +30,7 @@ fn objective(fraction: f64, mandatory: bool) -> ObjectiveFact {
         value: 50.0,
         fraction,
         measure: fraction,
+        measure_unit: "",
         met: fraction >= 1.0,
         mandatory,
         result: Text::default(),
@@ -291,15 +292,26 @@ fn gold_needs_its_gates_and_says_which() {
 /// Ids and signs are for the authors of missions.
 #[test]
 fn conditions_of_gold_name_objectives_by_their_titles() {
-    let title = |id: &str| (id == "checked").then(|| Text::verbatim("a near look at each find"));
+    let subject = |id: &str| match id {
+        "checked" => Some(GateSubject {
+            title: Text::verbatim("a near look at each find"),
+            unit: "",
+        }),
+        "above" => Some(GateSubject {
+            title: Text::verbatim("hover above"),
+            unit: "s",
+        }),
+        _ => None,
+    };
     let said = |written: &str| {
         Gate::parse(written)
             .expect("well formed")
-            .text(title)
+            .text(subject)
             .to_string()
     };
     assert_eq!(said("checked >= 1"), "a near look at each find");
     assert_eq!(said("checked >= 2"), "a near look at each find: at least 2");
+    assert_eq!(said("above >= 6"), "hover above: at least 6 s");
     assert_eq!(said("crashes == 0"), "no drone lost");
     assert_eq!(said("crashes <= 1"), "crashes: at most 1");
     assert_eq!(said("time == 1"), "time: exactly 1");

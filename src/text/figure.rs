@@ -50,11 +50,18 @@ pub fn rounded(value: f64, decimals: i32) -> f64 {
 
 /// A date and time, given in microseconds since 1970 (UTC): `2026-11-20 14:03:22`.
 pub fn utc_of(unix_us: u64) -> String {
+    utc_in(unix_us, "%Y-%m-%d %H:%M:%S")
+}
+
+/// A date and time to the minute, given in microseconds since 1970 (UTC): `2026-11-20 14:03`.
+pub fn utc_minute_of(unix_us: u64) -> String {
+    utc_in(unix_us, "%Y-%m-%d %H:%M")
+}
+
+fn utc_in(unix_us: u64, form: &str) -> String {
     let signed_us = i64::try_from(unix_us).ok();
     let time = signed_us.and_then(DateTime::from_timestamp_micros);
-    time.unwrap_or_default()
-        .format("%Y-%m-%d %H:%M:%S")
-        .to_string()
+    time.unwrap_or_default().format(form).to_string()
 }
 
 /// A time as minutes and seconds, with hours where there are any.

@@ -1,8 +1,17 @@
 //! Wraps text to a width.
 
+use std::borrow::Cow;
+
 use unicode_width::{UnicodeWidthChar as _, UnicodeWidthStr as _};
 
-/// A text broken into lines of at most `width` columns, between words where possible. Line breaks in the text stay.
+/// The units that stay on the line of their figure.
+const UNITS: [&str; 25] = [
+    "%", "°", "A", "Ah", "B", "dB", "dBm", "deg", "g", "h", "Hz", "kg", "km", "kW", "m", "m/s",
+    "mAh", "MiB", "min", "ms", "s", "V", "W", "Wh", "µSv",
+];
+
+/// A text broken into lines of at most `width` columns, between words where possible, but not between a figure and its
+/// unit. Line breaks in the text stay.
 pub fn wrap(text: &str, width: usize) -> Vec<String> {
     let width = width.max(1);
     let mut lines = Vec::new();
@@ -10,7 +19,7 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
         let indent = paragraph.len() - paragraph.trim_start().len();
         let mut line = " ".repeat(indent.min(width / 2));
         let mut empty = true;
-        for word in paragraph.split_whitespace() {
+        for word in unbreakable(paragraph) {
             let joined = line.width() + 1 + word.width();
             if !empty && joined > width {
                 lines.push(std::mem::take(&mut line));
@@ -20,7 +29,7 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
                 line.push(' ');
             }
             empty = false;
-            line.push_str(word);
+            line.push_str(&word);
             while let Some(at) = overflow(&line, width) {
                 let rest = line.split_off(at);
                 lines.push(std::mem::replace(&mut line, rest));
@@ -29,6 +38,23 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
         lines.push(line);
     }
     lines
+}
+
+/// The words of a paragraph; a figure and the unit after it are one.
+fn unbreakable(paragraph: &str) -> impl Iterator<Item = Cow<'_, str>> {
+    let mut words = paragraph.split_whitespace().peekable();
+    std::iter::from_fn(move || {
+        let word = words.next()?;
+        let is_figure = word.ends_with(|last: char| last.is_ascii_digit());
+        let unit = words.next_if(|next| is_figure && is_unit(next));
+        Some(unit.map_or(Cow::Borrowed(word), |unit| format!("{word} {unit}").into()))
+    })
+}
+
+/// Whether a word is a unit, perhaps with a punctuation mark after it.
+fn is_unit(word: &str) -> bool {
+    let bare = word.trim_end_matches(['.', ',', ';', ':', ')', '!', '?']);
+    UNITS.contains(&bare)
 }
 
 /// The byte index at which a line exceeds a width; `None` if it fits. At least one character counts
@@ -70,6 +96,15 @@ mod tests {
             ["one two", "three", "", "four"]
         );
         assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
+    }
+
+    #[test]
+    fn a_figure_stays_with_its_unit() {
+        assert_eq!(
+            wrap("at least 25 %, and 6 s", 11),
+            ["at least", "25 %, and", "6 s"]
+        );
+        assert_eq!(wrap("for 6 seconds", 5), ["for 6", "secon", "ds"]);
     }
 
     #[test]

@@ -71,7 +71,11 @@ impl RecordsCommands<'_> {
             say!("{}", serde_json::to_string_pretty(&shown)?)?;
             return Ok(());
         }
+        let seed = record.seed.map(|seed| text!("records-seed", seed = seed));
         say!("{}", self.table(&[record]).plain().trim_end())?;
+        if let Some(seed) = seed {
+            say!("  {}", self.locale.text(&seed))?;
+        }
         for fault in replay.damage() {
             say!("{}", self.locale.text(&fault))?;
         }

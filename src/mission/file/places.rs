@@ -1,6 +1,7 @@
 //! `[[places]]`: named points.
 
 use crate::commands::CONTACT_STEMS;
+use crate::mission::PEAK_PLACE;
 use crate::mission::format::{Draft, FileTable, NamedPlace, point, text_by};
 use crate::mission::objective::NEXT_PLACE;
 use crate::mission::pad;
@@ -55,7 +56,7 @@ fn is_taken(name: &str) -> bool {
         let rest = name.strip_prefix(prefix);
         rest.is_some_and(|rest: &str| rest.chars().all(|c| c.is_ascii_digit()))
     };
-    [pad::STEM, "gate", "peak"]
+    [pad::STEM, "gate", PEAK_PLACE]
         .into_iter()
         .chain(CONTACT_STEMS)
         .any(numbered)

@@ -49,7 +49,7 @@ pub(super) fn rules(table: &mut FileTable<'_>) -> Option<ScoreRules> {
         "gold_requires",
         gates_form,
         "further conditions for gold: a component (0 to 1), `crashes`, or an objective's measure (cells, vehicles, \
-         shares)",
+         shares, seconds)",
     ).unwrap_or_default();
     let gold_requires = gates
         .iter()

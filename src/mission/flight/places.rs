@@ -11,8 +11,8 @@ use crate::vehicle::VehicleId;
 
 /// The number of contacts that a script may name before they are found.
 const NAMED_CONTACTS: usize = 200;
-/// The name of the place with a sensor's highest reading.
-const PEAK: &str = "peak";
+/// The name of the place with a sensor's highest reading of all vehicles; with a vehicle's number after it, of that one.
+pub const PEAK_PLACE: &str = "peak";
 
 impl Flight {
     /// The places known so far: contacts (`c1`, `fire1`), the highest reading of all vehicles
@@ -28,7 +28,7 @@ impl Flight {
         let peaks = self.tracks.peaks().iter();
         let own_peaks = peaks.map(|(id, peak)| (peak_of(*id), place(peak.at)));
         let highest = self.tracks.highest();
-        let peak = highest.map(|peak| (PEAK.to_owned(), place(peak.at)));
+        let peak = highest.map(|peak| (PEAK_PLACE.to_owned(), place(peak.at)));
         let drawn = self
             .goals
             .trackers()
@@ -39,7 +39,7 @@ impl Flight {
 }
 
 fn peak_of(vehicle: VehicleId) -> String {
-    format!("{PEAK}{vehicle}")
+    format!("{PEAK_PLACE}{vehicle}")
 }
 
 impl Mission {
@@ -48,7 +48,7 @@ impl Mission {
     pub fn places_to_name(&self) -> BTreeMap<String, LatLon> {
         let mut places = self.places();
         let own = (1..=self.seats.count as VehicleId).map(peak_of);
-        let later = own.chain([PEAK.to_owned()]);
+        let later = own.chain([PEAK_PLACE.to_owned()]);
         for name in later.chain(Contacts::names(NAMED_CONTACTS)) {
             places.entry(name).or_insert(self.site.origin.at);
         }

@@ -28,6 +28,7 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
                 value: objective.value,
                 fraction: standing.fraction,
                 measure: standing.measure,
+                measure_unit: objective.kind.measure_unit(),
                 met: standing.met,
                 mandatory: objective.mandatory,
                 result: standing.result.clone(),

@@ -54,6 +54,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 }
 
 impl ObjectiveKind for ArmTime {
+    fn measure_unit(&self) -> &'static str {
+        "s"
+    }
+
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K1)
     }

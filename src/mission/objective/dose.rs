@@ -43,6 +43,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 }
 
 impl ObjectiveKind for Dose {
+    fn measure_unit(&self) -> &'static str {
+        "µSv"
+    }
+
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K7)
     }

@@ -64,6 +64,10 @@ fn read(table: &mut FileTable<'_>) -> Option<Box<dyn ObjectiveKind>> {
 }
 
 impl ObjectiveKind for Hover {
+    fn measure_unit(&self) -> &'static str {
+        "s"
+    }
+
     fn skill(&self, _: usize) -> Option<Skill> {
         Some(Skill::K3)
     }

@@ -406,6 +406,25 @@ fn the_next_gate_has_its_name_and_a_mark() {
     }
 }
 
+/// A hint that says `peak` means a name on the map, not `peak1` at the same place.
+#[test]
+fn the_highest_reading_of_all_has_the_name_that_hints_use() {
+    let mut console = Console::flying(0);
+    console.vehicle(fixtures::airborne(1, 10.0, 20.0));
+    let mut progress = fixtures::progress();
+    for (name, north_m) in [("peak", 60.0), ("peak1", 60.0), ("peak2", -60.0)] {
+        let place = fixtures::HOME.moved(north_m, 0.0);
+        progress.places.insert(name.to_owned(), place);
+    }
+    console.hear(SessionEvent::Mission(Box::new(progress)));
+    console.press("M").press("z");
+    let size = (80, 24);
+    let console = resized(console, size);
+    let text = drawn(&console, Symbols::Braille, Language::English, size);
+    assert!(text.contains("+peak ") && text.contains("+peak2"), "{text}");
+    assert!(!text.contains("+peak1"), "{text}");
+}
+
 #[test]
 fn a_step_of_a_lesson_shows_on_the_map_too() {
     for size in [(80, 24), (120, 40)] {

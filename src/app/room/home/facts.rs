@@ -205,7 +205,7 @@ fn pay(career: &Career, offer: &Offer) -> Text {
     if offer.credits == 0 {
         text!("fact-pays-nothing")
     } else if career.standing.has_passed(&offer.id) {
-        text!("fact-pays-left", left = left, credits = offer.credits)
+        text!("fact-pays-left", left = left)
     } else {
         text!("fact-pays-first", credits = offer.credits)
     }

@@ -239,8 +239,13 @@ fn other_mission(state: &mut State, step: Step) {
     let items = home::items(state);
     let is_mission = |item: &&HomeItem| matches!(item, HomeItem::Mission(_));
     let missions = items.iter().filter(is_mission).count();
-    let at = state.rooms.home.cursor.min(missions.saturating_sub(1));
-    state.rooms.home.cursor = step.apply(at, missions);
+    let cursor = state.rooms.home.cursor;
+    // From any other entry, the list of missions is entered at its near end.
+    state.rooms.home.cursor = match step {
+        _ if cursor < missions => step.apply(cursor, missions),
+        Step::Down => 0,
+        _ => missions.saturating_sub(1),
+    };
     state.rooms.mission.scroll = 0;
     // Narrow screens do not show the mission.
     if let Some(mission) = home::under_cursor(state) {

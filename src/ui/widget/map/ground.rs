@@ -12,7 +12,7 @@ use crate::app::State;
 use crate::app::room::map::{Sketch, SketchKind, sketches};
 use crate::config::Symbols;
 use crate::geo::{DOTS_ACROSS, Extent, GridSize, LatLon, Outline, Viewport};
-use crate::mission::{MoverKind, NEXT_PLACE};
+use crate::mission::{MoverKind, NEXT_PLACE, PEAK_PLACE};
 use crate::ui::look::{Badge, Look};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -263,7 +263,12 @@ fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Labe
         .collect();
     let next = next_place(state);
     let places = session.places().iter();
-    let named = places.filter(|(name, _)| !drawn.contains(name.as_str()) && *name != NEXT_PLACE);
+    // The highest reading of all vehicles is that of one of them: one label is enough.
+    let peak = session.places().get(PEAK_PLACE);
+    let is_own_peak = |name: &str, place| Some(place) == peak && name != PEAK_PLACE;
+    let named = places.filter(|(name, place)| {
+        !drawn.contains(name.as_str()) && *name != NEXT_PLACE && !is_own_peak(name, *place)
+    });
     // Later ones take precedence if there is no room for all.
     let (coming, others): (Vec<_>, Vec<_>) = named.partition(|(_, place)| Some(**place) == next);
     for (name, &place) in others.into_iter().chain(coming) {

@@ -1,6 +1,7 @@
 //! The seats of a mission.
 
 use super::*;
+use crate::app::room::home;
 use crate::app::state::Activity;
 
 #[test]
@@ -33,6 +34,21 @@ fn another_mission_is_built_for_once_the_flown_one_is_over() {
     assert_eq!(state.rooms.home.cursor, 1);
     let said = state.message().expect("the other mission is named");
     assert!(said.text.contains("Air sample"), "{}", said.text);
+}
+
+#[test]
+fn without_a_mission_the_next_one_is_the_first() {
+    for (key, title) in [("]", "Air sample"), ("[", "The last one")] {
+        let mut state = workshop(None);
+        let mut more = state.training.missions[0].clone();
+        more.title = "The last one".into();
+        state.training.missions.push(more);
+        state.rooms.home.cursor = 2;
+        assert!(home::under_cursor(&state).is_none(), "no mission");
+        press(&mut state, key);
+        let mission = home::under_cursor(&state).expect("a mission");
+        assert_eq!(mission.title.to_string(), title);
+    }
 }
 
 #[test]

@@ -1,0 +1,140 @@
+//! The lines of the help and their widths: usages, explanations and notes are wrapped so that none is cut.
+//!
+//! They are apart because every part of the help writes such lines, and only this one measures them.
+
+use unicode_width::UnicodeWidthStr as _;
+
+use crate::language::VerbRow;
+use crate::text::Locale;
+
+/// The maximum number of columns of a usage with an explanation beside it.
+pub const SHORT_USAGE: usize = 22;
+
+/// The maximum number of columns of an explanation beside a usage.
+pub(super) const SHORT_SUMMARY: usize = 49;
+/// The width of a usage that has a line to itself.
+const USAGE_WIDTH: usize = 64;
+/// The maximum number of columns of a note.
+pub(super) const NOTE_WIDTH: usize = 66;
+
+/// One line of the help.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum HelpLine {
+    Title(String),
+    /// A key or a command, and its effect.
+    Entry(String, String),
+    /// An explanation below an entry.
+    Note(String),
+    Blank,
+}
+
+/// A verb with its summary beside its usage; the summary is below if either is long.
+pub(super) fn explained(row: &VerbRow, locale: &Locale) -> Vec<HelpLine> {
+    let summary = locale.text(&row.summary());
+    if let [usage] = row.usage().as_slice()
+        && usage.width() <= SHORT_USAGE
+        && summary.width() <= SHORT_SUMMARY
+    {
+        return vec![HelpLine::Entry(usage.clone(), summary)];
+    }
+    let mut lines: Vec<HelpLine> = row.usage_parts().flat_map(alone).collect();
+    lines.extend(notes(&summary));
+    lines
+}
+
+/// A usage without a summary. A keyword and its value stay on one line; a list of choices that is too long for one is
+/// broken after a `|`.
+fn alone(parts: Vec<String>) -> Vec<HelpLine> {
+    let words = parts.iter().flat_map(|part| {
+        let fits = part.width() <= USAGE_WIDTH;
+        let choices = (!fits).then(|| part.split_inclusive('|'));
+        let whole = fits.then_some(part.as_str());
+        choices.into_iter().flatten().chain(whole)
+    });
+    let lines = filled(words, USAGE_WIDTH);
+    let indents = std::iter::once("").chain(std::iter::repeat("    "));
+    indents
+        .zip(lines)
+        .map(|(indent, line)| HelpLine::Entry(format!("{indent}{line}"), String::new()))
+        .collect()
+}
+
+/// A text wrapped to the width of notes.
+pub(super) fn notes(text: &str) -> Vec<HelpLine> {
+    let lines = filled(text.split_whitespace(), NOTE_WIDTH);
+    lines.into_iter().map(HelpLine::Note).collect()
+}
+
+/// Words joined into lines of at most `width` columns, by a blank unless they are choices of one list; a word longer
+/// than that has a line to itself.
+fn filled<'a>(words: impl Iterator<Item = &'a str>, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in words {
+        match lines.last_mut() {
+            Some(line) => {
+                let joint = if line.is_empty() || line.ends_with('|') {
+                    ""
+                } else {
+                    " "
+                };
+                if line.is_empty() || line.width() + joint.width() + word.width() <= width {
+                    line.extend([joint, word]);
+                } else {
+                    lines.push(word.to_owned());
+                }
+            }
+            None => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::language::rows;
+    use crate::text::Language;
+
+    #[test]
+    fn a_keyword_and_its_value_are_on_the_same_line() {
+        let survey = rows().find(|row| row.name() == "survey").expect("a verb");
+        let lines = explained(survey, &Locale::new(Language::English));
+        let entries: Vec<&str> = lines
+            .iter()
+            .filter_map(|line| match line {
+                HelpLine::Entry(usage, _) => Some(usage.as_str()),
+                _ => None,
+            })
+            .collect();
+        assert!(
+            entries.iter().any(|it| it.starts_with("    ")),
+            "{entries:?}"
+        );
+        for entry in entries {
+            let open = entry.matches('[').count();
+            assert_eq!(open, entry.matches(']').count(), "{entry}");
+            assert!(entry.width() <= USAGE_WIDTH + 4, "{entry}");
+        }
+    }
+
+    #[test]
+    fn a_long_list_of_choices_is_broken_between_two() {
+        let choice = ["bookmark", "refusal", "alert"].join("|").repeat(3);
+        let lines = alone(vec!["seek".to_owned(), format!("[{choice}]")]);
+        let texts: Vec<&str> = lines
+            .iter()
+            .map(|line| match line {
+                HelpLine::Entry(usage, _) => usage.as_str(),
+                other => panic!("{other:?}"),
+            })
+            .collect();
+        assert!(
+            texts.len() > 1 && texts[0].starts_with("seek [bookmark|"),
+            "{texts:?}"
+        );
+        for (at, text) in texts.iter().enumerate() {
+            assert!(text.width() <= USAGE_WIDTH + 4, "{text}");
+            assert!(at + 1 == texts.len() || text.ends_with('|'), "{text}");
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! The keys of the help: which of them belong to the section of a place, in the room and the kind of session where the
+//! help is opened.
+//!
+//! They are apart because they follow from the keymap alone, as the commands do from the table of verbs.
+
+use super::line::HelpLine;
+use super::replayed::{ReplayUse, replayed};
+use crate::app::State;
+use crate::app::keymap::{Binding, Keymap, Place, Press};
+use crate::app::room_list::Room;
+use crate::text::{Locale, Text};
+
+/// The context of the help: keymap, room and kind of session.
+#[derive(Debug, Clone, Copy)]
+pub struct HelpScene<'a> {
+    pub keymap: &'a Keymap,
+    pub here: Room,
+    /// Whether a recorded flight is shown; it takes no commands.
+    pub is_replay: bool,
+}
+
+impl State {
+    /// The current context of the help.
+    pub fn help_scene(&self) -> HelpScene<'_> {
+        HelpScene {
+            keymap: &self.keymap,
+            here: self.room,
+            is_replay: self.replay.is_some(),
+        }
+    }
+}
+
+impl HelpScene<'_> {
+    /// The keys of a place; keys with the same meaning share a line.
+    pub(super) fn keys(self, place: Place, locale: &Locale) -> Vec<HelpLine> {
+        let mut rows: Vec<(String, Text)> = Vec::new();
+        for binding in self.keymap.bindings() {
+            let Some(about) = self.description(binding, place) else {
+                continue;
+            };
+            let label = binding.press.label();
+            match rows.iter_mut().find(|(_, known)| *known == about) {
+                Some((labels, _)) => {
+                    labels.push(' ');
+                    labels.push_str(&label);
+                }
+                None => rows.push((label, about)),
+            }
+        }
+        let lines = rows.into_iter();
+        lines
+            .map(|(labels, about)| HelpLine::Entry(labels, locale.text(&about)))
+            .collect()
+    }
+
+    /// The description of a key in the section of a place; `None` if the key belongs to another
+    /// section, or has no effect.
+    fn description(&self, binding: &Binding, place: Place) -> Option<Text> {
+        let usual = || self.keymap.description(&binding.meaning);
+        // The section of general keys lists only those that the current room leaves as they are.
+        let is_changed_here = binding.place == Place::Anywhere
+            && !self.keymap.is_general(binding.press, Place::In(self.here));
+        if is_changed_here {
+            return None;
+        }
+        if !self.is_replay {
+            return (binding.place == place).then(usual);
+        }
+        let is_replaced = binding.place != Place::Replay && self.is_of_replay(binding.press);
+        match replayed(&binding.meaning) {
+            ReplayUse::Same => (binding.place == place && !is_replaced).then(usual),
+            // Such a key controls the replay wherever it is bound.
+            ReplayUse::Control(id) => {
+                (place == Place::Replay && !is_replaced).then(|| Text::new(id, Vec::new()))
+            }
+            ReplayUse::None => None,
+        }
+    }
+
+    /// Whether a replay handles a key before the rooms do.
+    fn is_of_replay(&self, press: Press) -> bool {
+        let mut bindings = self.keymap.bindings().iter();
+        bindings.any(|it| it.place == Place::Replay && it.press == press)
+    }
+}
+
+#[cfg(test)]
+impl<'a> HelpScene<'a> {
+    /// The help in a room, outside of a replay.
+    pub(super) fn of_flight(keymap: &'a Keymap, here: Room) -> Self {
+        Self {
+            keymap,
+            here,
+            is_replay: false,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::state::help::help_lines;
+    use crate::text::Language;
+
+    /// On the home screen, `p` starts practice; in the other rooms it pauses.
+    #[test]
+    fn each_key_is_listed_once_with_the_meaning_that_it_has_in_the_room() {
+        let locale = Locale::new(Language::English);
+        let keymap = Keymap::default();
+        for room in Room::ALL {
+            let scene = HelpScene::of_flight(&keymap, room);
+            let here = [Place::In(room), Place::Anywhere];
+            let listed = keymap.bindings().iter().filter(|binding| {
+                let mut places = here.iter();
+                places.any(|&place| scene.description(binding, place).is_some())
+            });
+            let presses: Vec<Press> = listed.map(|binding| binding.press).collect();
+            for (at, press) in presses.iter().enumerate() {
+                assert!(!presses[..at].contains(press), "{room:?}: {press:?}");
+            }
+        }
+        let home = help_lines(HelpScene::of_flight(&keymap, Room::Home), &locale);
+        let pause = locale.say("action-pause-mission");
+        let end = home
+            .iter()
+            .position(|line| *line == HelpLine::Title(locale.say("help-commands")));
+        let is_pause =
+            |line: &HelpLine| matches!(line, HelpLine::Entry(_, meaning) if *meaning == pause);
+        assert!(!home[..end.expect("the commands")].iter().any(is_pause));
+    }
+}
