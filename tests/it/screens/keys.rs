@@ -181,7 +181,7 @@ fn all_rebound() -> String {
         let here: Vec<_> = here.filter(|binding| binding.place == place).collect();
         // A room must not hide a key that works in all rooms.
         let unusual: Vec<char> = match place {
-            Place::Anywhere => ('a'..='z').chain('0'..='9').collect(),
+            Place::Anywhere => ('a'..='z').chain('0'..='9').chain('à'..='ö').collect(),
             Place::In(_) | Place::Replay | Place::Prompt | Place::Reader | Place::List => {
                 ('A'..='Z').chain('α'..='ω').collect()
             }
