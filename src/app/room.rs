@@ -128,7 +128,7 @@ impl RoomBehaviour {
 }
 
 macro_rules! declare_models {
-    ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
+    ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Scope:ident, $Model:ty;)+) => {
         /// The state of every room. It is kept when the user leaves the room.
         #[derive(Debug, Clone, Default)]
         pub struct Rooms {

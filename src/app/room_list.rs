@@ -7,46 +7,57 @@ use crate::language::{Listed, Named};
 use crate::text::Text;
 
 /// Passes the list of rooms to a macro. Each line gives the room's variant of `Room`, its module in
-/// `app::room` and `ui::screen`, its name in keymap files and on the command line, its default key,
+/// `app::room` and `ui::screen`, its name in keymap files and on the command line, its default key, what it is about,
 /// and the type of its state. The messages `room-NAME` and `action-NAME` are its title and its
 /// purpose.
 macro_rules! for_each_room {
     ($then:ident) => {
         $then! {
-            Home, home, "home", 'H', home::Home;
+            Home, home, "home", 'H', Apart, home::Home;
             /// The swarm in flight.
-            Fly, fly, "fly", 'F', fly::Fly;
+            Fly, fly, "fly", 'F', Vehicles, fly::Fly;
             /// One vehicle in detail.
-            Vehicle, vehicle, "vehicle", 'V', vehicle::Vehicle;
-            Map, map, "map", 'M', map::Map;
+            Vehicle, vehicle, "vehicle", 'V', Vehicles, vehicle::Vehicle;
+            Map, map, "map", 'M', Vehicles, map::Map;
             /// The drafts of plans, fences and rally points.
-            Plans, plans, "plans", 'E', plans::Drawing;
-            Ledger, ledger, "commands", 'C', ledger::Ledger;
+            Plans, plans, "plans", 'E', Flight, plans::Drawing;
+            Ledger, ledger, "commands", 'C', Flight, ledger::Ledger;
             /// All messages on the links.
-            Messages, messages, "messages", 'I', messages::Messages;
+            Messages, messages, "messages", 'I', Flight, messages::Messages;
             /// The links and their faults.
-            Links, links, "links", 'L', links::Links;
+            Links, links, "links", 'L', Flight, links::Links;
             /// The processes that simulate the vehicles.
-            Hangar, hangar, "hangar", 'G', hangar::Hangar;
+            Hangar, hangar, "hangar", 'G', Flight, hangar::Hangar;
             /// The files of the vehicles.
-            Files, files, "files", 'X', files::Files;
-            Parameters, parameters, "parameters", 'P', parameters::Parameters;
+            Files, files, "files", 'X', Flight, files::Files;
+            Parameters, parameters, "parameters", 'P', Flight, parameters::Parameters;
             /// The mission's brief, objectives and rules.
-            Mission, mission, "mission", 'B', mission::Mission;
+            Mission, mission, "mission", 'B', Flight, mission::Mission;
             /// The result of the last flight.
-            Debrief, debrief, "debrief", 'D', debrief::Debriefs;
+            Debrief, debrief, "debrief", 'D', Apart, debrief::Debriefs;
             /// The review of a recorded flight.
-            Review, review, "review", 'A', review::Review;
-            Standing, standing, "standing", 'T', standing::Standing;
+            Review, review, "review", 'A', Flight, review::Review;
+            Standing, standing, "standing", 'T', Apart, standing::Standing;
             /// The workshop for designs.
-            Workshop, workshop, "workshop", 'W', workshop::Workshop;
+            Workshop, workshop, "workshop", 'W', Apart, workshop::Workshop;
         }
     };
 }
 pub(crate) use for_each_room;
 
+/// What a room is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum RoomScope {
+    /// The vehicles in flight, which keys select and command there.
+    Vehicles,
+    /// The present flight.
+    Flight,
+    /// What comes before and after flights.
+    Apart,
+}
+
 macro_rules! declare_rooms {
-    ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
+    ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Scope:ident, $Model:ty;)+) => {
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, EnumIter)]
         pub enum Room {
             $($(#[$about])* $Room,)+
@@ -67,6 +78,12 @@ macro_rules! declare_rooms {
             pub const fn name(self) -> &'static str {
                 match self {
                     $(Self::$Room => $name,)+
+                }
+            }
+
+            const fn scope(self) -> RoomScope {
+                match self {
+                    $(Self::$Room => RoomScope::$Scope,)+
                 }
             }
         }
@@ -90,26 +107,12 @@ impl Default for Room {
 impl Room {
     /// Whether keys select and command vehicles in this room.
     pub const fn shows_vehicles(self) -> bool {
-        matches!(self, Self::Fly | Self::Vehicle | Self::Map)
+        matches!(self.scope(), RoomScope::Vehicles)
     }
 
     /// Whether the room is used apart from a flight: in a replay, its keys are shown above the timeline.
     pub const fn is_apart_from_flight(self) -> bool {
-        match self {
-            Self::Home | Self::Debrief | Self::Standing | Self::Workshop => true,
-            Self::Fly
-            | Self::Vehicle
-            | Self::Map
-            | Self::Plans
-            | Self::Ledger
-            | Self::Messages
-            | Self::Links
-            | Self::Hangar
-            | Self::Parameters
-            | Self::Files
-            | Self::Mission
-            | Self::Review => false,
-        }
+        matches!(self.scope(), RoomScope::Apart)
     }
 
     /// The room with a name, if there is one.

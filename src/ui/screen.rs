@@ -35,7 +35,7 @@ pub mod vehicle;
 pub mod workshop;
 
 macro_rules! declare_drawing {
-    ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Model:ty;)+) => {
+    ($($(#[$about:meta])* $Room:ident, $module:ident, $name:literal, $key:literal, $Scope:ident, $Model:ty;)+) => {
         /// Draws the current room.
         pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
             match state.room() {

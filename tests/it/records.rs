@@ -140,8 +140,11 @@ fn records_are_listed_with_their_result_and_deleted_only_by_plain_numbers() {
         String::from_utf8_lossy(&output.stdout).into_owned() + &said(&output)
     };
     let list = printed(&["records", "list"]);
+    let medal = report["medal"].as_str().expect("a medal");
+    let result = format!("{medal} {}", report["score"]);
+    assert!(list.contains(&result), "{list}");
     assert!(
-        list.contains(&format!("passed {}", report["score"])),
+        list.lines().all(|line| line.chars().count() <= 80),
         "{list}"
     );
     let review = data.join("review.md");

@@ -37,14 +37,14 @@ pub(super) fn explained(row: &VerbRow, locale: &Locale) -> Vec<HelpLine> {
     {
         return vec![HelpLine::Entry(usage.clone(), summary)];
     }
-    let mut lines: Vec<HelpLine> = row.usage_parts().flat_map(alone).collect();
+    let mut lines: Vec<HelpLine> = row.usage_parts().flat_map(|parts| alone(&parts)).collect();
     lines.extend(notes(&summary));
     lines
 }
 
 /// A usage without a summary. A keyword and its value stay on one line; a list of choices that is too long for one is
 /// broken after a `|`.
-fn alone(parts: Vec<String>) -> Vec<HelpLine> {
+fn alone(parts: &[String]) -> Vec<HelpLine> {
     let words = parts.iter().flat_map(|part| {
         let fits = part.width() <= USAGE_WIDTH;
         let choices = (!fits).then(|| part.split_inclusive('|'));
@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn a_long_list_of_choices_is_broken_between_two() {
         let choice = ["bookmark", "refusal", "alert"].join("|").repeat(3);
-        let lines = alone(vec!["seek".to_owned(), format!("[{choice}]")]);
+        let lines = alone(&["seek".to_owned(), format!("[{choice}]")]);
         let texts: Vec<&str> = lines
             .iter()
             .map(|line| match line {
