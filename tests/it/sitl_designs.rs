@@ -18,8 +18,7 @@ use crate::fleet::Console;
 /// The number of the first SITL instance: its TCP port is 5760 plus ten per instance, which avoids
 /// ports that other programs usually use.
 const FIRST_INSTANCE: u16 = 84;
-const SYSTEM: u8 = 7;
-const VEHICLE: VehicleId = SYSTEM as VehicleId;
+const VEHICLE: VehicleId = 7;
 const SPEEDUP: f64 = 10.0;
 /// The share of the charge that is flown; the endurance is extrapolated from it.
 const STRETCH: f64 = 0.1;
@@ -59,7 +58,7 @@ impl Sitl {
                 altitude_amsl_m: 0.0,
                 heading_deg: 0.0,
             },
-            system: SYSTEM,
+            system: VEHICLE as u8,
             speedup: SPEEDUP,
             parameters: set.map(|&(name, value)| (name.to_owned(), value)).collect(),
         };
