@@ -55,6 +55,9 @@ fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
             ("FENCE_RADIUS", 150.0),
             ("FS_THR_ENABLE", 1.0),
             ("SIM_BARO_RND", 0.0),
+            // The rate of a copter's control loop. SITL subtracts the charge of each step of its physics in 32-bit
+            // numbers: with its 1200 steps a second, rounding changes the endurance of large batteries by up to 8 %.
+            ("SIM_RATE_HZ", 400.0),
         ],
         // The trim of a throttle is at its lower end.
         SitlKind::Plane => &[

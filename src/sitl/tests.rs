@@ -139,6 +139,26 @@ fn the_battery_and_the_motors_follow_the_airframe() {
     assert_eq!(value_of(&asked, "BATT_CAPACITY"), Some(1.5));
 }
 
+/// Only a copter's battery runs down; 4.6 ignores the rate for rovers.
+#[test]
+fn only_copters_get_the_rate_at_which_their_batteries_are_right() {
+    for &kind in SitlKind::ALL {
+        let recipe = Recipe { kind, ..recipe() };
+        let expected = (kind == SitlKind::Copter).then_some(400.0);
+        assert_eq!(
+            value_of(&recipe, "SIM_RATE_HZ"),
+            expected,
+            "{}",
+            kind.name()
+        );
+    }
+    let asked = Recipe {
+        parameters: with(&[("SIM_RATE_HZ", 1200.0)]),
+        ..recipe()
+    };
+    assert_eq!(value_of(&asked, "SIM_RATE_HZ"), Some(1200.0));
+}
+
 /// `SIM_BATT_CAP_AH` has no effect: only a frame file gives a copter a battery that runs down.
 #[test]
 fn a_copter_without_a_frame_file_gets_a_battery_that_ends() {

@@ -6,6 +6,9 @@ use std::fs;
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
+use sortie::geo::LatLon;
+use sortie::sim::Start;
+use sortie::sitl::{Recipe, SerialEndpoint, SitlKind};
 use sortie::vehicle::VehicleId;
 use sortie::workshop::{Air, Design, Figures};
 
@@ -16,7 +19,7 @@ use crate::fleet::Console;
 /// ports that other programs usually use.
 const FIRST_INSTANCE: u16 = 84;
 const VEHICLE: VehicleId = 7;
-const SPEEDUP: &str = "10";
+const SPEEDUP: f64 = 10.0;
 /// The share of the charge that is flown; the endurance is extrapolated from it.
 const STRETCH: f64 = 0.1;
 /// The maximum difference between either simulator and the computed figures, as a share.
@@ -45,25 +48,29 @@ impl Drop for Sitl {
 impl Sitl {
     fn start(program: &Path, design: &Design, instance: u16) -> Self {
         let built = design.airframe().expect("complete");
+        let set = built.parameters.iter();
+        let recipe = Recipe {
+            kind: SitlKind::Copter,
+            model: Some(built.model.to_owned()),
+            airframe: Some(built.frame.to_string()),
+            start: Start {
+                at: LatLon::new(50.45, 30.52),
+                altitude_amsl_m: 0.0,
+                heading_deg: 0.0,
+            },
+            system: VEHICLE as u8,
+            speedup: SPEEDUP,
+            parameters: set.map(|&(name, value)| (name.to_owned(), value)).collect(),
+        };
+        let command = recipe
+            .command_line(SerialEndpoint::Listening(instance))
+            .expect("SITL can fly it");
         let folder = tempfile::tempdir().expect("a temporary folder");
-        let mut parameters = String::new();
-        let usual = arducopter::parameters();
-        for line in usual.lines() {
-            let name = line.split(' ').next().unwrap_or_default();
-            if built.parameters.iter().all(|(own, _)| *own != name) {
-                writeln!(parameters, "{line}").expect("a string takes it");
-            }
+        for (name, text) in &command.files {
+            fs::write(folder.path().join(name), text).expect("written");
         }
-        for (name, value) in &built.parameters {
-            writeln!(parameters, "{name} {value}").expect("a string takes it");
-        }
-        fs::write(folder.path().join("copter.parm"), parameters).expect("written");
-        fs::write(folder.path().join("frame.json"), built.frame.to_string()).expect("written");
-        let model = format!("{}:frame.json", built.model);
         let process = Command::new(program)
-            .args(["--model", &model, "--speedup", SPEEDUP, "--slave", "0"])
-            .args(["--sysid", &VEHICLE.to_string(), "--defaults", "copter.parm"])
-            .args(["--home", "50.45,30.52,0,0", "-I", &instance.to_string()])
+            .args(&command.arguments)
             .current_dir(folder.path())
             .stdout(Stdio::null())
             .stderr(Stdio::null())
