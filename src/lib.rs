@@ -14,8 +14,8 @@
 //! | | [`terminal`] | keys in, cells out: which features the terminal has, and its speed |
 //! | | [`api`] | the interface for programs: their requests, and states as JSON lines |
 //! | | [`replay`] | a recorded flight as the events that the console received then, starting at any moment |
-//! | | [`ui`] | screens and widgets: state in, cells out; the roles of text (such as warning) and their styles (`themes/*.toml`) |
-//! | | [`app`] | state, events, effects, one `update`; the rooms' behaviour, their keys and the hints in their footers; when an alert is active, rings and is muted |
+//! | | [`ui`] | screens and widgets: state in, cells out; the roles of text (such as warning) and their styles (`themes/*.toml`), the colours and signs of drones |
+//! | | [`app`] | state, events, effects, one `update`; the rooms' behaviour, their keys and the hints in their footers; the order of rows in the swarm table; when an alert is active, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
 //! | | [`hangar`] | SITL processes, started here or by a service over HTTP |
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
@@ -26,21 +26,21 @@
 //! | | [`review`] | the after-action review of a flight: answers, points to keep and to improve, later bookmarks |
 //! | | [`comparison`] | two flights of a mission side by side: the positions of the other one, the differences and their cost |
 //! | | [`debrief`] | a report as text |
-//! | | [`mission`] | the mission file, and the referee of a flight: hazards, sensors, radio, objectives, events, the trainee's workload, vehicles without attention |
-//! | | [`scoring`] | points and their components (safety, alerts, commands, workload), medals, and the report of a flight |
+//! | | [`mission`] | the mission file, and the referee of a flight: hazards, sensors, radio, objectives, events, separation, which hints are free, the trainee's workload, vehicles without attention |
+//! | | [`scoring`] | points and their components (safety, alerts, commands, workload), the price of hints, medals, and the report of a flight |
 //! | | [`fidelity`] | the simulator beside recordings of the real vehicle |
 //! | | [`sitl`] | the command line and the files of one SITL process |
 //! | | [`record`] | the record of a session: the frames of its links (`.tlog`), and the journal of everything else (a mission's own record is in [`mission`]) |
 //! | | [`swarm`] | manoeuvres of several vehicles, the plans of a task that they share, and the default spacing of survey lines, from height and sensor |
-//! | | [`session`] | the conversation with one vehicle: commands, their retries, end and takeover; plans, parameters, logs, files; when the vehicle counts as lost |
+//! | | [`session`] | the conversation with one vehicle: commands, their end and takeover, and sending them again (how often and for how long is a property of the verb, in [`language`]); plans, parameters, logs, files; which telemetry is requested, and how often; when the vehicle counts as lost |
 //! | | [`forward`] | sharing links with other ground stations: the routes of frames, and the stations' commands |
 //! | | [`language`] | the grammar, and the one table of verbs for vehicles, the mission and the console, with their properties: retries, danger, precedence, what `wait arrived` waits for |
 //! | | [`dataflash`] | flight data from vehicle logs, aligned with a record |
-//! | | [`commands`] | typed commands: when one is refused for the vehicle's state, how it is encoded, and which telemetry shows its effect |
+//! | | [`commands`] | typed commands: when one is refused for the vehicle's state, how it is encoded, which telemetry shows its effect, and the likely reason when the vehicle refuses |
 //! | | [`messages`] | telemetry: a handler for each kind of message |
 //! | | [`ledger`], [`notice`], [`alert`], [`moment`] | the outcome of each command; notices to people; the kinds of alerts; the moments of a flight |
 //! | | [`vehicle`] | the model of one vehicle, the grades of its readings (good, poor, bad), its fence and limits, and the battery needed to return home |
-//! | | [`doctor`] | the faults of a link (`sortie doctor`, about this machine, is in [`cli`]) |
+//! | | [`doctor`] | the faults of a link, such as losses, old timestamps and shared ids (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`signing`] | the keys of MAVLink signing and the console's timestamps |
 //! | | [`inspector`] | messages, counted and decoded field by field, and built from fields by name |
 //! | | [`parameters`] | parameter lists, files, differences, and which parameters belong to one vehicle and are not copied |
@@ -56,7 +56,7 @@
 //! | libraries | [`rehearsal`] | plans of several vehicles flown in simulation: times, batteries, closest approaches |
 //! | | [`sim`] | simulated vehicles, their batteries and radios, and the wind |
 //! | | [`wire`] | MAVLink frames |
-//! | | [`plan`] | items of plans, fences and rally points: their files, and the faults in them |
+//! | | [`plan`] | items of plans, fences and rally points: their files, the faults in them, and estimates of time and energy |
 //! | | [`geo`] | positions and maps |
 //!
 //! # A telemetry packet

@@ -21,9 +21,9 @@
 //! - The world, which trainees see only through sensors: `world`, `hazard`, `ground_truth`. What they see of it:
 //!   `sensor`, `lookout` (when a detector finds an object), `contact`, `survey`. What they know: `weather`, `zone`,
 //!   `area`, `pad`.
-//! - The rules: `objective` (when each is met), `event` (what happens during the flight, closed areas, collisions),
-//!   `radio` (how well a link carries), `together` (separation and sensor strip for manoeuvres), `stake` (what an
-//!   exam forbids).
+//! - The rules: `objective` (when each is met), `event` (what happens during the flight, closed areas, collisions,
+//!   vehicles too close to each other: `event/airspace`), `radio` (how well a link carries), `together` (the least
+//!   separation, and the sensor strip for manoeuvres), `stake` (what an exam forbids).
 //! - A flight: `flight` runs it; `clock` is its time, `craft` a vehicle as it sees it, `saying` its texts; `usage`
 //!   decides whether it has a task or needs attention; `planning` watches the commands about plans; `record` is what
 //!   it takes to score the flight again.

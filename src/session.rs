@@ -7,8 +7,8 @@
 //!
 //! # How the parts fit
 //! - What goes in and comes out: `set_up` (what is asked of a new vehicle), `order`, `output`.
-//! - When the vehicle counts as heard, lost or back, and how its clock differs: `reception`, with `hearing`, `streams`
-//!   (rates of telemetry) and `timesync`.
+//! - When the vehicle counts as heard, lost or back: `reception`, with `hearing`, `streams` (rates of telemetry) and
+//!   `timesync` (round-trip time).
 //! - What happens with an order: `orders`, with `line` (which order waits for its answer), `transaction` (send, retry,
 //!   answer, effect), `precedence` (which order supersedes which), `fit` (refused for the vehicle's parameters),
 //!   `acknowledgement`, `control` (which station the vehicle obeys).

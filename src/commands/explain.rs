@@ -1,4 +1,5 @@
-//! The reasons for refused commands, as text.
+//! The reasons for refused commands, as text: first what the vehicle said about this command, then what it said
+//! before (`Vehicle::prearm`, kept by `messages::status_text`).
 
 use mavlink::dialects::ardupilotmega::MavResult;
 

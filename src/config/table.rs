@@ -1,4 +1,5 @@
-//! The display of the swarm table: its columns and order.
+//! The settings of the swarm table: its columns, and the column that orders the rows. The rows are ordered in `app`:
+//! `state/column` compares two vehicles, `arrange` in `room/fly` sorts.
 
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};

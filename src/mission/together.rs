@@ -1,4 +1,4 @@
-//! Manoeuvres of several vehicles, by the rules of a mission.
+//! Several vehicles by the rules of a mission: the least separation, and the strip that the sensors cover.
 
 use super::Mission;
 use super::needs::USUAL_HEIGHT_M;

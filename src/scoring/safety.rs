@@ -1,4 +1,4 @@
-//! Broken rules and their cost.
+//! Broken rules and their cost. When one is broken, `mission::event` decides.
 
 use std::collections::BTreeMap;
 use std::time::Duration;

@@ -1,4 +1,5 @@
-//! The battery needed for the way home, compared with the remaining charge.
+//! The battery needed for the way home, compared with the remaining charge. The flight itself, with wind, is estimated
+//! by `effort` in the crate `plan`.
 
 use std::time::Duration;
 
