@@ -11,10 +11,10 @@
 //!   `replay` and `ghost` show recorded flights.
 //! - Why an order needs a confirmation: `plan_failures` (plans that failed in a rehearsal) and `mission_fence`
 //!   (targets outside a fence of the mission, or above its ceiling).
-//! - The user: `choice` (cursor, selection, groups), `filter` and `column` (which vehicles the table shows, by
-//!   what they are sorted; `arrange` in `room/fly` sorts), `typing`, `overlay` (questions and prompts), `help` (made from the keymap and the verbs), `names` (the
-//!   names that a line may use), `sticks`; `display` has the size of the smallest terminal. `training` and `career`
-//!   hold missions, results and standing.
+//! - The user: `choice` (cursor, selection, groups), `filter` and `column` (which vehicles the table shows, by what
+//!   they are sorted; `arrange` in `room/fly` sorts), `typing`, `overlay` (questions and prompts), `help` (made
+//!   from the keymap and the verbs), `names` (the names that a line may use), `sticks`; `display` has the size of
+//!   the smallest terminal. `training` and `career` hold missions, results and standing.
 //! - `views` is what other modules may read.
 
 use std::sync::Arc;
