@@ -266,7 +266,7 @@ fn state_of_rooms() -> Vec<(String, &'static str)> {
     let list = include_str!("../../src/app/room_list.rs").lines();
     let read = |line: &'static str| {
         let columns: Vec<&str> = line.trim().strip_suffix(';')?.split(", ").collect();
-        let [_, module, _, key, model] = columns[..] else {
+        let [_, module, _, key, _, model] = columns[..] else {
             return None;
         };
         let name = model.rsplit("::").next()?.trim_end_matches('>');

@@ -4,6 +4,7 @@ use std::fs;
 use std::io::Read as _;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
+use std::sync::mpsc;
 use std::thread;
 
 use nix::unistd::Uid;
@@ -185,12 +186,13 @@ fn the_reader_of_a_fifo_gets_an_export() {
     let mut from = reader.stdout.take().expect("piped");
     let mut ready = [0];
     from.read_exact(&mut ready).expect("it is open");
-    let first = thread::spawn(move || {
+    let (sender, begun) = mpsc::channel();
+    let drain = thread::spawn(move || {
         let mut start = [0; 5];
         from.read_exact(&mut start).expect("written");
+        sender.send(start).expect("awaited");
         // The remaining output must not hold up the program.
         drop(std::io::copy(&mut from, &mut std::io::sink()));
-        start
     });
     let to = fifo.to_string_lossy().into_owned();
     let line = [
@@ -198,9 +200,11 @@ fn the_reader_of_a_fifo_gets_an_export() {
     ];
     let written = run(home.path(), "", &line);
     assert_eq!(written.status.code(), Some(0), "{}", said(&written));
+    // The reader may be slower than the program, which fills the pipe and ends.
+    assert_eq!(&begun.recv().expect("it begins"), b"<?xml");
     reader.kill().expect("ours");
     reader.wait().expect("it ends");
-    assert_eq!(&first.join().expect("it ends"), b"<?xml");
+    drain.join().expect("it ends");
 }
 
 #[test]
