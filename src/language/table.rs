@@ -84,6 +84,7 @@ const fn setting(name: &'static str) -> Verb {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        unsuited: &[],
     }
 }
 
@@ -104,6 +105,7 @@ const fn confirmed(name: &'static str) -> Verb {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Task,
+        unsuited: &[],
     }
 }
 
