@@ -258,7 +258,7 @@ fn a_rover_has_arrived_where_it_stops_short_of_its_goal() {
     talk.craft.height_m = 12.0;
     let order = talk.order("goto", goto(30.0, 0.0));
     talk.pass(3);
-    assert_eq!(talk.last(order), Some(RowState::Accepted));
+    assert_eq!(talk.last(order), Some(RowState::Sent));
     let vehicle = talk.session.vehicle();
     assert!(!vehicle.airborne() && vehicle.is_under_way() && vehicle.moves());
     talk.pass(8);
