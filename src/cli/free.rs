@@ -56,24 +56,28 @@ impl FreeOptions {
         };
         if is_ardupilot {
             check(&flight)?;
-        } else if let Some(option) = self.of_sitl() {
-            return Err(Failure::Invalid(format!(
-                "sortie: {option} needs ArduPilot's SITL, because the embedded simulator has copters only: use --backend \
-                 ardupilot"
-            )));
+        } else {
+            self.check_embedded()?;
         }
         Ok(flight)
     }
 
-    /// The first option that the embedded simulator does not have.
-    fn of_sitl(&self) -> Option<&'static str> {
-        if self.kind() != SitlKind::Copter {
-            Some("this --kind")
+    /// Refuses the options that the embedded simulator does not have.
+    fn check_embedded(&self) -> Result<(), Failure> {
+        let kind = self.kind();
+        let fault = if kind != SitlKind::Copter {
+            let name = kind.name();
+            format!(
+                "the embedded simulator has copters only: for a {name}, use --backend ardupilot"
+            )
         } else if self.model.is_some() {
-            Some("--model")
+            "--model is for ArduPilot's SITL: use --backend ardupilot".to_owned()
+        } else if !self.parameters.is_empty() {
+            "--param is for ArduPilot's SITL: use --backend ardupilot, or `param set` in the console".to_owned()
         } else {
-            (!self.parameters.is_empty()).then_some("--param")
-        }
+            return Ok(());
+        };
+        Err(Failure::Invalid(format!("sortie: {fault}")))
     }
 }
 

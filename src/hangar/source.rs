@@ -124,3 +124,35 @@ impl VehicleBackend {
         starts.map(launch).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn free_flight_adds_its_kind_and_parameters_to_a_launch() {
+        let free = FreeFlight {
+            kind: SitlKind::Rover,
+            model: Some("motorboat".to_owned()),
+            parameters: [("WP_SPEED".to_owned(), 3.0)].into(),
+            start: None,
+        };
+        let backend = VehicleBackend::default();
+        let place = Start {
+            at: crate::geo::LatLon::new(50.45, 30.52),
+            altitude_amsl_m: 180.0,
+            heading_deg: 90.0,
+        };
+        let launches = backend.launches(WorldConfig::row(2, place), 4.0);
+        let launches: Vec<Launch> = launches.into_iter().map(|it| free.of(it)).collect();
+        for (launch, system) in launches.iter().zip([1, 2]) {
+            assert_eq!(
+                (launch.kind, launch.system),
+                (SitlKind::Rover, Some(system))
+            );
+            assert_eq!(launch.model.as_deref(), Some("motorboat"));
+            assert_eq!(launch.parameters.get("WP_SPEED"), Some(&3.0));
+            assert!(launch.check().is_ok() && launch.frame.is_none());
+        }
+    }
+}

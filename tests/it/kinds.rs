@@ -7,10 +7,10 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavType};
 use sortie::commands::{
     ArmingCommand, Command, Destination, FlightCommand, Heading, MotionCommand, PlanFlight, suits,
 };
-use sortie::language;
-use sortie::ledger::{EntryId, RowState, RowUpdate};
+use sortie::language::{self, Findings, Seen, Situation, Until};
+use sortie::ledger::{EntryId, Given, Ledger, Risk, RowState, RowUpdate};
 use sortie::session::{Report, Session, VehicleCommand};
-use sortie::vehicle::SpeedAxis;
+use sortie::vehicle::{SpeedAxis, Vehicles};
 use sortie::wire::{Decoder, Encoder, Outgoing};
 
 mod stand_in;
@@ -25,7 +25,7 @@ struct Talk {
     decoder: Decoder,
     now: Duration,
     rows: Vec<RowUpdate>,
-    orders: u32,
+    ledger: Ledger,
 }
 
 impl Talk {
@@ -37,7 +37,7 @@ impl Talk {
             decoder: Decoder::new(),
             now: Duration::ZERO,
             rows: Vec::new(),
-            orders: 0,
+            ledger: Ledger::new(),
         };
         talk.pass(3);
         talk
@@ -78,7 +78,10 @@ impl Talk {
         loop {
             for report in self.session.take_reports() {
                 match report {
-                    Report::Row(row) => self.rows.push(row),
+                    Report::Row(row) => {
+                        self.ledger.apply(&row);
+                        self.rows.push(row);
+                    }
                     Report::Notice(_) | Report::Folder(_) => {}
                 }
             }
@@ -104,25 +107,40 @@ impl Talk {
             .unwrap_or_default()
     }
 
-    /// Gives an order; returns its number.
-    fn order(&mut self, verb: &str, command: Command) -> u32 {
-        self.orders += 1;
+    /// Gives an order; returns its entry.
+    fn order(&mut self, verb: &str, command: Command) -> EntryId {
         let verb = language::verb(verb).expect("a verb");
-        let order = VehicleCommand::new(EntryId(self.orders), verb, command);
+        let given = Given {
+            line: verb.name,
+            verb,
+            risk: Risk::None,
+        };
+        let entry = self.ledger.open(self.now, given, &[1]);
+        let order = VehicleCommand::new(entry, verb, command);
         self.session.order(order, self.now);
         self.settle();
-        self.orders
+        entry
     }
 
-    fn last(&self, entry: u32) -> Option<RowState> {
+    /// Whether `wait arrived` is over.
+    fn has_arrived(&self) -> bool {
+        let seen = Seen {
+            vehicles: &Vehicles::default(),
+            ledger: &self.ledger,
+            findings: &Findings::default(),
+        };
+        Until::Situation(Situation::Arrived).holds(self.session.vehicle(), seen)
+    }
+
+    fn last(&self, entry: EntryId) -> Option<RowState> {
         let rows = self.rows.iter().rev();
-        let mut own = rows.filter(|row| row.entry == EntryId(entry));
+        let mut own = rows.filter(|row| row.entry == entry);
         own.next().map(|row| row.state)
     }
 
-    fn explanation(&self, entry: u32) -> String {
+    fn explanation(&self, entry: EntryId) -> String {
         let rows = self.rows.iter().rev();
-        let mut own = rows.filter(|row| row.entry == EntryId(entry));
+        let mut own = rows.filter(|row| row.entry == entry);
         own.find_map(|row| row.explanation.as_ref().map(ToString::to_string))
             .unwrap_or_default()
     }
@@ -288,9 +306,27 @@ fn the_return_of_a_rover_is_done_when_it_stands_at_home() {
     talk.pass(2);
     assert_eq!(talk.craft.mode(), "RTL");
     assert_eq!(talk.last(order), Some(RowState::Accepted));
+    assert!(!talk.has_arrived());
     talk.pass(10);
     assert_eq!(talk.last(order), Some(RowState::Done));
+    assert!(talk.has_arrived());
     assert!(talk.craft.armed, "a rover does not disarm itself");
+}
+
+#[test]
+fn a_rover_in_smart_rtl_has_arrived_when_it_stands_at_home() {
+    let mut talk = Talk::guided(ROVER);
+    talk.craft.at_m = [0.0, 20.0];
+    let name = "SMART_RTL".to_owned();
+    talk.order("mode", Command::Flight(FlightCommand::SetMode { name }));
+    talk.pass(2);
+    // The target of this mode is the next place on the way back.
+    talk.craft.goal_m = Some(talk.craft.at_m);
+    talk.pass(1);
+    assert!(!talk.has_arrived());
+    (talk.craft.at_m, talk.craft.goal_m) = ([0.0, 1.0], None);
+    talk.pass(1);
+    assert!(talk.has_arrived());
 }
 
 #[test]
@@ -385,7 +421,7 @@ fn a_plane_is_back_when_it_circles_above_home() {
     assert_eq!(talk.last(order), Some(RowState::Accepted));
     talk.pass(30);
     assert_eq!(talk.last(order), Some(RowState::Done));
-    assert!(talk.session.vehicle().airborne());
+    assert!(talk.has_arrived() && talk.session.vehicle().airborne());
 }
 
 #[test]

@@ -35,7 +35,7 @@ pub struct StandIn {
     /// Metres north and east of home.
     pub at_m: [f64; 2],
     pub height_m: f64,
-    goal_m: Option<[f64; 2]>,
+    pub goal_m: Option<[f64; 2]>,
     speed_m_s: f64,
     /// `Q_ENABLE` of a plane.
     pub hovers: bool,
