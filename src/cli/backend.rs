@@ -65,13 +65,11 @@ impl BackendArguments {
     }
 
     fn is_ardupilot(&self, kind: SitlKind) -> bool {
-        match self.backend {
-            Some(simulator) => simulator == SimulatorChoice::Ardupilot,
-            None => {
-                let is_named = self.services.is_given() || self.programs.is_given();
-                is_named || kind != SitlKind::Copter
-            }
+        if let Some(simulator) = self.backend {
+            return simulator == SimulatorChoice::Ardupilot;
         }
+        let is_named = self.services.is_given() || self.programs.is_given();
+        is_named || kind != SitlKind::Copter
     }
 
     fn source(

@@ -18,7 +18,6 @@ pub const CHANGE_SPEED: u16 = MavCmd::MAV_CMD_DO_CHANGE_SPEED as u16;
 /// Refuses the vertical speeds of vehicles that have none: a rover would drive at that speed.
 pub(super) fn check(axis: SpeedAxis, vehicle: &Vehicle) -> Result<(), Text> {
     match axis {
-        SpeedAxis::Ground => Ok(()),
         SpeedAxis::Climb | SpeedAxis::Descend if vehicle.is_on_surface() => {
             let kind = vehicle.kind_name();
             Err(text!("refused-surface-vertical", kind = kind))
@@ -26,7 +25,7 @@ pub(super) fn check(axis: SpeedAxis, vehicle: &Vehicle) -> Result<(), Text> {
         SpeedAxis::Climb | SpeedAxis::Descend if is_arduplane(vehicle) => {
             Err(text!("refused-plane-vertical-speed"))
         }
-        SpeedAxis::Climb | SpeedAxis::Descend => Ok(()),
+        SpeedAxis::Ground | SpeedAxis::Climb | SpeedAxis::Descend => Ok(()),
     }
 }
 
