@@ -9,7 +9,7 @@ use mavlink::dialects::ardupilotmega::{
     MavState, MavType, PARAM_VALUE_DATA, POSITION_TARGET_GLOBAL_INT_DATA,
     SET_POSITION_TARGET_LOCAL_NED_DATA,
 };
-use sortie::geo::LatLon;
+use sortie::geo::{LatLon, maths};
 use sortie::vehicle::{Mode, VehicleClass};
 
 /// Home, where the vehicle begins.
@@ -178,7 +178,7 @@ impl StandIn {
             return;
         };
         let way = [0, 1].map(|axis| goal[axis] - self.at_m[axis]);
-        let left_m = way[0].hypot(way[1]);
+        let left_m = maths::hypot(way[0], way[1]);
         let is_plane = self.class == VehicleClass::Plane;
         let stops_m = if is_plane { CIRCLE_M } else { STOPS_M };
         // A plane flies on, along its circle.
@@ -191,9 +191,7 @@ impl StandIn {
         for axis in [0, 1] {
             self.at_m[axis] += course[axis] / left_m.max(0.1) * WAY_M;
         }
-        if course != [0.0; 2] {
-            self.speed_m_s = WAY_M * 1000.0 / f64::from(STEP_MS);
-        }
+        self.speed_m_s = WAY_M * 1000.0 / f64::from(STEP_MS);
     }
 
     fn heartbeat(&self) -> MavMessage {
