@@ -181,13 +181,12 @@ impl StandIn {
         let left_m = maths::hypot(way[0], way[1]);
         let is_plane = self.class == VehicleClass::Plane;
         let stops_m = if is_plane { CIRCLE_M } else { STOPS_M };
+        let is_there = left_m <= stops_m;
+        if is_there && !is_plane {
+            return;
+        }
         // A plane flies on, along its circle.
-        let aside = if is_plane {
-            [-way[1], way[0]]
-        } else {
-            [0.0; 2]
-        };
-        let course = if left_m > stops_m { way } else { aside };
+        let course = if is_there { [-way[1], way[0]] } else { way };
         for axis in [0, 1] {
             self.at_m[axis] += course[axis] / left_m.max(0.1) * WAY_M;
         }
