@@ -211,7 +211,7 @@ fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
         Some((_, state)) if !state.is_final() => false,
         // Rovers, boats and planes return without a landing; the order itself is done when they are back.
         Some((Arrival::Landed, RowState::Done)) if returns_only(vehicle) => true,
-        Some((Arrival::Landed, _)) => !vehicle.is_on_surface() && vehicle.is_on_the_ground(),
+        Some((Arrival::Landed, _)) => has_come_down(vehicle),
         Some((Arrival::Mode, RowState::Done)) => !comes_down(vehicle) || has_come_down(vehicle),
         Some((Arrival::Done, RowState::Done)) => true,
         // The order had nothing to do.
@@ -228,13 +228,16 @@ fn comes_down(vehicle: &Vehicle) -> bool {
     vehicle.mode().is_some_and(Mode::comes_down)
 }
 
+/// Whether the vehicle runs `ArduPilot` and returns without a landing.
 fn returns_only(vehicle: &Vehicle) -> bool {
-    matches!(vehicle.class(), VehicleClass::Plane | VehicleClass::Rover)
+    let class = vehicle.mode().map(|mode| mode.class);
+    matches!(class, Some(VehicleClass::Plane | VehicleClass::Rover))
 }
 
+/// Whether the vehicle is on the ground; a rover or boat, whether it is back or disarmed.
 fn has_come_down(vehicle: &Vehicle) -> bool {
     if vehicle.is_on_surface() {
-        is_back(vehicle)
+        !vehicle.armed() || is_back(vehicle)
     } else {
         vehicle.is_on_the_ground()
     }

@@ -18,7 +18,7 @@ const VTOL_TYPES: [MavType; 7] = [
 ];
 /// A vehicle that is slower than this stands; a boat at its place drifts a little.
 const MOVING_M_S: f32 = 0.5;
-/// A mode that only planes announce that hover.
+/// The mode by which a plane that announces its modes shows that it hovers.
 const HOVER_MODE: &str = "QHOVER";
 
 impl Vehicle {
