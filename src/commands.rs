@@ -36,6 +36,7 @@ mod manoeuvre;
 mod mav_cmd;
 mod modes;
 mod motion;
+mod nearness;
 mod order;
 mod parameter;
 mod plan;
@@ -47,6 +48,7 @@ mod request;
 mod setpoint;
 mod speeds;
 mod sticks;
+mod suits;
 mod task;
 #[cfg(test)]
 mod tests;
@@ -66,6 +68,7 @@ pub use log::{LogChoice, LogCommand, LogGroup};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use motion::MotionCommand;
+pub use nearness::{STOPPED_M, is_back};
 pub use order::{Act, Order};
 pub use parameter::{ParameterCommand, is_written_so};
 pub use plan::{PlanCommand, PlanDeed, PlanSource, ProtectedItem, protected_item};
@@ -76,6 +79,7 @@ pub use request::{Answer, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 pub use speeds::{CHANGE_SPEED, asked_again};
 pub use sticks::{CENTRE_US, StickChange, hold_message, release_message};
+pub use suits::suits;
 pub use task::PlanTask;
 
 /// A command to one vehicle, grouped by subject. Every command in these groups has one verb of the

@@ -59,7 +59,7 @@ pub use launcher::{LAUNCH, launch_stub};
 pub use output::{OutputLine, ProcessOutput};
 pub use pool::{Hangars, InstancePlace, LaunchedVehicle, Seen};
 pub use refusal::HangarRefusal;
-pub use source::{SitlSource, VehicleBackend};
+pub use source::{FreeFlight, SitlSource, VehicleBackend};
 pub use token::{HangarToken, TokenError};
 
 use roster::Roster;

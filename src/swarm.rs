@@ -43,6 +43,7 @@ use crate::verb::Verb;
 
 mod act;
 mod divided;
+mod fitting;
 mod gathering;
 mod geometry;
 mod guard;

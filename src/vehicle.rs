@@ -27,6 +27,7 @@ mod control;
 mod fence_switch;
 mod held_channels;
 mod idle_disarm;
+mod kind;
 mod leg;
 mod limits;
 mod mode;
@@ -331,27 +332,5 @@ impl Vehicle {
             && self
                 .ekf
                 .is_some_and(|ekf| ekf.flags.has(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE))
-    }
-
-    /// Whether the vehicle is on the ground according to `EXTENDED_SYS_STATE`; without that
-    /// message, whether it is not airborne.
-    pub fn is_on_the_ground(&self) -> bool {
-        match self.landed {
-            LandedState::OnGround => true,
-            LandedState::Undefined => self.heartbeat.is_some() && !self.airborne(),
-            LandedState::InAir | LandedState::Takeoff | LandedState::Landing => false,
-        }
-    }
-
-    /// Whether the vehicle is off the ground according to `EXTENDED_SYS_STATE`; without that
-    /// message, whether it is armed and above 1 m.
-    pub fn airborne(&self) -> bool {
-        match self.landed {
-            LandedState::InAir | LandedState::Takeoff | LandedState::Landing => true,
-            LandedState::OnGround => false,
-            LandedState::Undefined => {
-                self.armed() && self.altitude_m().is_some_and(|altitude| altitude > 1.0)
-            }
-        }
     }
 }

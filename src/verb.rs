@@ -23,6 +23,8 @@ pub struct Verb {
     pub movement: Movement,
     /// How commands with the verb count in a score.
     pub counts_as: CountsAs,
+    /// The kinds of vehicles that cannot carry its orders out.
+    pub unsuited: &'static [Unsuited],
 }
 
 impl Verb {
@@ -35,7 +37,48 @@ impl Verb {
             precedence: Precedence::InTurn,
             movement: Movement::None,
             counts_as: CountsAs::Word,
+            unsuited: &[],
         }
+    }
+}
+
+/// A kind of vehicle that cannot carry out the orders of a verb, and why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Unsuited {
+    pub kind: UnsuitedKind,
+    /// The text with the reason and the way out. Its arguments are `kind`, the name of the vehicle's kind, `vehicle` and
+    /// `verb`.
+    pub reason: &'static str,
+}
+
+/// A kind of vehicle, as far as it decides which verbs suit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UnsuitedKind {
+    /// Rovers and boats.
+    Surface,
+    /// Planes with `ArduPilot`, also those that hover.
+    Plane,
+    /// Planes with `ArduPilot` that are not known to hover.
+    FixedWing,
+}
+
+impl Unsuited {
+    /// Rovers and boats, for this reason.
+    pub const fn surface(reason: &'static str) -> Self {
+        let kind = UnsuitedKind::Surface;
+        Self { kind, reason }
+    }
+
+    /// Planes, for this reason.
+    pub const fn plane(reason: &'static str) -> Self {
+        let kind = UnsuitedKind::Plane;
+        Self { kind, reason }
+    }
+
+    /// Planes that do not hover, for this reason.
+    pub const fn fixed_wing(reason: &'static str) -> Self {
+        let kind = UnsuitedKind::FixedWing;
+        Self { kind, reason }
     }
 }
 

@@ -62,6 +62,7 @@ session-free = free flight
 class-copter = copter
 class-plane = plane
 class-rover = rover
+class-boat = boat
 class-sub = sub
 class-vehicle = vehicle
 

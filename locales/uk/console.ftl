@@ -66,6 +66,7 @@ session-free = вільний політ
 class-copter = коптер
 class-plane = літак
 class-rover = ровер
+class-boat = човен
 class-sub = підводний
 class-vehicle = апарат
 

@@ -11,9 +11,9 @@ use super::hangar::services::ServiceOptions;
 use super::programs::ProgramOptions;
 use super::settings::CliSettings;
 use crate::hangar::programs::Missing;
-use crate::hangar::{HangarLimits, HangarSetup, SitlSource, VehicleBackend};
+use crate::hangar::{FreeFlight, HangarLimits, HangarSetup, SitlSource, VehicleBackend};
 use crate::sim::Airframe;
-use crate::sitl::SitlKind;
+use crate::sitl::{SitlKind, SitlUnfit};
 use crate::store;
 
 /// The program that simulates the vehicles.
@@ -29,7 +29,7 @@ pub(super) enum SimulatorChoice {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "What flies")]
 pub(super) struct BackendArguments {
-    /// Use this simulator; by default the embedded one, unless a hangar or a program is named.
+    /// Use this simulator; by default the embedded one, unless a hangar, a program or another kind of vehicle is named.
     #[arg(long, value_enum)]
     backend: Option<SimulatorChoice>,
     #[command(flatten)]
@@ -43,27 +43,41 @@ pub(super) struct BackendArguments {
 }
 
 impl BackendArguments {
-    /// The chosen simulator, with its files read and its program found.
+    /// The chosen simulator for a kind of vehicle, with its files read and its program found.
     ///
     /// # Errors
-    /// A frame file is faulty, or the program does not exist.
-    pub fn choose(&self, settings: &CliSettings) -> Result<VehicleBackend, Failure> {
+    /// A frame file is faulty or not for this kind, or the program does not exist.
+    pub fn choose(
+        &self,
+        kind: SitlKind,
+        settings: &CliSettings,
+    ) -> Result<VehicleBackend, Failure> {
+        if kind != SitlKind::Copter && !self.frames.is_empty() {
+            let unfit = SitlUnfit::AirframeOf(kind);
+            return Err(Failure::Invalid(format!("sortie: {unfit}")));
+        }
         let frames: Result<_, Failure> = self.frames.iter().map(|path| frame(path)).collect();
         Ok(VehicleBackend {
-            ardupilot: self.source(settings)?,
+            ardupilot: self.source(kind, settings)?,
             airframes: frames?,
+            free: FreeFlight::default(),
         })
     }
 
-    fn is_ardupilot(&self) -> bool {
-        match self.backend {
-            Some(simulator) => simulator == SimulatorChoice::Ardupilot,
-            None => self.services.is_given() || self.programs.is_given(),
+    fn is_ardupilot(&self, kind: SitlKind) -> bool {
+        if let Some(simulator) = self.backend {
+            return simulator == SimulatorChoice::Ardupilot;
         }
+        let is_named = self.services.is_given() || self.programs.is_given();
+        is_named || kind != SitlKind::Copter
     }
 
-    fn source(&self, settings: &CliSettings) -> Result<Option<SitlSource>, Failure> {
-        if !self.is_ardupilot() {
+    fn source(
+        &self,
+        kind: SitlKind,
+        settings: &CliSettings,
+    ) -> Result<Option<SitlSource>, Failure> {
+        if !self.is_ardupilot(kind) {
             return Ok(None);
         }
         if self.services.is_given() && self.programs.is_given() {
@@ -76,7 +90,7 @@ impl BackendArguments {
             self.services.remotes(settings)?
         };
         if services.is_empty() {
-            let own = own(&self.programs, settings)?;
+            let own = own(kind, &self.programs, settings)?;
             return Ok(Some(SitlSource::Own(Box::new(own))));
         }
         Ok(Some(SitlSource::Far(services)))
@@ -85,7 +99,7 @@ impl BackendArguments {
 
 /// The SITL source used without any option; `None` if no program is found.
 pub(super) fn found(settings: &CliSettings) -> Option<SitlSource> {
-    let own = own(&ProgramOptions::default(), settings).ok()?;
+    let own = own(SitlKind::Copter, &ProgramOptions::default(), settings).ok()?;
     Some(SitlSource::Own(Box::new(own)))
 }
 
@@ -110,15 +124,16 @@ pub(super) fn frame(path: &Path) -> Result<Arc<Airframe>, Failure> {
 ///
 /// # Errors
 ///
-/// `arducopter` was not found.
+/// The program for this kind of vehicle was not found.
 pub(super) fn own(
+    kind: SitlKind,
     programs: &ProgramOptions,
     settings: &CliSettings,
 ) -> Result<HangarSetup, Failure> {
     let found = programs.find(settings);
     found
-        .of(SitlKind::Copter)
-        .map_err(|missing| missing_program(&missing))?;
+        .of(kind)
+        .map_err(|missing| missing_program(kind, &missing))?;
     let set = &settings.config.hangar;
     let state = settings
         .folders
@@ -141,10 +156,16 @@ pub(super) fn own(
     })
 }
 
-fn missing_program(missing: &Missing) -> Failure {
+fn missing_program(kind: SitlKind, missing: &Missing) -> Failure {
+    let (name, program) = (kind.name(), kind.program());
+    let variable = program.to_uppercase();
+    let embedded = if kind == SitlKind::Copter {
+        "\n  without it, use --backend embedded: the simulator within this program"
+    } else {
+        ""
+    };
     Failure::Invalid(format!(
-        "sortie: {missing}\n  name it with --arducopter FILE or SORTIE_ARDUCOPTER, or build it, in a checkout of ArduPilot:\n    \
-         ./waf configure --board sitl && ./waf copter   makes build/sitl/bin/arducopter\n  \
-         without it, use --backend embedded: the simulator within this program"
+        "sortie: {missing}\n  name it with --{program} FILE or SORTIE_{variable}, or build it, in a checkout of ArduPilot:\n    \
+         ./waf configure --board sitl && ./waf {name}   makes build/sitl/bin/{program}{embedded}"
     ))
 }

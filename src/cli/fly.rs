@@ -9,6 +9,7 @@ use clap::Args;
 
 use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
+use super::free::FreeOptions;
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
 use crate::forward::{ForwardFault, ForwardSpec};
@@ -32,7 +33,9 @@ const VEHICLES: u8 = 4;
     sortie fly 05 --design searcher\n  \
     sortie fly --vehicles 8 --speedup 4\n  \
     sortie fly missions/my-mission.toml --seed 7\n  \
-    sortie fly 01 --backend ardupilot --arducopter build/sitl/bin/arducopter")]
+    sortie fly 01 --backend ardupilot --arducopter build/sitl/bin/arducopter\n  \
+    sortie fly --kind rover --vehicles 2 --home 50.45,30.52,180,90 --param WP_SPEED=3\n  \
+    sortie fly --kind boat --ardurover build/sitl/bin/ardurover")]
 pub(super) struct FlyArguments {
     /// A mission file, or the name or number of a mission; without one, free flight.
     mission: Option<String>,
@@ -57,6 +60,8 @@ pub(super) struct FlyArguments {
     plain: bool,
     #[command(flatten)]
     designs: DesignArguments,
+    #[command(flatten)]
+    free: FreeOptions,
     #[command(flatten)]
     backend: BackendArguments,
 }
@@ -156,11 +161,15 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
         }
         None => Opening::Free,
     };
+    // Faults are reported before the screen opens.
+    let backend = arguments.backend.choose(arguments.free.kind(), &settings)?;
     let options = ConsoleOptions {
         forwards: arguments.forwards.or_configured(&settings)?,
         api: arguments.api.options(),
-        // Faults are reported before the screen opens.
-        backend: arguments.backend.choose(&settings)?,
+        backend: VehicleBackend {
+            free: arguments.free.flight(backend.ardupilot.is_some())?,
+            ..backend
+        },
         vehicles: arguments.vehicles,
         seed: arguments.seed,
         speedup: arguments.speedup,

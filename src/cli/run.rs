@@ -23,6 +23,7 @@ use crate::language::Script;
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
 use crate::scoring::{FlownBy, TruthReport};
+use crate::sitl::SitlKind;
 use crate::store::{self, Records, Runs, Source, StoreError, day_of, utc};
 use crate::text;
 use crate::text::Locale;
@@ -163,7 +164,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     let pilot = store::pilot(&options.pilot).map_err(|error| invalid(&error))?;
     let flown_by = store::script_kind(&pilot);
     let script = script_of(&pilot, &mission)?;
-    let backend = options.backend.choose(settings)?;
+    let backend = options.backend.choose(SitlKind::Copter, settings)?;
     let mut trainee = RunTrainee::named(settings, &locale)?;
     let request = RunRequest {
         options,

@@ -3,18 +3,18 @@
 use std::time::Duration;
 
 use super::modes::mode_named;
+use super::nearness::{STILL_M_S, arrival_m, arrived, is_back, separation};
 use super::setpoint::TravelEnd;
-use crate::geo::maths;
 use crate::geo::{LatLon, wrap_180, wrap_360};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Mode, PlanPhase, Target, Vehicle, VehicleClass};
 use crate::wire::SystemId;
 
-/// The horizontal distance from a place within which it counts as reached.
-const ARRIVED_M: f64 = 1.5;
-/// The vertical distance from a place within which it counts as reached.
-const ARRIVED_HEIGHT_M: f64 = 1.0;
+/// The least distance from a height at which it counts as reached.
+const LEVEL_M: f64 = 1.0;
+/// The same for a plane, whose height varies more.
+const PLANE_LEVEL_M: f64 = 5.0;
 /// A climb counts as done this far below its target height, because its last part is slow. A
 /// setpoint given earlier would abort a takeoff.
 const CLIMB_ENDS_M: f64 = 1.5;
@@ -24,8 +24,6 @@ const OTHER_TARGET_M: f64 = 5.0;
 const TURNED_DEG: f64 = 5.0;
 /// The distance from the requested place within which home counts as set.
 const HOME_M: f64 = 5.0;
-/// A speed below this counts as standing still.
-const STILL_M_S: f64 = 0.5;
 /// How long a change of a state bit may take to appear: it becomes visible with the next heartbeat.
 pub(super) const SOON: Duration = Duration::from_secs(3);
 
@@ -43,6 +41,8 @@ pub(super) enum Watched {
     Mode(Mode),
     /// The vehicle is on the ground, landed by a mode.
     Landed(Mode),
+    /// The vehicle is back, in a mode that returns but does not land.
+    Returned(Mode),
     Still,
     Altitude {
         altitude_m: f64,
@@ -139,6 +139,7 @@ impl Effect {
             Watched::Armed(armed) => vehicle.heartbeat.is_some_and(|beat| beat.armed == *armed),
             Watched::Mode(mode) => vehicle.mode() == Some(*mode),
             Watched::Landed(mode) => has_landed(vehicle, *mode),
+            Watched::Returned(mode) => vehicle.mode() == Some(*mode) && is_back(vehicle),
             Watched::Still => speed_m_s(vehicle).is_some_and(|speed| speed < STILL_M_S),
             Watched::Altitude {
                 altitude_m,
@@ -195,6 +196,7 @@ impl Effect {
             Watched::Armed(false) => text!("effect-disarmed"),
             Watched::Mode(mode) => text!("effect-mode", mode = vehicle.name_of(*mode)),
             Watched::Landed(_) => text!("effect-landed"),
+            Watched::Returned(_) => text!("effect-returned"),
             Watched::Still => text!("effect-still"),
             Watched::Altitude {
                 altitude_m,
@@ -207,7 +209,7 @@ impl Effect {
             Watched::TakenOff { least_m, .. } => {
                 text!("effect-taken-off", metres = format!("{least_m:.1}"))
             }
-            Watched::Place(_) => text!("effect-place", metres = ARRIVED_M.to_string()),
+            Watched::Place(_) => text!("effect-place", metres = arrival_m(vehicle).to_string()),
             Watched::Heading(heading) => {
                 text!("effect-heading", degrees = format!("{heading:.0}"))
             }
@@ -240,8 +242,8 @@ pub(super) fn mode_effect(before: &Vehicle, name: &str) -> Effect {
     }
 }
 
-/// The effect of a mode in which a multirotor lands. For other classes, only the change of mode is
-/// checked.
+/// The effect of a mode in which a multirotor lands, and other vehicles with `ArduPilot` return. For all others, only the
+/// change of mode is checked.
 pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
     match mode_named(before, name) {
         Some(mode) if is_copter(before, mode) => {
@@ -250,8 +252,17 @@ pub(super) fn landing_effect(before: &Vehicle, name: &str) -> Effect {
             let time = patience(way_m / 1.5 + height_m / 0.3 + 180.0);
             Effect::new(Watched::Landed(mode), time)
         }
+        Some(mode) if returns(mode) => {
+            let way_m = before.distance_home_m().unwrap_or(0.0);
+            Effect::new(Watched::Returned(mode), patience(way_m / 0.5 + 60.0))
+        }
         _ => mode_effect(before, name),
     }
+}
+
+/// Whether a vehicle in this mode returns without a landing.
+fn returns(mode: Mode) -> bool {
+    mode.is("RTL") && matches!(mode.class, VehicleClass::Plane | VehicleClass::Rover)
 }
 
 /// Whether a vehicle in this mode is a multirotor.
@@ -281,13 +292,16 @@ pub(super) fn takeoff_effect(before: &Vehicle, altitude_m: f64) -> Effect {
 }
 
 /// The effect of reaching a height within a tolerance: a share of the height, limited to 1 to 1.5 m
-/// and to half the height, so that the ground does not count as reached. The time limit assumes 0.5
+/// (for a plane, 5 m) and to half the height, so that the ground does not count as reached. The time limit assumes 0.5
 /// m/s.
 pub(super) fn altitude_effect(before: &Vehicle, altitude_m: f64, share: f64) -> Effect {
     let way_m = (altitude_m - before.altitude_m().unwrap_or(0.0)).abs();
-    let tolerance_m = (share * altitude_m)
-        .clamp(ARRIVED_HEIGHT_M, CLIMB_ENDS_M)
-        .min(0.5 * altitude_m);
+    let tolerance_m = if before.class() == VehicleClass::Plane {
+        PLANE_LEVEL_M
+    } else {
+        (share * altitude_m).clamp(LEVEL_M, CLIMB_ENDS_M)
+    };
+    let tolerance_m = tolerance_m.min(0.5 * altitude_m);
     Effect::new(
         Watched::Altitude {
             altitude_m,
@@ -327,31 +341,6 @@ pub(super) fn travel_time(before: &Vehicle, place: TravelEnd) -> Duration {
 /// A duration from any number of seconds, limited to a day.
 fn patience(seconds: f64) -> Duration {
     Duration::try_from_secs_f64(seconds.clamp(0.0, 86_400.0)).unwrap_or(SOON)
-}
-
-fn arrived(vehicle: &Vehicle, place: TravelEnd) -> bool {
-    separation(vehicle, place).is_some_and(|(horizontal_m, vertical_m)| {
-        horizontal_m <= ARRIVED_M && vertical_m <= ARRIVED_HEIGHT_M
-    })
-}
-
-/// The distance to a place in metres, horizontally and vertically; `None` while the vehicle's
-/// position is unknown.
-fn separation(vehicle: &Vehicle, place: TravelEnd) -> Option<(f64, f64)> {
-    match place {
-        TravelEnd::Global { point, altitude_m } => {
-            let global = vehicle.global?;
-            Some((
-                global.at_point.distance_m(point),
-                (global.altitude_m - altitude_m).abs(),
-            ))
-        }
-        TravelEnd::Local { ned_m } => {
-            let here = vehicle.local?.ned_m.map(f64::from);
-            let [north, east, down] = difference(here, ned_m);
-            Some((maths::hypot(north, east), down.abs()))
-        }
-    }
 }
 
 fn velocity_m_s(vehicle: &Vehicle) -> Option<[f64; 3]> {

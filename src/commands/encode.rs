@@ -184,6 +184,21 @@ pub(super) fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3]) -> Result<Outgoing,
     ))
 }
 
+/// A standstill of a vehicle on the ground or on water, at a heading in degrees. A velocity of zero alone would mean
+/// north.
+pub(super) fn standstill(vehicle: &Vehicle, heading_deg: f64) -> Result<Outgoing, Text> {
+    let yaw = heading_deg.to_radians() as f32;
+    finite(&[yaw])?;
+    Ok(local(
+        vehicle,
+        SET_POSITION_TARGET_LOCAL_NED_DATA {
+            yaw,
+            type_mask: IGNORE_POSITION | IGNORE_ACCELERATION | IGNORE_YAW_RATE,
+            ..Default::default()
+        },
+    ))
+}
+
 fn local(vehicle: &Vehicle, mut fields: SET_POSITION_TARGET_LOCAL_NED_DATA) -> Outgoing {
     fields.target_system = vehicle.system;
     fields.target_component = vehicle.component;

@@ -58,8 +58,10 @@ const NAMED: [(MavResult, AckResult); 11] = [
     ),
 ];
 
-/// The copter modes that take a speed.
+/// The modes of each class that take a speed.
 const SPEED_MODES: [&str; 5] = ["GUIDED", "AUTO", "RTL", "SMART_RTL", "GUIDED_NOGPS"];
+const PLANE_SPEED_MODES: [&str; 2] = ["GUIDED", "AUTO"];
+const ROVER_SPEED_MODES: [&str; 6] = ["GUIDED", "AUTO", "RTL", "SMART_RTL", "CIRCLE", "FOLLOW"];
 
 impl AckResult {
     /// The result with a number.
@@ -148,11 +150,26 @@ fn likely_reason(result: AckResult, vehicle: &Vehicle, command: &Command) -> Opt
     }
 }
 
-/// Why a speed was refused: a copter takes a speed only in modes that fly to places; in others it
-/// reports a failure. `None` if that is not the reason.
+/// Why a speed was refused: vehicles take one only in modes that fly to places, and report a failure in others. `None` if
+/// that is not the reason.
 fn speed_reason(vehicle: &Vehicle) -> Option<Text> {
     let mode = vehicle.mode()?;
-    let takes_speeds = SPEED_MODES.iter().any(|name| mode.is(name));
-    let is_copter = mode.class == VehicleClass::Copter;
-    (is_copter && !takes_speeds).then(|| text!("reason-speed-mode", mode = vehicle.name_of(mode)))
+    let modes: &[&str] = match mode.class {
+        VehicleClass::Copter => &SPEED_MODES,
+        VehicleClass::Plane => &PLANE_SPEED_MODES,
+        VehicleClass::Rover => &ROVER_SPEED_MODES,
+        VehicleClass::Sub | VehicleClass::Px4 | VehicleClass::Other => return None,
+    };
+    if !modes.iter().any(|name| mode.is(name)) {
+        return Some(text!("reason-speed-mode", mode = vehicle.name_of(mode)));
+    }
+    match mode.class {
+        VehicleClass::Plane => Some(text!("reason-speed-plane")),
+        VehicleClass::Rover if mode.is("GUIDED") => Some(text!("reason-speed-rover")),
+        VehicleClass::Copter
+        | VehicleClass::Rover
+        | VehicleClass::Sub
+        | VehicleClass::Px4
+        | VehicleClass::Other => None,
+    }
 }

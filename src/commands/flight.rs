@@ -27,11 +27,12 @@ pub enum FlightCommand {
     /// Land at the current position. Done once the vehicle is on the ground in LAND; if its modes
     /// have no names, once it has accepted the command.
     Land,
-    /// Return and land at the launch position. Done once the vehicle is on the ground in RTL; if
-    /// its modes have no names, once it has accepted the command.
+    /// Return to the launch position; a multirotor also lands there. Done once a multirotor is on the ground in RTL, a
+    /// rover or boat with `ArduPilot` stands there, or a plane circles there; for any other vehicle, once it is in RTL, or
+    /// has accepted the command.
     ReturnToLaunch,
-    /// Stop and stay. A copter pauses in GUIDED and AUTO and enters BRAKE from other modes; a plane enters LOITER, a rover
-    /// HOLD, a sub POSHOLD, any vehicle with PX4 AUTO.LOITER. A vehicle whose modes have no names is asked to pause.
+    /// Stop and stay. A copter pauses in GUIDED and AUTO and enters BRAKE from other modes; a plane or boat
+    /// enters LOITER, a rover HOLD, a sub POSHOLD, any vehicle with PX4 AUTO.LOITER. A vehicle whose modes have no names is asked to pause.
     Hold,
     /// Resume after a hold.
     Resume,

@@ -12,6 +12,8 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
         VehicleClass::Copter if mode.is("GUIDED") || mode.is("AUTO") => None,
         VehicleClass::Copter => Some("BRAKE"),
         VehicleClass::Plane => Some("LOITER"),
+        // A boat in HOLD drifts.
+        VehicleClass::Rover if vehicle.is_boat() => Some("LOITER"),
         VehicleClass::Rover => Some("HOLD"),
         VehicleClass::Sub => Some("POSHOLD"),
         VehicleClass::Px4 => Some("AUTO.LOITER"),

@@ -12,7 +12,8 @@ use super::setpoint::{
     above_ground, arrival, goto, heading, height, needs_guided, place, position, setpoint,
 };
 use super::speeds;
-use crate::geo::{LatLon, wrap_360};
+use crate::geo::{LatLon, maths, wrap_360};
+use crate::text;
 use crate::text::Text;
 use crate::vehicle::{SpeedAxis, Vehicle};
 
@@ -105,12 +106,12 @@ impl MotionCommand {
             }
             Self::Velocity { ned_m_s, .. } => {
                 needs_guided("velocity", vehicle)?;
-                let mut request = setpoint(encode::velocity(vehicle, ned_m_s))?;
-                request.closing = Some(encode::velocity(vehicle, [0.0; 3])?);
-                Ok(request)
+                velocity(vehicle, ned_m_s)
             }
             Self::Speed { axis, speed_m_s } => {
-                Request::long(vehicle, &speeds::fields(axis, speed_m_s), confirmation)
+                speeds::check(axis, vehicle)?;
+                let fields = speeds::fields(vehicle, axis, speed_m_s);
+                Request::long(vehicle, &fields, confirmation)
             }
             Self::Yaw {
                 angle_deg,
@@ -180,6 +181,25 @@ impl MotionCommand {
             }
         }
     }
+}
+
+/// Moves at a velocity, and stops at the end.
+fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3]) -> Result<Request, Text> {
+    let [north, east, down] = ned_m_s;
+    if vehicle.is_on_surface() && down != 0.0 {
+        return Err(text!(
+            "refused-surface-vertical",
+            kind = vehicle.kind_name()
+        ));
+    }
+    let mut request = setpoint(encode::velocity(vehicle, ned_m_s))?;
+    request.closing = Some(if vehicle.is_on_surface() {
+        let course_deg = maths::atan2(east, north).to_degrees();
+        encode::standstill(vehicle, course_deg)?
+    } else {
+        encode::velocity(vehicle, [0.0; 3])?
+    });
+    Ok(request)
 }
 
 /// Circles around a centre at a height above home; by default, around the current position.

@@ -9,7 +9,7 @@ use super::flight::{FlightCommand, mode_fields};
 use super::request::Request;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{PlanPhase, Vehicle};
+use crate::vehicle::{PlanPhase, Vehicle, VehicleClass};
 
 /// The mode that flies a plan.
 pub(super) const AUTO: &str = "AUTO";
@@ -133,7 +133,7 @@ impl PlanFlight {
 /// accepted. The item is also set before AUTO, so that the vehicle does not begin a wrong leg.
 fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text> {
     carries_plan(vehicle)?;
-    if !vehicle.armed() || vehicle.is_on_the_ground() {
+    if !vehicle.is_under_way() {
         return Err(text!("refused-plan-on-ground"));
     }
     let progress = vehicle.plan;
@@ -167,11 +167,16 @@ fn resume(vehicle: &Vehicle, from: Option<u16>) -> Result<Vec<LongFields>, Text>
         None => Ok(vec![go_on]),
         // A vehicle that reaches its item while slowing down for a pause stands still, and reports
         // the next item as active.
-        Some(PlanPhase::Active) if stands(vehicle) => Ok(vec![go_on]),
+        Some(PlanPhase::Active) if stands(vehicle) && pauses(vehicle) => Ok(vec![go_on]),
         Some(PlanPhase::Active | PlanPhase::Paused | PlanPhase::NoPlan) => {
             Err(text!("refused-plan-flown", item = progress.current))
         }
     }
+}
+
+/// Whether a vehicle pauses in AUTO; all but copters leave it to hold.
+fn pauses(vehicle: &Vehicle) -> bool {
+    vehicle.class() == VehicleClass::Copter
 }
 
 /// Whether a vehicle is known to stand still.
@@ -226,7 +231,7 @@ fn is_under_way(vehicle: &Vehicle) -> Result<(), Text> {
     let waits = vehicle
         .mode()
         .is_some_and(|mode| WAITING_MODES.iter().any(|name| mode.is(name)));
-    if vehicle.flies_plan() || waits && vehicle.armed() && !vehicle.is_on_the_ground() {
+    if vehicle.flies_plan() || waits && vehicle.is_under_way() {
         return Ok(());
     }
     Err(not_flown(vehicle))

@@ -34,7 +34,7 @@ pub(super) fn goto(
         Heading::Fixed(degrees) => Some(degrees),
         Heading::Keep => Some(f64::from(self::heading(vehicle)?)),
     };
-    if class(vehicle) == VehicleClass::Plane {
+    if vehicle.class() == VehicleClass::Plane {
         return reposition(vehicle, destination);
     }
     match arrival(vehicle, destination)? {
@@ -137,7 +137,7 @@ fn height_of(vehicle: &Vehicle, down_m: f64) -> f64 {
 }
 
 /// Refuses setpoints that the autopilot would silently ignore: outside GUIDED, disarmed, or before
-/// takeoff.
+/// takeoff. A plane on the ground would start its motor.
 pub(super) fn needs_guided(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
     let id = vehicle.id;
     let Some(heartbeat) = vehicle.heartbeat else {
@@ -160,10 +160,17 @@ pub(super) fn needs_guided(verb: &'static str, vehicle: &Vehicle) -> Result<(), 
     if !heartbeat.armed {
         return Err(text!("refused-not-armed", verb = verb, vehicle = id));
     }
-    if heartbeat.class == VehicleClass::Copter {
-        return flies_freely(verb, vehicle);
+    match heartbeat.class {
+        VehicleClass::Copter => flies_freely(verb, vehicle),
+        VehicleClass::Plane if vehicle.landed == LandedState::OnGround => {
+            Err(text!("refused-plane-on-ground", verb = verb, vehicle = id))
+        }
+        VehicleClass::Plane
+        | VehicleClass::Rover
+        | VehicleClass::Sub
+        | VehicleClass::Px4
+        | VehicleClass::Other => Ok(()),
     }
-    Ok(())
 }
 
 /// Refuses setpoints on the ground, where they do nothing, and during a takeoff, which they would abort silently.
@@ -192,7 +199,7 @@ fn flies_freely(verb: &'static str, vehicle: &Vehicle) -> Result<(), Text> {
 
 /// Refuses heights at which a multirotor would fly into the ground.
 pub(super) fn above_ground(vehicle: &Vehicle, altitude_m: f64) -> Result<(), Text> {
-    if class(vehicle) == VehicleClass::Copter && altitude_m < LOWEST_M {
+    if vehicle.class() == VehicleClass::Copter && altitude_m < LOWEST_M {
         return Err(text!(
             "refused-too-low",
             metres = format!("{altitude_m:.1}"),
@@ -200,12 +207,6 @@ pub(super) fn above_ground(vehicle: &Vehicle, altitude_m: f64) -> Result<(), Tex
         ));
     }
     Ok(())
-}
-
-fn class(vehicle: &Vehicle) -> VehicleClass {
-    vehicle
-        .heartbeat
-        .map_or(VehicleClass::Other, |heartbeat| heartbeat.class)
 }
 
 pub(super) fn position(vehicle: &Vehicle) -> Result<LatLon, Text> {

@@ -1,11 +1,13 @@
 //! The source of a session's simulated vehicles: the simulator and where it runs.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::client::RemoteHangar;
 use super::{HangarSetup, Hangars, Launch};
 use crate::scoring::FlightBackend;
 use crate::sim::{Airframe, Start, WorldConfig};
+use crate::sitl::SitlKind;
 use crate::text;
 use crate::text::Text;
 
@@ -40,6 +42,33 @@ impl SitlSource {
     }
 }
 
+/// What flies in free flight, apart from the number of vehicles.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct FreeFlight {
+    /// The kind of vehicle; all but copters need ArduPilot's SITL.
+    pub kind: SitlKind,
+    /// SITL's name for the model; by default, the one that suits the kind and the parameters.
+    pub model: Option<String>,
+    /// Parameters to start with, with SITL only.
+    pub parameters: BTreeMap<String, f64>,
+    /// Where the first vehicle stands; by default, the usual place of free flight.
+    pub start: Option<Start>,
+}
+
+impl FreeFlight {
+    /// A launch with the kind, the model and the parameters of this flight.
+    pub fn of(&self, launch: Launch) -> Launch {
+        let mut parameters = launch.parameters;
+        parameters.extend(self.parameters.clone());
+        Launch {
+            kind: self.kind,
+            model: self.model.clone(),
+            parameters,
+            ..launch
+        }
+    }
+}
+
 #[derive(Debug, Clone, Default)]
 pub struct VehicleBackend {
     /// ArduPilot's SITL; `None` for the embedded simulator.
@@ -47,6 +76,8 @@ pub struct VehicleBackend {
     /// The chosen airframes: one for all vehicles, or one for each; the last one also applies to
     /// all further vehicles.
     pub airframes: Vec<Arc<Airframe>>,
+    /// What flies outside of missions.
+    pub free: FreeFlight,
 }
 
 impl VehicleBackend {
@@ -91,5 +122,37 @@ impl VehicleBackend {
         };
         let starts = world.starts.iter().zip(systems).enumerate();
         starts.map(launch).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn free_flight_adds_its_kind_and_parameters_to_a_launch() {
+        let free = FreeFlight {
+            kind: SitlKind::Rover,
+            model: Some("motorboat".to_owned()),
+            parameters: [("WP_SPEED".to_owned(), 3.0)].into(),
+            start: None,
+        };
+        let backend = VehicleBackend::default();
+        let place = Start {
+            at: crate::geo::LatLon::new(50.45, 30.52),
+            altitude_amsl_m: 180.0,
+            heading_deg: 90.0,
+        };
+        let launches = backend.launches(WorldConfig::row(2, place), 4.0);
+        let launches: Vec<Launch> = launches.into_iter().map(|it| free.of(it)).collect();
+        for (launch, system) in launches.iter().zip([1, 2]) {
+            assert_eq!(
+                (launch.kind, launch.system),
+                (SitlKind::Rover, Some(system))
+            );
+            assert_eq!(launch.model.as_deref(), Some("motorboat"));
+            assert_eq!(launch.parameters.get("WP_SPEED"), Some(&3.0));
+            assert!(launch.check().is_ok() && launch.frame.is_none());
+        }
     }
 }

@@ -2,8 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::{Scope, rows};
-use crate::verb::Danger;
+use super::{Scope, VerbRow, rows};
+use crate::verb::{Danger, UnsuitedKind};
 
 /// The manual of the language: the structure of a line, then every verb with its forms, arguments and examples.
 pub fn manual() -> String {
@@ -15,21 +15,8 @@ pub fn manual() -> String {
             let _ = writeln!(text, "{usage}");
         }
         let _ = writeln!(text, "    {}", row.summary());
-        if !row.aliases.is_empty() {
-            let _ = writeln!(text, "    also: {}", row.aliases.join(", "));
-        }
-        let only = match row.scope {
-            Scope::Everywhere => "",
-            Scope::Scripts => "only in scripts and through a pipe",
-            Scope::Console => "only in the console",
-            Scope::Screen => "only in the console with a screen",
-            Scope::Plain => "only in the console without a screen",
-        };
-        if !only.is_empty() {
-            let _ = writeln!(text, "    {only}");
-        }
-        if row.verb.danger == Danger::Confirm {
-            let _ = writeln!(text, "    asks for confirmation");
+        for remark in remarks(row) {
+            let _ = writeln!(text, "    {remark}");
         }
         let mut seen: Vec<String> = Vec::new();
         for argument in row.forms.iter().flat_map(|form| form.arguments) {
@@ -44,6 +31,41 @@ pub fn manual() -> String {
         }
     }
     text
+}
+
+/// Where a verb is allowed, what it asks, and which vehicles it does not suit.
+fn remarks(row: &VerbRow) -> Vec<String> {
+    let mut lines = Vec::new();
+    if !row.aliases.is_empty() {
+        lines.push(format!("also: {}", row.aliases.join(", ")));
+    }
+    let only = match row.scope {
+        Scope::Everywhere => "",
+        Scope::Scripts => "only in scripts and through a pipe",
+        Scope::Console => "only in the console",
+        Scope::Screen => "only in the console with a screen",
+        Scope::Plain => "only in the console without a screen",
+    };
+    if !only.is_empty() {
+        lines.push(only.to_owned());
+    }
+    if row.verb.danger == Danger::Confirm {
+        lines.push("asks for confirmation".to_owned());
+    }
+    let kinds = row
+        .verb
+        .unsuited
+        .iter()
+        .map(|unsuited| match unsuited.kind {
+            UnsuitedKind::Surface => "rovers and boats",
+            UnsuitedKind::Plane => "planes",
+            UnsuitedKind::FixedWing => "planes that do not hover",
+        });
+    let kinds: Vec<&str> = kinds.collect();
+    if !kinds.is_empty() {
+        lines.push(format!("not for {}", kinds.join(", ")));
+    }
+    lines
 }
 
 const INTRODUCTION: &str = "\

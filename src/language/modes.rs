@@ -91,7 +91,43 @@ pub(super) fn mode_summary(name: &str, context: &Context) -> Text {
     if let Some(warning) = mode_warning(name, context) {
         return warning;
     }
-    match built_in(name, context).unwrap_or(name) {
+    let name = built_in(name, context).unwrap_or(name);
+    let own = match context.class {
+        VehicleClass::Rover => on_surface(name),
+        VehicleClass::Plane => of_plane(name),
+        VehicleClass::Copter | VehicleClass::Sub | VehicleClass::Px4 | VehicleClass::Other => None,
+    };
+    own.unwrap_or_else(|| usual_summary(name))
+}
+
+/// The purpose of a mode of rovers and boats, where it differs from that of copters.
+fn on_surface(name: &str) -> Option<Text> {
+    Some(match name {
+        "MANUAL" => text!("mode-manual"),
+        "ACRO" | "STEERING" => text!("mode-steering"),
+        "HOLD" => text!("mode-hold-surface"),
+        "LOITER" => text!("mode-loiter-surface"),
+        "AUTO" => text!("mode-auto-surface"),
+        "RTL" => text!("mode-rtl-surface"),
+        "SMART_RTL" => text!("mode-smart-rtl-surface"),
+        _ => return None,
+    })
+}
+
+/// The purpose of a mode of planes, where it differs from that of copters.
+fn of_plane(name: &str) -> Option<Text> {
+    Some(match name {
+        "MANUAL" => text!("mode-manual"),
+        "TAKEOFF" => text!("mode-takeoff-plane"),
+        "LOITER" => text!("mode-loiter-plane"),
+        "RTL" => text!("mode-rtl-plane"),
+        "QLAND" => text!("mode-land"),
+        _ => return None,
+    })
+}
+
+fn usual_summary(name: &str) -> Text {
+    match name {
         "GUIDED" => text!("mode-guided"),
         "AUTO" | "AUTO.MISSION" => text!("mode-auto"),
         "RTL" | "AUTO.RTL" => text!("mode-rtl"),

@@ -92,6 +92,7 @@ const fn setting(name: &'static str) -> Verb {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        unsuited: &[],
     }
 }
 
@@ -112,6 +113,7 @@ const fn confirmed(name: &'static str) -> Verb {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Task,
+        unsuited: &[],
     }
 }
 

@@ -6,8 +6,9 @@ use std::time::Duration;
 
 use strum::{EnumString, IntoStaticStr, VariantNames};
 
+use crate::commands::{STOPPED_M, is_back};
 use crate::ledger::{Ledger, RowState};
-use crate::vehicle::{Mode, Vehicle, VehicleId, Vehicles};
+use crate::vehicle::{Mode, Vehicle, VehicleClass, VehicleId, Vehicles};
 use crate::verb::Arrival;
 
 /// The default time-out of a wait.
@@ -209,8 +210,10 @@ fn arrived(vehicle: &Vehicle, ledger: &Ledger) -> bool {
     });
     match last {
         Some((_, state)) if !state.is_final() => false,
-        Some((Arrival::Landed, _)) => vehicle.is_on_the_ground(),
-        Some((Arrival::Mode, RowState::Done)) => !comes_down(vehicle) || vehicle.is_on_the_ground(),
+        // Rovers, boats and planes return without a landing; the order itself is done when they are back.
+        Some((Arrival::Landed, RowState::Done)) if returns_only(vehicle) => true,
+        Some((Arrival::Landed, _)) => has_come_down(vehicle),
+        Some((Arrival::Mode, RowState::Done)) => !comes_down(vehicle) || has_come_down(vehicle),
         Some((Arrival::Done, RowState::Done)) => true,
         // The order had nothing to do.
         Some((Arrival::Done, RowState::NoEffect)) if vehicle.target.is_none() => true,
@@ -226,15 +229,32 @@ fn comes_down(vehicle: &Vehicle) -> bool {
     vehicle.mode().is_some_and(Mode::comes_down)
 }
 
+/// Whether the vehicle runs `ArduPilot` and returns without a landing.
+fn returns_only(vehicle: &Vehicle) -> bool {
+    let class = vehicle.mode().map(|mode| mode.class);
+    matches!(class, Some(VehicleClass::Plane | VehicleClass::Rover))
+}
+
+/// Whether the vehicle is on the ground; a rover or boat, whether it is back or disarmed.
+fn has_come_down(vehicle: &Vehicle) -> bool {
+    if vehicle.is_on_surface() {
+        !vehicle.armed() || is_back(vehicle)
+    } else {
+        vehicle.is_on_the_ground()
+    }
+}
+
 fn still_at_target(vehicle: &Vehicle) -> bool {
     let (Some(global), Some(target)) = (vehicle.global, vehicle.target) else {
         return false;
     };
+    let is_on_surface = vehicle.is_on_surface();
+    let near_m = if is_on_surface { STOPPED_M } else { ARRIVED_M };
     let near = target
         .at_point
-        .is_some_and(|point| global.at_point.distance_m(point) <= ARRIVED_M);
-    let level = target
-        .altitude_m
-        .is_none_or(|altitude_m| (global.altitude_m - altitude_m).abs() <= ARRIVED_M);
+        .is_some_and(|point| global.at_point.distance_m(point) <= near_m);
+    let height_m = target.altitude_m.filter(|_| !is_on_surface);
+    let level =
+        height_m.is_none_or(|altitude_m| (global.altitude_m - altitude_m).abs() <= ARRIVED_M);
     near && level && global.ground_speed_m_s() < STILL_M_S
 }

@@ -31,6 +31,7 @@ const ARM: Verb = Verb {
     precedence: Precedence::Awaited,
     movement: Movement::None,
     counts_as: CountsAs::Task,
+    unsuited: &[],
 };
 
 fn given(line: &str) -> Given<'_> {

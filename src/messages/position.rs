@@ -38,7 +38,7 @@ pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DAT
     }
     if let Some(position) = position
         && vehicle.flies_plan()
-        && vehicle.airborne()
+        && vehicle.is_under_way()
     {
         let at = Duration::from_millis(data.time_boot_ms.into());
         vehicle.cruise = LegSpeed::after(vehicle.cruise, position.ground_speed_m_s(), at);

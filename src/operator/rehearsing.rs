@@ -14,7 +14,9 @@ use crate::rehearsal::{
 use crate::sim::Airframe;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{FenceSwitch, Severity, Transfer, Vehicle, VehicleId, Vehicles, Wind};
+use crate::vehicle::{
+    FenceSwitch, Severity, Transfer, Vehicle, VehicleClass, VehicleId, Vehicles, Wind,
+};
 use crate::vehicle_id::ranges;
 
 mod air;
@@ -128,6 +130,9 @@ fn prepare(request: &RehearsalRequest, vehicles: &Vehicles, now: Duration) -> Pr
 fn member(id: VehicleId, vehicle: &Vehicle) -> Result<Member, Text> {
     if vehicle.airborne() {
         return Err(text!("rehearse-in-air"));
+    }
+    if matches!(vehicle.class(), VehicleClass::Plane | VehicleClass::Rover) {
+        return Err(text!("rehearse-kind", kind = vehicle.kind_name()));
     }
     let here = vehicle.global.ok_or_else(|| text!("refused-no-position"))?;
     let lists = &vehicle.plans;

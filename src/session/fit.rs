@@ -1,12 +1,30 @@
-//! Checks of a command against the parameters of the vehicle, before it is sent.
+//! Checks of a command against the kind and the parameters of the vehicle, before it is sent.
 
+use super::VehicleCommand;
 use super::parameter_code::is_bytewise;
-use crate::commands::{Command, ParameterCommand};
+use crate::commands::{Command, ParameterCommand, suits};
 use crate::diagnostic::nearest;
 use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
+
+/// The parameter that makes a plane hover.
+const HOVERS: &str = "Q_ENABLE";
+
+/// Checks an order against the kind of the vehicle, and against its parameters.
+///
+/// # Errors
+/// Why the vehicle cannot carry it out.
+pub(super) fn check(
+    order: &VehicleCommand,
+    list: &ParameterList,
+    vehicle: &Vehicle,
+) -> Result<(), Text> {
+    let hovers = list.get(HOVERS).is_some_and(|it| it.value > 0.0);
+    suits(order.verb, vehicle, hovers)?;
+    check_value(&order.command, list, vehicle)
+}
 
 /// Checks a command against the vehicle's list or the parameter's type, as far as known. `ArduPilot` itself ignores
 /// unknown names, and truncates values silently. A vehicle that takes the bytes of integers must have sent the
@@ -14,11 +32,7 @@ use crate::vehicle::Vehicle;
 ///
 /// # Errors
 /// Why the value cannot be set.
-pub(super) fn check(
-    command: &Command,
-    list: &ParameterList,
-    vehicle: &Vehicle,
-) -> Result<(), Text> {
+fn check_value(command: &Command, list: &ParameterList, vehicle: &Vehicle) -> Result<(), Text> {
     let Command::Parameter(ParameterCommand::Set { name, value }) = command else {
         return Ok(());
     };

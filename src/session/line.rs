@@ -76,7 +76,7 @@ impl Line {
         let checked = if self.queue.len() >= MOST_WAITING {
             Err(text!("outcome-queue-full", count = MOST_WAITING))
         } else {
-            fit::check(&order.command, moment.parameters, moment.vehicle)
+            fit::check(&order, moment.parameters, moment.vehicle)
         };
         if let Err(reason) = checked {
             moment.drop_order(&order, RowEnding::new(RowState::Refused, reason));
@@ -308,7 +308,7 @@ impl Line {
             let ending = if naming::settle(order, moment.parameters) {
                 // A name that was found only now has not been checked.
                 let is_new = order.renamed.is_some();
-                match fit::check(&order.command, moment.parameters, moment.vehicle) {
+                match fit::check(order, moment.parameters, moment.vehicle) {
                     Err(reason) if is_new => RowEnding::new(RowState::Refused, reason),
                     _ => return self.queue.pop_front(),
                 }

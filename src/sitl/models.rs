@@ -67,6 +67,18 @@ const OTHERS: &[SitlModel] = &[
         &[("SERVO1_FUNCTION", 73.0), ("SERVO3_FUNCTION", 74.0)],
     ),
     other(SitlKind::Rover, "motorboat", &[("FRAME_CLASS", 2.0)]),
+    // A main sail on output 4, and the simulated wind as the wind vane; without wind it does not move.
+    other(
+        SitlKind::Rover,
+        "sailboat",
+        &[
+            ("FRAME_CLASS", 2.0),
+            ("SAIL_ENABLE", 1.0),
+            ("SERVO4_FUNCTION", 89.0),
+            ("WNDVN_TYPE", 10.0),
+            ("WNDVN_SPEED_TYPE", 10.0),
+        ],
+    ),
     other(SitlKind::Sub, "vectored", &[("FRAME_CONFIG", 1.0)]),
     other(SitlKind::Sub, "vectored_6dof", &[("FRAME_CONFIG", 2.0)]),
 ];

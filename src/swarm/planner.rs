@@ -8,7 +8,7 @@ use super::act::{ActiveManoeuvre, Work, WorldView};
 use super::site::Site;
 use super::transit::MARGIN_M;
 use super::{Call, Rules};
-use crate::commands::{Datum, FarEnd, Manoeuvre, ready_for};
+use crate::commands::{Datum, FarEnd, Manoeuvre, ready_for, suits};
 use crate::geo::LatLon;
 use crate::ledger::{RowState, RowUpdate};
 use crate::text;
@@ -60,12 +60,14 @@ impl<'a> Planner<'a> {
 
     /// Selects the vehicles that can take part, and refuses the others.
     pub fn pick_team(&mut self) {
-        let verb = self.call.verb.name;
+        let verb = self.call.verb;
         for &id in self.call.targets {
             let fitness = match self.vehicles.get(&id) {
                 None => Err(text!("refused-not-heard")),
                 Some(_) if self.is_its_own_goal(id) => Err(text!("swarm-its-own-goal")),
-                Some(vehicle) => ready_for(verb, vehicle),
+                Some(vehicle) => {
+                    suits(verb, vehicle, false).and_then(|()| ready_for(verb.name, vehicle))
+                }
             };
             let vehicle = self.vehicles.get(&id);
             let at = vehicle.and_then(|vehicle| self.site.point(vehicle));

@@ -3,6 +3,7 @@
 
 use glam::DVec2;
 
+use super::fitting::fitted;
 use super::planner::SQUARE_TURNS;
 use super::site::Site;
 use super::{Conductor, Rules};
@@ -57,7 +58,10 @@ impl Conductor {
             ungenerated(error, number.map(usize::from).unwrap_or_default())
         })?;
         let parts = plans.parts.into_iter();
-        let named = parts.filter_map(|part| Some((*targets.get(part.vehicle)?, part.document)));
+        let named = parts.filter_map(|part| {
+            let id = *targets.get(part.vehicle)?;
+            Some((id, fitted(part.document, vehicles.get(&id)?)))
+        });
         let idle = plans.idle.into_iter();
         let idle = idle.filter_map(|(vehicle, why)| Some((*targets.get(vehicle)?, why)));
         Ok(DividedPlans {

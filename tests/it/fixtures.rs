@@ -129,6 +129,26 @@ pub fn airborne(id: u16, north_m: f64, altitude_m: f64) -> Vehicle {
     vehicle
 }
 
+/// A boat under way in AUTO, or a rover that stands in HOLD, both on a road or river above home.
+pub fn on_surface(id: u16, is_boat: bool) -> Vehicle {
+    let mut vehicle = airborne(id, 30.0, 12.0);
+    vehicle.landed = LandedState::Undefined;
+    if let Some(heartbeat) = &mut vehicle.heartbeat {
+        heartbeat.class = VehicleClass::Rover;
+        (heartbeat.mav_type, heartbeat.mode) = if is_boat {
+            (11, VehicleClass::Rover.mode("AUTO").expect("a mode"))
+        } else {
+            (10, VehicleClass::Rover.mode("HOLD").expect("a mode"))
+        };
+    }
+    if let Some(global) = &mut vehicle.global
+        && !is_boat
+    {
+        global.north_m_s = 0.0;
+    }
+    vehicle
+}
+
 /// The shipped mission, under another name.
 pub fn listing() -> Listing {
     let source = include_str!("../../missions/01-air-sample.toml");

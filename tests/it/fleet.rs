@@ -188,7 +188,7 @@ impl Console {
         entry
     }
 
-    fn state(&self, entry: EntryId, vehicle: VehicleId) -> Option<RowState> {
+    pub fn state(&self, entry: EntryId, vehicle: VehicleId) -> Option<RowState> {
         self.rows
             .iter()
             .rev()

@@ -140,6 +140,51 @@ fn connecting_out_opens_no_port() {
 }
 
 #[test]
+fn a_boat_is_a_rover_with_another_model() {
+    let place = Place::new();
+    let said = place.sortie(&["hangar", "command", "--kind", "boat", "--json"]);
+    let told: serde_json::Value = serde_json::from_slice(&said.stdout).expect("JSON");
+    let arguments = told[0]["arguments"].to_string();
+    assert!(arguments.contains("motorboat"), "{arguments}");
+    assert_eq!(told[0]["program"], "ardurover");
+    let files = told[0]["files"].to_string();
+    assert!(files.contains("FRAME_CLASS 2"), "{files}");
+}
+
+#[test]
+fn another_kind_flies_with_its_own_program_only() {
+    let place = Place::new();
+    place.file("frame.json", "{}\n", 0o644);
+    let program = place.file("ardurover", STAND_IN, 0o755);
+    let rover = program.to_str().expect("text");
+    let cases: [(&[&str], &str); 8] = [
+        (&["--kind", "rover"], "name it with --ardurover FILE"),
+        (&["--kind", "plane"], "./waf plane"),
+        (
+            &["--kind", "boat", "--backend", "embedded"],
+            "the embedded simulator has copters only",
+        ),
+        (&["--param", "WP_SPEED=3"], "`param set` in the console"),
+        (&["--model", "hexa"], "--model is for ArduPilot's SITL"),
+        (
+            &["--kind", "rover", "--frame", "frame.json"],
+            "only multirotors use a frame file",
+        ),
+        (
+            &["--kind", "rover", "--model", "hexa", "--ardurover", rover],
+            "a rover has no model `hexa`",
+        ),
+        (&["01", "--kind", "rover"], "cannot be used with"),
+    ];
+    for (options, expected) in cases {
+        let said = place.sortie(&[&["fly", "--plain"], options].concat());
+        let told = text(&said.stderr);
+        assert_eq!(said.status.code(), Some(2), "{options:?}: {told}");
+        assert!(told.contains(expected), "{options:?}: {told}");
+    }
+}
+
+#[test]
 fn what_cannot_be_started_is_wrong_usage() {
     let place = Place::new();
     place.file("quad.json", "{\"mass\": -3}\n", 0o644);

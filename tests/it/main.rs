@@ -2,6 +2,7 @@
 
 mod api;
 mod arducopter;
+mod ardurover;
 mod bench_scale;
 mod budgets;
 mod catalogue;
@@ -22,6 +23,7 @@ mod hangar_commands;
 mod hangar_service;
 mod harness;
 mod inspector;
+mod kinds;
 mod layering;
 mod missions;
 mod pictures;

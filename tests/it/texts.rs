@@ -149,15 +149,15 @@ fn name(part: &str) -> Option<String> {
 fn from_tables() -> BTreeSet<String> {
     let actions = Action::all().map(|action| format!("action-{}", action.name()));
     let rooms = Room::ALL.iter().map(|room| format!("room-{}", room.name()));
-    let classes =
-        ["copter", "plane", "rover", "sub", "vehicle"].map(|class| format!("class-{class}"));
+    let reasons = rows().flat_map(|row| row.verb.unsuited);
+    let reasons = reasons.map(|unsuited| unsuited.reason.to_owned());
     let summaries = rows().map(|row| format!("verb-{}", row.name()));
     let forms = rows().flat_map(|row| row.forms);
     let arguments = forms.flat_map(|form| form.arguments);
     let meanings = arguments.map(|argument| argument.help.to_owned());
     actions
         .chain(rooms)
-        .chain(classes)
+        .chain(reasons)
         .chain(summaries)
         .chain(
             MomentKind::NAMES
@@ -216,6 +216,17 @@ fn every_message_that_the_program_names_is_there_with_its_variables() {
     }
     for id in from_tables() {
         assert!(english.contains_key(&id), "{id} is in no catalogue");
+    }
+}
+
+#[test]
+fn the_reasons_why_a_verb_does_not_suit_use_their_own_variables_only() {
+    let catalogue = catalogue(Language::English);
+    let given = ["kind", "vehicle", "verb"];
+    for unsuited in rows().flat_map(|row| row.verb.unsuited) {
+        let variables = &catalogue[unsuited.reason];
+        let is_given = |it: &String| given.contains(&it.as_str());
+        assert!(variables.iter().all(is_given), "{}", unsuited.reason);
     }
 }
 

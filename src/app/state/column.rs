@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use super::{FlightView, Standing};
 use crate::config::Column;
-use crate::vehicle::Vehicle;
+use crate::vehicle::{LandedState, Vehicle};
 
 /// The sort key of a row.
 #[derive(Debug, Clone, PartialEq)]
@@ -69,7 +69,9 @@ impl Column {
             Self::Id => Some(f64::from(vehicle.id)),
             Self::Name | Self::Mode | Self::Group | Self::Command => None,
             Self::Armed => vehicle.heartbeat.map(|_| armed(vehicle)),
-            Self::State => Some(f64::from(vehicle.landed as u8)),
+            Self::State => Some(f64::from(state(vehicle) as u8)),
+            // The height of a rover is that of its road.
+            Self::Altitude | Self::Climb if vehicle.is_on_surface() => None,
             Self::Altitude => vehicle.altitude_m(),
             Self::Speed => vehicle.ground_speed_m_s().map(f64::from),
             Self::Battery => battery?.remaining_percent.map(f64::from),
@@ -137,6 +139,15 @@ fn heard(vehicle: &Vehicle) -> f64 {
         0.0
     } else {
         f64::from(vehicle.link.percent())
+    }
+}
+
+/// The state of a vehicle; of a rover or boat, whether it moves or stands.
+fn state(vehicle: &Vehicle) -> LandedState {
+    match (vehicle.is_on_surface(), vehicle.moves()) {
+        (false, _) => vehicle.landed,
+        (true, false) => LandedState::OnGround,
+        (true, true) => LandedState::InAir,
     }
 }
 

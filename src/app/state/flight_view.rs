@@ -158,9 +158,9 @@ impl FlightView {
         }
     }
 
-    /// A vehicle's display name, which is its class.
+    /// A vehicle's display name, which is its kind.
     pub fn name(vehicle: &Vehicle) -> Text {
-        Text::new(format!("class-{}", Self::class(vehicle)), Vec::new())
+        vehicle.kind_name()
     }
 
     /// The doctor's explanation of why no vehicle is heard; `None` for a closed link, which shows

@@ -19,6 +19,7 @@ use super::super::Failure;
 use super::super::backend::{SimulatorChoice, own};
 use super::super::programs::ProgramOptions;
 use super::super::settings::CliSettings;
+use crate::sitl::SitlKind;
 use crate::terminal::Environment;
 use instances::SitlBench;
 use progress::ScaleProgress;
@@ -148,7 +149,7 @@ fn sitl_bench(
     if is_embedded {
         return Ok(None);
     }
-    let mut config = own(&options.programs, settings)?;
+    let mut config = own(SitlKind::Copter, &options.programs, settings)?;
     config.limits.instances = MOST_ARDUPILOT;
     let bench = SitlBench::open(config);
     bench

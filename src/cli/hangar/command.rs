@@ -10,6 +10,7 @@ use clap::{Args, ValueEnum};
 use serde::Serialize;
 
 use super::super::home::StartPlace;
+use super::super::kind::{KindWord, parse_parameter};
 use super::super::programs::ProgramOptions;
 use super::super::settings::CliSettings;
 use super::super::{Failure, parse_speedup};
@@ -84,31 +85,12 @@ pub(super) struct CommandArguments {
 }
 
 #[derive(Debug, Clone, Copy, ValueEnum)]
-enum KindWord {
-    Copter,
-    Plane,
-    Rover,
-    Sub,
-}
-
-#[derive(Debug, Clone, Copy, ValueEnum)]
 enum ShapeWord {
     Row,
     Column,
     Grid,
     Circle,
     Wedge,
-}
-
-impl From<KindWord> for SitlKind {
-    fn from(word: KindWord) -> Self {
-        match word {
-            KindWord::Copter => Self::Copter,
-            KindWord::Plane => Self::Plane,
-            KindWord::Rover => Self::Rover,
-            KindWord::Sub => Self::Sub,
-        }
-    }
 }
 
 impl From<ShapeWord> for FormationShape {
@@ -128,16 +110,6 @@ fn parse_spacing(text: &str) -> Result<f64, String> {
     number
         .filter(|metres: &f64| (0.1..=10_000.0).contains(metres))
         .ok_or_else(|| "expected a number of metres from 0.1 to 10000".to_owned())
-}
-
-fn parse_parameter(text: &str) -> Result<(String, f64), String> {
-    let (name, value) = text
-        .split_once('=')
-        .ok_or("expected NAME=VALUE, such as RTL_ALT=3000")?;
-    let value = value
-        .parse()
-        .map_err(|_| format!("`{value}` is not a number"))?;
-    Ok((name.to_uppercase(), value))
 }
 
 /// Parses an address and resolves its host name, because SITL accepts only a numeric address.
@@ -217,12 +189,13 @@ fn orders(options: &CommandArguments, program: &str) -> Result<Vec<WrittenStart>
         spacing_m: options.spacing,
     };
     let starts = formation.starts(vehicles, options.home.0);
+    let usual = || options.kind.model().map(str::to_owned);
     let places = (0_u16..).zip(starts);
     places
         .map(|(place, start)| {
             let recipe = Recipe {
                 kind: options.kind.into(),
-                model: options.model.clone(),
+                model: options.model.clone().or_else(usual),
                 airframe: airframe.clone(),
                 start,
                 system: options.system + place as u8,

@@ -228,6 +228,7 @@ fn download(which: LogChoice, given: &Arguments) -> Meaning {
 const SIGNING: VerbRow = VerbRow {
     verb: Verb {
         counts_as: CountsAs::Setting,
+        unsuited: &[],
         ..confirmed("signing")
     },
     scope: Scope::Everywhere,

@@ -4,7 +4,7 @@ use super::{AT_ONCE, Built, CHANGE, COME_DOWN, STOP_MOTORS, command};
 use crate::commands::{ArmingCommand, Command, FlightCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
-use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
+use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Unsuited, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[ARM, DISARM, KILL, MODE, TAKEOFF, LAND, RTL, HOLD, RESUME];
 
@@ -16,6 +16,7 @@ const ARM: VerbRow = VerbRow {
         precedence: Precedence::Awaited,
         movement: Movement::None,
         counts_as: CountsAs::Task,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -33,6 +34,7 @@ const DISARM: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -50,6 +52,7 @@ const KILL: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -67,6 +70,7 @@ const MODE: VerbRow = VerbRow {
         precedence: Precedence::ByMode,
         movement: Movement::To(Arrival::Mode),
         counts_as: CountsAs::Task,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -92,6 +96,10 @@ const TAKEOFF: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        unsuited: &[
+            Unsuited::surface("unsuited-takeoff-surface"),
+            Unsuited::fixed_wing("unsuited-takeoff-plane"),
+        ],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -120,6 +128,10 @@ const LAND: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
+        unsuited: &[
+            Unsuited::surface("unsuited-land-surface"),
+            Unsuited::plane("unsuited-land-plane"),
+        ],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -137,6 +149,7 @@ const RTL: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -154,6 +167,7 @@ const HOLD: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &["stop"],
@@ -171,6 +185,10 @@ const RESUME: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::AtTarget),
         counts_as: CountsAs::Task,
+        unsuited: &[
+            Unsuited::surface("unsuited-resume"),
+            Unsuited::plane("unsuited-resume"),
+        ],
     },
     scope: Scope::Everywhere,
     aliases: &[],

@@ -10,7 +10,7 @@ use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
 use crate::vehicle::SpeedAxis;
-use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
+use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Unsuited, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[GOTO, ALTITUDE, SPEED, YAW, VELOCITY, ORBIT, ROI, HOME];
 
@@ -32,6 +32,7 @@ const GOTO: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &["go"],
@@ -131,6 +132,7 @@ const ALTITUDE: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        unsuited: &[Unsuited::surface("unsuited-altitude-surface")],
     },
     scope: Scope::Everywhere,
     aliases: &["alt"],
@@ -153,6 +155,7 @@ const SPEED: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -179,6 +182,10 @@ const YAW: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Turn,
         counts_as: CountsAs::Setting,
+        unsuited: &[
+            Unsuited::surface("unsuited-yaw"),
+            Unsuited::plane("unsuited-yaw"),
+        ],
     },
     scope: Scope::Everywhere,
     aliases: &["turn"],
@@ -231,6 +238,7 @@ const VELOCITY: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        unsuited: &[Unsuited::plane("unsuited-velocity-plane")],
     },
     scope: Scope::Everywhere,
     aliases: &["vel"],
@@ -278,6 +286,10 @@ const ORBIT: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Station,
         counts_as: CountsAs::Task,
+        unsuited: &[
+            Unsuited::surface("unsuited-orbit-surface"),
+            Unsuited::plane("unsuited-orbit-plane"),
+        ],
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -322,6 +334,7 @@ const ROI: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        unsuited: &[],
     },
     scope: Scope::Everywhere,
     aliases: &["look"],

@@ -25,6 +25,7 @@ const fn list_verb(name: &'static str) -> Verb {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        unsuited: &[],
     }
 }
 

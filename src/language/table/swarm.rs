@@ -8,7 +8,7 @@ use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::vehicle::VehicleId;
 use crate::vehicle_id::HIGHEST_VEHICLE;
-use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
+use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Unsuited, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[SURVEY, SEARCH, FORMATION, FOLLOW, SPREAD];
 
@@ -32,6 +32,12 @@ pub(super) const COURSE: Argument =
 pub(super) const AROUND: Argument = Argument::flag("around", "argument-around");
 pub(super) const POINT: Argument = Argument::value("point", Kind::Point, "argument-place");
 
+/// Joint manoeuvres separate vehicles by height, and steer them with setpoints, which planes ignore.
+const JOINT_FLIGHT: &[Unsuited] = &[
+    Unsuited::surface("unsuited-joint"),
+    Unsuited::plane("unsuited-joint"),
+];
+
 const SURVEY: VerbRow = VerbRow {
     verb: Verb {
         name: "survey",
@@ -40,6 +46,7 @@ const SURVEY: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
     aliases: &["scan"],
@@ -114,6 +121,7 @@ const FORMATION: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Station,
         counts_as: CountsAs::Task,
+        unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
     aliases: &["form"],
@@ -154,6 +162,7 @@ const FOLLOW: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Station,
         counts_as: CountsAs::Task,
+        unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -185,6 +194,7 @@ const SPREAD: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
     aliases: &["disperse"],
@@ -215,6 +225,7 @@ const SEARCH: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Station,
         counts_as: CountsAs::Task,
+        unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
     aliases: &[],
@@ -251,6 +262,7 @@ const CHAIN: Verb = Verb {
     precedence: Precedence::InTurn,
     movement: Movement::Station,
     counts_as: CountsAs::Task,
+    unsuited: JOINT_FLIGHT,
 };
 const DISBAND: Verb = Verb {
     name: "formation off",
@@ -259,6 +271,7 @@ const DISBAND: Verb = Verb {
     precedence: Precedence::InTurn,
     movement: Movement::To(Arrival::Done),
     counts_as: CountsAs::Task,
+    unsuited: &[],
 };
 
 /// The forms of `relay` that build a chain of vehicles; those that switch a relay are in the table

@@ -116,3 +116,25 @@ fn offered_hints() -> std::collections::BTreeMap<String, String> {
     let hints = completions.into_iter();
     hints.map(|it| (it.text, it.hint.to_string())).collect()
 }
+
+#[test]
+fn rovers_and_planes_have_purposes_of_their_own() {
+    let summary = |class, name| {
+        let context = Context {
+            class,
+            ..Context::default()
+        };
+        super::super::modes::mode_summary(name, &context).to_string()
+    };
+    for (class, name, words) in [
+        (VehicleClass::Copter, "RTL", "land there"),
+        (VehicleClass::Rover, "RTL", "stop there"),
+        (VehicleClass::Plane, "RTL", "circle above home"),
+        (VehicleClass::Rover, "HOLD", "drifts"),
+        (VehicleClass::Rover, "GUIDED", "ground stations"),
+        (VehicleClass::Plane, "TAKEOFF", "straight ahead"),
+    ] {
+        let said = summary(class, name);
+        assert!(said.contains(words), "{class:?} {name}: {said}");
+    }
+}

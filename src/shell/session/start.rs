@@ -39,7 +39,7 @@ use crate::text;
 use crate::text::Text;
 use crate::wire::SystemId;
 
-/// The position and heading of the first vehicle in free flight.
+/// The usual position and heading of the first vehicle in free flight.
 const FREE_FLIGHT_START: Start = Start {
     at: LatLon::new(50.4501, 30.5234),
     altitude_amsl_m: 180.0,
@@ -193,13 +193,14 @@ impl RunningSession {
         match plan {
             SessionPlan::Mission(mission) => self.start_mission(mission, backend, before).await,
             SessionPlan::Free(_) => {
+                let start = backend.simulation.free.start.unwrap_or(FREE_FLIGHT_START);
                 let row = WorldConfig {
                     seed: backend.seed,
-                    ..WorldConfig::row(usize::from(backend.vehicles), FREE_FLIGHT_START)
+                    ..WorldConfig::row(usize::from(backend.vehicles), start)
                 };
                 self.simulate(row, backend, before).await?;
                 Ok(Started {
-                    places: free_flight_places(),
+                    places: free_flight_places(start),
                     ..started(Activity::Free)
                 })
             }
@@ -280,7 +281,13 @@ impl RunningSession {
             }
         };
         if let Some(source) = source {
-            let launches = simulation.launches(world, backend.speedup);
+            let mut launches = simulation.launches(world, backend.speedup);
+            if matches!(self.plan, SessionPlan::Free(_)) {
+                let free = launches
+                    .into_iter()
+                    .map(|launch| simulation.free.of(launch));
+                launches = free.collect();
+            }
             let cancel = self.cancel.clone();
             let processes = Processes::launch(source.clone(), launches, before, cancel);
             self.processes = Some(processes);
@@ -319,9 +326,9 @@ fn titled(mission: &Mission, occasion: &Occasion) -> Text {
 }
 
 /// The named places of free flight: "home" and "pad", both at its start.
-fn free_flight_places() -> BTreeMap<String, LatLon> {
+fn free_flight_places(start: Start) -> BTreeMap<String, LatLon> {
     ["home", "pad"]
-        .map(|name| (name.to_owned(), FREE_FLIGHT_START.at))
+        .map(|name| (name.to_owned(), start.at))
         .into()
 }
 

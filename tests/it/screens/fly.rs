@@ -8,7 +8,7 @@ use ratatui::style::Color;
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Theme};
 
-use super::busy;
+use super::{busy, busy_in};
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -48,6 +48,25 @@ fn sorted() -> Console {
     console.give("group red 1-3").give("select @red");
     console.give("ack 3").give("sort alert").give("filter !4");
     console
+}
+
+/// A copter, a boat under way and a rover that stands; the cursor is on the boat.
+fn mixed(language: Language) -> Console {
+    let mut console = busy_in(language);
+    console.at(200).vehicle(fixtures::on_surface(2, true));
+    console.vehicle(fixtures::on_surface(3, false));
+    console.give("select 2");
+    console
+}
+
+#[test]
+fn rovers_and_boats_move_or_stand_and_have_no_height() {
+    for (language, name) in [(Language::English, "en"), (Language::Ukrainian, "uk")] {
+        for (width, height) in [(80, 24), (200, 50)] {
+            let screen = mixed(language).screen(width, height);
+            insta::assert_snapshot!(format!("fly_surface_{name}_{width}x{height}"), screen);
+        }
+    }
 }
 
 #[test]

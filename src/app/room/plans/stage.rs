@@ -93,7 +93,9 @@ fn stage(state: &State, draft: &Draft, vehicle: &Vehicle) -> PlanStage {
     let carried = vehicle.plans.plan.content.as_ref();
     let mark = ContentHash::of(&draft.document().plan);
     let carries = carried.is_some_and(|plan| ContentHash::of(plan.flown()) == mark);
-    if vehicle.armed() && vehicle.airborne() {
+    // A rover that is armed and does not fly its plan stands ready for it.
+    let drives_plan = vehicle.is_on_surface() && vehicle.flies_plan();
+    if vehicle.armed() && vehicle.airborne() || drives_plan {
         return if vehicle.has_paused() {
             PlanStage::Paused
         } else if vehicle.flies_plan() {

@@ -34,6 +34,7 @@ const VERB: Verb = Verb {
     precedence: Precedence::InTurn,
     movement: Movement::None,
     counts_as: CountsAs::Task,
+    unsuited: &[],
 };
 /// The longest wait for a fleet to accept a command.
 const TAKEN_WITHIN: Duration = Duration::from_secs(10);

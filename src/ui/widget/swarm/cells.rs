@@ -41,6 +41,8 @@ pub struct Words {
     pub air: String,
     pub takeoff: String,
     pub landing: String,
+    pub moving: String,
+    pub still: String,
     pub paused: String,
     pub lost: String,
     pub done: String,
@@ -59,6 +61,8 @@ impl Words {
             air: look.say("fly-air"),
             takeoff: look.say("fly-takeoff"),
             landing: look.say("fly-landing"),
+            moving: look.say("fly-moving"),
+            still: look.say("fly-still"),
             paused: look.say("fly-paused"),
             lost: look.say("fly-lost"),
             done: look.say("fly-done"),
@@ -195,6 +199,7 @@ fn has_crashed(row: &Row<'_>) -> bool {
 fn landed(row: &Row<'_>) -> Cell {
     let words = row.words;
     let text = match row.vehicle.landed {
+        _ if row.vehicle.is_on_surface() => return on_surface(row),
         LandedState::Undefined => return unknown(),
         LandedState::OnGround => return (words.ground.clone(), Role::Muted),
         LandedState::InAir if row.vehicle.has_paused() => {
@@ -205,6 +210,18 @@ fn landed(row: &Row<'_>) -> Cell {
         LandedState::Landing => &words.landing,
     };
     (text.clone(), Role::Text)
+}
+
+/// Whether a rover or boat moves or stands.
+fn on_surface(row: &Row<'_>) -> Cell {
+    let (vehicle, words) = (row.vehicle, row.words);
+    if vehicle.global.is_none() {
+        unknown()
+    } else if vehicle.moves() {
+        (words.moving.clone(), Role::Text)
+    } else {
+        (words.still.clone(), Role::Muted)
+    }
 }
 
 fn battery(vehicle: &Vehicle) -> Cell {

@@ -139,13 +139,15 @@ fn mode(vehicle: &Vehicle) -> Vec<(Text, Role)> {
         if vehicle.has_paused() {
             (text!("telemetry-paused"), Role::Warning)
         } else {
-            (landed(vehicle.landed), Role::Text)
+            (landed(vehicle), Role::Text)
         },
     ]
 }
 
-fn landed(state: LandedState) -> Text {
-    match state {
+fn landed(vehicle: &Vehicle) -> Text {
+    match vehicle.landed {
+        _ if vehicle.is_on_surface() && vehicle.moves() => text!("landed-moving"),
+        _ if vehicle.is_on_surface() => text!("landed-still"),
         LandedState::Undefined => text!("landed-unknown"),
         LandedState::OnGround => text!("landed-ground"),
         LandedState::InAir => text!("landed-air"),
@@ -158,13 +160,17 @@ fn altitude(vehicle: &Vehicle) -> Text {
     let Some(global) = vehicle.global else {
         return Text::default();
     };
+    let sea = figure(global.altitude_amsl_m, 0);
+    if vehicle.is_on_surface() {
+        return text!("telemetry-sea", sea = sea);
+    }
     let climb = figure(-global.down_m_s, 1);
     let sign = if climb.starts_with('-') { "" } else { "+" };
     text!(
         "telemetry-altitudes",
         altitude = figure(global.altitude_m, 1),
         climb = format!("{sign}{climb}"),
-        sea = figure(global.altitude_amsl_m, 0)
+        sea = sea
     )
 }
 
@@ -257,9 +263,9 @@ fn target(vehicle: &Vehicle) -> Text {
         let distance = global.at_point.distance_m(to);
         text!("telemetry-away", distance = figure(distance, 0))
     });
-    let altitude = target
-        .altitude_m
-        .map(|altitude_m| text!("telemetry-at", altitude = figure(altitude_m, 0)));
+    let height_m = target.altitude_m.filter(|_| !vehicle.is_on_surface());
+    let altitude =
+        height_m.map(|altitude_m| text!("telemetry-at", altitude = figure(altitude_m, 0)));
     Text::joined("  ", [distance, altitude].into_iter().flatten().collect())
 }
 
