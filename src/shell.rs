@@ -73,7 +73,7 @@ const LOOK_EVERY: Duration = Duration::from_secs(2);
 /// Runs the console until the user quits or the terminal disappears.
 ///
 /// # Errors
-/// There is no terminal, or it has disappeared.
+/// There is no terminal, it has disappeared, or flights could not be stored.
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
@@ -112,7 +112,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     console.close().await;
     programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
-    Ok(())
+    console.require_stored()
 }
 
 /// The command history, oldest first. A history that cannot be read adds a warning.
@@ -306,7 +306,7 @@ impl Console {
             .as_mut()
             .and_then(RunningSession::take_finished)
         {
-            self.settle(&finished);
+            self.settle(finished);
         }
         self.take_in().await;
     }

@@ -43,7 +43,7 @@ profile-not-stored = політ не збережено: { $fault }
 profile-record = із профілем польоти записуються в теку його даних, а спроби рахуються: приберіть `--record` і `--try`
 profiles-damaged = { $path } містить те, чого sortie не писала: { $fault }
 profiles-recovered = завершений політ ({ $profile }) не було збережено; тепер його збережено: { $mission }, балів: { $score }
-profiles-left-attempt = { $profile }: завдання { $mission } перервано достроково; зараховано як припинене, балів: { $score }
+profiles-left-attempt = { $profile }: завдання { $mission } перервано достроково: його запис обривається, і решта польоту невідома; зараховано як припинене, балів: { $score }
 profiles-left-exam = { $profile }: іспит { $mission } залишено достроково; зараховано балів: { $score }
 
 progress-title = Поступ: { $name }
