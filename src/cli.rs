@@ -26,7 +26,10 @@ use clap::{Parser, Subcommand};
 
 use crate::link::Address;
 use crate::store::{self, StoreError};
+use crate::text;
+use crate::text::{Language, Locale, Text};
 use crate::vehicle_id::VehicleIds;
+use fault::FileFault;
 use settings::{CliSettings, Common};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
@@ -220,6 +223,32 @@ enum Failure {
     /// An invalid file, shown with the lines of its faults, in colour if the terminal supports it;
     /// exit code 2. Control characters of the file are escaped.
     Shown(String),
+    /// Wrong usage or an invalid file, in the reader's language; exit code 2. One line for each text.
+    Wrong(Vec<Text>),
+    /// The faults of a file that a command needs, in the reader's language; exit code 2.
+    Faulty(FileFault),
+}
+
+impl Failure {
+    /// The failure with its texts in a language.
+    fn said_in(self, locale: &Locale) -> Self {
+        match self {
+            Self::Wrong(texts) => {
+                let lines = texts
+                    .iter()
+                    .map(|text| format!("sortie: {}", locale.text(text)));
+                Self::Invalid(lines.collect::<Vec<_>>().join("\n"))
+            }
+            Self::Faulty(fault) => Self::Shown(fault.explained(locale)),
+            Self::Failed(error) => match error.downcast_ref::<StoreError>() {
+                Some(fault) if !is_closed_pipe(&error) => {
+                    Self::Failed(anyhow::anyhow!(locale.text(&Text::from(fault))))
+                }
+                _ => Self::Failed(error),
+            },
+            Self::Invalid(_) | Self::Shown(_) => self,
+        }
+    }
 }
 
 impl<E: Into<anyhow::Error>> From<E> for Failure {
@@ -229,6 +258,11 @@ impl<E: Into<anyhow::Error>> From<E> for Failure {
 }
 
 impl CliCommand {
+    /// Whether the command opens the console, which shows notices itself.
+    fn opens_console(&self) -> bool {
+        matches!(self, Self::Fly(_) | Self::Connect { .. } | Self::Replay(_))
+    }
+
     /// Whether the command only reads the data folder: it creates no folder and changes no mode.
     fn only_reads(&self) -> bool {
         match self {
@@ -273,8 +307,18 @@ pub fn main(arguments: CliArguments) -> ExitCode {
         if !only_reads {
             settings.share_results();
         }
-        start_log(&settings)?;
-        dispatch(arguments.command, &arguments.home, settings)
+        let locale = Locale::new(settings.language());
+        let is_console = arguments
+            .command
+            .as_ref()
+            .is_none_or(CliCommand::opens_console);
+        if settings.sources.is_flag("lang") && !is_console {
+            let withheld = settings.withheld_language_text();
+            withheld.iter().for_each(|text| tell!("sortie: {text}"));
+        }
+        start_log(&settings)
+            .and_then(|()| dispatch(arguments.command, &arguments.home, settings))
+            .map_err(|failure| failure.said_in(&locale))
     });
     match outcome {
         Ok(code) => code,
@@ -290,6 +334,15 @@ pub fn main(arguments: CliArguments) -> ExitCode {
         }
         Err(Failure::Shown(text)) => {
             show(&text);
+            ExitCode::from(2)
+        }
+        // Both have been put into words above.
+        Err(Failure::Wrong(texts)) => {
+            texts.iter().for_each(|text| tell!("sortie: {text}"));
+            ExitCode::from(2)
+        }
+        Err(Failure::Faulty(fault)) => {
+            show(&fault.explained(&Locale::new(Language::English)));
             ExitCode::from(2)
         }
     }
@@ -383,7 +436,8 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
         _ => Ok(()),
     };
     let file = made.and_then(|()| create_log(path)).map_err(|error| {
-        Failure::Invalid(format!("sortie: cannot write the log {path}: {error}"))
+        let error = Text::from(&error);
+        Failure::Wrong(vec![text!("log-unwritable", path = path, error = error)])
     })?;
     tracing_subscriber::fmt()
         .with_writer(Mutex::new(file))

@@ -60,6 +60,7 @@ use api::Programs;
 use career::Careers;
 pub use drive::drive;
 use input::hear_last_answer;
+pub use missions::mission_faults;
 use missions::{Tries, listings};
 pub use options::{ConsoleOptions, Opening, Preferences};
 use pace::Pace;
@@ -121,7 +122,7 @@ fn earlier_lines(history: Option<&History>, warnings: &mut Vec<Text>) -> Vec<Str
         return Vec::new();
     };
     history.read().unwrap_or_else(|error| {
-        let (path, error) = (history.path().display(), error.to_string());
+        let (path, error) = (history.path().display(), Text::from(&error));
         warnings.push(text!(
             "history-unreadable",
             path = path.to_string(),

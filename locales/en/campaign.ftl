@@ -92,7 +92,7 @@ career-lost = { $count ->
     [one] one flight could not be stored, and is lost: make space on the disk before you fly again
    *[other] { $count } flights could not be stored, and are lost: make space on the disk before you fly again
 }
-launch-practice = Practice only: { $why }
+launch-practice = practice only: { $why }
 practice-seed = you chose the seed
 practice-script = the commands come from a script
 practice-own-mission = the mission is not part of the course, which contains only missions supplied by sortie or by the administrator

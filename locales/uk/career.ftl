@@ -3,7 +3,7 @@ mastery-unknown = не пробували
 mastery-learning = опановується
 mastery-mastered = опановано
 mastery-due = час повторити
-lack-chance = імовірність { $percent } %
+lack-chance = ймовірність { $percent } %
 lack-flights = { $count ->
     [one] ще { $count } політ
     [few] ще { $count } польоти

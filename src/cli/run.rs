@@ -25,7 +25,7 @@ use crate::mission::{Mission, Report};
 use crate::scoring::{FlownBy, TruthReport};
 use crate::store::{self, Records, Runs, Source, StoreError, day_of, utc};
 use crate::text;
-use crate::text::Locale;
+use crate::text::{Locale, Text};
 
 mod ardupilot;
 mod career;
@@ -378,5 +378,5 @@ fn script_of(pilot: &Source, mission: &Mission) -> Result<Script, Failure> {
 }
 
 fn invalid(error: &StoreError) -> Failure {
-    Failure::Invalid(format!("sortie: {error}"))
+    Failure::Wrong(vec![Text::from(error)])
 }
