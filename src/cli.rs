@@ -25,11 +25,11 @@ use std::sync::Mutex;
 use clap::{Parser, Subcommand};
 
 use crate::link::Address;
-use crate::store::{self, StoreError};
+use crate::store;
 use crate::text;
 use crate::text::{Language, Locale, Text};
 use crate::vehicle_id::VehicleIds;
-use fault::FileFault;
+use failure::{Failure, is_closed_pipe};
 use settings::{CliSettings, Common};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
@@ -57,6 +57,7 @@ mod config;
 mod debrief;
 mod designs;
 mod doctor;
+mod failure;
 mod fault;
 mod fly;
 mod hangar;
@@ -213,50 +214,6 @@ enum CliCommand {
     },
 }
 
-/// Why a command failed.
-#[derive(Debug)]
-enum Failure {
-    /// The requested action failed; exit code 1.
-    Failed(anyhow::Error),
-    /// Wrong usage or an invalid file; exit code 2. The text may have several lines.
-    Invalid(String),
-    /// An invalid file, shown with the lines of its faults, in colour if the terminal supports it;
-    /// exit code 2. Control characters of the file are escaped.
-    Shown(String),
-    /// Wrong usage or an invalid file, in the reader's language; exit code 2. One line for each text.
-    Wrong(Vec<Text>),
-    /// The faults of a file that a command needs, in the reader's language; exit code 2.
-    Faulty(FileFault),
-}
-
-impl Failure {
-    /// The failure with its texts in a language.
-    fn said_in(self, locale: &Locale) -> Self {
-        match self {
-            Self::Wrong(texts) => {
-                let lines = texts
-                    .iter()
-                    .map(|text| format!("sortie: {}", locale.text(text)));
-                Self::Invalid(lines.collect::<Vec<_>>().join("\n"))
-            }
-            Self::Faulty(fault) => Self::Shown(fault.explained(locale)),
-            Self::Failed(error) => match error.downcast_ref::<StoreError>() {
-                Some(fault) if !is_closed_pipe(&error) => {
-                    Self::Failed(anyhow::anyhow!(locale.text(&Text::from(fault))))
-                }
-                _ => Self::Failed(error),
-            },
-            Self::Invalid(_) | Self::Shown(_) => self,
-        }
-    }
-}
-
-impl<E: Into<anyhow::Error>> From<E> for Failure {
-    fn from(error: E) -> Self {
-        Self::Failed(error.into())
-    }
-}
-
 impl CliCommand {
     /// Whether the command opens the console, which shows notices itself.
     fn opens_console(&self) -> bool {
@@ -312,36 +269,44 @@ pub fn main(arguments: CliArguments) -> ExitCode {
             .command
             .as_ref()
             .is_none_or(CliCommand::opens_console);
-        if settings.sources.is_flag("lang") && !is_console {
-            let withheld = settings.withheld_language_text();
-            withheld.iter().for_each(|text| tell!("sortie: {text}"));
+        if settings.sources.is_flag("lang")
+            && !is_console
+            && let Some(text) = settings.withheld_language_text()
+        {
+            tell!("sortie: {text}");
         }
         start_log(&settings)
             .and_then(|()| dispatch(arguments.command, &arguments.home, settings))
             .map_err(|failure| failure.said_in(&locale))
     });
-    match outcome {
-        Ok(code) => code,
+    outcome.unwrap_or_else(told)
+}
+
+/// Prints why a command failed, and returns the exit code.
+fn told(failure: Failure) -> ExitCode {
+    match failure {
         // A closed output means that its reader needs no more of it: no error.
-        Err(Failure::Failed(error)) if is_closed_pipe(&error) => ExitCode::from(1),
-        Err(Failure::Failed(error)) => {
+        Failure::Failed(error) if is_closed_pipe(&error) => ExitCode::from(1),
+        Failure::Failed(error) => {
             tell!("sortie: {error:#}");
             ExitCode::from(1)
         }
-        Err(Failure::Invalid(text)) => {
+        Failure::Invalid(text) => {
             tell!("{text}");
             ExitCode::from(2)
         }
-        Err(Failure::Shown(text)) => {
+        Failure::Shown(text) => {
             show(&text);
             ExitCode::from(2)
         }
         // Both have been put into words above.
-        Err(Failure::Wrong(texts)) => {
-            texts.iter().for_each(|text| tell!("sortie: {text}"));
+        Failure::Wrong(texts) => {
+            for text in texts {
+                tell!("sortie: {text}");
+            }
             ExitCode::from(2)
         }
-        Err(Failure::Faulty(fault)) => {
+        Failure::Faulty(fault) => {
             show(&fault.explained(&Locale::new(Language::English)));
             ExitCode::from(2)
         }
@@ -361,14 +326,6 @@ pub fn refuse(outcome: &clap::Error) -> ExitCode {
             ExitCode::from(1)
         }
     }
-}
-
-fn is_closed_pipe(error: &anyhow::Error) -> bool {
-    let error = match error.downcast_ref() {
-        Some(StoreError::Unwritable { error, .. }) => Some(error),
-        _ => error.downcast_ref::<io::Error>(),
-    };
-    error.is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
 fn dispatch(

@@ -32,7 +32,7 @@ mission-twice = two missions have the id `{ $id }`: { $flown } is used, { $other
 theme-unknown = unknown theme `{ $name }`
 theme-none = unknown theme `{ $name }`: choose one of { $known }
 theme-none-near = unknown theme `{ $name }`: choose one of { $known }; did you mean `{ $guess }`?
-lang-withheld = the locale has no UTF-8: English is used instead of { $language } (export LC_ALL=C.UTF-8)
+lang-withheld = the locale has no UTF-8: English is used instead of { $language } (`export LC_ALL=C.UTF-8`)
 lang-withheld-ascii = with symbols = "ascii", English is used instead of { $language }
 log-unwritable = cannot write the log { $path }: { $error }
 theme-left-out = no theme `{ $name }`: { $fault }

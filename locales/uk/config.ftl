@@ -32,7 +32,7 @@ mission-twice = два завдання мають id `{ $id }`: викорис�
 theme-unknown = невідома тема `{ $name }`
 theme-none = невідома тема `{ $name }`: виберіть одну з { $known }
 theme-none-near = невідома тема `{ $name }`: виберіть одну з { $known }; можливо, `{ $guess }`?
-lang-withheld = локаль без UTF-8: замість мови { $language } вжито англійську (export LC_ALL=C.UTF-8)
+lang-withheld = локаль без UTF-8: замість мови { $language } вжито англійську (`export LC_ALL=C.UTF-8`)
 lang-withheld-ascii = із symbols = "ascii" замість мови { $language } вжито англійську
 log-unwritable = не вдається записати журнал { $path }: { $error }
 theme-left-out = теми `{ $name }` немає: { $fault }

@@ -73,7 +73,7 @@ check-same-id = id `{ $id }` уже має завдання { $file }
 check-same-id-help = дайте цьому завданню власний id: з кількох завдань з однаковим id sortie знаходить лише перше
 check-known-id = id `{ $id }` має і завдання { $file }
 check-known-id-help = за цим id знаходиться лише одне з них, перше за назвою файлу; щоб виконати саме це, укажіть шлях до нього
-check-ending = не вдається визначити вид { $file }: назва має закінчуватися на .toml, .pilot або як у плану (.plan, .waypoints, .kml ..)
+check-ending = не вдається визначити вид { $file }: назва має закінчуватися на `.toml`, `.pilot` або як у плану (`.plan`, `.waypoints`, `.kml`)
 check-note = { $line } (примітка, не помилка)
 
 # `sortie verify`

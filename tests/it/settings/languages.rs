@@ -44,8 +44,8 @@ fn faults_are_in_the_language_of_the_reader() {
         (&["config", "--theme", "nosuch"], "невідома тема `nosuch`"),
         (&["config", "--lang", "nosuch"], "--lang"),
         (
-            &["check", "nosuch.txt"],
-            "не вдається визначити вид nosuch.txt",
+            &["check", "nosuch.xyz"],
+            "не вдається визначити вид nosuch.xyz",
         ),
         (&["config", "--log", &log], "не вдається записати журнал"),
     ];
