@@ -25,8 +25,11 @@ use std::sync::Mutex;
 use clap::{Parser, Subcommand};
 
 use crate::link::Address;
-use crate::store::{self, StoreError};
+use crate::store;
+use crate::text;
+use crate::text::{Language, Locale, Text};
 use crate::vehicle_id::VehicleIds;
+use failure::{Failure, is_closed_pipe};
 use settings::{CliSettings, Common};
 
 /// Prints a line on standard output; unlike `println!` it reports a full disk or a closed pipe as an error.
@@ -54,6 +57,7 @@ mod config;
 mod debrief;
 mod designs;
 mod doctor;
+mod failure;
 mod fault;
 mod fly;
 mod free;
@@ -212,25 +216,12 @@ enum CliCommand {
     },
 }
 
-/// Why a command failed.
-#[derive(Debug)]
-enum Failure {
-    /// The requested action failed; exit code 1.
-    Failed(anyhow::Error),
-    /// Wrong usage or an invalid file; exit code 2. The text may have several lines.
-    Invalid(String),
-    /// An invalid file, shown with the lines of its faults, in colour if the terminal supports it;
-    /// exit code 2. Control characters of the file are escaped.
-    Shown(String),
-}
-
-impl<E: Into<anyhow::Error>> From<E> for Failure {
-    fn from(error: E) -> Self {
-        Self::Failed(error.into())
-    }
-}
-
 impl CliCommand {
+    /// Whether the command opens the console, which shows notices itself.
+    fn opens_console(&self) -> bool {
+        matches!(self, Self::Fly(_) | Self::Connect { .. } | Self::Replay(_))
+    }
+
     /// Whether the command only reads the data folder: it creates no folder and changes no mode.
     fn only_reads(&self) -> bool {
         match self {
@@ -275,23 +266,50 @@ pub fn main(arguments: CliArguments) -> ExitCode {
         if !only_reads {
             settings.share_results();
         }
-        start_log(&settings)?;
-        dispatch(arguments.command, &arguments.home, settings)
+        let locale = Locale::new(settings.language());
+        let is_console = arguments
+            .command
+            .as_ref()
+            .is_none_or(CliCommand::opens_console);
+        if settings.sources.is_flag("lang")
+            && !is_console
+            && let Some(text) = settings.withheld_language_text()
+        {
+            tell!("sortie: {text}");
+        }
+        start_log(&settings)
+            .and_then(|()| dispatch(arguments.command, &arguments.home, settings))
+            .map_err(|failure| failure.said_in(&locale))
     });
-    match outcome {
-        Ok(code) => code,
+    outcome.unwrap_or_else(told)
+}
+
+/// Prints why a command failed, and returns the exit code.
+fn told(failure: Failure) -> ExitCode {
+    match failure {
         // A closed output means that its reader needs no more of it: no error.
-        Err(Failure::Failed(error)) if is_closed_pipe(&error) => ExitCode::from(1),
-        Err(Failure::Failed(error)) => {
+        Failure::Failed(error) if is_closed_pipe(&error) => ExitCode::from(1),
+        Failure::Failed(error) => {
             tell!("sortie: {error:#}");
             ExitCode::from(1)
         }
-        Err(Failure::Invalid(text)) => {
+        Failure::Invalid(text) => {
             tell!("{text}");
             ExitCode::from(2)
         }
-        Err(Failure::Shown(text)) => {
+        Failure::Shown(text) => {
             show(&text);
+            ExitCode::from(2)
+        }
+        // Both have been put into words above.
+        Failure::Wrong(texts) => {
+            for text in texts {
+                tell!("sortie: {text}");
+            }
+            ExitCode::from(2)
+        }
+        Failure::Faulty(fault) => {
+            show(&fault.explained(&Locale::new(Language::English)));
             ExitCode::from(2)
         }
     }
@@ -310,14 +328,6 @@ pub fn refuse(outcome: &clap::Error) -> ExitCode {
             ExitCode::from(1)
         }
     }
-}
-
-fn is_closed_pipe(error: &anyhow::Error) -> bool {
-    let error = match error.downcast_ref() {
-        Some(StoreError::Unwritable { error, .. }) => Some(error),
-        _ => error.downcast_ref::<io::Error>(),
-    };
-    error.is_some_and(|error| error.kind() == io::ErrorKind::BrokenPipe)
 }
 
 fn dispatch(
@@ -385,7 +395,8 @@ fn start_log(settings: &CliSettings) -> Result<(), Failure> {
         _ => Ok(()),
     };
     let file = made.and_then(|()| create_log(path)).map_err(|error| {
-        Failure::Invalid(format!("sortie: cannot write the log {path}: {error}"))
+        let error = Text::from(&error);
+        Failure::Wrong(vec![text!("log-unwritable", path = path, error = error)])
     })?;
     tracing_subscriber::fmt()
         .with_writer(Mutex::new(file))

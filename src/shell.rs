@@ -60,6 +60,7 @@ use api::Programs;
 use career::Careers;
 pub use drive::drive;
 use input::hear_last_answer;
+pub use missions::mission_faults;
 use missions::{Tries, listings};
 pub use options::{ConsoleOptions, Opening, Preferences};
 use pace::Pace;
@@ -73,7 +74,7 @@ const LOOK_EVERY: Duration = Duration::from_secs(2);
 /// Runs the console until the user quits or the terminal disappears.
 ///
 /// # Errors
-/// There is no terminal, or it has disappeared.
+/// There is no terminal, it has disappeared, or flights could not be stored.
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
@@ -112,7 +113,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     console.close().await;
     programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
-    Ok(())
+    console.require_stored()
 }
 
 /// The command history, oldest first. A history that cannot be read adds a warning.
@@ -121,7 +122,7 @@ fn earlier_lines(history: Option<&History>, warnings: &mut Vec<Text>) -> Vec<Str
         return Vec::new();
     };
     history.read().unwrap_or_else(|error| {
-        let (path, error) = (history.path().display(), error.to_string());
+        let (path, error) = (history.path().display(), Text::from(&error));
         warnings.push(text!(
             "history-unreadable",
             path = path.to_string(),
@@ -306,7 +307,7 @@ impl Console {
             .as_mut()
             .and_then(RunningSession::take_finished)
         {
-            self.settle(&finished);
+            self.settle(finished);
         }
         self.take_in().await;
     }

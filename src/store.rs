@@ -27,6 +27,7 @@ use crate::scoring::{FlownBy, MissionFile, Report};
 use crate::workshop::Design;
 
 mod append;
+mod closed;
 mod folders;
 mod history;
 mod keys;
@@ -50,6 +51,7 @@ mod tests;
 mod transferred;
 mod unsaved;
 
+pub use closed::{closed_folders, unreadable_below};
 pub use folders::Folders;
 pub use history::History;
 pub use keys::{KeyFile, KeyFileFault};
@@ -69,7 +71,9 @@ pub use records::{
 };
 pub use runs::{RunFile, Runs, read_run, utc};
 pub use settlement::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
-pub use sharing::{RUNS, SharingFault, Unshared, other_owner, share_with_group, sharing_fault};
+pub use sharing::{
+    PROFILES_FILE, RUNS, SharingFault, Unshared, other_owner, share_with_group, sharing_fault,
+};
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
 pub use source::{Source, StoreError, read, read_bytes, read_found, read_large, read_start};
 pub use terrain::add_square;

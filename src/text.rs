@@ -19,12 +19,14 @@ mod figure;
 mod layout;
 mod locale;
 mod stored;
+mod system;
 
 pub use catalogue::messages;
 pub use figure::{clock, clock_s, figure, lasting, rounded, utc_minute_of, utc_of};
 pub use layout::{reflow, wrap};
 pub use locale::Locale;
 pub use stored::StoredText;
+pub use system::OwnFault;
 
 /// A language of the texts. The names are ISO 639 codes.
 #[derive(

@@ -80,7 +80,19 @@ profiles-lost = the profiles were damaged ({ $fault }) and there was no backup, 
 mission-locked = { $mission } is locked: { $why }
 career-nowhere = no profiles here: the data folder cannot be used
 career-waits = the flight is not stored yet: { $fault }; sortie tries again before the next flight and on exit
-launch-practice = Practice only: { $why }
+career-deferred = { $count ->
+    [one] one flight could not be stored in its profile: its record is complete, and the next start of sortie stores it
+   *[other] { $count } flights could not be stored in their profiles: their records are complete, and the next start of sortie stores them
+}
+career-ask-quit-reason = { $count ->
+    [one] one flight is not stored yet, and would be lost
+   *[other] { $count } flights are not stored yet, and would be lost
+}
+career-lost = { $count ->
+    [one] one flight could not be stored, and is lost: make space on the disk before you fly again
+   *[other] { $count } flights could not be stored, and are lost: make space on the disk before you fly again
+}
+launch-practice = practice only: { $why }
 practice-seed = you chose the seed
 practice-script = the commands come from a script
 practice-own-mission = the mission is not part of the course, which contains only missions supplied by sortie or by the administrator

@@ -42,7 +42,7 @@ profile-not-stored = the flight is not stored: { $fault }
 profile-record = with a profile, sortie records runs in the profile's data folder and counts the tries: leave out `--record` and `--try`
 profiles-damaged = { $path } contains data that sortie did not write: { $fault }
 profiles-recovered = a finished flight of { $profile } was missing and is stored now: { $mission }, { $score } points
-profiles-left-attempt = { $profile }: mission { $mission } was cut off before its end; it counts as given up, with { $score } points
+profiles-left-attempt = { $profile }: mission { $mission } was cut off before its end: its record stops there, and nothing is known of the rest; it counts as given up, with { $score } points
 profiles-left-exam = { $profile }: exam { $mission } was left early; it counts with { $score } points
 
 progress-title = Progress of { $name }

@@ -30,6 +30,11 @@ history-unreadable = the history of the command line cannot be read from { $path
 mission-twice = two missions have the id `{ $id }`: { $flown } is used, { $other } is ignored
 
 theme-unknown = unknown theme `{ $name }`
+theme-none = unknown theme `{ $name }`: choose one of { $known }
+theme-none-near = unknown theme `{ $name }`: choose one of { $known }; did you mean `{ $guess }`?
+lang-withheld = the locale has no UTF-8: English is used instead of { $language } (`export LC_ALL=C.UTF-8`)
+lang-withheld-ascii = with symbols = "ascii", English is used instead of { $language }
+log-unwritable = cannot write the log { $path }: { $error }
 theme-left-out = no theme `{ $name }`: { $fault }
 theme-inherits-itself = the theme `{ $name }` inherits from itself
 theme-circle = themes inherit from each other in a circle: { $circle }

@@ -3,7 +3,7 @@ mastery-unknown = не пробували
 mastery-learning = опановується
 mastery-mastered = опановано
 mastery-due = час повторити
-lack-chance = імовірність { $percent } %
+lack-chance = ймовірність { $percent } %
 lack-flights = { $count ->
     [one] ще { $count } політ
     [few] ще { $count } польоти
@@ -43,7 +43,7 @@ profile-not-stored = політ не збережено: { $fault }
 profile-record = із профілем польоти записуються в теку його даних, а спроби рахуються: приберіть `--record` і `--try`
 profiles-damaged = { $path } містить те, чого sortie не писала: { $fault }
 profiles-recovered = завершений політ ({ $profile }) не було збережено; тепер його збережено: { $mission }, балів: { $score }
-profiles-left-attempt = { $profile }: завдання { $mission } перервано достроково; зараховано як припинене, балів: { $score }
+profiles-left-attempt = { $profile }: завдання { $mission } перервано достроково: його запис обривається, і решта польоту невідома; зараховано як припинене, балів: { $score }
 profiles-left-exam = { $profile }: іспит { $mission } залишено достроково; зараховано балів: { $score }
 
 progress-title = Поступ: { $name }

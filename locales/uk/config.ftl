@@ -30,6 +30,11 @@ history-unreadable = не вдалося прочитати історію ко�
 mission-twice = два завдання мають id `{ $id }`: використано { $flown }, пропущено { $other }
 
 theme-unknown = невідома тема `{ $name }`
+theme-none = невідома тема `{ $name }`: виберіть одну з { $known }
+theme-none-near = невідома тема `{ $name }`: виберіть одну з { $known }; можливо, `{ $guess }`?
+lang-withheld = локаль без UTF-8: замість мови { $language } вжито англійську (`export LC_ALL=C.UTF-8`)
+lang-withheld-ascii = із symbols = "ascii" замість мови { $language } вжито англійську
+log-unwritable = не вдається записати журнал { $path }: { $error }
 theme-left-out = теми `{ $name }` немає: { $fault }
 theme-inherits-itself = тема `{ $name }` успадковує саму себе
 theme-circle = теми успадковують одна одну по колу: { $circle }

@@ -9,9 +9,9 @@ plain-critical = КРИТИЧНО
 plain-error = ПОМИЛКА
 plain-warning = попередження
 plain-times = { $count ->
-    [one] { $count } раз
-    [few] { $count } рази
-   *[other] { $count } разів
+    [one] ({ $count } раз)
+    [few] ({ $count } рази)
+   *[other] ({ $count } разів)
 }
 plain-hint = підказка: { $hint }
 plain-objective-open = цілі ще не досягнуто: { $objective }

@@ -230,6 +230,8 @@ pub enum CareerEvent {
     Reviews(BTreeMap<String, Review>),
     /// The rewards of the flight that has just ended.
     Rewarded(Box<Reward>),
+    /// The number of flights that could not be stored yet, and are lost if the program ends.
+    AtRisk(usize),
 }
 
 /// The result of a file operation. Paths are as the user typed them.

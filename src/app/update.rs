@@ -258,6 +258,7 @@ fn career(state: &mut State, event: CareerEvent) {
         CareerEvent::Tries(tries) => state.training.tries = tries,
         CareerEvent::Reviews(reviews) => state.training.reviews = reviews,
         CareerEvent::Rewarded(reward) => state.training.reward = Some(*reward),
+        CareerEvent::AtRisk(count) => state.training.at_risk = count,
     }
 }
 

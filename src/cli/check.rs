@@ -15,7 +15,7 @@ use crate::app::keymap::{Keymap, Place};
 use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::mission::Mission;
-use crate::store::{self, Source};
+use crate::store::{self, Source, StoreError};
 use crate::text;
 use crate::text::{Locale, Text};
 use crate::workshop::{Design, PartSlot};
@@ -84,7 +84,7 @@ pub(super) fn check(
     let files = &unfolded(&options.files);
     let known = known_missions(files);
     let locale = Locale::new(settings.language());
-    let mut faulty = false;
+    let mut faulty = report_closed(&options.files, &locale);
     // A wrong file name is a usage error, so no file is checked before all names are understood.
     files.iter().try_for_each(|path| has_known_ending(path))?;
     for path in files {
@@ -130,6 +130,18 @@ fn report(path: &Path, others: &OtherFiles<'_>, locale: &Locale) -> Result<bool,
         say!("{}", locale.text(&good))?;
     }
     Ok(!faults.is_empty())
+}
+
+/// Prints the named folders, and those below them, that cannot be read; returns whether there are any.
+fn report_closed(paths: &[PathBuf], locale: &Locale) -> bool {
+    let folders = paths.iter().filter(|path| path.is_dir());
+    let closed: Vec<StoreError> = folders
+        .flat_map(|path| store::unreadable_below(path))
+        .collect();
+    for error in &closed {
+        tell!("sortie: {}", locale.text(&Text::from(error)));
+    }
+    !closed.is_empty()
 }
 
 /// Where the syntax of a TOML file is wrong, in bytes; `None` if it is right.
@@ -223,10 +235,10 @@ fn has_known_ending(path: &Path) -> Result<(), Failure> {
     match path.extension().and_then(|ending| ending.to_str()) {
         Some("toml" | "pilot") => Ok(()),
         _ if plan::is_plan_file(path) => Ok(()),
-        _ => Err(Failure::Invalid(format!(
-            "sortie: cannot tell the kind of {}: expected a name ending in .toml, .pilot or that of a plan (.plan, .waypoints, .kml ..)",
-            path.display()
-        ))),
+        _ => {
+            let file = path.display().to_string();
+            Err(Failure::Wrong(vec![text!("check-ending", file = file)]))
+        }
     }
 }
 

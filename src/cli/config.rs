@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
+use std::{fs, io};
 
 use clap::Args;
 
@@ -63,8 +64,7 @@ pub(super) fn config(
                 paths.map(move |path| (name, path))
             });
         for (name, path) in own.chain(system) {
-            let missing = if path.exists() { "" } else { " (not there)" };
-            say!("# {name:<13} {}{missing}", path.display())?;
+            say!("# {name:<13} {}{}", path.display(), state(&path))?;
         }
         say!("")?;
         say!("{}", settings.sources.layers.show().trim_end())?;
@@ -72,6 +72,17 @@ pub(super) fn config(
     settings.complain();
     let is_faulty = !settings.faults.is_empty();
     Ok(ExitCode::from(if is_faulty { 2 } else { 0 }))
+}
+
+/// A remark on a file or folder that is not read.
+fn state(path: &Path) -> &'static str {
+    let is_refused = |error: &io::Error| error.kind() == io::ErrorKind::PermissionDenied;
+    let listed = fs::read_dir(path).err();
+    match path.try_exists() {
+        Ok(false) => " (not there)",
+        Ok(true) if !path.is_dir() || !listed.as_ref().is_some_and(is_refused) => "",
+        Ok(true) | Err(_) => " (no permission to read it)",
+    }
 }
 
 fn paths(settings: &CliSettings) -> Vec<(&'static str, PathBuf)> {

@@ -10,6 +10,8 @@ use super::programs::ProgramOptions;
 use super::settings::CliSettings;
 use super::{Failure, runtime};
 use crate::diagnostic::first_shown;
+use crate::shell::mission_faults;
+use folder::shell_word;
 
 mod folder;
 mod host;
@@ -108,8 +110,43 @@ fn files(faults: &[FileFault]) -> Vec<HostFinding> {
             let mend = "correct or remove the file";
             vec![HostFinding::fault("settings", text.to_string(), mend)]
         }
+        FileFault::Closed { folder, text } => {
+            let mend = format!(
+                "as its owner or root: chmod -R a+rX {}; until then, its files are left out",
+                shell_word(folder)
+            );
+            vec![HostFinding::fault("folders", text.to_string(), mend)]
+        }
     });
     findings.collect()
+}
+
+/// The faults of missions and themes in the folders, which are left out until they are corrected.
+fn faulty_files(settings: &CliSettings) -> Vec<HostFinding> {
+    let mend = "correct it, or move it away: `sortie check FILE` shows all its faults";
+    let missions = mission_faults();
+    let missions = missions.iter().map(|text| ("missions", text.to_string()));
+    let is_told = |path: &str| {
+        settings
+            .faults
+            .iter()
+            .any(|it| matches!(it, FileFault::Inside(source, _) if source.name == path))
+    };
+    let themes = settings
+        .themes
+        .faulty()
+        .filter(|(file, _)| !is_told(&file.path));
+    let themes = themes.flat_map(|(file, faults)| {
+        let (shown, rest) = first_shown(&faults);
+        let lines = shown.iter().map(|it| it.one_line(&file.path, &file.text));
+        let rest = rest.map(|text| text.to_string());
+        let told: Vec<_> = lines.chain(rest).map(|line| ("themes", line)).collect();
+        told
+    });
+    let found = missions.chain(themes);
+    found
+        .map(|(about, fault)| HostFinding::fault(about, fault, mend))
+        .collect()
 }
 
 /// Runs all checks and prints the findings; exit code 1 if something does not work.
@@ -117,8 +154,9 @@ pub(super) fn doctor(
     options: &DoctorArguments,
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let mut findings = terminal::findings();
+    let mut findings = terminal::findings(settings);
     findings.extend(files(&settings.faults));
+    findings.extend(faulty_files(settings));
     findings.extend(host::folders(settings));
     findings.extend(host::database(settings));
     findings.extend(host::machine());

@@ -2,13 +2,13 @@
 
 use std::env;
 use std::io::IsTerminal as _;
-use std::path::Path;
+use std::path::PathBuf;
 
 use super::Failure;
 use crate::diagnostic::{self, Diagnostic};
 use crate::notice::{sanitised, sanitised_lines};
 use crate::store::{Source, StoreError};
-use crate::text::{Language, Locale, Text};
+use crate::text::{Locale, Text};
 
 /// The faults of a file.
 #[derive(Debug)]
@@ -17,22 +17,30 @@ pub(super) enum FileFault {
     Inside(Source, Vec<Diagnostic>),
     /// A fault of the file as a whole.
     Whole(Text),
+    /// A folder that this user has no permission to read.
+    Closed { folder: PathBuf, text: Text },
 }
 
 impl FileFault {
-    /// A line for each fault, without the file's folder, for notices; only the first few if there
-    /// are many.
+    /// The fault of a folder that cannot be read.
+    pub fn closed(error: StoreError) -> Self {
+        let text = Text::from(&error);
+        match error {
+            StoreError::Unreadable { path: folder, .. } => Self::Closed { folder, text },
+            _ => Self::Whole(text),
+        }
+    }
+
+    /// A line for each fault, for notices; only the first few if there are many.
     pub fn texts(&self) -> Vec<Text> {
         match self {
             Self::Inside(source, faults) => {
-                let path = Path::new(&source.name);
-                let last = path.file_name().unwrap_or(path.as_os_str());
-                let name = sanitised(&last.to_string_lossy());
+                let name = sanitised(&source.name);
                 let (shown, rest) = diagnostic::first_shown(faults);
                 let lines = shown.iter().map(|fault| fault.text(&name, &source.text));
                 lines.chain(rest).collect()
             }
-            Self::Whole(text) => vec![text.clone()],
+            Self::Whole(text) | Self::Closed { text, .. } => vec![text.clone()],
         }
     }
 
@@ -52,13 +60,15 @@ impl FileFault {
                     .collect();
                 parts.join("\n\n")
             }
-            Self::Whole(text) => sanitised_lines(&format!("sortie: {}", locale.text(text))),
+            Self::Whole(text) | Self::Closed { text, .. } => {
+                sanitised_lines(&format!("sortie: {}", locale.text(text)))
+            }
         }
     }
 
-    /// The failure of a command that needs the file, in English, as all usage errors are.
-    pub fn failure(&self) -> Failure {
-        Failure::Shown(self.explained(&Locale::new(Language::English)))
+    /// The failure of a command that needs the file.
+    pub fn failure(self) -> Failure {
+        Failure::Faulty(self)
     }
 }
 

@@ -18,6 +18,7 @@ use serde_json::Value;
 
 use super::Failure;
 use super::socket::{ApiConnection, ApiReader, ConsoleLine};
+use crate::text::{Language, Locale, Text};
 use bridge::{Bridge, BridgeMessage, MOST_CALLS};
 
 mod bridge;
@@ -190,8 +191,11 @@ fn read_console(mut reader: ApiReader, events: &SyncSender<McpEvent>) {
 }
 
 fn reason(failure: Failure) -> String {
+    let english = Locale::new(Language::English);
     match failure {
         Failure::Failed(error) => format!("{error:#}"),
         Failure::Invalid(text) | Failure::Shown(text) => text,
+        Failure::Wrong(texts) => english.text(&Text::joined("\n", texts)),
+        Failure::Faulty(fault) => fault.explained(&english),
     }
 }

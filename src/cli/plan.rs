@@ -139,7 +139,7 @@ fn load(path: &Path, options: ReadOptions) -> Result<Loaded, FileFault> {
 /// Reads all files; returns each with its file name, without the folder.
 fn load_all(paths: &[PathBuf], options: ReadOptions) -> Result<Vec<(String, Loaded)>, Failure> {
     let load = |path: &PathBuf| {
-        let loaded = load(path, options).map_err(|fault| fault.failure())?;
+        let loaded = load(path, options).map_err(FileFault::failure)?;
         let name = path.file_name().unwrap_or(path.as_os_str());
         Ok((name.to_string_lossy().into_owned(), loaded))
     };

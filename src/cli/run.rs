@@ -26,7 +26,7 @@ use crate::scoring::{FlownBy, TruthReport};
 use crate::sitl::SitlKind;
 use crate::store::{self, Records, Runs, Source, StoreError, day_of, utc};
 use crate::text;
-use crate::text::Locale;
+use crate::text::{Locale, Text};
 
 mod ardupilot;
 mod career;
@@ -379,5 +379,5 @@ fn script_of(pilot: &Source, mission: &Mission) -> Result<Script, Failure> {
 }
 
 fn invalid(error: &StoreError) -> Failure {
-    Failure::Invalid(format!("sortie: {error}"))
+    Failure::Wrong(vec![Text::from(error)])
 }

@@ -13,7 +13,7 @@ use super::fault::FileFault;
 use crate::app::keymap::Keymap;
 use crate::app::lines;
 use crate::config::{Config, Layers, Readers};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, nearest};
 use crate::store::{self, Folders, RecordFiles, RecordLimits, Records, Source, StoreError};
 use crate::text;
 use crate::text::{Language, Locale, Text};
@@ -23,6 +23,7 @@ mod documents;
 mod flags;
 mod shown;
 mod sources;
+mod told;
 
 pub(super) use flags::Common;
 use sources::{SettingPlace, SettingSources};
@@ -87,16 +88,13 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
         is_data_named,
         faults: Vec::new(),
     };
-    settings.read_system_files();
-    settings.read_file()?;
-    settings.read_words(common)?;
-    settings.config = settings.sources.layers.config();
-    settings.report_unreadable_themes();
-    settings.choose_theme()?;
-    settings.check_log()?;
-    settings.place_hangar_files();
-    settings.read_keymap()?;
-    Ok(settings)
+    match settings.read_all(common) {
+        Ok(()) => Ok(settings),
+        Err(failure) => {
+            settings.config = settings.sources.layers.config();
+            Err(failure.said_in(&Locale::new(settings.language())))
+        }
+    }
 }
 
 fn failed(text: &Text, locale: &Locale) -> Failure {
@@ -126,6 +124,26 @@ pub(super) fn theme_names(themes: &Themes) -> Vec<String> {
 }
 
 impl CliSettings {
+    fn read_all(&mut self, common: &Common) -> Result<(), Failure> {
+        self.report_closed_folders();
+        self.read_system_files();
+        self.read_file()?;
+        self.read_words(common)?;
+        self.config = self.sources.layers.config();
+        self.report_unreadable_themes();
+        self.choose_theme()?;
+        self.check_log()?;
+        self.place_hangar_files();
+        self.read_keymap()
+    }
+
+    /// Reports the folders of files that this user has no permission to read: their files are left out.
+    fn report_closed_folders(&mut self) {
+        let folders = self.folders.iter();
+        let closed = folders.flat_map(store::closed_folders);
+        self.faults.extend(closed.map(FileFault::closed));
+    }
+
     /// Where flights are recorded, and how many of them are kept; `None` without a data folder.
     pub fn records(&self) -> Option<Records> {
         let set = &self.config.records;
@@ -232,8 +250,7 @@ impl CliSettings {
         if faults.is_empty() {
             return Ok(());
         }
-        let lines = faults.iter().map(|fault| format!("sortie: {fault}"));
-        Err(Failure::Invalid(lines.collect::<Vec<_>>().join("\n")))
+        Err(Failure::Wrong(faults))
     }
 
     /// Reports theme files that cannot be read, such as links to missing files: these themes are unknown.
@@ -259,11 +276,18 @@ impl CliSettings {
                     self.sources.has_to_be_right("theme"),
                 )?;
             }
-            Err(error) => {
+            Err(ThemeError::Unknown { name, known, .. }) => {
                 let mut unreadable = store::unreadable_themes().into_iter();
-                let fault = unreadable.find(|it| it.stem() == Some(&self.config.theme));
-                let said = fault.map_or_else(|| error.to_string(), |fault| fault.to_string());
-                return Err(Failure::Invalid(format!("sortie: {said}")));
+                let fault = unreadable.find(|it| it.stem() == Some(&name));
+                let guess = nearest(&name, self.themes.names());
+                let text = match (fault, guess) {
+                    (Some(fault), _) => Text::from(&fault),
+                    (None, Some(guess)) => {
+                        text!("theme-none-near", name = name, known = known, guess = guess)
+                    }
+                    (None, None) => text!("theme-none", name = name, known = known),
+                };
+                return Err(Failure::Wrong(vec![text]));
             }
         }
         self.theme.name().clone_into(&mut self.config.theme);
@@ -274,7 +298,7 @@ impl CliSettings {
         let written = &self.config.log.level;
         if EnvFilter::try_new(written).is_err() {
             let text = text!("config-log-level", written = written);
-            return Err(Failure::Invalid(format!("sortie: {text}")));
+            return Err(Failure::Wrong(vec![text]));
         }
         // A log that a file enables for every session belongs in the state folder, not in the current folder.
         if self.sources.is_of_file("log.file")
@@ -339,7 +363,7 @@ impl CliSettings {
         }
         let source = match read(&path, "file-keymap", is_named) {
             Ok(source) => source,
-            Err(error) if is_named => return self.wrong("keymap", &error.to_string()),
+            Err(error) if is_named => return self.wrong("keymap", Text::from(&error)),
             Err(error) => return self.told(FileFault::from(&error), false),
         };
         let themes = theme_names(&self.themes);
@@ -365,13 +389,13 @@ impl CliSettings {
     }
 
     /// Reports a wrong value of a setting: at its place in the file, otherwise as a usage error.
-    fn wrong(&mut self, setting: &str, text: &str) -> Result<(), Failure> {
+    fn wrong(&mut self, setting: &str, text: Text) -> Result<(), Failure> {
         match self.sources.place_of(setting) {
             Some(SettingPlace { source, span }) => {
                 let fault = FileFault::Inside(source, vec![Diagnostic::new(span, text)]);
                 self.told(fault, self.sources.has_to_be_right(setting))
             }
-            None => Err(Failure::Invalid(format!("sortie: {text}"))),
+            None => Err(Failure::Wrong(vec![text])),
         }
     }
 
@@ -382,28 +406,6 @@ impl CliSettings {
         }
         self.faults.push(fault);
         Ok(())
-    }
-
-    /// Prints the faults of the files on standard error.
-    pub fn complain(&self) {
-        let locale = Locale::new(self.language());
-        for fault in &self.faults {
-            super::show(&fault.explained(&locale));
-        }
-    }
-
-    /// The settings, once the faults of the files have been printed on standard error.
-    pub fn complained(&self) -> &Self {
-        self.complain();
-        self
-    }
-
-    /// The faults of the files, as warnings for the console.
-    pub fn warnings(&self) -> Vec<Text> {
-        let faults = self.faults.iter().flat_map(FileFault::texts);
-        faults
-            .map(|fault| text!("config-faulty", fault = fault))
-            .collect()
     }
 }
 

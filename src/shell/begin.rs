@@ -159,7 +159,7 @@ impl Console {
         // The last events belong to a session that is no longer shown.
         drop(running.fly(self.clock.now(), self.app.state().session()));
         if let Some(finished) = running.take_finished() {
-            self.settle(&finished);
+            self.settle(finished);
         }
     }
 

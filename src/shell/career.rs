@@ -5,6 +5,7 @@ mod careers;
 use std::time::SystemTime;
 
 pub(super) use careers::Careers;
+use careers::WaitingFlight;
 
 use super::missions::{self, Tries};
 use super::session::{Finished, SessionPlan};
@@ -15,6 +16,7 @@ use crate::campaign::MissionCourse;
 use crate::scoring::TryReport;
 use crate::store::{self, Landing, RunEntry, day_of};
 use crate::text;
+use crate::text::Text;
 
 /// The current day, as days since 1970 (UTC).
 pub(super) fn today() -> i64 {
@@ -99,21 +101,22 @@ impl Console {
     }
 
     /// Stores a finished flight in its career, and shows the rewards.
-    pub(super) fn settle(&mut self, finished: &Finished) {
-        let Some(whose) = finished.occasion.profile.as_deref() else {
+    pub(super) fn settle(&mut self, finished: Finished) {
+        let Some(whose) = finished.occasion.profile else {
             return;
         };
         let Some(careers) = &mut self.careers else {
             return;
         };
         let landing = Landing {
-            id: finished.run_id.clone(),
+            id: finished.run_id,
             is_recorded: finished.is_recorded,
             when: SystemTime::now(),
             stake: finished.occasion.stake,
         };
         let run = RunEntry::of(&finished.mission, &finished.report, landing);
-        careers.put(whose, run);
+        let cut = finished.cut;
+        careers.put(WaitingFlight { whose, run, cut });
         self.store_flights();
     }
 
@@ -125,17 +128,34 @@ impl Console {
             return;
         };
         let (rewards, outcome) = careers.enter();
+        let at_risk = careers.at_risk();
         if !rewards.is_empty()
             && let Err(error) = careers.back_up()
         {
             tracing::warn!(%error, "the profiles were not copied");
         }
+        self.post(CareerEvent::AtRisk(at_risk));
         self.show_career();
         for reward in rewards {
             self.post(CareerEvent::Rewarded(Box::new(reward)));
         }
         let outcome = outcome.map_err(|error| text!("career-waits", fault = error.text()));
         self.tell_failure(outcome);
+    }
+
+    /// Checks that all flights are stored when the program ends.
+    ///
+    /// # Errors
+    /// Flights could not be stored; the text is in the reader's language.
+    pub(super) fn require_stored(&self) -> anyhow::Result<()> {
+        let Some(careers) = self.careers.as_ref().filter(|it| it.has_waiting()) else {
+            return Ok(());
+        };
+        let (lost, deferred) = (careers.at_risk(), careers.deferred());
+        let lost = (lost > 0).then(|| text!("career-lost", count = lost));
+        let deferred = (deferred > 0).then(|| text!("career-deferred", count = deferred));
+        let text = Text::joined("; ", lost.into_iter().chain(deferred).collect());
+        Err(anyhow::anyhow!(self.sight.look.text(&text)))
     }
 
     /// Shows changes by other consoles and commands.

@@ -45,6 +45,11 @@ pub fn listings() -> (Vec<MissionListing>, MissionCourse, Vec<Text>) {
     (listings, course, warnings)
 }
 
+/// The faults of the missions that cannot be offered.
+pub fn mission_faults() -> Vec<Text> {
+    readable().1
+}
+
 /// The missions without faults, each id once, and the faults of the other missions.
 fn readable() -> (Vec<Mission>, Vec<Text>) {
     let mut missions: Vec<Mission> = Vec::new();

@@ -50,7 +50,7 @@ const NO: &str = "no";
 /// mission, whether all lines from a pipe were carried out.
 ///
 /// # Errors
-/// The session could not be started, or the output is closed.
+/// The session could not be started, the output is closed, or the flight could not be stored.
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     let is_person = options.typed_by == FlownBy::Hand;
     let mut signals = Signals::new()?;
@@ -385,6 +385,7 @@ impl Plain {
             }
         }
         self.output.finish(told_to_end)?;
+        self.console.require_stored()?;
         Ok(passed)
     }
 }

@@ -56,7 +56,7 @@ impl From<&KeyFileFault> for Text {
         let shown = |path: &Path| path.display().to_string();
         match fault {
             KeyFileFault::Io { path, error } => {
-                let error = error.to_string();
+                let error = Self::from(error);
                 text!("signing-file-error", path = shown(path), error = error)
             }
             KeyFileFault::Readable { path, mode } => {

@@ -43,7 +43,7 @@ pub fn unread(path: &Path, error: &io::Error) -> Text {
         ErrorKind::NotFound => missing(path),
         ErrorKind::IsADirectory => text!("file-is-folder", path = shown),
         ErrorKind::PermissionDenied => text!("file-forbidden", path = shown),
-        _ => text!("file-unreadable", path = shown, error = error.to_string()),
+        _ => text!("file-unreadable", path = shown, error = Text::from(error)),
     }
 }
 

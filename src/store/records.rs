@@ -71,6 +71,11 @@ fn has_content(path: &Path) -> bool {
     fs::metadata(path).is_ok_and(|file| file.len() > 0)
 }
 
+fn undeletable(path: &Path, error: io::Error) -> StoreError {
+    let path = path.to_owned();
+    StoreError::Undeletable { path, error }
+}
+
 fn unwritable(path: &Path, error: io::Error) -> StoreError {
     let path = path.to_owned();
     StoreError::Unwritable { path, error }

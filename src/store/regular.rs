@@ -4,6 +4,9 @@ use std::fs::{self, File};
 use std::io::{self, Read as _};
 use std::path::Path;
 
+use crate::text;
+use crate::text::OwnFault;
+
 /// Reads a regular file of at most `most` bytes.
 ///
 /// # Errors
@@ -15,7 +18,10 @@ pub(super) fn read_regular(path: &Path, most: u64) -> io::Result<Vec<u8>> {
         return Err(io::ErrorKind::IsADirectory.into());
     }
     if !kind.is_file() {
-        return Err(io::Error::other("it is not a regular file"));
+        return Err(OwnFault::error(
+            io::ErrorKind::Other,
+            text!("file-not-regular"),
+        ));
     }
     let mut bytes = Vec::new();
     File::open(path)?.take(most + 1).read_to_end(&mut bytes)?;

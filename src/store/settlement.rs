@@ -117,7 +117,7 @@ impl Recovery {
             return recovered;
         }
         Text::joined(
-            ". ",
+            "; ",
             vec![recovered, PracticeReason::sentence(&self.reduced)],
         )
     }

@@ -27,7 +27,7 @@ const SHARED_FILE: u32 = 0o040;
 /// The folder of recorded runs in a data folder.
 pub const RUNS: &str = "runs";
 /// The beginning of the names of the profiles' database, its journals and its copies.
-const PROFILES: &str = "profiles.sqlite";
+pub const PROFILES_FILE: &str = "profiles.sqlite";
 
 /// A file or folder that could not be shared with the group.
 #[derive(Debug)]
@@ -43,7 +43,7 @@ impl From<&Unshared> for Text {
         match other_owner(path) {
             Some(owner) => text!("sharing-foreign", path = shown, owner = owner),
             None if error.kind() == GROUP_BIT_DROPPED => text!("sharing-group-bit", path = shown),
-            None => text!("sharing-failed", path = shown, error = error.to_string()),
+            None => text!("sharing-failed", path = shown, error = Text::from(error)),
         }
     }
 }
@@ -127,7 +127,7 @@ fn results(data: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(data).into_iter().flatten().flatten();
     let is_result = |entry: &fs::DirEntry| {
         let name = entry.file_name();
-        name == RUNS || name.to_string_lossy().starts_with(PROFILES)
+        name == RUNS || name.to_string_lossy().starts_with(PROFILES_FILE)
     };
     entries
         .filter(is_result)

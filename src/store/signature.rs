@@ -42,7 +42,7 @@ impl From<&SignatureError> for Text {
         let shown = |path: &Path| path.display().to_string();
         match error {
             SignatureError::File { path, error } => {
-                text!("sign-file", path = shown(path), error = error.to_string())
+                text!("sign-file", path = shown(path), error = Text::from(error))
             }
             SignatureError::Key { path, why } => {
                 text!("sign-key", path = shown(path), why = why.as_str())

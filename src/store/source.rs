@@ -48,6 +48,8 @@ pub enum StoreError {
     },
     /// The file cannot be written.
     Unwritable { path: PathBuf, error: io::Error },
+    /// The file cannot be deleted.
+    Undeletable { path: PathBuf, error: io::Error },
     /// The file exists already and must not be lost.
     Exists { path: PathBuf },
     /// The argument is neither a file nor a known name.
@@ -73,6 +75,7 @@ impl StoreError {
                 path.file_stem().and_then(OsStr::to_str)
             }
             Self::Unwritable { .. }
+            | Self::Undeletable { .. }
             | Self::Exists { .. }
             | Self::Unknown { .. }
             | Self::Faulty { .. } => None,
@@ -93,8 +96,12 @@ impl From<&StoreError> for Text {
                 most = *most
             ),
             StoreError::Unwritable { path, error } => {
-                let error = error.to_string();
+                let error = Self::from(error);
                 text!("file-unwritable", path = shown(path), error = error)
+            }
+            StoreError::Undeletable { path, error } => {
+                let error = Self::from(error);
+                text!("file-undeletable", path = shown(path), error = error)
             }
             StoreError::Exists { path } => text!("file-exists", path = shown(path)),
             StoreError::Unknown { kind, name, known } => text!(

@@ -3,6 +3,7 @@
 mod kills;
 
 use std::fs;
+use std::io::Write as _;
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
@@ -350,4 +351,57 @@ fn on_a_full_disk_the_score_is_said_and_the_flight_is_made_up_for() {
     let told = text(&told.stderr);
     assert!(told.contains("was missing and is stored now"), "{told}");
     assert_eq!(flights(data), 1);
+}
+
+/// A flight at the plain console of a profile whose database refuses flights, as on a full disk; returns the error
+/// output.
+fn flown_in_vain(data: &Path) -> String {
+    let database = Connection::open(data.join("profiles.sqlite")).expect("it is one");
+    let refused = database.execute_batch(
+        "CREATE TRIGGER full BEFORE INSERT ON entries BEGIN SELECT RAISE(ABORT, 'full'); END;",
+    );
+    refused.expect("writable");
+    let fly = [
+        "fly",
+        "d00",
+        "--plain",
+        "--speedup",
+        "20",
+        "--profile",
+        "Anna",
+    ];
+    let mut child = command(data, &fly)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program runs");
+    let lines = child
+        .stdin
+        .take()
+        .map(|mut pipe| pipe.write_all(b"all guided\nwait 5s\n"));
+    lines.expect("a pipe").expect("open");
+    let output = child.wait_with_output().expect("it ends");
+    database.execute_batch("DROP TRIGGER full").expect("there");
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stdout));
+    text(&output.stderr)
+}
+
+#[test]
+fn a_flight_that_the_plain_console_cannot_store_is_told_after_it_has_closed() {
+    let data = folder_of_anna();
+    let data = data.path();
+    let told = flown_in_vain(data);
+    assert!(
+        told.contains("the next start of sortie stores it"),
+        "{told}"
+    );
+    assert_eq!(flights(data), 1);
+    // Without a record, nothing can be stored later.
+    let data = folder_of_anna();
+    let data = data.path();
+    fs::write(data.join("runs"), "no folder").expect("writable");
+    let told = flown_in_vain(data);
+    assert!(told.contains("could not be stored, and is lost"), "{told}");
+    assert_eq!(flights(data), 0);
 }

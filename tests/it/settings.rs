@@ -7,6 +7,8 @@ use std::process::{Command, Output};
 
 mod administrator;
 mod bad_files;
+mod closed;
+mod languages;
 
 use crate::terminal::{Terminal, home_variables, program};
 

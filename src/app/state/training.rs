@@ -22,6 +22,8 @@ pub struct Training {
     pub(in crate::app) career: Option<Career>,
     /// The rewards of the last flight; `None` once another session has started.
     pub(in crate::app) reward: Option<Reward>,
+    /// The number of flights that could not be stored yet, and are lost if the program ends.
+    pub(in crate::app) at_risk: usize,
     /// The names of all profiles.
     pub(in crate::app) profiles: Vec<String>,
     /// The designs chosen for missions, by mission id: one for all seats or one per seat; empty if

@@ -11,6 +11,13 @@ use crate::text::Text;
 
 /// Quits the program; asks first if something would be lost.
 pub fn quit(state: &mut State) -> Effects {
+    let at_risk = state.training.at_risk;
+    if at_risk > 0 {
+        let unstored = text!("career-ask-quit-reason", count = at_risk);
+        let reasons = loss(state).into_iter().chain([unstored]).collect();
+        let reason = Text::joined("; ", reasons);
+        return ask(state, text!("ask-quit"), reason, Effect::Quit);
+    }
     if loss(state).is_none() && !room::workshop::is_saved(state) {
         let name = state.rooms.workshop.bench.design().name.clone();
         let reason = text!("bench-ask-quit-reason", name = name);

@@ -77,7 +77,7 @@ pub(super) fn folder(about: &str, path: &Path, used_for: FolderUse) -> HostFindi
         Some(free) if free < LEAST_FREE_MIB => HostFinding::note(
             about,
             format!("{name}{made}, {free} MiB free"),
-            "free some space: the logs of SITL will soon fill it",
+            "free some space: records of flights, and logs of SITL if you use it, will soon fill it",
         ),
         Some(free) => HostFinding::ok(about, format!("{name}{made}, {} GiB free", free / 1024)),
         None => HostFinding::ok(about, format!("{name}{made}")),

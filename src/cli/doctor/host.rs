@@ -1,6 +1,8 @@
 //! Checks of the host: writable folders, and the number of instances that it can carry.
 
+use std::fmt::Write as _;
 use std::fs;
+use std::io::ErrorKind;
 use std::os::unix::fs::{MetadataExt as _, PermissionsExt as _};
 use std::path::{Path, PathBuf};
 
@@ -13,7 +15,9 @@ use super::folder::{FolderUse, folder, shell_word};
 use super::mount::network_file_system;
 use crate::config::Readers;
 use crate::sitl::quoted;
-use crate::store::{KeyFile, KeyFileFault, RUNS, SharingFault, sharing_fault};
+use crate::store::{
+    KeyFile, KeyFileFault, PROFILES_FILE, RUNS, SharingFault, other_owner, sharing_fault,
+};
 use crate::text::Text;
 
 /// The processor use of one idle or flying `ArduCopter` 4.6, in percent of a core, measured with up
@@ -64,11 +68,19 @@ pub(super) fn database(settings: &CliSettings) -> Vec<HostFinding> {
         let real = nearest.and_then(|folder| folder.canonicalize().ok());
         let there = real.unwrap_or_else(|| data.to_owned());
         let far = on_network(&mounts, data, &there);
-        let readers = settings.config.results.readers;
+        let readers = known_readers(settings);
         let findings = far.into_iter().chain(open_to_others(data));
-        findings.chain(shared_otherwise(data, readers))
+        findings.chain(readers.and_then(|readers| shared_otherwise(data, readers)))
     })
     .collect()
+}
+
+/// The setting `results.readers`; `None` if a fault in a configuration file may have removed it.
+fn known_readers(settings: &CliSettings) -> Option<Readers> {
+    let is_unset = !settings.sources.is_named("results.readers")
+        && !settings.sources.is_of_file("results.readers");
+    let is_doubtful = is_unset && settings.has_faulty_configuration();
+    (!is_doubtful).then_some(settings.config.results.readers)
 }
 
 fn on_network(mounts: &str, data: &Path, there: &Path) -> Option<HostFinding> {
@@ -150,15 +162,24 @@ fn foreign(data: &Path, paths: &[PathBuf]) -> HostFinding {
     )
 }
 
-/// The commands that open the results in a data folder to its group.
+/// The commands that open the results in a data folder to its group. Other files stay closed, such as the signing keys.
 fn opening(data: &Path) -> String {
-    let folder = format!("as root: chmod g+rxs {}", shell_word(data));
-    let runs = data.join(RUNS);
-    if !runs.is_dir() {
-        return folder;
+    let facts = fs::metadata(data);
+    let group = facts.map_or_else(|_| "GROUP".to_owned(), |it| group_name(it.gid()));
+    let (group, folder) = (quoted(&group), shell_word(data));
+    let mut commands = format!("as root: chgrp -R {group} {folder}; chmod g+rxs {folder}");
+    if data.join(PROFILES_FILE).exists() {
+        let _ = write!(commands, "; chmod g+r {folder}/{PROFILES_FILE}*");
     }
-    let runs = shell_word(&runs);
-    format!("{folder}; find {runs} -type d -exec chmod g+rxs {{}} +; chmod -R g+r {runs}")
+    let runs = data.join(RUNS);
+    if runs.is_dir() {
+        let runs = shell_word(&runs);
+        let _ = write!(
+            commands,
+            "; chmod -R g+rX {runs}; find {runs} -type d -exec chmod g+s {{}} +"
+        );
+    }
+    commands
 }
 
 /// The name of a group, or its number if it has none.
@@ -244,6 +265,16 @@ pub(super) fn keys(settings: &CliSettings) -> Option<HostFinding> {
             Text::from(&fault).to_string(),
             format!("chmod 600 {word}, then `signing rotate` for every vehicle"),
         )),
+        Err(KeyFileFault::Io { error, .. }) if error.kind() == ErrorKind::PermissionDenied => {
+            let owner = other_owner(data).map_or_else(String::new, |it| {
+                format!(": {} belongs to {it}", data.display())
+            });
+            Some(HostFinding::note(
+                about,
+                format!("no permission to read {path}{owner}"),
+                "choose your own data folder with --data or SORTIE_DATA",
+            ))
+        }
         Err(fault) => Some(HostFinding::fault(
             about,
             Text::from(&fault).to_string(),
@@ -341,7 +372,10 @@ mod tests {
         fs::create_dir(&data).expect("ours");
         let quoted = format!("'{}'", data.display());
         let found = shared_otherwise(&data, Readers::Group).expect("noticed");
-        assert_eq!(found.mend, Some(format!("as root: chmod g+rxs {quoted}")));
+        let facts = fs::metadata(&data).expect("ours");
+        let group = group_name(facts.gid());
+        let command = format!("as root: chgrp -R {group} {quoted}; chmod g+rxs {quoted}");
+        assert_eq!(found.mend, Some(command));
         fs::set_permissions(&data, fs::Permissions::from_mode(0o777)).expect("ours");
         let found = open_to_others(&data).expect("noticed");
         assert_eq!(found.mend, Some(format!("chmod go-w {quoted}")));
@@ -351,11 +385,47 @@ mod tests {
     fn a_folder_that_is_shared_otherwise_than_set_is_noticed_with_the_command() {
         let data = tempfile::tempdir().expect("a temporary folder");
         let name = data.path().display();
-        let found = shared_otherwise(data.path(), Readers::Group).expect("noticed");
-        assert_eq!(found.mend, Some(format!("as root: chmod g+rxs {name}")));
+        assert!(shared_otherwise(data.path(), Readers::Group).is_some());
         assert!(crate::store::share_with_group(data.path()).is_empty());
         assert_eq!(shared_otherwise(data.path(), Readers::Group), None);
         let found = shared_otherwise(data.path(), Readers::Owner).expect("noticed");
         assert_eq!(found.mend, Some(format!("chmod -R g-rwxs {name}")));
+    }
+
+    #[test]
+    fn the_command_for_a_folder_without_its_setgid_bit_opens_all_results_and_nothing_else() {
+        let home = tempfile::tempdir().expect("a temporary folder");
+        let data = home.path().join("my data");
+        let mode = |name: &str| {
+            let facts = fs::metadata(data.join(name)).expect("there");
+            facts.permissions().mode() & 0o7777
+        };
+        fs::create_dir_all(data.join("runs/old")).expect("ours");
+        let results = [
+            "profiles.sqlite",
+            "profiles.sqlite.backup",
+            "profiles.sqlite.lock",
+            "runs/a",
+            "runs/old/b",
+        ];
+        for name in results.into_iter().chain(["signing.toml"]) {
+            let path = data.join(name);
+            fs::write(&path, "").expect("ours");
+            fs::set_permissions(&path, fs::Permissions::from_mode(0o600)).expect("ours");
+        }
+        fs::set_permissions(&data, fs::Permissions::from_mode(0o750)).expect("ours");
+        let found = shared_otherwise(&data, Readers::Group).expect("noticed");
+        let advice = found.mend.expect("advice");
+        let command = advice.strip_prefix("as root: ").expect("for root");
+        let done = std::process::Command::new("sh")
+            .args(["-c", command])
+            .status();
+        assert!(done.expect("a shell").success(), "{command}");
+        assert_eq!(shared_otherwise(&data, Readers::Group), None, "{command}");
+        for name in results {
+            assert_eq!(mode(name), 0o640, "{name}");
+        }
+        assert_eq!(mode("signing.toml"), 0o600);
+        assert_eq!(mode("runs/old") & 0o2050, 0o2050);
     }
 }

@@ -33,7 +33,7 @@ pub(super) async fn programs(all: &Programs) -> Vec<HostFinding> {
                     let mend = format!("name one with --{program}, SORTIE_ARDUCOPTER or the configuration; to get one: {GET}");
                     HostFinding::note(program, found, mend)
                 } else {
-                    HostFinding::ok(program, found)
+                    HostFinding::ok(program, format!("not needed by missions, and {found}"))
                 });
             }
             Err(missing) => findings.push(HostFinding::fault(

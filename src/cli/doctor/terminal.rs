@@ -3,13 +3,15 @@
 use std::env;
 use std::io::IsTerminal as _;
 
+use super::super::settings::CliSettings;
 use super::HostFinding;
+use crate::text::Language;
 
 /// The minimum size of the screens: columns and rows.
 const LEAST: (u16, u16) = (80, 24);
 
 /// The findings about the terminal.
-pub(super) fn findings() -> Vec<HostFinding> {
+pub(super) fn findings(settings: &CliSettings) -> Vec<HostFinding> {
     let term = variable("TERM");
     let size = std::io::stdout()
         .is_terminal()
@@ -23,6 +25,7 @@ pub(super) fn findings() -> Vec<HostFinding> {
             ["LC_ALL", "LC_CTYPE", "LANG"]
                 .into_iter()
                 .find_map(variable),
+            settings.withheld_language(),
         ),
     ]
 }
@@ -76,7 +79,7 @@ fn colours(term: Option<&str>, more: Option<&str>) -> HostFinding {
     HostFinding::ok("colours", found)
 }
 
-fn locale(found: Option<String>) -> HostFinding {
+fn locale(found: Option<String>, withheld: Option<Language>) -> HostFinding {
     let name = found.unwrap_or_default();
     let lower = name.to_lowercase();
     if lower.contains("utf-8") || lower.contains("utf8") {
@@ -87,9 +90,12 @@ fn locale(found: Option<String>) -> HostFinding {
     } else {
         name.as_str()
     };
+    let english = withheld.map_or_else(String::new, |language| {
+        format!(", and English is used instead of {}", language.code())
+    });
     HostFinding::note(
         "locale",
-        format!("{said}: no UTF-8: maps and curves are drawn in ASCII"),
+        format!("{said}: no UTF-8: maps and curves are drawn in ASCII{english}"),
         "export LC_ALL=C.UTF-8, also on the machine that runs ssh",
     )
 }
@@ -110,9 +116,15 @@ mod tests {
             (room(None), CheckResult::Ok),
             (colours(Some("xterm-256color"), None), CheckResult::Ok),
             (colours(Some("vt100"), None), CheckResult::Note),
-            (locale(Some("uk_UA.UTF-8".to_owned())), CheckResult::Ok),
-            (locale(Some("C".to_owned())), CheckResult::Note),
-            (locale(None), CheckResult::Note),
+            (
+                locale(Some("uk_UA.UTF-8".to_owned()), None),
+                CheckResult::Ok,
+            ),
+            (
+                locale(Some("C".to_owned()), Some(Language::Ukrainian)),
+                CheckResult::Note,
+            ),
+            (locale(None, None), CheckResult::Note),
         ];
         for (finding, expected) in cases {
             assert_eq!(finding.verdict, expected, "{}", finding.found);

@@ -98,7 +98,7 @@ pub(in crate::cli) fn report(
             }
             return Ok(true);
         }
-        Err(FileFault::Whole(text)) => {
+        Err(FileFault::Whole(text) | FileFault::Closed { text, .. }) => {
             tell!("sortie: {}", locale.text(&text));
             return Ok(true);
         }

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 use clap::{Args, ValueEnum};
 
 use super::{Failure, ShapeArguments, invalid, load};
+use crate::cli::fault::FileFault;
 use crate::plan::{Document, FileFormat, ListKind, Unwritable, write};
 use crate::preflight::{self, list_words};
 use crate::store;
@@ -59,7 +60,7 @@ pub(super) fn convert(options: &ConvertArguments, locale: &Locale) -> Result<Exi
             options.output.display()
         ))
     })?;
-    let loaded = load(&options.input, options.shapes.options()).map_err(|fault| fault.failure())?;
+    let loaded = load(&options.input, options.shapes.options()).map_err(FileFault::failure)?;
     let name = options.input.display().to_string();
     for remark in preflight::remarks(&loaded, &[]) {
         let line = remark.diagnostic.text(&name, &loaded.text);

@@ -4,6 +4,7 @@ use super::{CliSettings, FileFault};
 use crate::cli::Failure;
 use crate::parameters::{ParameterDocuments, ReadDocuments};
 use crate::store;
+use crate::text::Text;
 
 impl CliSettings {
     /// The documentation of parameters, if the user has named a file. Faults inside a file that documents something
@@ -24,7 +25,7 @@ impl CliSettings {
         let source = match store::read_large(&path, "file-documentation") {
             Ok(source) => source,
             Err(error) => {
-                self.wrong(SETTING, &error.to_string())?;
+                self.wrong(SETTING, Text::from(&error))?;
                 return Ok(ParameterDocuments::default());
             }
         };

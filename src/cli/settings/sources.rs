@@ -44,6 +44,11 @@ impl SettingSources {
         read.err().unwrap_or_default()
     }
 
+    /// Whether a file is one of the configuration files that could be read.
+    pub fn has_read(&self, name: &str) -> bool {
+        self.read.iter().any(|source| source.name == name)
+    }
+
     /// Whether a setting comes from the command line or the environment.
     pub fn is_named(&self, setting: &str) -> bool {
         matches!(

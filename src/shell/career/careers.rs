@@ -9,7 +9,9 @@ use crate::app::state::Career;
 use crate::campaign::{CareerEntry, CareerStanding, MissionCourse, Reward, next_try};
 use crate::scoring::TryReport;
 use crate::shell::missions::Tries;
-use crate::store::{self, Profile, ProfileError, ProfileSettings, Profiles, RunEntry, utc};
+use crate::store::{
+    self, Profile, ProfileError, ProfileSettings, Profiles, RunEntry, RunFile, utc,
+};
 use crate::text::{Language, Text};
 use crate::workshop::Design;
 
@@ -19,11 +21,21 @@ pub(in crate::shell) struct Careers {
     profiles: Profiles,
     course: MissionCourse,
     current: Option<Profile>,
-    /// Flights that are not stored yet, each with its profile, oldest first: the disk may be full
-    /// for a while.
-    waiting: VecDeque<(String, RunEntry)>,
+    /// Flights that are not stored yet, oldest first: the disk may be full for a while.
+    waiting: VecDeque<WaitingFlight>,
     /// The change counter at the last check.
     seen: Option<i64>,
+}
+
+/// A finished flight that is to be stored in a career.
+#[derive(Debug)]
+pub(in crate::shell) struct WaitingFlight {
+    /// The name of the profile.
+    pub whose: String,
+    pub run: RunEntry,
+    /// The flight's record, if it was cut off before the flight had ended. While it is held, no other program takes
+    /// the flight for one that was left.
+    pub cut: Option<RunFile>,
 }
 
 impl Careers {
@@ -111,13 +123,24 @@ impl Careers {
     }
 
     /// Queues a flight for a career.
-    pub fn put(&mut self, whose: &str, run: RunEntry) {
-        self.waiting.push_back((whose.to_owned(), run));
+    pub fn put(&mut self, flight: WaitingFlight) {
+        self.waiting.push_back(flight);
     }
 
     /// Whether any flights are waiting to be stored.
     pub fn has_waiting(&self) -> bool {
         !self.waiting.is_empty()
+    }
+
+    /// The number of waiting flights without a complete record: they are lost if the program ends.
+    pub fn at_risk(&self) -> usize {
+        let waiting = self.waiting.iter();
+        waiting.filter(|it| it.run.recording.is_none()).count()
+    }
+
+    /// The number of waiting flights with a complete record: the next start stores them.
+    pub fn deferred(&self) -> usize {
+        self.waiting.len() - self.at_risk()
     }
 
     /// Backs up the profiles.
@@ -127,9 +150,12 @@ impl Careers {
 
     /// Stores the waiting flights in their careers, and returns the rewards. A flight of a deleted
     /// profile is dropped; other flights that cannot be stored now keep waiting.
+    ///
+    /// The cut record of a flight that cannot be stored is removed: it would count as that of a flight that was left,
+    /// and its space may be enough to store the flight.
     pub fn enter(&mut self) -> (Vec<Reward>, Result<(), ProfileError>) {
         let mut rewards = Vec::new();
-        while let Some((whose, run)) = self.waiting.front() {
+        while let Some(WaitingFlight { whose, run, cut }) = self.waiting.front_mut() {
             match enter(&mut self.profiles, &self.course, whose, run) {
                 Ok(reward) => rewards.extend(reward),
                 // A profile deleted in the meantime no longer has a career.
@@ -137,7 +163,13 @@ impl Careers {
                     self.waiting.pop_front();
                     return (rewards, Err(error));
                 }
-                Err(error) => return (rewards, Err(error)),
+                Err(error) => match cut.take() {
+                    Some(cut) => {
+                        cut.discard();
+                        continue;
+                    }
+                    None => return (rewards, Err(error)),
+                },
             }
             self.waiting.pop_front();
         }
@@ -220,6 +252,9 @@ fn enter(
 }
 
 #[cfg(test)]
+mod cut_tests;
+
+#[cfg(test)]
 mod tests {
     use std::sync::Arc;
 
@@ -258,7 +293,11 @@ mod tests {
             other.execute_batch(&line).expect("a table");
         };
         rename("runs", "away");
-        careers.waiting.push_back(("Anna".to_owned(), flown()));
+        careers.put(WaitingFlight {
+            whose: "Anna".to_owned(),
+            run: flown(),
+            cut: None,
+        });
         let (rewards, outcome) = careers.enter();
         assert!(rewards.is_empty() && outcome.is_err());
         rename("away", "runs");

@@ -21,6 +21,9 @@ pub(super) struct Logbook {
     earlier: Vec<TryReport>,
     /// The file, or the error that prevents writing until it is reported.
     file: Result<RunFile, Option<Text>>,
+    /// The file, if it was cut off. It stays locked during the flight: without its lock, another program would take
+    /// the flight for one that was left.
+    cut: Option<RunFile>,
     written: Option<Duration>,
 }
 
@@ -52,6 +55,7 @@ impl Logbook {
             run_id,
             earlier,
             file: file.map_err(|error| Some(unwritable(&error))),
+            cut: None,
             written: None,
         }
     }
@@ -70,7 +74,7 @@ impl Logbook {
         }
         self.written = Some(now);
         let fault = file.append(&flight.take_record()).err()?;
-        self.file = Err(None);
+        self.cut = std::mem::replace(&mut self.file, Err(None)).ok();
         flight.stop_record();
         Some(unwritable(&fault))
     }
@@ -87,6 +91,11 @@ impl Logbook {
         if let Ok(file) = self.file {
             file.discard();
         }
+    }
+
+    /// The file of a record that was cut off.
+    pub fn take_cut(&mut self) -> Option<RunFile> {
+        self.cut.take()
     }
 
     /// The unique id of the run.

@@ -18,7 +18,7 @@ use crate::notice::Notice;
 use crate::record::Happening;
 use crate::scoring::{FlightBackend, Report, TryReport};
 use crate::sim::STEP;
-use crate::store::{self, Runs};
+use crate::store::{self, RunFile, Runs};
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -50,6 +50,8 @@ pub(in crate::shell) struct Finished {
     pub run_id: String,
     /// Whether the run's record is complete.
     pub is_recorded: bool,
+    /// The record of a flight that ended by itself, if the record was cut off before that.
+    pub cut: Option<RunFile>,
 }
 
 impl MissionRun {
@@ -150,7 +152,7 @@ impl MissionRun {
     /// Adds the attempts to the report, and keeps it with the stake of the flight until the result
     /// is taken.
     fn finish(&mut self, report: &mut Report) {
-        let Some(logbook) = &self.logbook else {
+        let Some(logbook) = &mut self.logbook else {
             return;
         };
         report.tries = logbook.tries(report);
@@ -160,6 +162,7 @@ impl MissionRun {
             occasion: logbook.occasion().clone(),
             run_id: logbook.run_id().to_owned(),
             is_recorded: logbook.is_whole(),
+            cut: logbook.take_cut().filter(|_| !report.given_up),
         });
     }
 

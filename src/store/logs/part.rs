@@ -9,6 +9,8 @@ use super::{unreadable, unwritable};
 use crate::session::{FileBytes, GapMap};
 use crate::store::regular::read_regular_text;
 use crate::store::{StoreError, sharing};
+use crate::text;
+use crate::text::OwnFault;
 use crate::wire::FtpChecksum;
 
 /// The number of bytes that are read again to check that a file belongs to the same log.
@@ -44,7 +46,7 @@ impl LogPart {
     pub fn check(&self) -> Result<(), StoreError> {
         for path in [&self.bytes, &self.gaps] {
             if fs::symlink_metadata(path).is_ok_and(|found| !found.is_file()) {
-                let error = io::Error::other("it is not a regular file");
+                let error = OwnFault::error(io::ErrorKind::Other, text!("file-not-regular"));
                 return Err(unwritable(path, error));
             }
         }

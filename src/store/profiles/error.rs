@@ -3,6 +3,8 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
+use rusqlite::ErrorCode;
+
 use crate::campaign::PurchaseRefusal;
 use crate::text;
 use crate::text::Text;
@@ -63,14 +65,14 @@ impl ProfileError {
                 text!(
                     "profiles-unusable",
                     path = shown(path),
-                    error = error.to_string()
+                    error = Text::from(error)
                 )
             }
             Self::Unreadable { path, error } => {
                 text!(
                     "profiles-unreadable",
                     path = shown(path),
-                    error = error.to_string()
+                    error = Text::from(error)
                 )
             }
             Self::Forbidden {
@@ -108,7 +110,7 @@ impl ProfileError {
                 text!(
                     "profiles-database",
                     path = shown(path),
-                    error = error.to_string()
+                    error = database_fault(path, error)
                 )
             }
             Self::Damaged { path, fault } => {
@@ -133,5 +135,45 @@ impl ProfileError {
             Self::NoProfile { fault } => text!("profiles-no-profile", fault = fault.as_str()),
             Self::Refused(refusal) => refusal.text(),
         }
+    }
+}
+
+/// With less space than this, `SQLite` cannot create the files beside a database.
+const LEAST_FREE: u64 = 64 * 1024;
+
+/// An error of the database. On a full disk, `SQLite` often reports only an input or output error.
+fn database_fault(path: &Path, error: &rusqlite::Error) -> Text {
+    match error.sqlite_error_code() {
+        Some(ErrorCode::DiskFull) => text!("system-full"),
+        Some(ErrorCode::SystemIoFailure) if is_full(path) => text!("system-full"),
+        _ => Text::verbatim(error.to_string()),
+    }
+}
+
+/// Whether the disk of a file has hardly any space left.
+fn is_full(path: &Path) -> bool {
+    let folder = path.parent().unwrap_or(path);
+    let facts = nix::sys::statvfs::statvfs(folder);
+    facts.is_ok_and(|it| it.blocks_available() * it.fragment_size() < LEAST_FREE)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_full_disk_is_named() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let said = |code: i32| {
+            let code = rusqlite::ffi::Error::new(code);
+            let error = rusqlite::Error::SqliteFailure(code, None);
+            database_fault(&folder.path().join("profiles.sqlite"), &error).to_string()
+        };
+        assert_eq!(
+            said(rusqlite::ffi::SQLITE_FULL),
+            "no space left on the disk"
+        );
+        // This disk has space.
+        assert!(said(rusqlite::ffi::SQLITE_IOERR).contains("I/O"));
     }
 }

@@ -34,7 +34,7 @@ impl Profiles {
             Err(error) if is_forbidden(&error) && path.is_file() => {
                 return Ok((Self::read_only(path)?, None));
             }
-            Err(error) => return Err(unusable(error)),
+            Err(error) => return Err(forbidden(&path).unwrap_or_else(|| unusable(error))),
         }
         let rescue = rescue::rescue(&path).map_err(unusable)?;
         let connection = connect(&path)?;
@@ -162,8 +162,14 @@ fn beside(path: &Path, name: &str) -> PathBuf {
 /// The error of a file that this user may not read; `None` if it may be read or belongs to this user.
 fn forbidden(path: &Path) -> Option<ProfileError> {
     let is_refused = access(path, AccessFlags::R_OK) == Err(Errno::EACCES);
-    let owner = sharing::other_owner(path).filter(|_| is_refused)?;
+    is_refused.then(|| of_another(path)).flatten()
+}
+
+/// The error of a file in the folder of another user; `None` if it belongs to this user.
+fn of_another(path: &Path) -> Option<ProfileError> {
     let folder = path.parent().unwrap_or(path);
+    // In a folder that this user may not enter, only the folder shows its owner.
+    let owner = sharing::other_owner(path).or_else(|| sharing::other_owner(folder))?;
     Some(ProfileError::Forbidden {
         path: path.to_owned(),
         owner,
@@ -246,5 +252,16 @@ mod tests {
         let path = folder.path().join(FILE);
         fs::write(&path, "").expect("written");
         assert!(forbidden(&path).is_none(), "it belongs to this user");
+        assert!(of_another(&path).is_none(), "it belongs to this user");
+        // Only the superuser can give a folder away.
+        if std::os::unix::fs::chown(folder.path(), Some(65_534), None).is_ok() {
+            let hidden = folder.path().join("hidden");
+            let error = of_another(&hidden).expect("the folder has another owner");
+            let shown = error.text().to_string();
+            assert!(
+                shown.contains("belongs to nobody") || shown.contains("belongs to user 65534"),
+                "{shown}"
+            );
+        }
     }
 }

@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::unwritable;
+use super::undeletable;
 use crate::mission::record::{End as RunEnd, Head as RunHead};
 use crate::record::{Happening, Head, Journal, JournalLine};
 use crate::store::append::is_written;
@@ -165,7 +165,7 @@ impl RecordFiles {
             .into_iter()
             .flatten()
         {
-            fs::remove_file(path).map_err(|error| unwritable(path, error))?;
+            fs::remove_file(path).map_err(|error| undeletable(path, error))?;
             // Most files have no signature.
             drop(fs::remove_file(signature_of(path)));
         }

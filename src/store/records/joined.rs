@@ -105,7 +105,7 @@ impl RecordFiles {
 /// A text if it cannot be read.
 pub fn read_log(path: &Path) -> Result<Vec<u8>, Text> {
     read_regular(path, LARGEST_LOG).map_err(|error| {
-        let (file, error) = (path.display().to_string(), error.to_string());
+        let (file, error) = (path.display().to_string(), Text::from(&error));
         text!("log-unreadable", file = file, error = error)
     })
 }

@@ -5,7 +5,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Write as _};
 use std::path::Path;
 
-use super::{REVIEW, RecordFiles, Records, StoreError, sharing, unwritable};
+use super::{REVIEW, RecordFiles, Records, StoreError, sharing, undeletable, unwritable};
 use crate::review::Review;
 use crate::text;
 use crate::text::Text;
@@ -48,7 +48,7 @@ impl RecordFiles {
     pub fn delete_review(&self) -> Result<(), StoreError> {
         match fs::remove_file(&self.review) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => {
-                Err(unwritable(&self.review, error))
+                Err(undeletable(&self.review, error))
             }
             Ok(()) | Err(_) => Ok(()),
         }

@@ -67,6 +67,12 @@ impl Themes {
         embedded.chain(added.filter(|name| !Theme::names().any(|known| known == *name)))
     }
 
+    /// The theme files with faults, each with its faults.
+    pub fn faulty(&self) -> impl Iterator<Item = (&ThemeFile, Vec<Diagnostic>)> {
+        let files = self.own.iter();
+        files.filter_map(|(name, file)| Some((file, self.read(name, &file.text).err()?)))
+    }
+
     /// The theme of that name.
     ///
     /// # Errors

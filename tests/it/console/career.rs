@@ -195,6 +195,30 @@ fn nothing_is_said_to_start_while_it_is_asked_whether_it_may() {
 }
 
 #[test]
+fn quitting_asks_first_if_a_flight_is_not_stored() {
+    let mut console = trained_by(newcomer());
+    console
+        .hear(CareerEvent::AtRisk(1))
+        .press(":")
+        .write("quit")
+        .press("enter");
+    assert!(console.effects.is_empty());
+    let screen = console.screen(100, 30);
+    assert!(
+        screen.contains("one flight is not stored yet, and would be lost"),
+        "{screen}"
+    );
+    console.press("y");
+    assert_eq!(console.effects, [Effect::Quit]);
+    let mut console = trained_by(newcomer());
+    console
+        .hear(CareerEvent::AtRisk(1))
+        .hear(CareerEvent::AtRisk(0));
+    console.press(":").write("quit").press("enter");
+    assert_eq!(console.effects, [Effect::Quit]);
+}
+
+#[test]
 fn leaving_a_flight_that_counts_says_that_it_counts_as_a_try() {
     let reason = |stake| {
         let mut console = Console::new();

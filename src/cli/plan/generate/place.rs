@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use super::super::{Failure, invalid, load};
+use crate::cli::fault::FileFault;
 use crate::geo::LatLon;
 use crate::plan::generate::source;
 use crate::plan::{Document, Item, ReadOptions};
@@ -58,7 +59,7 @@ impl ShapeSource<'_> {
         let missing = || invalid(&text!("plan-generate-no-shape"), locale);
         let path = self.file.ok_or_else(missing)?;
         let loaded = load(path, ReadOptions::default());
-        Ok(loaded.map_err(|fault| fault.failure())?.document)
+        Ok(loaded.map_err(FileFault::failure)?.document)
     }
 
     fn fault(&self, text: &Text, locale: &Locale) -> Failure {

@@ -7,6 +7,7 @@ use clap::Args;
 use super::super::rehearse::AirArguments;
 use super::super::{Failure, invalid, load, parse_height};
 use super::place::{Degrees, parse_degrees, parse_places};
+use crate::cli::fault::FileFault;
 use crate::plan::generate::{USUAL_HEIGHT_M, source};
 use crate::plan::{Home, Item, ReadOptions};
 use crate::text;
@@ -99,7 +100,7 @@ impl TeamArguments {
         let Some(path) = &self.fence else {
             return Ok(Vec::new());
         };
-        let loaded = load(path, ReadOptions::default()).map_err(|fault| fault.failure())?;
+        let loaded = load(path, ReadOptions::default()).map_err(FileFault::failure)?;
         if loaded.document.fence.is_empty() {
             let file = path.display().to_string();
             return Err(invalid(
@@ -113,7 +114,7 @@ impl TeamArguments {
 
 /// The points of a file, or its home.
 fn points_of(path: &Path) -> Result<Vec<Degrees>, Failure> {
-    let loaded = load(path, ReadOptions::default()).map_err(|fault| fault.failure())?;
+    let loaded = load(path, ReadOptions::default()).map_err(FileFault::failure)?;
     let places = source::places(&loaded.document);
     Ok(places
         .into_iter()

@@ -68,7 +68,8 @@ fn notice_text(line: &NoticeLine, session: &FlightView) -> Text {
     parts.extend(severity_word(notice.severity));
     parts.push(notice.text.clone());
     if line.count as usize > line.vehicles.len().max(1) {
-        parts.push(text!("plain-times", count = line.count));
+        let times = text!("plain-times", count = line.count);
+        return Text::joined(" ", vec![Text::joined(": ", parts), times]);
     }
     Text::joined(": ", parts)
 }
