@@ -9,6 +9,7 @@ links-lost = lost
 links-state = state
 links-error = error
 links-up = up
+links-silent = no data
 links-down = down
 links-fatal = FAULT
 links-fault = fault
@@ -91,7 +92,7 @@ radio-no-link = no link { $link }: there are { $count }
 radio-no-setting = unknown setting `{ $word }`
 radio-wrong-value = `{ $word }`: write { $least } to { $most } { $unit }
 
-sticks-title = STICKS OF { $vehicle }: { $key } releases them
+sticks-title = sticks of vehicle { $vehicle }: { $key } releases them
 sticks-roll = roll
 sticks-pitch = pitch
 sticks-throttle = throttle

@@ -9,6 +9,7 @@ links-lost = втрат
 links-state = стан
 links-error = помилка
 links-up = працює
+links-silent = без даних
 links-down = обрив
 links-fatal = ЗБІЙ
 links-fault = збій
@@ -91,7 +92,7 @@ radio-no-link = каналу { $link } немає: каналів { $count }
 radio-no-setting = невідомий параметр `{ $word }`
 radio-wrong-value = `{ $word }`: напишіть від { $least } до { $most } { $unit }
 
-sticks-title = СТІКИ { $vehicle }: { $key } відпускає їх
+sticks-title = стіки апарата { $vehicle }: { $key } відпускає їх
 sticks-roll = крен
 sticks-pitch = тангаж
 sticks-throttle = газ

@@ -111,12 +111,15 @@ fn first_shown(cursor: usize, count: usize, rows: u16) -> usize {
         .min(count.saturating_sub(rows))
 }
 
-/// Highlights the cursor's line; without the focus, it gets only a mark.
+/// Marks and highlights the cursor's line; without the focus, it has only another colour, as in other lists.
 fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
     if has_keys {
+        if let Some(cell) = buffer.cell_mut((place.x, place.y)) {
+            cell.set_char('>');
+        }
         Panel::new(look, row_of(place, 0)).mark_cursor(buffer);
-    } else if let Some(cell) = buffer.cell_mut((place.x, place.y)) {
-        cell.set_char('>').set_style(look.style(Role::Accent));
+    } else {
+        buffer.set_style(row_of(place, 0), look.style(Role::Selected));
     }
 }
 
@@ -140,7 +143,7 @@ fn change(measure: Measure, before: f64, after: f64) -> Option<(String, Role)> {
         Some(false) => ('▼', Role::Warning),
         None => (' ', Role::Text),
     };
-    Some((format!("{sign}{difference}"), role))
+    Some((format!("{sign} {difference}"), role))
 }
 
 /// The title of the mission that the fleet is built for.

@@ -138,10 +138,15 @@ impl MissionPage<'_> {
         let rows: Vec<ObjectiveRow> = (0..self.mission.objectives.len())
             .map(|at| self.row(at))
             .collect();
-        let widest = rows.iter().map(|row| row.detail.width()).max();
-        let rest = 4 + 1 + 1 + POINTS + 2 + required.width();
+        let widest = |of: fn(&ObjectiveRow) -> &str| {
+            let widths = rows.iter().map(|row| of(row).width());
+            widths.max().unwrap_or(0)
+        };
+        let rest = 4 + 2 + 1 + POINTS + 2 + required.width();
         let shared = self.text.width.saturating_sub(rest);
-        let detail = widest.unwrap_or(0).min(DETAIL).min(shared / 2);
+        // Columns that no title needs belong to the states.
+        let free = shared.saturating_sub(widest(|row| &row.title));
+        let detail = widest(|row| &row.detail).min(DETAIL.min(shared / 2).max(free));
         for row in rows {
             let required = if row.required { &required } else { "" };
             self.objective(&row, [shared - detail, detail], required);
@@ -158,9 +163,9 @@ impl MissionPage<'_> {
             let (title, state) = (part(&title, at, room), part(&state, at, detail));
             let line = if at == 0 {
                 let (mark, points) = (row.mark, &row.points);
-                format!("{mark} {title} {state} {points:>POINTS$}  {required}")
+                format!("{mark} {title}  {state} {points:>POINTS$}  {required}")
             } else {
-                format!("    {title} {state}")
+                format!("    {title}  {state}")
             };
             self.text.add(row.tone, line.trim_end());
         }
