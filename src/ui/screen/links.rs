@@ -152,7 +152,11 @@ fn signed(weight: Weight) -> (&'static str, Role) {
 
 /// Draws the doctor's findings for a link; returns the area below them.
 fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
-    let inner = panel.titled(&panel.say("links-doctor"), buffer);
+    let title = match state.session().links().len() {
+        0 | 1 => panel.say("links-doctor"),
+        _ => panel.text(&text!("links-doctor-of", link = link + 1)),
+    };
+    let inner = panel.titled(&title, buffer);
     let width = usize::from(inner.width).saturating_sub(2);
     let mine = state
         .session()
@@ -184,7 +188,11 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
 fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let link = &state.session().links()[at];
     let inner = panel.titled(&format!("{} {}", at + 1, panel.text(&link.name)), buffer);
-    let mut lines = counters(link, panel.look);
+    let mut lines = vec![(
+        text!("links-state"),
+        panel.text(&state.session().link_state(at)),
+    )];
+    lines.extend(counters(link, panel.look));
     lines.extend(autopilots(state, at));
     lines.extend(controls(state, at, panel.look));
     lines.extend(radios(state, at, panel.look));
@@ -208,12 +216,10 @@ fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
-    let mut lines = vec![(text!("links-state"), look.text(&link.state))];
-    lines.extend(
-        link.error
-            .iter()
-            .map(|it| (text!("links-error"), look.text(it))),
-    );
+    let error = link.error.iter();
+    let mut lines: Vec<(Text, String)> = error
+        .map(|it| (text!("links-error"), look.text(it)))
+        .collect();
     let traffic = |bytes: f64, messages: f64| {
         let (bytes, messages) = (format!("{bytes:.0}"), format!("{messages:.0}"));
         text!("links-rates", bytes = bytes, messages = messages)

@@ -26,9 +26,9 @@ mod slots;
 
 /// The minimum height for both lists, one below the other, in rows.
 const TALL: u16 = 34;
-/// The minimum width for wide lists, in columns, and the minimum height of a chart below them, in
-/// rows.
-const ROOMY: u16 = 110;
+/// The share of a narrow screen for the lists, in percent: names of parts are longer than figures.
+const LISTS_PERCENT: u16 = 56;
+/// The minimum height of a chart below the problems, in rows.
 const CHART_ROWS: u16 = 9;
 /// The share of a wide screen for the list of slots, in percent, and the width of the figures, in
 /// columns.
@@ -70,9 +70,7 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 /// Draws the lists on the left, and the chosen view on the right.
 fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().workshop();
-    // Part names are longer than figures.
-    let share = if panel.area.width >= ROOMY { 56 } else { 45 };
-    let width = panel.area.width * share / 100;
+    let width = panel.area.width * LISTS_PERCENT / 100;
     let left = columns(panel.area, 0, width);
     let right = columns(panel.area, width + 1, panel.area.width - width - 1);
     if panel.area.height >= TALL {

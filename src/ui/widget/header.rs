@@ -7,7 +7,6 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::state::{LinkSummary, Room, rate};
-use crate::doctor::Cause;
 use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
@@ -199,17 +198,13 @@ fn is_up(state: &State, at: usize, link: &LinkSummary) -> bool {
     link.up && !state.session().leads_to_ended_process(at)
 }
 
-/// Whether nothing at all arrives on a link.
-fn hears_nothing(state: &State) -> bool {
-    let mut findings = state.session().findings().iter();
-    findings.any(|it| it.cause == Cause::Nothing)
-}
-
 fn links(state: &State, short: bool) -> Text {
     let links = state.session().links();
     match links {
         [] => text!("header-no-link"),
-        [link] if is_up(state, 0, link) && hears_nothing(state) => text!("header-link-silent"),
+        [link] if is_up(state, 0, link) && state.session().hears_nothing(0) => {
+            text!("header-link-silent")
+        }
         [link] if is_up(state, 0, link) => text!("header-link-up"),
         // A long address is cut, so that the state stays visible.
         [link] => {

@@ -74,10 +74,12 @@ struct LabelledCurve {
 }
 
 impl LabelledCurve {
-    /// The extremes, including the current value: the last sample may be older.
+    /// The extremes of the curve, including the current value: the last sample may be older. `None` without a curve.
     fn range(&self) -> Option<(f32, f32)> {
-        let readings = self.readings.iter().copied().chain([self.now]);
-        let known = readings.flatten().filter(|value| value.is_finite());
+        let is_finite = |value: &f32| value.is_finite();
+        let sampled = self.readings.iter().copied().flatten().filter(is_finite);
+        let now = self.now.filter(is_finite);
+        let known = sampled.clone().chain(sampled.clone().next().and(now));
         known.fold(None, |range, value| match range {
             None => Some((value, value)),
             Some((low, high)) => Some((value.min(low), value.max(high))),
@@ -205,6 +207,8 @@ mod tests {
         let range = curve(Some(12.02), &[12.6, 12.04]).range();
         assert_eq!(range, Some((12.02, 12.6)));
         assert_eq!(curve(None, &[12.6, 12.04]).range(), Some((12.04, 12.6)));
-        assert_eq!(curve(Some(f32::NAN), &[]).range(), None);
+        let range = curve(Some(f32::NAN), &[12.6]).range();
+        assert_eq!(range, Some((12.6, 12.6)));
+        assert_eq!(curve(Some(12.02), &[]).range(), None);
     }
 }

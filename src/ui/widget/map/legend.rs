@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::Stroke;
-use super::ground::{KEEP_OUT, RULER, is_seen, stroke};
+use super::ground::{KEEP_OUT, RULER, is_seen, next_place, next_sign, stroke};
 use super::labels::blank;
 use super::markers::{LOST, arrow};
 use super::ways::{GHOST, target, trail};
@@ -15,7 +15,7 @@ use crate::app::room::map::SketchKind::{
     Course, Fence, Jamming, KeepOut, Leg, Meeting, NoFly, People, Plan, Radio, Rally, Task, Wire,
 };
 use crate::app::room::map::{PAUSED, Sketch, leg, shows_leg, sketches};
-use crate::geo::{Viewport, scale_bar};
+use crate::geo::{LatLon, Viewport, scale_bar};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -139,11 +139,37 @@ fn lines(state: &State, view: Option<&Viewport>, look: &Look) -> Vec<Line<'stati
         .chain(movers)
         .chain(aircraft)
         .chain(pause)
+        .chain(places(state, view, look))
         .chain(shades(state, look))
         .chain(keep_out(&seen, look))
         .chain(strokes)
         .map(row)
         .collect()
+}
+
+/// The signs of the named places in view; the next one to go to has its own.
+fn places(
+    state: &State,
+    view: Option<&Viewport>,
+    look: &Look,
+) -> Vec<(String, Role, &'static str)> {
+    let next = next_place(state);
+    let is_in_view = |place: LatLon| view.is_none_or(|view| view.cell(place).is_some());
+    let mut others = state.session().places().values();
+    let has_others = others.any(|&place| Some(place) != next && is_in_view(place));
+    let rows = [
+        (has_others, ("+".to_owned(), Role::Info, "map-legend-place")),
+        (
+            next.is_some_and(is_in_view),
+            (
+                next_sign(look.symbols).to_owned(),
+                Role::Key,
+                "map-legend-next",
+            ),
+        ),
+    ];
+    let shown = rows.into_iter().filter(|(shown, _)| *shown);
+    shown.map(|(_, row)| row).collect()
 }
 
 /// The lines and places of which the view shows a part; without a view, all.
