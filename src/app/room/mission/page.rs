@@ -141,7 +141,7 @@ impl MissionPage<'_> {
             widths.max().unwrap_or(0)
         };
         let points = widest(|row| &row.points);
-        let rest = 4 + 2 + 1 + points + 2 + required.width();
+        let rest = 4 + 2 + 2 + points + 2 + required.width();
         let shared = self.text.width.saturating_sub(rest);
         // Columns that no title needs belong to the states.
         let free = shared.saturating_sub(widest(|row| &row.title));
@@ -162,7 +162,7 @@ impl MissionPage<'_> {
             let (title, state) = (part(&title, at, room), part(&state, at, detail));
             let line = if at == 0 {
                 let (mark, points) = (row.mark, &row.points);
-                format!("{mark} {title}  {state} {points:>right$}  {required}")
+                format!("{mark} {title}  {state}  {points:>right$}  {required}")
             } else {
                 format!("    {title}  {state}")
             };
