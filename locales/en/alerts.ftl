@@ -46,8 +46,8 @@ alert-with-vehicles = { $what }: { $vehicles }
 alert-and-more = { $first } (+{ $count })
 alert-acknowledge-hint = { $key } acknowledges
 alert-header = { $count ->
-    [one] { $count } alert
-   *[other] { $count } alerts
+    [one] ! { $count } alert
+   *[other] ! { $count } alerts
 }
 
 alert-acknowledged = { $count ->

@@ -156,6 +156,7 @@ header-dropped = { $count ->
 header-dropped-short = { $count } dropped
 header-no-link = no link
 header-link-up = link up
+header-link-silent = link open, no data
 header-link-down = { $name } down
 header-links = { $up }/{ $all } links up
 header-links-short = links { $up }/{ $all }

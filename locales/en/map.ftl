@@ -2,6 +2,8 @@
 
 map-title = map
 map-all = everything in view
+map-task-in-view = task and vehicles in view
+map-vehicles-in-view = vehicles in view
 map-follows = follows { $vehicle }
 map-outside = { $count ->
     [one] 1 vehicle out of view
@@ -25,6 +27,9 @@ map-legend-selected = selected
 map-legend-alert = alert
 map-legend-several = several in one place
 map-legend-home = home
+map-legend-pointer = map cursor
+map-legend-place = named place
+map-legend-next = next place
 map-legend-trail = trail
 map-legend-target = to its target (x)
 map-legend-ghost = other flight (g1)

@@ -47,9 +47,9 @@ alert-with-vehicles = { $what }: { $vehicles }
 alert-and-more = { $first } (+{ $count })
 alert-acknowledge-hint = { $key } підтверджує
 alert-header = { $count ->
-    [one] { $count } тривога
-    [few] { $count } тривоги
-   *[many] { $count } тривог
+    [one] ! { $count } тривога
+    [few] ! { $count } тривоги
+   *[many] ! { $count } тривог
 }
 
 alert-acknowledged = { $count ->

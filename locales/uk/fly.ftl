@@ -154,6 +154,7 @@ header-dropped = пропущено сповіщень: { $count }
 header-dropped-short = пропущено { $count }
 header-no-link = немає зв'язку
 header-link-up = зв'язок є
+header-link-silent = канал відкрито, даних немає
 header-link-down = { $name }: обрив
 header-links = каналів працює { $up }/{ $all }
 header-links-short = зв'язок { $up }/{ $all }

@@ -2,6 +2,8 @@
 
 map-title = карта
 map-all = видно все
+map-task-in-view = видно завдання й апарати
+map-vehicles-in-view = видно апарати
 map-follows = стежить за { $vehicle }
 map-outside = { $count ->
     [one] { $count } апарат поза картою
@@ -26,6 +28,9 @@ map-legend-selected = вибрано
 map-legend-alert = тривога
 map-legend-several = кілька в одному місці
 map-legend-home = дім
+map-legend-pointer = курсор карти
+map-legend-place = названа точка
+map-legend-next = наступна точка
 map-legend-trail = пройдений шлях
 map-legend-target = до цілі (x)
 map-legend-ghost = інший політ (g1)

@@ -50,7 +50,7 @@ impl DebriefPage<'_> {
         );
         if widths
             .iter()
-            .zip([8, 22, 13, 11])
+            .zip([8, 21, 13, 11])
             .all(|(width, room)| *width <= room)
         {
             let (title, result, target) = (fit(&title, 22), fit(&result, 13), fit(&target, 11));

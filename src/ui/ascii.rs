@@ -2,17 +2,28 @@
 
 use ratatui::buffer::Buffer;
 
+/// The mark of a cut text.
+const CUT: &str = "…";
+
 pub fn map(buffer: &mut Buffer) {
-    for cell in &mut buffer.content {
-        if !cell.symbol().is_ascii() {
-            let mapped: String = cell.symbol().chars().map(nearest).take(1).collect();
-            cell.set_symbol(&mapped);
+    let width = usize::from(buffer.area.width);
+    for at in 0..buffer.content.len() {
+        let cell = &mut buffer.content[at];
+        if cell.symbol().is_ascii() {
+            continue;
+        }
+        let is_cut = cell.symbol() == CUT;
+        let mapped: String = cell.symbol().chars().map(nearest).take(1).collect();
+        cell.set_symbol(&mapped);
+        // One point would look like the end of a sentence.
+        if is_cut && at % width > 0 {
+            buffer.content[at - 1].set_symbol(".");
         }
     }
 }
 
 pub fn line(text: &str) -> String {
-    text.chars().map(nearest).collect()
+    text.replace(CUT, "..").chars().map(nearest).collect()
 }
 
 /// The most similar ASCII character; `?` for letters of other scripts.
@@ -22,7 +33,9 @@ fn nearest(c: char) -> char {
         '─' | '╌' | '┄' | '╴' | '╶' | '–' | '—' | '−' | '‐' | '‑' | '▃' | '▄' | '░' => {
             '-'
         }
-        '│' | '┃' | '║' | '┆' | '┊' | '╎' | '▏' | '▕' | '▌' | '▐' => '|',
+        '↕' | '│' | '┃' | '║' | '┆' | '┊' | '╎' | '▏' | '▕' | '▌' | '▐' => {
+            '|'
+        }
         '\u{250c}'..='\u{254b}' | '\u{2552}'..='\u{2570}' | '✚' | '✛' | '⊕' => '+',
         '╱' | '⁄' | '↗' | '↙' => '/',
         '╲' | '↖' | '↘' => '\\',
@@ -70,7 +83,18 @@ mod tests {
     #[test]
     fn frames_arrows_dots_and_blocks_keep_their_meaning() {
         let mapped = line("┌──┐│→↑… 5° ×2 ▁▄█ ⠁⣿ ● ✓ висота");
-        assert_eq!(mapped, "+--+|>^. 5  x2 _-# .# o * ??????");
+        assert_eq!(mapped, "+--+|>^.. 5  x2 _-# .# o * ??????");
+        assert_eq!(line("±0.3 m ↕ 0.4 m"), "~0.3 m | 0.4 m");
+    }
+
+    #[test]
+    fn a_cut_text_ends_in_two_points() {
+        let mut buffer = Buffer::with_lines(["landed and… │", "…           "]);
+        map(&mut buffer);
+        assert_eq!(
+            buffer,
+            Buffer::with_lines(["landed an.. |", ".           "])
+        );
     }
 
     #[test]

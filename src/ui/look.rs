@@ -74,15 +74,44 @@ impl Look {
         self.theme.style(role)
     }
 
-    /// The style for filled blocks of a role; with reversed colours they would look empty.
+    /// The style for filled blocks of a role: reversed, they would look empty, and over a background of the role's own
+    /// they would have the colour of its letters, which may be that of ordinary text.
     pub fn fill(&self, role: Role) -> Style {
         let kept_off = Modifier::REVERSED | Modifier::UNDERLINED;
-        self.style(role).remove_modifier(kept_off)
+        let style = self.style(role).remove_modifier(kept_off);
+        let ground = self.style(Role::Text).bg;
+        match style
+            .bg
+            .filter(|own| role != Role::Text && Some(*own) != ground)
+        {
+            Some(own) => Style {
+                fg: Some(own),
+                bg: ground,
+                ..style
+            },
+            None => style,
+        }
+    }
+
+    /// The label of a key. In ASCII, an arrow would look like the key `<`, `>`, `^` or `v`, so it is a word.
+    pub fn key(&self, label: &str) -> String {
+        if self.symbols != Symbols::Ascii {
+            return label.to_owned();
+        }
+        let named = label.chars().map(|sign| match sign {
+            '←' => "Left".to_owned(),
+            '→' => "Right".to_owned(),
+            '↑' => "Up".to_owned(),
+            '↓' => "Down".to_owned(),
+            other => other.to_string(),
+        });
+        named.collect()
     }
 
     /// A text in the current language, safe to show on one line.
     pub fn text(&self, text: &Text) -> String {
-        sanitised(&self.locale.text(text))
+        // Texts name no arrows but those of keys.
+        self.key(&sanitised(&self.locale.text(text)))
     }
 
     /// A message without arguments; it may have several lines.
@@ -114,6 +143,36 @@ mod tests {
         let drafts = Badge::DRAFT_SIGNS.map(|sign| ascii::line(&sign.to_string()));
         let all: BTreeSet<String> = in_ascii.into_iter().chain(drafts).collect();
         assert_eq!(all.len(), 10);
+    }
+
+    #[test]
+    fn arrow_keys_have_their_names_in_ascii() {
+        let look = |symbols| Look {
+            symbols,
+            ..Look::default()
+        };
+        assert_eq!(look(Symbols::Ascii).key("← →"), "Left Right");
+        assert_eq!(look(Symbols::Braille).key("← →"), "← →");
+        let hint = Text::verbatim("`↑` brings it back");
+        assert_eq!(look(Symbols::Ascii).text(&hint), "`Up` brings it back");
+    }
+
+    #[test]
+    fn filled_blocks_of_danger_look_unlike_text_in_every_theme() {
+        for name in Theme::names().filter(|name| *name != "monochrome") {
+            let look = Look {
+                theme: Theme::named(name).expect("embedded"),
+                ..Look::default()
+            };
+            for role in [Role::Danger, Role::Alert, Role::Armed] {
+                let fill = look.fill(role);
+                assert_ne!(fill.fg, look.style(Role::Text).fg, "{name} {role:?}");
+                let is_plain = fill
+                    .bg
+                    .is_none_or(|bg| Some(bg) == look.style(Role::Text).bg);
+                assert!(is_plain, "{name} {role:?}");
+            }
+        }
     }
 
     #[test]

@@ -95,6 +95,14 @@ pub fn severity_role(severity: Severity) -> Role {
     }
 }
 
+/// The theme role that draws an alert that is not acknowledged.
+pub fn alert_role(severity: Severity) -> Role {
+    match severity_role(severity) {
+        Role::Danger => Role::Alert,
+        milder => milder,
+    }
+}
+
 /// A medal as stars: three for gold.
 pub fn stars(medal: Option<Medal>) -> &'static str {
     match medal {

@@ -11,12 +11,13 @@ use super::{
 };
 use crate::config::Config;
 use crate::debrief::WorkloadStrips;
-use crate::doctor::LinkFinding;
+use crate::doctor::{Cause, LinkFinding};
 use crate::geo::LatLon;
 use crate::language::Groups;
 use crate::ledger::Ledger;
 use crate::mission::Progress;
-use crate::text::Locale;
+use crate::text;
+use crate::text::{Locale, Text};
 use crate::vehicle::{VehicleId, Vehicles};
 
 impl<R> State<R> {
@@ -211,6 +212,22 @@ impl FlightView {
     /// The links, in the order of their addresses.
     pub fn links(&self) -> &[LinkSummary] {
         &self.connections.links
+    }
+
+    /// Whether a link is open but nothing at all has arrived on it.
+    pub fn hears_nothing(&self, link: usize) -> bool {
+        let is_open = self.links().get(link).is_some_and(|it| it.up);
+        let mut findings = self.findings().iter();
+        is_open && findings.any(|it| it.link == link && it.cause == Cause::Nothing)
+    }
+
+    /// The state of a link as text.
+    pub fn link_state(&self, link: usize) -> Text {
+        if self.hears_nothing(link) {
+            return text!("link-open-silent");
+        }
+        let links = self.links().get(link);
+        links.map_or_else(|| Text::verbatim(""), |it| it.state.clone())
     }
 
     /// The findings of the link doctor, worst first.

@@ -10,7 +10,7 @@ use ratatui::text::{Line, Span};
 use crate::app::State;
 use crate::app::room::links::{HISTORY_S, History};
 use crate::app::state::{LinkCounters, LinkSummary};
-use crate::doctor::{LinkFinding, Weight};
+use crate::doctor::{Cause, LinkFinding, Weight};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -94,6 +94,7 @@ fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer
         let line = list_line(at, link, worst, name_width, panel.look);
         put(buffer, inner, row as u16, &line);
         if at == cursor {
+            put(buffer, row_of(inner, row as u16), 0, &Line::raw(">"));
             panel.at(row_of(inner, row as u16)).mark_cursor(buffer);
         }
     }
@@ -113,12 +114,13 @@ fn list_line(
         let (sign, role) = signed(finding.cause.weight());
         (look.say(sign), role)
     });
-    let state = if link.up {
-        look.say("links-up")
-    } else {
-        look.say("links-down")
+    let hears_nothing = worst.is_some_and(|it| it.cause == Cause::Nothing);
+    let (state, state_role) = match (link.up, hears_nothing) {
+        (true, true) => ("links-silent", Role::Warning),
+        (true, false) => ("links-up", Role::Ok),
+        (false, _) => ("links-down", Role::Danger),
     };
-    let state_role = if link.up { Role::Ok } else { Role::Danger };
+    let state = look.say(state);
     let figures = format!(
         "{:>3} {:name_width$} {:>8.0} {:>8.0} {lost:>6}  ",
         at + 1,
@@ -128,7 +130,7 @@ fn list_line(
     );
     Line::from(vec![
         Span::raw(figures),
-        Span::styled(format!("{state:9}"), look.style(state_role)),
+        Span::styled(format!("{state:9} "), look.style(state_role)),
         Span::styled(sign, look.style(role)),
     ])
 }
@@ -150,7 +152,11 @@ fn signed(weight: Weight) -> (&'static str, Role) {
 
 /// Draws the doctor's findings for a link; returns the area below them.
 fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
-    let inner = panel.titled(&panel.say("links-doctor"), buffer);
+    let title = match state.session().links().len() {
+        0 | 1 => panel.say("links-doctor"),
+        _ => panel.text(&text!("links-doctor-of", link = link + 1)),
+    };
+    let inner = panel.titled(&title, buffer);
     let width = usize::from(inner.width).saturating_sub(2);
     let mine = state
         .session()
@@ -182,7 +188,11 @@ fn draw_doctor(state: &State, link: usize, panel: Panel<'_>, buffer: &mut Buffer
 fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
     let link = &state.session().links()[at];
     let inner = panel.titled(&format!("{} {}", at + 1, panel.text(&link.name)), buffer);
-    let mut lines = counters(link, panel.look);
+    let mut lines = vec![(
+        text!("links-state"),
+        panel.text(&state.session().link_state(at)),
+    )];
+    lines.extend(counters(link, panel.look));
     lines.extend(autopilots(state, at));
     lines.extend(controls(state, at, panel.look));
     lines.extend(radios(state, at, panel.look));
@@ -206,12 +216,10 @@ fn draw_link(state: &State, at: usize, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn counters(link: &LinkSummary, look: &Look) -> Vec<(Text, String)> {
-    let mut lines = vec![(text!("links-state"), look.text(&link.state))];
-    lines.extend(
-        link.error
-            .iter()
-            .map(|it| (text!("links-error"), look.text(it))),
-    );
+    let error = link.error.iter();
+    let mut lines: Vec<(Text, String)> = error
+        .map(|it| (text!("links-error"), look.text(it)))
+        .collect();
     let traffic = |bytes: f64, messages: f64| {
         let (bytes, messages) = (format!("{bytes:.0}"), format!("{messages:.0}"));
         text!("links-rates", bytes = bytes, messages = messages)

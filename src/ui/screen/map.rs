@@ -31,17 +31,18 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         (pane, columns(pane, 0, 0))
     };
     draw_map(state, panel.at(pane), buffer);
-    if legend.width > 0 {
-        draw_legend(state, panel.at(legend), buffer);
-    }
     let canvas = below(pane, 1);
+    let view = map.view(GridSize::new(canvas.width, canvas.height));
+    if legend.width > 0 {
+        draw_legend(state, view.as_ref(), panel.at(legend), buffer);
+    }
     // Alerts are drawn over the north of the map, because a map that moved with every alert would be unreadable.
     urgent::draw(
         state,
         panel.at(upper(canvas, urgent::height(state))),
         buffer,
     );
-    if let Some(view) = map.view(GridSize::new(canvas.width, canvas.height)) {
+    if let Some(view) = view {
         draw_task(state, &view, panel.at(canvas), buffer);
         let cursor = map.pointed(&view);
         draw_cursor(&view, cursor, panel.at(canvas), buffer);
@@ -90,11 +91,19 @@ fn draw_cursor(view: &Viewport, cursor: LatLon, panel: Panel<'_>, buffer: &mut B
     let found =
         cell.and_then(|(column, row)| buffer.cell_mut((panel.area.x + column, panel.area.y + row)));
     if let Some(cell) = found {
-        if cell.symbol() == " " {
+        if is_ground(cell.symbol()) {
             cell.set_char('┼');
         }
         cell.set_style(panel.style(Role::Cursor));
     }
+}
+
+/// Whether a cell shows ground, its shades or a line: the cursor is above them; it only marks signs and names.
+fn is_ground(symbol: &str) -> bool {
+    let is_shade = |c: char| " ·,░▒▓█▀▄".contains(c);
+    symbol
+        .chars()
+        .all(|c| is_shade(c) || ('\u{2800}'..='\u{28ff}').contains(&c))
 }
 
 /// The cursor's position: coordinates, offset from home if that fits, and the distances from the vehicle and from the
@@ -135,4 +144,19 @@ fn place_line(state: &State, look: &Look, cursor: LatLon, with_home: bool) -> Li
         spans.push(Span::styled(way(mark), look.style(Role::Key)));
     }
     Line::from(spans)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_cursor_is_above_ground_and_lines_but_hides_no_sign() {
+        for ground in [" ", "·", ",", "▒", "⠤"] {
+            assert!(is_ground(ground), "{ground}");
+        }
+        for sign in ["H", "↑", "+", "3", "!"] {
+            assert!(!is_ground(sign), "{sign}");
+        }
+    }
 }

@@ -40,7 +40,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     let branches = room.branches();
     draw_tree(room, &branches, panel.columns(0, tree_width), buffer);
-    let right = columns(panel.area, tree_width + 1, panel.area.width);
+    let right = columns(panel.area, tree_width + 2, panel.area.width);
     let graphs = graph::height(room, right.height);
     let top = upper(right, right.height - graphs);
     fields::draw(state, room.selected_in(&branches), panel.at(top), buffer);
@@ -124,9 +124,9 @@ fn heading(tree_width: u16, width: u16, look: &Look) -> String {
 /// Figures in the columns of a tree: rate, bytes, count, age, jitter, silence. Narrow trees have fewer.
 fn columns_of(tree_width: u16, [hz, bytes, count, age, jitter, silence]: [&str; 6]) -> String {
     match tree_width {
-        WIDEST_TREE.. => format!("{hz:>7}{bytes:>8}{count:>9}{age:>6}{jitter:>9}{silence:>7}"),
-        WIDE_TREE.. => format!("{hz:>7}{bytes:>8}{count:>9}{age:>6}"),
-        _ => format!("{hz:>7}{age:>6}"),
+        WIDEST_TREE.. => format!("{hz:>7}{bytes:>8}{count:>9}{age:>8}{jitter:>9}{silence:>8}"),
+        WIDE_TREE.. => format!("{hz:>7}{bytes:>8}{count:>9}{age:>8}"),
+        _ => format!("{hz:>7}{age:>8}"),
     }
 }
 
@@ -242,12 +242,12 @@ fn hertz(hz: f64) -> String {
     }
 }
 
-/// An age in at most five columns.
+/// An age in at most six columns.
 fn age(age: Duration) -> String {
     match age.as_secs() {
-        0..=9 => format!("{:.1}s", age.as_secs_f64()),
-        seconds @ 10..=99 => format!("{seconds}s"),
-        seconds @ 100..=5999 => format!("{}min", seconds / 60),
-        seconds => format!("{}h", seconds / 3600),
+        0..=9 => format!("{:.1} s", age.as_secs_f64()),
+        seconds @ 10..=99 => format!("{seconds} s"),
+        seconds @ 100..=5999 => format!("{} min", seconds / 60),
+        seconds => format!("{} h", seconds / 3600),
     }
 }

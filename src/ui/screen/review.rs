@@ -122,7 +122,10 @@ fn draw_moments(state: &State, view: &ReplayView, all: Panel<'_>, buffer: &mut B
     for (row, moment) in moments.iter().skip(first).take(rows).enumerate() {
         let here = inner.at(row_of(inner.area, row as u16));
         let time = clock(view.clock.flight_time(moment.at));
-        let line = moment_line(&time, moment, here.width(), here.look);
+        let mark = if first + row == cursor { "> " } else { "  " };
+        let columns = here.width().saturating_sub(mark.len());
+        let mut line = moment_line(&time, moment, columns, here.look);
+        line.spans.insert(0, mark.into());
         put(buffer, here.area, 0, &line);
         if first + row == cursor {
             here.mark_cursor(buffer);

@@ -26,9 +26,9 @@ mod slots;
 
 /// The minimum height for both lists, one below the other, in rows.
 const TALL: u16 = 34;
-/// The minimum width for wide lists, in columns, and the minimum height of a chart below them, in
-/// rows.
-const ROOMY: u16 = 110;
+/// The share of a narrow screen for the lists, in percent: names of parts are longer than figures.
+const LISTS_PERCENT: u16 = 56;
+/// The minimum height of a chart below the problems, in rows.
 const CHART_ROWS: u16 = 9;
 /// The share of a wide screen for the list of slots, in percent, and the width of the figures, in
 /// columns.
@@ -70,9 +70,7 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 /// Draws the lists on the left, and the chosen view on the right.
 fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().workshop();
-    // Part names are longer than figures.
-    let share = if panel.area.width >= ROOMY { 56 } else { 45 };
-    let width = panel.area.width * share / 100;
+    let width = panel.area.width * LISTS_PERCENT / 100;
     let left = columns(panel.area, 0, width);
     let right = columns(panel.area, width + 1, panel.area.width - width - 1);
     if panel.area.height >= TALL {
@@ -111,12 +109,15 @@ fn first_shown(cursor: usize, count: usize, rows: u16) -> usize {
         .min(count.saturating_sub(rows))
 }
 
-/// Highlights the cursor's line; without the focus, it gets only a mark.
+/// Marks and highlights the cursor's line; without the focus, it has only another colour, as in other lists.
 fn show_cursor(look: &Look, has_keys: bool, place: Rect, buffer: &mut Buffer) {
     if has_keys {
+        if let Some(cell) = buffer.cell_mut((place.x, place.y)) {
+            cell.set_char('>');
+        }
         Panel::new(look, row_of(place, 0)).mark_cursor(buffer);
-    } else if let Some(cell) = buffer.cell_mut((place.x, place.y)) {
-        cell.set_char('>').set_style(look.style(Role::Accent));
+    } else {
+        buffer.set_style(row_of(place, 0), look.style(Role::Selected));
     }
 }
 
@@ -140,7 +141,7 @@ fn change(measure: Measure, before: f64, after: f64) -> Option<(String, Role)> {
         Some(false) => ('▼', Role::Warning),
         None => (' ', Role::Text),
     };
-    Some((format!("{sign}{difference}"), role))
+    Some((format!("{sign} {difference}"), role))
 }
 
 /// The title of the mission that the fleet is built for.

@@ -116,6 +116,7 @@ pub fn hints<'a>(
         else {
             continue;
         };
+        let key = look.key(&key);
         let what = look.say(hint.about);
         let from = used;
         used += width_of(&key) + width_of(&what) + 3;

@@ -35,7 +35,9 @@ impl Gauge {
         ];
         let mut spans = Vec::new();
         for (from, to, sign, role) in ends {
-            match mark.filter(|at| (from..to).contains(at)) {
+            // In the last cell, the mark would hide whether the gauge is full.
+            let hides_end = filled == cells && mark == Some(cells - 1);
+            match mark.filter(|at| (from..to).contains(at) && !hides_end) {
                 Some(at) => spans.extend([
                     part(from, at, sign, role),
                     part(at, at + 1, "┃", Role::Text),
@@ -128,6 +130,24 @@ mod tests {
         assert_eq!(drawn(1.0, Some(0.5)), "███┃████");
         assert_eq!(drawn(0.25, Some(0.5)), "██·┃····");
         assert_eq!(drawn(0.5, Some(0.0)), "┃███····");
+    }
+
+    #[test]
+    fn a_full_gauge_differs_from_one_just_below_its_mark() {
+        let cells = |share| {
+            let gauge = Gauge {
+                share,
+                mark: Some(0.95),
+                role: Role::Ok,
+            };
+            let spans = gauge.spans(10, &Look::default());
+            spans
+                .iter()
+                .map(|it| it.content.as_ref())
+                .collect::<String>()
+        };
+        assert_eq!(cells(0.93), "█████████┃");
+        assert_eq!(cells(1.0), "██████████");
     }
 
     #[test]

@@ -7,12 +7,13 @@ use ratatui::text::{Line, Span};
 
 use crate::app::State;
 use crate::app::state::{LinkSummary, Room, rate};
+use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{clip, clock, columns, put, replay, upper, width};
+use crate::ui::widget::{alert_role, clip, clock, columns, put, replay, upper, width};
 
 /// Draws the header and returns the area between it and the footer.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
@@ -35,14 +36,14 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     };
     let left = width(&name) + width(&pace) + 1;
     // The figures are shortened to make room for the title, as long as they stay clear.
-    let fits = |right: &String| left + width(&title) + 3 + width(right) < room;
+    let fits = |right: &Line<'_>| left + width(&title) + 3 + right.width() < room;
     let long = right_part(state, panel.look, false);
     let right = if fits(&long) {
         long
     } else {
         right_part(state, panel.look, true)
     };
-    let title = clip(&title, room.saturating_sub(left + width(&right) + 4));
+    let title = clip(&title, room.saturating_sub(left + right.width() + 4));
     let bold = panel.style(Role::Header).add_modifier(Modifier::BOLD);
     let line = Line::from(vec![
         Span::styled(name, bold),
@@ -50,9 +51,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
         Span::raw(format!(" {title}")),
     ]);
     put(buffer, header, 0, &line);
-    let start = panel.area.width.saturating_sub(width(&right) as u16 + 1);
+    let start = panel.area.width.saturating_sub(right.width() as u16 + 1);
     let place = columns(header, start, panel.area.width);
-    put(buffer, place, 0, &Line::raw(right));
+    put(buffer, place, 0, &right);
     Rect {
         y: panel.area.y + 1,
         height: panel.area.height.saturating_sub(2),
@@ -60,32 +61,67 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     }
 }
 
+/// A figure of the header; one that needs attention has a role of its own.
+struct Figure {
+    text: Text,
+    role: Option<Role>,
+}
+
+impl From<Text> for Figure {
+    fn from(text: Text) -> Self {
+        Self { text, role: None }
+    }
+}
+
+impl Figure {
+    /// The figure as it is drawn: a role is drawn on the ground of ordinary text, on which every theme's roles can be
+    /// read.
+    fn span(&self, look: &Look) -> Span<'static> {
+        let text = look.text(&self.text);
+        match self.role {
+            Some(role) => {
+                let style = look.style(Role::Text).patch(look.style(role));
+                Span::styled(format!(" {text} "), style.add_modifier(Modifier::BOLD))
+            }
+            None => Span::raw(text),
+        }
+    }
+}
+
 /// The figures; abbreviated if there is little room.
-fn right_part(state: &State, look: &Look, short: bool) -> String {
+fn right_part(state: &State, look: &Look, short: bool) -> Line<'static> {
+    let mut line = Line::default();
+    for figure in figures(state, short) {
+        if !line.spans.is_empty() {
+            line.push_span("   ");
+        }
+        line.push_span(figure.span(look));
+    }
+    line
+}
+
+fn figures(state: &State, short: bool) -> Vec<Figure> {
     let is_reading = state.session().is_reading();
     if is_reading && short {
         let vehicles = text!("count-vehicles", count = state.session().vehicles().len());
-        return look.text(&Text::joined(
-            "   ",
-            vec![vehicles, text!("header-reading")],
-        ));
+        return vec![vehicles.into(), text!("header-reading").into()];
     }
     let time = if is_reading {
         text!("header-reading")
     } else {
         clock(state.session().time(state.now())).into()
     };
+    let plain = |text: Option<Text>| text.map(Figure::from);
     let parts = [
-        slow_line(state),
-        dropped(state, short),
+        plain(slow_line(state)),
+        plain(dropped(state, short)),
         pressing_alert(state),
         mission_alert(state),
-        vehicles(state, short),
-        recorded_at(state, short),
-        Some(time),
+        plain(vehicles(state, short)),
+        plain(recorded_at(state, short)),
+        Some(time.into()),
     ];
-    let shown = parts.into_iter().flatten().collect();
-    look.text(&Text::joined("   ", shown))
+    parts.into_iter().flatten().collect()
 }
 
 fn slow_line(state: &State) -> Option<Text> {
@@ -105,23 +141,35 @@ fn dropped(state: &State, short: bool) -> Option<Text> {
     })
 }
 
-/// The number of unacknowledged alerts, if any; not on the flight screen, which has a line for the
-/// most urgent one.
-fn pressing_alert(state: &State) -> Option<Text> {
+/// The number of unacknowledged alerts, if any, in the role of the worst; not on the flight screen, which has a line for
+/// the most urgent one.
+fn pressing_alert(state: &State) -> Option<Figure> {
     let session = state.session();
     let is_shown = state.room() != Room::Fly && !session.is_over();
-    let count = session.alerts().open().filter(|_| is_shown).count();
-    (count > 0).then(|| text!("alert-header", count = count))
+    let worst = session.alerts().pressing().filter(|_| is_shown)?.first;
+    let count = session.alerts().open().count();
+    Some(Figure {
+        text: text!("alert-header", count = count),
+        role: Some(alert_role(worst.alert.severity)),
+    })
 }
 
 /// The time left to answer the mission's alert; the two rooms that show the alert itself do not
 /// repeat it.
-fn mission_alert(state: &State) -> Option<Text> {
+fn mission_alert(state: &State) -> Option<Figure> {
     let session = state.session();
     let alert = session.mission()?.alerts.first()?;
     let seconds = alert.remaining.as_secs();
     let is_shown = !matches!(state.room(), Room::Fly | Room::Map) && !session.is_over();
-    is_shown.then(|| text!("mission-alert-short", seconds = seconds))
+    let role = match alert.level {
+        AlertLevel::Critical => Role::Alert,
+        AlertLevel::Warning => Role::Warning,
+        AlertLevel::Caution => Role::Accent,
+    };
+    is_shown.then(|| Figure {
+        text: text!("mission-alert-short", seconds = seconds),
+        role: Some(role),
+    })
 }
 
 fn vehicles(state: &State, short: bool) -> Option<Text> {
@@ -154,6 +202,9 @@ fn links(state: &State, short: bool) -> Text {
     let links = state.session().links();
     match links {
         [] => text!("header-no-link"),
+        [link] if is_up(state, 0, link) && state.session().hears_nothing(0) => {
+            text!("header-link-silent")
+        }
         [link] if is_up(state, 0, link) => text!("header-link-up"),
         // A long address is cut, so that the state stays visible.
         [link] => {

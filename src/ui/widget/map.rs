@@ -12,7 +12,7 @@ use ratatui::layout::Rect;
 use ratatui::text::Line;
 
 use crate::app::State;
-use crate::app::room::map::Aim;
+use crate::app::room::map::{Aim, Sketch, SketchKind, sketches};
 use crate::geo::{GridSize, Viewport};
 use crate::text;
 use crate::ui::look::Look;
@@ -56,14 +56,14 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         return draw_nowhere(panel.at(inner), buffer);
     };
     let outside = draw_view(state, panel.look, &view, inner, buffer);
-    panel.titled(&title(state, panel.look, outside), buffer);
+    panel.titled(&title(state, panel.look, &view, outside), buffer);
 }
 
-fn title(state: &State, look: &Look, outside: usize) -> String {
+fn title(state: &State, look: &Look, view: &Viewport, outside: usize) -> String {
     let aim = state.rooms().map().aim();
     let mut title = vec![look.say("map-title")];
     match (aim, state.session().cursor()) {
-        (Aim::All, _) => title.push(look.say("map-all")),
+        (Aim::All, _) => title.push(look.say(in_view(&sketches(state), view))),
         (Aim::Vehicle(..), Some(id)) => {
             title.push(look.text(&text!("map-follows", vehicle = id)));
         }
@@ -73,6 +73,23 @@ fn title(state: &State, look: &Look, outside: usize) -> String {
         title.push(look.text(&text!("map-outside", count = outside)));
     }
     title.join("  ")
+}
+
+/// What the view of everything contains: areas and fences that are not part of the task do not widen it.
+fn in_view(sketches: &[Sketch], view: &Viewport) -> &'static str {
+    let is_whole = |sketch: &&Sketch| {
+        let mut points = sketch.points.iter();
+        points.all(|&point| view.cell(point).is_some())
+    };
+    let (shown, cut): (Vec<&Sketch>, Vec<&Sketch>) = sketches.iter().partition(is_whole);
+    let is_task = |sketch: &&Sketch| sketch.kind == SketchKind::Task;
+    if cut.is_empty() {
+        "map-all"
+    } else if shown.iter().any(is_task) && !cut.iter().any(is_task) {
+        "map-task-in-view"
+    } else {
+        "map-vehicles-in-view"
+    }
 }
 
 /// Draws the content of a view, with its scale; returns the number of vehicles out of sight.

@@ -18,6 +18,8 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, clip, clip_rows, clock, columns, put, upper, wrap};
 use crate::vehicle::Vehicle;
 
+/// The blanks between the name of an objective and its state.
+const BETWEEN: &str = "  ";
 /// The number of columns between two readings.
 const GAP: usize = 3;
 /// The width of a cell in the grid, in columns.
@@ -30,8 +32,14 @@ pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let grid = Grid::of(&progress.cells).map_or(0, |grid| grid.rows());
     let hint = hint_lines(progress, usize::from(width), look).len();
     let readings = readings(progress, usize::from(width), look).len();
-    let objectives = objective_lines(&progress.objectives, width.into(), true, look).len();
+    let objectives =
+        objective_lines(&progress.objectives, objectives_width(width), true, look).len();
     (1 + objectives + readings + counts(progress).len() + grid + hint) as u16
+}
+
+/// The columns for the objectives; one is left, so that no state touches the pane beside it.
+fn objectives_width(width: u16) -> usize {
+    usize::from(width.saturating_sub(1))
 }
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -48,7 +56,13 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let mut rest = panel.titled(&panel.text(&title), buffer);
     let width = usize::from(rest.width);
     let is_roomy = panel.area.height >= height(progress, panel.area.width, panel.look);
-    let objectives = objective_lines(&progress.objectives, width, is_roomy, panel.look).into_iter();
+    let objectives = objective_lines(
+        &progress.objectives,
+        objectives_width(rest.width),
+        is_roomy,
+        panel.look,
+    )
+    .into_iter();
     let readings = readings(progress, width, panel.look);
     let counts = counts(progress).into_iter().map(|text| {
         let words = clip(&panel.text(&text), width);
@@ -175,9 +189,9 @@ fn objective_lines(
         let detail = look.text(&objective.detail);
         let left = |room| Span::styled(aligned(&title, room, false), look.style(role));
         let right = |room| Span::styled(clip(&detail, room), look.style(Role::Muted));
-        let room = width.saturating_sub(detail.width() + 1);
+        let room = width.saturating_sub(detail.width() + BETWEEN.len());
         if title.width() <= room {
-            lines.push(Line::from(vec![left(room), " ".into(), right(width)]));
+            lines.push(Line::from(vec![left(room), BETWEEN.into(), right(width)]));
         } else if objective.state == ObjectiveState::Met {
             lines.push(Line::from(left(width)));
         } else if is_roomy {
@@ -187,8 +201,8 @@ fn objective_lines(
         } else {
             // However long the state is, two fifths of the line are left for the name.
             let room = room.max(width * 2 / 5);
-            let rest = width.saturating_sub(room + 1);
-            lines.push(Line::from(vec![left(room), " ".into(), right(rest)]));
+            let rest = width.saturating_sub(room + BETWEEN.len());
+            lines.push(Line::from(vec![left(room), BETWEEN.into(), right(rest)]));
         }
     }
     lines
@@ -348,7 +362,7 @@ mod tests {
         };
         let lines = objective_lines(&[objective], 40, false, &Look::default());
         let shown: Vec<String> = lines.iter().map(ToString::to_string).collect();
-        assert_eq!(shown, ["[ ] distance to… 12 % of 14 s, too clos…"]);
+        assert_eq!(shown, ["[ ] distance to…  12 % of 14 s, too clo…"]);
     }
 
     #[test]

@@ -30,6 +30,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&panel.say("fly-notices"), buffer);
     let rows = usize::from(inner.height);
     let width = usize::from(inner.width);
+    let most = most_lines(state, width, rows, panel.look);
     let mut blocks: Vec<Vec<Line<'_>>> = Vec::new();
     let mut used = 0;
     let mut texts_left = rows_for_texts(state, rows);
@@ -37,7 +38,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         if notice.is_of_vehicle() && texts_left == 0 {
             continue;
         }
-        let mut block = lines(notice, state.session(), width, MOST_LINES, panel.look);
+        let mut block = lines(notice, state.session(), width, most, panel.look);
         if used + block.len() > rows && used > 0 {
             break;
         }
@@ -51,6 +52,19 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, line) in blocks.iter().rev().flatten().enumerate() {
         put(buffer, inner, row as u16, line);
     }
+}
+
+/// The maximum number of lines of a notice: no limit while all notices fit in full.
+fn most_lines(state: &State, width: usize, rows: usize, look: &Look) -> usize {
+    let mut left = rows;
+    for notice in state.notices().lines().rev() {
+        let whole = lines(notice, state.session(), width, usize::MAX, look);
+        match left.checked_sub(whole.len()) {
+            Some(rest) => left = rest,
+            None => return MOST_LINES,
+        }
+    }
+    usize::MAX
 }
 
 fn rows_for_texts(state: &State, rows: usize) -> usize {

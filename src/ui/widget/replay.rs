@@ -292,7 +292,7 @@ fn line<'a>(view: &ReplayView, cells: usize, look: &Look) -> Vec<Span<'a>> {
 fn sign(kind: MomentKind) -> (&'static str, Role) {
     match kind {
         MomentKind::Bookmark => ("◆", Role::Selected),
-        MomentKind::Refusal => ("r", Role::Warning),
+        MomentKind::Refusal => ("r", Role::Danger),
         MomentKind::Alert => ("!", Role::Danger),
         MomentKind::Mode | MomentKind::Arming => ("┴", Role::Muted),
         MomentKind::Objective => ("o", Role::Ok),

@@ -33,6 +33,8 @@ pub fn draw(state: &State, mode: &StickMode, panel: Panel<'_>, buffer: &mut Buff
         vehicle = mode.vehicle(),
         key = state.keymap().key(Action::Escape, Place::Prompt)
     ));
+    // The footer would stick out on both sides.
+    panel.below(area.height - height).clear(buffer);
     let inner = panel.at(place).boxed(&title, Role::Danger, buffer);
     let mut spans = Vec::new();
     for axis in StickAxis::ALL {

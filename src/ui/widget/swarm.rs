@@ -44,8 +44,9 @@ fn waiting_lines(state: &State, look: &Look, width: u16) -> Vec<(String, Role)> 
     let waiting = format!("  {}", look.say("fly-waiting"));
     let mut lines = vec![(waiting, Role::Muted)];
     let session = state.session();
-    for link in session.links() {
-        let reason = look.text(link.error.as_ref().unwrap_or(&link.state));
+    for (at, link) in session.links().iter().enumerate() {
+        let reason = link.error.clone().unwrap_or_else(|| session.link_state(at));
+        let reason = look.text(&reason);
         let role = if link.error.is_some() {
             Role::Warning
         } else {

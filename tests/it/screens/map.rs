@@ -306,6 +306,8 @@ fn the_fence_is_dashed_in_a_colour_of_its_own_and_an_alert_in_that_of_alerts() {
     let alarmed = signs_in(&console, Role::Danger, size);
     assert!(alarmed.iter().any(|row| row.contains("1!")), "{alarmed:#?}");
     assert!(!fence.iter().any(|row| row.contains('!')));
+    let pressing = signs_in(&console, Role::Alert, size);
+    assert!(pressing[0].contains("! 1 alert"), "{}", pressing[0]);
 }
 
 #[test]
@@ -350,6 +352,21 @@ fn everything_in_view_is_the_task_and_the_drones_but_not_the_fence() {
             .into_iter()
             .any(|corner| frame.contains(corner))
     );
+}
+
+#[test]
+fn the_title_says_what_is_in_view_and_the_legend_lists_it() {
+    let size = (120, 40);
+    let mut console = resized(surveyed(), size);
+    let shown = |console: &Console| drawn(console, Symbols::Braille, Language::English, size);
+    let text = shown(&console);
+    assert!(text.contains("map  task and vehicles in view"), "{text}");
+    // So close that no line of the yard is left.
+    for _ in 0..9 {
+        console.press("+");
+    }
+    let text = shown(&console);
+    assert!(!text.contains("task area"), "{text}");
 }
 
 /// Sensors must find a hazard: until then, the map shows nothing of it.
@@ -421,7 +438,9 @@ fn the_highest_reading_of_all_has_the_name_that_hints_use() {
     let size = (80, 24);
     let console = resized(console, size);
     let text = drawn(&console, Symbols::Braille, Language::English, size);
-    assert!(text.matches("+peak").count() == 2, "{text}");
+    let mut rows = text.lines().map(str::trim_end);
+    assert!(rows.any(|row| row.ends_with("+peak")), "{text}");
+    assert!(text.contains("+peak2"), "{text}");
     assert!(!text.contains("+peak1"), "{text}");
 }
 

@@ -239,7 +239,7 @@ fn missions_are_listed_with_the_number_that_fly_takes() {
     let home = console.screen(80, 24);
     assert!(home.contains("07 Clearance team"), "{home}");
     // An id without a leading number is not shown as a name.
-    assert!(home.contains("> Air sample at the yard"), "{home}");
+    assert!(home.contains(">   Air sample at the yard"), "{home}");
 }
 
 #[test]

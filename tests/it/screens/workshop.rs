@@ -114,7 +114,7 @@ fn parts_that_do_not_fit_look_so() {
         cells.map(ratatui::buffer::Cell::symbol).collect::<String>()
     };
     let muted = in_role(Role::Muted);
-    assert!(muted.contains("×LiPo 6S 5 Ah, 45C"), "{muted}");
+    assert!(muted.contains("× LiPo 6S 5 Ah, 45C"), "{muted}");
     let danger = in_role(Role::Danger);
     assert!(
         danger.contains("does not fit: the battery has 6 cells"),
@@ -124,7 +124,7 @@ fn parts_that_do_not_fit_look_so() {
     let narrow = console.screen(80, 24);
     let row = narrow
         .lines()
-        .find(|line| line.contains("×LiPo 6S 5"))
+        .find(|line| line.contains("× LiPo 6S 5"))
         .unwrap_or_else(|| panic!("{narrow}"));
     // The pane beside the list shows the part under the cursor.
     let listed: String = row.chars().take(36).collect();

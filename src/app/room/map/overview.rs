@@ -12,7 +12,7 @@ const LEAST_MARGIN_M: f64 = 10.0;
 /// The margin around everything, as a share of its size.
 const EDGE: f64 = 0.03;
 /// The minimum length of the frame's longer side, in metres.
-const LEAST_SIZE_M: f64 = 50.0;
+const LEAST_SIZE_M: f64 = 25.0;
 /// The frame shrinks when everything fits into this fraction of its size on both axes.
 const LOOSE: f64 = 0.5;
 /// The time between checks for shrinking.

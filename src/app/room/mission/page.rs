@@ -27,8 +27,6 @@ const TWO_COLUMNS: u16 = 110;
 const WIDEST: usize = 88;
 /// The maximum number of columns for the state of an objective.
 const DETAIL: usize = 24;
-/// The number of columns for the points of an objective.
-const POINTS: usize = 7;
 
 /// The lines of one column, or of two if the screen is wide enough. Empty without a mission.
 pub fn columns(state: &State, locale: &Locale, width: u16) -> Vec<Vec<PageLine>> {
@@ -138,18 +136,24 @@ impl MissionPage<'_> {
         let rows: Vec<ObjectiveRow> = (0..self.mission.objectives.len())
             .map(|at| self.row(at))
             .collect();
-        let widest = rows.iter().map(|row| row.detail.width()).max();
-        let rest = 4 + 1 + 1 + POINTS + 2 + required.width();
+        let widest = |of: fn(&ObjectiveRow) -> &str| {
+            let widths = rows.iter().map(|row| of(row).width());
+            widths.max().unwrap_or(0)
+        };
+        let points = widest(|row| &row.points);
+        let rest = 4 + 2 + 2 + points + 2 + required.width();
         let shared = self.text.width.saturating_sub(rest);
-        let detail = widest.unwrap_or(0).min(DETAIL).min(shared / 2);
+        // Columns that no title needs belong to the states.
+        let free = shared.saturating_sub(widest(|row| &row.title));
+        let detail = widest(|row| &row.detail).min(DETAIL.min(shared / 2).max(free));
         for row in rows {
             let required = if row.required { &required } else { "" };
-            self.objective(&row, [shared - detail, detail], required);
+            self.objective(&row, [shared - detail, detail, points], required);
         }
     }
 
-    /// Adds an objective: its name and its state in columns of these widths, wrapped where they are longer.
-    fn objective(&mut self, row: &ObjectiveRow, [room, detail]: [usize; 2], required: &str) {
+    /// Adds an objective: its name, its state and its points in columns of these widths; longer names and states are wrapped.
+    fn objective(&mut self, row: &ObjectiveRow, [room, detail, right]: [usize; 3], required: &str) {
         let (title, state) = (wrap(&row.title, room), wrap(&row.detail, detail));
         let part = |lines: &[String], at: usize, width| {
             padded(lines.get(at).map_or("", String::as_str), width)
@@ -158,9 +162,9 @@ impl MissionPage<'_> {
             let (title, state) = (part(&title, at, room), part(&state, at, detail));
             let line = if at == 0 {
                 let (mark, points) = (row.mark, &row.points);
-                format!("{mark} {title} {state} {points:>POINTS$}  {required}")
+                format!("{mark} {title}  {state}  {points:>right$}  {required}")
             } else {
-                format!("    {title} {state}")
+                format!("    {title}  {state}")
             };
             self.text.add(row.tone, line.trim_end());
         }

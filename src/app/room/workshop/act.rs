@@ -197,7 +197,7 @@ fn put_in(state: &mut State) {
     let slot = room.bench.slot();
     let was_empty = room.bench.design().in_slot(slot).is_empty();
     if !room.bench.put_in(air()) {
-        return state.say(Severity::Notice, text!("bench-no-more"));
+        return state.say(Severity::Warning, text!("bench-no-more"));
     }
     // A slot for a single part is complete once filled, and so is a required one that was empty; others may take more.
     if slot.room() == 1 || (was_empty && slot.is_required()) {
@@ -215,7 +215,7 @@ fn take_out(state: &mut State) {
     let part = part_under_cursor(state);
     let is_out = part.is_some_and(|part| state.rooms.workshop.bench.take_out(part, air()));
     if !is_out {
-        state.say(Severity::Notice, text!("bench-not-on-board"));
+        state.say(Severity::Warning, text!("bench-not-on-board"));
     }
 }
 
@@ -234,7 +234,7 @@ fn next_view(state: &mut State) {
 /// Builds for the previous or the next mission.
 fn other_mission(state: &mut State, step: Step) {
     if state.session.activity.is_some() && !state.session.is_over() {
-        return state.say(Severity::Notice, text!("bench-mission-flown"));
+        return state.say(Severity::Warning, text!("bench-mission-flown"));
     }
     let items = home::items(state);
     let is_mission = |item: &&HomeItem| matches!(item, HomeItem::Mission(_));

@@ -147,7 +147,7 @@ pub(super) fn ask_take_out(state: &mut State) {
 
 /// Reports that shared designs, those of the program or of the administrator, cannot be changed.
 pub(super) fn refuse(state: &mut State) {
-    state.say(Severity::Notice, text!("bench-not-own"));
+    state.say(Severity::Warning, text!("bench-not-own"));
 }
 
 fn compare(state: &mut State) {

@@ -73,7 +73,12 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
             continue;
         };
         let is_note = |line: &HelpLine| matches!(line, HelpLine::Note(_));
-        let parts = entries.chunk_by(|_, next| is_note(next));
+        // The usages of a verb share the notes below the last of them.
+        let is_bare = |line: &HelpLine| match line {
+            HelpLine::Entry(_, meaning) => meaning.is_empty(),
+            HelpLine::Title(_) | HelpLine::Note(_) | HelpLine::Blank => false,
+        };
+        let parts = entries.chunk_by(|line, next| is_note(next) || is_bare(line));
         let hits: Vec<HelpLine> = parts
             .filter(|part| holds(title) || part.iter().any(holds))
             .flatten()
@@ -106,6 +111,7 @@ mod tests {
                 HelpLine::Blank,
                 HelpLine::Title("commands".into()),
                 entry("takeoff M", ""),
+                entry("up M", ""),
                 HelpLine::Note("climb straight up".into()),
                 entry("land", "come down"),
                 HelpLine::Blank,
@@ -118,9 +124,9 @@ mod tests {
             let place = |line| lines.iter().position(|known| *known == line);
             kept.filter_map(place).collect()
         };
-        assert_eq!(places("CLIMB"), [4, 5, 6]);
-        assert_eq!(places("take"), [0, 2, 4, 5, 6]);
-        assert_eq!(places("commands"), [4, 5, 6, 7]);
+        assert_eq!(places("CLIMB"), [4, 5, 6, 7]);
+        assert_eq!(places("take"), [0, 2, 4, 5, 6, 7]);
+        assert_eq!(places("commands"), [4, 5, 6, 7, 8]);
         assert_eq!(places("hover"), [0; 0]);
     }
 

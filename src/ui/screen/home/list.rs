@@ -18,7 +18,7 @@ const TIERS: [&str; 4] = ["home-tier-0", "home-tier-1", "home-tier-2", "home-tie
 /// The maximum number of items for which groups are separated by blank lines.
 const FEW: usize = 12;
 /// The width of the marks before a name, and of the best score after it, in columns.
-const MARKS: usize = 2;
+const MARKS: usize = 4;
 const BEST: usize = 10;
 /// The meaning of the signs before missions.
 const SIGNS: [(Sign, &str); 4] = [
@@ -168,12 +168,12 @@ fn item_line(
     // The sign means the same as its word, so the name takes precedence over the word.
     let word = sign
         .and_then(|sign| sign.word(look))
-        .filter(|word| 3 + width(word) + width(text) <= columns);
+        .filter(|word| MARKS + 1 + width(word) + width(text) <= columns);
     let best = score.or(word).unwrap_or_default();
-    let room = columns.saturating_sub(3 + width(&best));
+    let room = columns.saturating_sub(MARKS + 1 + width(&best));
     let role = sign.map_or(Role::Text, Sign::role);
     let name = aligned(text, room, false);
-    (format!("{cursor}{mark}{name}{best} "), role)
+    (format!("{cursor} {mark} {name}{best} "), role)
 }
 
 /// The best score of the flights that count, with its medal in stars.

@@ -51,6 +51,10 @@ pub(super) fn draw(shown: &Shown<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
         let place = row_of(list.area, row);
         put(buffer, place, 0, &line(shown, index, item, panel));
         if index == at {
+            // A mark of a range stays in its column.
+            if buffer[(place.x, place.y)].symbol() == " " {
+                put(buffer, place, 0, &Line::raw(">"));
+            }
             list.at(place).mark_cursor(buffer);
         }
     }

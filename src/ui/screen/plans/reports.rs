@@ -17,6 +17,7 @@ use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, ledger, put, wrap};
+use crate::verb::Verb;
 
 /// The number of columns before a text, and before the lines that continue it.
 const INDENT: usize = 1;
@@ -230,9 +231,15 @@ enum LastEntry<'a> {
     Upload(Vec<&'a LedgerEntry>),
 }
 
+/// Whether a verb is about the lists that this room shows.
+fn is_of_lists(verb: &Verb) -> bool {
+    let list = verb.name.split(' ').next();
+    list.is_some_and(|list| ["plan", "fence", "rally"].contains(&list))
+}
+
 fn last_entry(state: &State) -> Option<LastEntry<'_>> {
     let ledger = state.session().ledger();
-    let last = ledger.entries().next_back()?;
+    let last = ledger.entries().rfind(|it| is_of_lists(it.verb))?;
     let uploads = state.rooms().plans().uploads();
     let entry = |id: &EntryId| ledger.entry(*id);
     Some(if uploads.len() > 1 && uploads.contains(&last.id) {

@@ -74,8 +74,12 @@ struct LabelledCurve {
 }
 
 impl LabelledCurve {
+    /// The extremes of the curve, including the current value: the last sample may be older. `None` without a curve.
     fn range(&self) -> Option<(f32, f32)> {
-        let known = self.readings.iter().copied().flatten();
+        let is_finite = |value: &f32| value.is_finite();
+        let sampled = self.readings.iter().copied().flatten().filter(is_finite);
+        let now = self.now.filter(is_finite);
+        let known = sampled.clone().chain(sampled.clone().next().and(now));
         known.fold(None, |range, value| match range {
             None => Some((value, value)),
             Some((low, high)) => Some((value.min(low), value.max(high))),
@@ -185,4 +189,26 @@ fn draw_curve(curve: &LabelledCurve, panel: Panel<'_>, buffer: &mut Buffer) {
         .map(|value| number(value, axis.decimals));
     let line = Line::raw(format!(" {least:>NUMBER$} {most:>NUMBER$}"));
     put(buffer, columns(area, left + width, area.width), 0, &line);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_current_value_is_within_the_extremes() {
+        let curve = |now, readings: &[f32]| LabelledCurve {
+            axis: Axis::of(Channel::Voltage),
+            now,
+            readings: readings.iter().copied().map(Some).collect(),
+            samples: 30,
+            merge: Merge::Mean,
+        };
+        let range = curve(Some(12.02), &[12.6, 12.04]).range();
+        assert_eq!(range, Some((12.02, 12.6)));
+        assert_eq!(curve(None, &[12.6, 12.04]).range(), Some((12.04, 12.6)));
+        let range = curve(Some(f32::NAN), &[12.6]).range();
+        assert_eq!(range, Some((12.6, 12.6)));
+        assert_eq!(curve(Some(12.02), &[]).range(), None);
+    }
 }

@@ -15,6 +15,7 @@ use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
+use crate::ui::widget::gauge::battery_role;
 use crate::ui::widget::{clock, put, severity_role, wrap};
 use crate::vehicle::{Battery, LandedState, Vehicle};
 
@@ -32,7 +33,9 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
     let look = subject.look;
     let inner = Panel::new(look, area).titled(&look.say("vehicle-state"), buffer);
     let width = usize::from(inner.width).saturating_sub(LABEL);
-    let mut row = 0;
+    let mode = labelled(look, &look.say("vehicle-mode"), mode(subject.vehicle, look));
+    put(buffer, inner, 0, &mode);
+    let mut row = 1;
     for (id, value, role) in entries(subject) {
         let label = look.say(id);
         // Only the alert can be long; it has no columns.
@@ -52,14 +55,14 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
 
 fn entries(subject: &VehicleSubject<'_>) -> Vec<Entry> {
     let (vehicle, look) = (subject.vehicle, subject.look);
-    let mut entries = vec![mode(vehicle, look), ready(subject)];
+    let mut entries = vec![ready(subject)];
     entries.extend(control(vehicle, look));
     let held = vehicle.held.map(|held| held.text());
     entries.extend(held.map(|held| ("vehicle-held", held, Role::Danger)));
     entries.extend([
         ("vehicle-altitude", altitude(vehicle, look), Role::Text),
         ("vehicle-speed", speed(vehicle, look), Role::Text),
-        ("vehicle-battery", battery(vehicle), Role::Text),
+        ("vehicle-battery", battery(vehicle), charge_role(vehicle)),
         ("vehicle-home", home(vehicle, look), Role::Text),
         ("vehicle-target", target(vehicle, look), Role::Text),
         flight(subject),
@@ -74,18 +77,16 @@ fn entries(subject: &VehicleSubject<'_>) -> Vec<Entry> {
     entries
 }
 
-fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
+/// The mode, whether the vehicle is armed, and whether it flies.
+fn mode(vehicle: &Vehicle, look: &Look) -> Vec<Span<'static>> {
+    let span = |text: String, role| Span::styled(text, look.style(role));
     let Some(heartbeat) = vehicle.heartbeat else {
-        return (
-            "vehicle-mode",
-            look.say("vehicle-no-heartbeat"),
-            Role::Warning,
-        );
+        return vec![span(look.say("vehicle-no-heartbeat"), Role::Warning)];
     };
-    let armed = if heartbeat.armed {
-        look.say("vehicle-armed")
+    let (armed, armed_role) = if heartbeat.armed {
+        ("vehicle-armed", Role::Armed)
     } else {
-        look.say("vehicle-disarmed")
+        ("vehicle-disarmed", Role::Muted)
     };
     let landed = match vehicle.landed {
         LandedState::Undefined => String::new(),
@@ -95,18 +96,21 @@ fn mode(vehicle: &Vehicle, look: &Look) -> Entry {
         LandedState::Takeoff => look.say("vehicle-taking-off"),
         LandedState::Landing => look.say("vehicle-landing"),
     };
-    let mode = vehicle.name_of(heartbeat.mode);
     let intended = vehicle.mode_not_reached().map(|mode| {
         let text = text!("vehicle-mode-set", mode = vehicle.name_of(mode));
         format!(" {}", look.text(&text))
     });
-    let value = format!("{mode}{} {armed} {landed}", intended.unwrap_or_default());
     let role = if vehicle.has_paused() {
         Role::Warning
     } else {
         Role::Accent
     };
-    ("vehicle-mode", value, role)
+    let mode = vehicle.name_of(heartbeat.mode);
+    vec![
+        span(format!("{mode}{} ", intended.unwrap_or_default()), role),
+        span(look.say(armed), armed_role),
+        span(format!(" {landed}"), role),
+    ]
 }
 
 /// The alert, or whether the vehicle can be armed.
@@ -164,6 +168,18 @@ fn speed(vehicle: &Vehicle, look: &Look) -> String {
     let ground = number(vehicle.ground_speed_m_s(), 1);
     let air = number(vehicle.hud.map(|hud| hud.airspeed_m_s), 1);
     look.text(&text!("vehicle-speeds", ground = ground, air = air))
+}
+
+/// The role of the lowest charge, as in the table: a good one needs no colour.
+fn charge_role(vehicle: &Vehicle) -> Role {
+    let charges = vehicle
+        .batteries
+        .iter()
+        .filter_map(|pack| pack.remaining_percent);
+    match charges.min().map(battery_role) {
+        Some(role @ (Role::Warning | Role::Danger)) => role,
+        _ => Role::Text,
+    }
 }
 
 fn battery(vehicle: &Vehicle) -> String {

@@ -15,6 +15,8 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, row_of, upper, width as width_of, wrap};
 use crate::workshop::{Measure, PartSlot, Sheet};
 
+/// The columns before a name: the cursor, a blank, the mark, a blank.
+const LEAD: usize = 4;
 /// The width of a part's price, or of the reason why it is locked, in columns.
 const LICENCE: usize = 8;
 /// The widths of a change, and of a change with the name of the measure, in columns.
@@ -91,7 +93,7 @@ impl PartColumns {
         let has_figures =
             flies(bench.sheet()) || bench.candidates().iter().any(|it| flies(&it.sheet));
         let telling = telling(bench.slot(), has_figures);
-        let room = width.saturating_sub(2 + licence);
+        let room = width.saturating_sub(LEAD + licence);
         if room < LONG_NAME + 2 * WIDE_CHANGE {
             let shown: Vec<_> = telling.iter().take(1).map(|it| (*it, CHANGE)).collect();
             let name = room.saturating_sub(CHANGE * shown.len());
@@ -133,7 +135,7 @@ impl PartColumns {
     }
 
     fn heading(&self, look: &Look) -> String {
-        let before = " ".repeat(2 + self.name + self.licence);
+        let before = " ".repeat(LEAD + self.name + self.licence);
         let names = self.shown.iter().map(|(measure, columns)| {
             let name = look.text(&measure.name());
             aligned(&name, *columns, true)
@@ -155,7 +157,7 @@ impl PartColumns {
         };
         let name = look.text(&candidate.part.name());
         let mut spans = vec![Span::styled(
-            format!(" {mark}{}", aligned(&name, self.name, false)),
+            format!("  {mark} {}", aligned(&name, self.name, false)),
             look.style(role),
         )];
         if self.licence > 0 {
@@ -165,7 +167,7 @@ impl PartColumns {
         }
         match &candidate.misfit {
             Some(reason) if self.shown.len() > 1 => {
-                let used = 2 + self.name + self.licence;
+                let used = LEAD + self.name + self.licence;
                 let room = self.width.saturating_sub(used + 2);
                 let reason = aligned(&look.text(reason), room, false);
                 spans.push(Span::styled(format!("  {reason}"), look.style(Role::Muted)));

@@ -90,7 +90,7 @@ impl SlotLine<'_> {
         let (words, part_role) = self.part(design, look);
         let mut spans = vec![
             Span::raw(" "),
-            Span::styled(mark, look.style(role)),
+            Span::styled(format!("{mark} "), look.style(role)),
             Span::styled(
                 format!("{} ", aligned(&slot, name, false)),
                 look.style(Role::Muted),

@@ -103,6 +103,11 @@ impl Canvas {
         }
     }
 
+    /// Whether no dot has been drawn.
+    pub fn is_blank(&self) -> bool {
+        self.cells.iter().all(|(mask, _)| *mask == 0)
+    }
+
     /// Draws one dot, if it is on the canvas.
     pub fn dot(&mut self, Dot { x, y }: Dot, role: Role) {
         if x < 0.0 || y < 0.0 {

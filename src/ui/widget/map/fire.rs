@@ -99,7 +99,7 @@ pub fn draw(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffe
     let Some(progress) = state.session().mission() else {
         return;
     };
-    let style = panel.style(role(panel.look));
+    let style = panel.look.fill(role(panel.look));
     for (cell, level) in levels(progress, view) {
         let sign = level.sign(panel.look.symbols);
         squares::fill(cell, sign, style, panel, buffer);

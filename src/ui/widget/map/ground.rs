@@ -235,6 +235,20 @@ fn draw_sketch(
     }
 }
 
+/// Whether a view shows a part of a sketch.
+pub fn is_seen(sketch: &Sketch, view: &Viewport) -> bool {
+    if sketch
+        .points
+        .iter()
+        .any(|&point| view.cell(point).is_some())
+    {
+        return true;
+    }
+    let mut canvas = Canvas::new(GridSize::new(view.columns, view.rows), Symbols::Braille);
+    draw_sketch(sketch, false, view, &mut canvas, &mut Vec::new());
+    !canvas.is_blank()
+}
+
 /// Draws a closed line.
 pub fn outline(corners: &[LatLon], view: &Viewport, canvas: &mut Canvas, stroke: Stroke) {
     let next = corners.iter().cycle().skip(1);

@@ -20,7 +20,7 @@ const MOST_DECIMALS: usize = 4;
 pub fn draw(field: &SampleField, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
     let shades = shades(panel.look.symbols);
     let top = field.top();
-    let style = panel.style(Role::Hazard);
+    let style = panel.look.fill(Role::Hazard);
     for (cell, mean) in means(field, view).into_iter().enumerate() {
         let Some(mean) = mean else {
             continue;
@@ -63,7 +63,7 @@ fn scale_spans(shades: &[char], step: usize, top: f64, panel: Panel<'_>) -> Vec<
     let both = shown.iter().zip(figures(&values));
     both.flat_map(|((shade, _), figure)| {
         [
-            Span::styled(shade.to_string(), panel.style(Role::Hazard)),
+            Span::styled(shade.to_string(), panel.look.fill(Role::Hazard)),
             Span::styled(
                 format!("{}{figure}  ", between(panel.look.symbols)),
                 panel.style(Role::Muted),

@@ -5,7 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::Stroke;
-use super::ground::{KEEP_OUT, RULER, stroke};
+use super::ground::{KEEP_OUT, RULER, is_seen, next_place, next_sign, stroke};
 use super::labels::blank;
 use super::markers::{LOST, arrow};
 use super::ways::{GHOST, target, trail};
@@ -14,12 +14,12 @@ use crate::app::State;
 use crate::app::room::map::SketchKind::{
     Course, Fence, Jamming, KeepOut, Leg, Meeting, NoFly, People, Plan, Radio, Rally, Task, Wire,
 };
-use crate::app::room::map::{PAUSED, leg, shows_leg, sketches};
-use crate::geo::{Viewport, scale_bar};
+use crate::app::room::map::{PAUSED, Sketch, leg, shows_leg, sketches};
+use crate::geo::{LatLon, Viewport, scale_bar};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::put;
+use crate::ui::widget::{put, width};
 use crate::vehicle::VehicleId;
 
 /// The maximum width of the scale bar, in columns.
@@ -72,9 +72,9 @@ pub fn length(metres: f64) -> String {
     }
 }
 
-/// Draws the legend with the signs that are on the map.
-pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let lines = lines(state, panel.look);
+/// Draws the legend with the signs that are in the map's view.
+pub fn draw(state: &State, view: Option<&Viewport>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let lines = lines(state, view, panel.look);
     let inner =
         panel
             .upper(lines.len() as u16 + 2)
@@ -84,13 +84,17 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
+fn lines(state: &State, view: Option<&Viewport>, look: &Look) -> Vec<Line<'static>> {
+    // Blanks without the sign's style: reversed, every sign would be the same block.
     let row = |(sign, role, id): (String, Role, &str)| {
+        let blanks = " ".repeat((SIGN_WIDTH + 1).saturating_sub(width(&sign)));
         Line::from(vec![
-            Span::styled(format!("{sign:SIGN_WIDTH$} "), look.style(role)),
+            Span::styled(sign, look.style(role)),
+            Span::raw(blanks),
             Span::raw(look.say(id)),
         ])
     };
+    let seen = seen(state, view);
     let signs = [
         (
             arrow(45.0, look.symbols).into(),
@@ -104,6 +108,7 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         ("3!".to_owned(), Role::Warning, "map-legend-alert"),
         ("(4)".to_owned(), Role::Text, "map-legend-several"),
         ("H".to_owned(), Role::Title, "map-legend-home"),
+        ("┼".to_owned(), Role::Cursor, "map-legend-pointer"),
     ];
     let finds = finds::SIGNS
         .iter()
@@ -124,7 +129,7 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
     let pause = vehicles
         .any(|vehicle| vehicle.has_paused())
         .then(|| (PAUSED.to_owned(), Role::Warning, "map-legend-paused"));
-    let strokes = strokes(state)
+    let strokes = strokes(state, &seen)
         .into_iter()
         .filter(|(shown, ..)| *shown)
         .map(|(_, stroke, id)| (stroke.sample(look.symbols), stroke.role, id));
@@ -134,16 +139,49 @@ fn lines(state: &State, look: &Look) -> Vec<Line<'static>> {
         .chain(movers)
         .chain(aircraft)
         .chain(pause)
+        .chain(places(state, view, look))
         .chain(shades(state, look))
-        .chain(keep_out(state, look))
+        .chain(keep_out(&seen, look))
         .chain(strokes)
         .map(row)
         .collect()
 }
 
+/// The signs of the named places in view; the next one to go to has its own.
+fn places(
+    state: &State,
+    view: Option<&Viewport>,
+    look: &Look,
+) -> Vec<(String, Role, &'static str)> {
+    let next = next_place(state);
+    let is_in_view = |place: LatLon| view.is_none_or(|view| view.cell(place).is_some());
+    let mut others = state.session().places().values();
+    let has_others = others.any(|&place| Some(place) != next && is_in_view(place));
+    let rows = [
+        (has_others, ("+".to_owned(), Role::Info, "map-legend-place")),
+        (
+            next.is_some_and(is_in_view),
+            (
+                next_sign(look.symbols).to_owned(),
+                Role::Key,
+                "map-legend-next",
+            ),
+        ),
+    ];
+    let shown = rows.into_iter().filter(|(shown, _)| *shown);
+    shown.map(|(_, row)| row).collect()
+}
+
+/// The lines and places of which the view shows a part; without a view, all.
+fn seen(state: &State, view: Option<&Viewport>) -> Vec<Sketch> {
+    let mut sketches = sketches(state);
+    sketches.retain(|sketch| view.is_none_or(|view| is_seen(sketch, view)));
+    sketches
+}
+
 /// The border of an area to stay out of and the sign inside, if the map has such an area.
-fn keep_out(state: &State, look: &Look) -> Option<(String, Role, &'static str)> {
-    let is_any = sketches(state).iter().any(|it| it.kind == KeepOut);
+fn keep_out(seen: &[Sketch], look: &Look) -> Option<(String, Role, &'static str)> {
+    let is_any = seen.iter().any(|it| it.kind == KeepOut);
     let border = stroke(KeepOut);
     let end: String = border.sample(look.symbols).chars().take(2).collect();
     let sign = format!("{end}{KEEP_OUT}{end}");
@@ -168,10 +206,9 @@ fn shades(state: &State, look: &Look) -> Vec<(String, Role, &'static str)> {
 }
 
 /// The kinds of lines, and whether there are any on the map.
-fn strokes(state: &State) -> [(bool, Stroke, &'static str); 16] {
+fn strokes(state: &State, seen: &[Sketch]) -> [(bool, Stroke, &'static str); 16] {
     let map = state.rooms().map();
-    let sketches = sketches(state);
-    let has = |kind| sketches.iter().any(|sketch| sketch.kind == kind);
+    let has = |kind| seen.iter().any(|sketch| sketch.kind == kind);
     // The colours are those of the vehicles, as with trails.
     let plan = |kind| Stroke {
         role: trail(FIRST).role,

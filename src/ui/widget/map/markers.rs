@@ -22,6 +22,10 @@ const ARROWS: [char; 8] = ['↑', '↗', '→', '↘', '↓', '↙', '←', '↖
 const FOUR_ARROWS: [char; 4] = ['↑', '→', '↓', '←'];
 const ASCII_ARROWS: [char; 4] = ['^', '>', 'v', '<'];
 
+/// The marks after the number of a selected vehicle, and of one with an alert.
+const SELECTED: char = '*';
+const ALERT: char = '!';
+
 struct Marker {
     id: VehicleId,
     column: u16,
@@ -91,11 +95,13 @@ struct Chosen {
 impl Chosen {
     /// The vehicle of this marker; removes from `others` the vehicles that it hides.
     fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
-        // At the left edge, the sign itself must keep its column.
-        let bracket = if marker.column == 0 { "" } else { "[" };
+        // At the left edge, the sign itself must keep its column; beside another vehicle, its number has the cell.
+        let is_tight = |it: &Marker| it.row == marker.row && it.column + 2 == marker.column;
+        let has_bracket = marker.column > 0 && !others.iter().any(is_tight);
+        let bracket = if has_bracket { "[" } else { "" };
         let bare = format!("{bracket}{}{}{}", marker.sign, marker.id, marker.marks);
         let mut chosen = Self {
-            from: marker.column.saturating_sub(1),
+            from: marker.column - u16::from(has_bracket),
             text: format!("{bare}]"),
             marker,
         };
@@ -131,10 +137,10 @@ fn marker(vehicle: &Vehicle, cell: Position, state: &State, look: &Look) -> Mark
     let lost = vehicle.link.lost;
     let mut marks = String::new();
     if selected {
-        marks.push('*');
+        marks.push(SELECTED);
     }
     if alarm.is_some() {
-        marks.push('!');
+        marks.push(ALERT);
     }
     let (role, rank) = match &alarm {
         _ if lost => (Role::Danger, 0),
@@ -260,21 +266,38 @@ impl<'a> Board<'a> {
         fits && !self.taken[from..from + usize::from(width)].contains(&true)
     }
 
-    /// Writes a vehicle's number beside its sign if there is room, otherwise only its selection or alert mark.
+    /// Writes a vehicle's number beside its sign if there is room. If its marks do not fit, the number comes first, and
+    /// an alert replaces the sign; without room for the number, only the marks are written.
     fn name(&mut self, marker: &Marker, look: &Look) {
-        let whole = format!("{}{}", marker.id, marker.marks);
-        if !self.write_beside(marker, &whole, look) && !marker.marks.is_empty() {
+        let number = marker.id.to_string();
+        let whole = format!("{number}{}", marker.marks);
+        if self.write_beside(marker, &whole, look) || marker.marks.is_empty() {
+            return;
+        }
+        if self.write_beside(marker, &number, look) {
+            let mark = if marker.marks.contains(ALERT) {
+                ALERT
+            } else {
+                SELECTED
+            };
+            let style = look.style(marker.role);
+            self.put(marker.column, marker.row, &mark.to_string(), style);
+        } else {
             self.write_beside(marker, &marker.marks, look);
         }
     }
 
+    /// Writes a text after a vehicle's sign, or before it if nothing there could take it for its own.
     fn write_beside(&mut self, marker: &Marker, text: &str, look: &Look) -> bool {
         let width = text.len() as u16;
         let right = marker.column + 1;
-        let left = marker.column.checked_sub(width);
+        let left = marker.column.checked_sub(width).filter(|&left| {
+            let gap = u16::from(left > 0);
+            self.is_free(left - gap, marker.row, width + gap)
+        });
         let at = if self.is_free(right, marker.row, width) {
             right
-        } else if let Some(left) = left.filter(|&left| self.is_free(left, marker.row, width)) {
+        } else if let Some(left) = left {
             left
         } else {
             return false;
@@ -308,7 +331,7 @@ impl<'a> Board<'a> {
         let role = worst.map_or(Role::Text, |it| it.role);
         let mark = |wanted: char| those.iter().any(|it| it.marks.contains(wanted));
         let mut text = format!("({})", those.len());
-        for wanted in ['*', '!'] {
+        for wanted in [SELECTED, ALERT] {
             if mark(wanted) {
                 text.push(wanted);
             }
@@ -317,5 +340,48 @@ impl<'a> Board<'a> {
             return;
         };
         self.put(from, row, &text, look.style(role));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Vehicles in a row: column, number and marks.
+    fn drawn(vehicles: &[(u16, VehicleId, &str)]) -> String {
+        let (look, area) = (Look::default(), Rect::new(0, 0, 10, 1));
+        let mut buffer = Buffer::empty(area);
+        let mut board = Board::new(Panel::new(&look, area), &mut buffer);
+        let marker = |&(column, id, marks): &(u16, VehicleId, &str)| Marker {
+            id,
+            column,
+            row: 0,
+            sign: '^',
+            marks: marks.to_owned(),
+            role: Role::Text,
+            rank: 0,
+        };
+        let markers: Vec<Marker> = vehicles.iter().map(marker).collect();
+        for it in &markers {
+            board.put(it.column, 0, "^", Style::new());
+        }
+        for it in &markers {
+            board.name(it, &look);
+        }
+        (0..10).map(|x| buffer[(x, 0)].symbol()).collect()
+    }
+
+    #[test]
+    fn a_vehicle_with_an_alert_keeps_its_number_beside_neighbours() {
+        assert_eq!(drawn(&[(1, 2, "!"), (5, 3, "")]), " ^2! ^3   ");
+        assert_eq!(drawn(&[(1, 2, "!"), (3, 3, "")]), " !2^3     ");
+        assert_eq!(drawn(&[(1, 2, "*"), (3, 3, "!")]), " *2^3!    ");
+    }
+
+    #[test]
+    fn no_number_stands_between_two_signs_unless_it_follows_its_own() {
+        // The number of vehicle 3 would look like that of vehicle 2.
+        assert_eq!(drawn(&[(1, 2, ""), (3, 3, ""), (4, 4, "")]), " ^2^^4    ");
+        assert_eq!(drawn(&[(3, 3, ""), (4, 4, "")]), "  3^^4    ");
     }
 }

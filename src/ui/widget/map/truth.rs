@@ -16,7 +16,7 @@ use crate::scoring::{ObjectKind, ObjectReport, SquareReport, TruthReport};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{below, put, upper, wrap};
+use crate::ui::widget::{below, put, upper, width as width_of};
 
 /// The mission's origin: a report gives places only in metres from the origin.
 const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
@@ -24,6 +24,9 @@ const GAP: Stroke = Stroke::dotted(Role::Warning);
 const FENCE: Stroke = Stroke::dashed(Role::Fence);
 /// The margin around everything, as a share of the extent, and in metres.
 const EDGE: (f64, f64) = (0.04, 5.0);
+
+/// The number of columns between two entries of the legend.
+const LEGEND_GAP: usize = 2;
 
 /// A sign with its meaning, readable without colours.
 type Sign = (char, Role, &'static str);
@@ -204,53 +207,79 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
     for row in span(top, bottom, view.rows) {
         for column in span(left, right, view.columns) {
             if let Some(cell) = buffer.cell_mut((area.x + column, area.y + row)) {
-                cell.set_char(shade).set_style(look.style(Role::Hazard));
+                cell.set_char(shade).set_style(look.fill(Role::Hazard));
             }
         }
     }
 }
 
-/// The legend of the signs on the map with their counts, in as many lines as needed.
-fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> Vec<Line<'static>> {
-    let mut words = Vec::new();
-    for sign in SIGNS {
-        let count = labels.iter().filter(|label| label.sign == sign).count();
-        if count > 0 {
-            words.push(format!("{} {}: {count}", sign.0, look.say(sign.2)));
-        }
-    }
-    if !truth.squares.is_empty() {
-        words.push(format!(
-            "{} {}",
-            heat::shares(look.symbols),
-            look.say("truth-strength")
-        ));
-    }
-    if !truth.fences.is_empty() {
-        words.push(format!(
-            "{} {}",
-            sample(FENCE, look),
-            look.say("map-legend-fence")
-        ));
-    }
-    if !truth.wires.is_empty() {
-        words.push(format!(
-            "{} {}",
-            sample(WIRE, look),
-            look.say("map-legend-wire")
-        ));
-    }
-    if !truth.gaps.is_empty() {
-        let (line, count) = (sample(GAP, look), truth.gaps.len());
-        words.push(format!("{line} {}: {count}", look.say("truth-gaps")));
-    }
-    let lines = wrap(&words.join(", "), width).into_iter();
-    lines
-        .map(|line| Line::from(Span::styled(line, look.style(Role::Muted))))
-        .collect()
+/// An entry of the legend: its sign in the role that it has on the map, and its meaning.
+struct Entry {
+    sign: String,
+    role: Role,
+    meaning: String,
 }
 
-/// A sample of a line that contains no spaces, because the legend is wrapped at spaces.
+impl Entry {
+    fn width(&self) -> usize {
+        width_of(&self.sign) + 1 + width_of(&self.meaning)
+    }
+
+    fn spans(self, look: &Look) -> [Span<'static>; 3] {
+        let muted = look.style(Role::Muted);
+        [
+            Span::styled(self.sign, look.fill(self.role)),
+            Span::raw(" "),
+            Span::styled(self.meaning, muted),
+        ]
+    }
+}
+
+/// The legend of the signs on the map with their counts, in as many lines as needed.
+fn legend(truth: &TruthReport, labels: &[SignAt], look: &Look, width: usize) -> Vec<Line<'static>> {
+    let mut lines: Vec<Line<'static>> = Vec::new();
+    for entry in entries(truth, labels, look) {
+        match lines.last_mut() {
+            Some(line) if line.width() + LEGEND_GAP + entry.width() <= width => {
+                line.push_span(" ".repeat(LEGEND_GAP));
+            }
+            _ => lines.push(Line::default()),
+        }
+        if let Some(line) = lines.last_mut() {
+            line.extend(entry.spans(look));
+        }
+    }
+    lines
+}
+
+fn entries(truth: &TruthReport, labels: &[SignAt], look: &Look) -> Vec<Entry> {
+    let signs = SIGNS.iter().filter_map(|&sign| {
+        let count = labels.iter().filter(|label| label.sign == sign).count();
+        (count > 0).then(|| Entry {
+            sign: sign.0.to_string(),
+            role: sign.1,
+            meaning: format!("{}: {count}", look.say(sign.2)),
+        })
+    });
+    let strength = (!truth.squares.is_empty()).then(|| Entry {
+        sign: heat::shares(look.symbols),
+        role: Role::Hazard,
+        meaning: look.say("truth-strength"),
+    });
+    let line = |stroke: Stroke, meaning: String| Entry {
+        sign: sample(stroke, look),
+        role: stroke.role,
+        meaning,
+    };
+    let fences = (!truth.fences.is_empty()).then(|| line(FENCE, look.say("map-legend-fence")));
+    let wires = (!truth.wires.is_empty()).then(|| line(WIRE, look.say("map-legend-wire")));
+    let count = truth.gaps.len();
+    let gaps = (count > 0).then(|| line(GAP, format!("{}: {count}", look.say("truth-gaps"))));
+    let lines = [strength, fences, wires, gaps].into_iter().flatten();
+    signs.chain(lines).collect()
+}
+
+/// The beginning of a line, up to its first gap.
 fn sample(stroke: Stroke, look: &Look) -> String {
     let line = stroke.sample(look.symbols);
     line.split(' ').next().unwrap_or_default().to_owned()
