@@ -14,7 +14,7 @@ impl DebriefPage<'_> {
         let locale = self.locale;
         let heading = format!(
             "{}{}{}{}",
-            fit(&format!(" {}", locale.say("debrief-objectives")), 38),
+            fit(&format!(" {}", locale.say("debrief-objectives")), 39),
             fit(&locale.say("debrief-result"), 14),
             fit(&locale.say("debrief-target"), 12),
             locale.say("debrief-points")
@@ -50,10 +50,10 @@ impl DebriefPage<'_> {
         );
         if widths
             .iter()
-            .zip([8, 21, 13, 11])
+            .zip([8, 22, 13, 11])
             .all(|(width, room)| *width <= room)
         {
-            let (title, result, target) = (fit(&title, 22), fit(&result, 13), fit(&target, 11));
+            let (title, result, target) = (fit(&title, 23), fit(&result, 13), fit(&target, 11));
             self.line(&format!("{lead} {title} {result} {target} {points}"));
         } else {
             self.line(&format!("{} {points}", fit(&format!("{lead} {title}"), 63)));
