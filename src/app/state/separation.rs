@@ -1,6 +1,6 @@
 //! Vehicles in the air that come too close to each other.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use crate::config::AlertsConfig;
 use crate::geo::{LatLon, maths};
@@ -31,14 +31,16 @@ struct Flyer {
     point: [f64; 3],
     /// The place from which the vehicle took off, in metres north and east.
     start: Option<[f64; 2]>,
+    /// The cell of the position, counted north and east from the origin.
+    cell: [i32; 2],
 }
 
 /// The vehicles in the air, in square cells as wide as the horizontal limit: only vehicles in the
 /// same or in neighbouring cells can be too close to each other, so the cost grows with their
 /// number and not with its square.
 struct CellGrid {
+    /// Ordered by cell: cells from west to east are neighbours here.
     flyers: Vec<Flyer>,
-    cells: HashMap<u64, Vec<usize>>,
     limits: SeparationLimits,
 }
 
@@ -56,21 +58,12 @@ pub fn too_close(
 impl CellGrid {
     fn new(vehicles: &Vehicles, limits: SeparationLimits) -> Self {
         let mut origin = None;
-        let mut flyers = Vec::new();
-        let mut cells: HashMap<u64, Vec<usize>> = HashMap::new();
-        for vehicle in vehicles.values() {
-            let Some(flyer) = flyer(vehicle, &mut origin) else {
-                continue;
-            };
-            let place = cell(flyer.point, limits);
-            cells.entry(key(place)).or_default().push(flyers.len());
-            flyers.push(flyer);
-        }
-        Self {
-            flyers,
-            cells,
-            limits,
-        }
+        let flying = vehicles.values();
+        let mut flyers: Vec<Flyer> = flying
+            .filter_map(|vehicle| flyer(vehicle, &mut origin, limits))
+            .collect();
+        flyers.sort_by_key(|flyer| flyer.cell);
+        Self { flyers, limits }
     }
 
     fn too_close(&self) -> BTreeMap<VehicleId, CloseVehicle> {
@@ -86,14 +79,15 @@ impl CellGrid {
 
     /// The other vehicles in the cells around a vehicle.
     fn around<'a>(&'a self, flyer: &'a Flyer) -> impl Iterator<Item = &'a Flyer> + 'a {
-        let own = cell(flyer.point, self.limits);
-        let steps = (0..9).map(|at| [at / 3 - 1, at % 3 - 1]);
-        let cells = steps.map(move |step| [0, 1].map(|axis| own[axis].wrapping_add(step[axis])));
-        let found = cells
-            .filter_map(|cell| self.cells.get(&key(cell)))
-            .flatten();
-        let others = found.map(|at| &self.flyers[*at]);
-        others.filter(|other| other.vehicle != flyer.vehicle)
+        let [north, east] = flyer.cell;
+        let rows = [north.saturating_sub(1), north, north.saturating_add(1)];
+        let [west, east] = [east.saturating_sub(1), east.saturating_add(1)];
+        let found = rows.into_iter().flat_map(move |row| {
+            let first = self.flyers.partition_point(|it| it.cell < [row, west]);
+            let from_there = self.flyers[first..].iter();
+            from_there.take_while(move |it| it.cell <= [row, east])
+        });
+        found.filter(|other| other.vehicle != flyer.vehicle)
     }
 
     /// The distance between two vehicles relative to the limits, by the rules of a rehearsal; less
@@ -116,7 +110,11 @@ fn seen_from(flyer: &Flyer, other: &Flyer) -> CloseVehicle {
 
 /// A vehicle, if it is in contact, and in the air at a known place; the first one's place is the
 /// origin.
-fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
+fn flyer(
+    vehicle: &Vehicle,
+    origin: &mut Option<LatLon>,
+    limits: SeparationLimits,
+) -> Option<Flyer> {
     if vehicle.link.lost || !vehicle.airborne() {
         return None;
     }
@@ -133,17 +131,8 @@ fn flyer(vehicle: &Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer> {
             start: vehicle
                 .home
                 .map(|home| origin.offset_to(home.at_point).into()),
+            cell: [north_m, east_m].map(|metres| (metres / limits.across_m).floor() as i32),
         })
-}
-
-/// The cell of a point, counted north and east from the origin.
-fn cell([north_m, east_m, _]: [f64; 3], limits: SeparationLimits) -> [i32; 2] {
-    [north_m, east_m].map(|metres| (metres / limits.across_m).floor() as i32)
-}
-
-/// A cell as one number, which is faster to hash.
-fn key([north, east]: [i32; 2]) -> u64 {
-    u64::from(north.cast_unsigned()) << 32 | u64::from(east.cast_unsigned())
 }
 
 #[cfg(test)]
