@@ -69,6 +69,7 @@ fact-skill-mastered = { $skill } { $percent } (mastered)
 fact-pays = pays
 fact-pays-first = up to { $credits } cr for the first pass
 fact-pays-nothing = no credits
+fact-pays-paid = all paid
 fact-pays-left = up to { $left } cr more for a better score
 fact-opens = opens
 fact-drones = drones

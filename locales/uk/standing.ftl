@@ -57,6 +57,7 @@ fact-skill-mastered = { $skill } { $percent } (опановано)
 fact-pays = винагорода
 fact-pays-first = до { $credits } cr за перше проходження
 fact-pays-nothing = без кредитів
+fact-pays-paid = усе виплачено
 fact-pays-left = ще до { $left } cr за кращі бали
 fact-opens = відкриває
 fact-drones = дрони

@@ -56,7 +56,7 @@ impl DebriefPage<'_> {
             let (title, result, target) = (fit(&title, 23), fit(&result, 13), fit(&target, 11));
             self.line(&format!("{lead} {title} {result} {target} {points}"));
         } else {
-            self.line(&format!("{} {points}", fit(&format!("{lead} {title}"), 63)));
+            self.line(&format!("{} {points}", fit(&format!("{lead} {title}"), 64)));
             let result = text!("debrief-objective-result", result = result, target = target);
             self.wrapped(&" ".repeat(15), &result);
         }

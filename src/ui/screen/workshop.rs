@@ -26,8 +26,12 @@ mod slots;
 
 /// The minimum height for both lists, one below the other, in rows.
 const TALL: u16 = 34;
-/// The share of a narrow screen for the lists, in percent: names of parts are longer than figures.
+/// The width from which the lists get their full share, in columns.
+const ROOMY: u16 = 110;
+/// The share of the lists of a screen, in percent: names of parts are longer than figures.
 const LISTS_PERCENT: u16 = 56;
+/// That share on narrow screens, where the names of figures need room too.
+const NARROW_LISTS_PERCENT: u16 = 50;
 /// The minimum height of a chart below the problems, in rows.
 const CHART_ROWS: u16 = 9;
 /// The share of a wide screen for the list of slots, in percent, and the width of the figures, in
@@ -70,7 +74,12 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 /// Draws the lists on the left, and the chosen view on the right.
 fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().workshop();
-    let width = panel.area.width * LISTS_PERCENT / 100;
+    let share = if panel.area.width >= ROOMY {
+        LISTS_PERCENT
+    } else {
+        NARROW_LISTS_PERCENT
+    };
+    let width = panel.area.width * share / 100;
     let left = columns(panel.area, 0, width);
     let right = columns(panel.area, width + 1, panel.area.width - width - 1);
     if panel.area.height >= TALL {

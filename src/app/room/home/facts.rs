@@ -204,6 +204,8 @@ fn pay(career: &Career, offer: &Offer) -> Text {
     let left = career.credits_left(offer);
     if offer.credits == 0 {
         text!("fact-pays-nothing")
+    } else if career.standing.has_passed(&offer.id) && left == 0 {
+        text!("fact-pays-paid")
     } else if career.standing.has_passed(&offer.id) {
         text!("fact-pays-left", left = left)
     } else {

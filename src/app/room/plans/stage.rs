@@ -24,7 +24,7 @@ pub enum PlanStage {
     OnBoard,
     /// The vehicle carries the plan and is on the ground, armed.
     Armed,
-    /// The vehicle is in the air, but is not flying a plan.
+    /// The vehicle carries the plan and is in the air, but is not flying a plan.
     Aloft,
     /// The vehicle has paused in the plan.
     Paused,
@@ -100,8 +100,10 @@ fn stage(state: &State, draft: &Draft, vehicle: &Vehicle) -> PlanStage {
             PlanStage::Paused
         } else if vehicle.flies_plan() {
             PlanStage::Flying
-        } else {
+        } else if carries {
             PlanStage::Aloft
+        } else {
+            PlanStage::Elsewhere
         };
     }
     match (carries, vehicle.armed()) {

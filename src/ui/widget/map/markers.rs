@@ -95,13 +95,11 @@ struct Chosen {
 impl Chosen {
     /// The vehicle of this marker; removes from `others` the vehicles that it hides.
     fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
-        // At the left edge, the sign itself must keep its column; beside another vehicle, its number has the cell.
-        let is_tight = |it: &Marker| it.row == marker.row && it.column + 2 == marker.column;
-        let has_bracket = marker.column > 0 && !others.iter().any(is_tight);
-        let bracket = if has_bracket { "[" } else { "" };
+        // At the left edge, the sign itself must keep its column.
+        let bracket = if marker.column == 0 { "" } else { "[" };
         let bare = format!("{bracket}{}{}{}", marker.sign, marker.id, marker.marks);
         let mut chosen = Self {
-            from: marker.column - u16::from(has_bracket),
+            from: marker.column.saturating_sub(1),
             text: format!("{bare}]"),
             marker,
         };
