@@ -25,6 +25,7 @@ use super::event::{
 use super::room::{files as room_files, parameters, plans, workshop};
 use super::state::{Overlay, Room};
 use crate::ledger::{Given, LedgerEntry, RowUpdate};
+use crate::vehicle::Severity;
 
 mod act;
 mod alert_line;
@@ -204,7 +205,25 @@ fn order_advanced(state: &mut State, row: &RowUpdate) -> Effects {
         parameters::tell(state, row.entry);
     }
     room_files::advanced(state, row);
+    tell_failure(state, row);
     batch::advance(state)
+}
+
+/// Says on the last line why a vehicle did not do what was asked of it, in rooms that command vehicles and do not show
+/// the ledger.
+fn tell_failure(state: &mut State, row: &RowUpdate) {
+    let shows_ledger = state.room == Room::Fly || !state.room.shows_vehicles();
+    if shows_ledger || !row.state.is_failure() {
+        return;
+    }
+    let Some(entry) = state.session.commands.ledger.entry(row.entry) else {
+        return;
+    };
+    let Some(failed) = entry.rows.iter().find(|it| it.vehicle == row.vehicle) else {
+        return;
+    };
+    let text = parameters::fate(failed, &entry.rows);
+    state.say(Severity::Warning, text);
 }
 
 fn link(state: &mut State, event: LinkEvent) -> Effects {

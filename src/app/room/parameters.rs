@@ -29,7 +29,7 @@ mod rows;
 pub use batch::Batch;
 pub use compare::{Comparison, Other};
 pub use demand::wanted;
-pub use edit::{Edit, doubt, entered, note_order, order_doubt, setting_line, tell};
+pub use edit::{Edit, doubt, entered, fate, note_order, order_doubt, setting_line, tell};
 pub use files::{load, read, save};
 pub use rows::{Row, coming, extra, rows};
 

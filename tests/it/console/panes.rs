@@ -80,6 +80,25 @@ fn one_reason_of_many_vehicles_is_one_line() {
     assert!(screen.contains(merged), "{screen}");
 }
 
+/// The map has no ledger, and a lesson asks for orders there.
+#[test]
+fn a_refusal_is_said_in_rooms_without_the_ledger() {
+    let said = "vehicle 1: refused, takeoff refused: Mode not armable";
+    for (room, is_said) in [("M", true), ("V", true), ("F", false)] {
+        let mut console = Console::flying(2);
+        console.press(room).give("1-2 takeoff 10");
+        console.row(2, RowState::Done, None);
+        let why = "takeoff refused: Mode not armable";
+        console.row(1, RowState::Refused, Some(why));
+        let message = console.state().message().map(|it| it.text.to_string());
+        assert_eq!(
+            message.as_deref() == Some(said),
+            is_said,
+            "{room}: {message:?}"
+        );
+    }
+}
+
 #[test]
 fn a_session_begins_at_zero_and_without_the_notices_of_the_one_before() {
     let mut console = Console::flying(1);

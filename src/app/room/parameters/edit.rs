@@ -138,7 +138,7 @@ pub fn tell(state: &mut State, entry: EntryId) {
 }
 
 /// The outcome of a command for one vehicle and all others with the same outcome.
-fn fate(row: &LedgerRow, all: &[LedgerRow]) -> Text {
+pub fn fate(row: &LedgerRow, all: &[LedgerRow]) -> Text {
     let why = |row: &LedgerRow| row.explanation.as_ref().map(|text| text.regarding(""));
     let fared_so = |other: &&LedgerRow| other.state == row.state && why(other) == why(row);
     let those = all.iter().filter(fared_so);
