@@ -86,6 +86,7 @@ pub use crate::scoring::Report;
 pub use area::{Area, AreaKind, KnownWire};
 pub use campaign::{Outlay, Requires, Rewards, Unlock};
 pub use clock::Clock;
+pub use craft::SWING_M;
 pub use event::alert::OpenAlert;
 pub use event::demand::{Demand, WIND_FULL_FROM_M};
 pub use event::mover::MoverKind;

@@ -22,6 +22,7 @@ alert-battery-critical = BATTERY { $percent } %
 alert-battery-low = battery low { $percent } %
 alert-turn-back = turn back: { $left } %, needs { $needed } %
 alert-out-of-reach = HOME OUT OF REACH
+alert-ceiling = above the ceiling of { $ceiling } m
 alert-fence = outside fence
 alert-vibration = vibration { $level }
 alert-prearm = not ready to arm

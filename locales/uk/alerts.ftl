@@ -22,6 +22,7 @@ alert-battery-critical = АКУМ. { $percent } %
 alert-battery-low = заряд низький { $percent } %
 alert-turn-back = повертайтеся: { $left } %, треба { $needed } %
 alert-out-of-reach = ДОДОМУ НЕ ДОЛЕТИТЬ
+alert-ceiling = вище за межу висоти { $ceiling } m
 alert-fence = поза геозоною
 alert-vibration = вібрація { $level }
 alert-prearm = активація неможлива

@@ -20,7 +20,7 @@ const NEAR_GROUND_M: f64 = 3.0;
 /// Touching down faster than this is a crash; `ArduCopter` lands at 0.5 m/s.
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
 /// The margin above a limit before it counts as exceeded: the height of a hovering vehicle varies by some decimetres.
-const SWING_M: f64 = 1.0;
+pub const SWING_M: f64 = 1.0;
 /// A landing farther than this from every pad costs safety points.
 const OFF_PAD_M: f64 = 3.0;
 

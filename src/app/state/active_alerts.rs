@@ -3,8 +3,9 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::time::Duration;
 
-use super::alert::{Alert, alerts, process_ended, separation, traffic};
+use super::alert::{Alert, alerts, mission_fence, process_ended, separation, traffic};
 use super::bell::{Bell, BellCall, Due};
+use super::mission_fence::FenceBreach;
 use super::separation::CloseVehicle;
 use super::traffic::TrafficConflict;
 use crate::alert::AlertKind;
@@ -48,6 +49,8 @@ pub struct ActiveAlerts {
     muted: Vec<AlertKind>,
     /// The closest other vehicle, for each vehicle that is too close to others.
     close: BTreeMap<VehicleId, CloseVehicle>,
+    /// How vehicles break a fence of the mission.
+    breaches: BTreeMap<VehicleId, FenceBreach>,
     /// The most threatening other aircraft, for each vehicle that aircraft come too close to.
     traffic: BTreeMap<VehicleId, TrafficConflict>,
     /// Vehicles that do not belong to the session: their alerts are kept, but neither ring nor count.
@@ -74,6 +77,11 @@ impl ActiveAlerts {
         self.close.get(&vehicle).map(separation)
     }
 
+    /// Replaces the set of vehicles that break a fence of the mission.
+    pub fn note_breaches(&mut self, breaches: BTreeMap<VehicleId, FenceBreach>) {
+        self.breaches = breaches;
+    }
+
     /// Replaces the set of aircraft that come too close to vehicles.
     pub fn note_traffic(&mut self, traffic: BTreeMap<VehicleId, TrafficConflict>) {
         self.traffic = traffic;
@@ -93,7 +101,11 @@ impl ActiveAlerts {
         let others = alerts(vehicle, reserve_percent, now)
             .filter(|one| !is_down || one.kind != AlertKind::LinkLost);
         let close = self.separation(vehicle.id);
-        let near = close.into_iter().chain(self.traffic(vehicle.id));
+        let breach = self.breaches.get(&vehicle.id).map(mission_fence);
+        let near = close
+            .into_iter()
+            .chain(self.traffic(vehicle.id))
+            .chain(breach);
         let mut present = process.into_iter().chain(near).chain(others).peekable();
         if present.peek().is_none() && !self.standing.contains_key(&vehicle.id) {
             return false;
@@ -130,6 +142,7 @@ impl ActiveAlerts {
         self.down.remove(&vehicle);
         self.close.remove(&vehicle);
         self.traffic.remove(&vehicle);
+        self.breaches.remove(&vehicle);
     }
 
     /// Rings for a serious text, unless its kind is muted or the vehicle already has an alert of

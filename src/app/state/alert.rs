@@ -3,6 +3,7 @@
 
 use std::time::Duration;
 
+use super::mission_fence::FenceBreach;
 use super::separation::CloseVehicle;
 use super::traffic::TrafficConflict;
 use crate::alert::{AlertKind, crash};
@@ -83,6 +84,17 @@ pub fn traffic(conflict: &TrafficConflict) -> Alert {
         seconds = figure(approach.predicted.in_s, 0)
     );
     condition(AlertKind::Traffic, severity, text)
+}
+
+/// The alert that a vehicle breaks a fence of the mission.
+pub fn mission_fence(breach: &FenceBreach) -> Alert {
+    let text = match breach {
+        FenceBreach::Outside => text!("alert-fence"),
+        FenceBreach::Above { ceiling_m } => {
+            text!("alert-ceiling", ceiling = figure(*ceiling_m, 0))
+        }
+    };
+    condition(AlertKind::Fence, Severity::Error, text)
 }
 
 /// The alert that a vehicle's simulator process has ended.

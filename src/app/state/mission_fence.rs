@@ -1,14 +1,17 @@
-//! Orders that lead out of a mission's fence, or above its ceiling, which breaks a rule of the mission.
+//! Orders that lead out of a mission's fence, or above its ceiling, which breaks a rule of the mission, and vehicles that
+//! are there.
+
+use std::collections::BTreeMap;
 
 use super::FlightView;
 use crate::commands::{Act, Command, FlightCommand, Manoeuvre, MotionCommand, Order, PlanTask};
 use crate::geo::{LatLon, Outline};
-use crate::mission::{Area, AreaKind};
+use crate::mission::{Area, AreaKind, SWING_M};
 use crate::plan::generate::{Course, USUAL_HEIGHT_M};
 use crate::swarm::{Rules, outermost_places};
 use crate::text;
 use crate::text::{Text, figure};
-use crate::vehicle::{FenceArea, FencePlan, FenceShape};
+use crate::vehicle::{FenceArea, FencePlan, FenceShape, Vehicle, VehicleId};
 
 /// Where an order leads.
 #[derive(Debug, Clone, Copy)]
@@ -28,7 +31,46 @@ impl WayEnd {
     }
 }
 
+/// How a vehicle breaks a fence of the mission.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum FenceBreach {
+    Outside,
+    /// Above the height that the fence allows, in metres above home.
+    Above {
+        ceiling_m: f64,
+    },
+}
+
 impl FlightView {
+    /// The vehicles in the air that break a fence of the mission. A vehicle that reports a breach of its own fence is
+    /// left out, because it has that alert already.
+    pub(in crate::app) fn breaches(&self) -> BTreeMap<VehicleId, FenceBreach> {
+        let areas = self.task.areas.iter();
+        let fences: Vec<&Area> = areas
+            .filter(|area| area.kind == AreaKind::Geofence)
+            .collect();
+        if fences.is_empty() {
+            return BTreeMap::new();
+        }
+        let flying = self.vehicles.values().filter(|it| {
+            let has_alert = it.fence.is_some_and(|fence| fence.breached);
+            it.airborne() && !has_alert
+        });
+        let breach = |vehicle: &Vehicle| {
+            let here = vehicle.global?;
+            let outside = fences.iter().any(|fence| !fence.contains(here.at_point));
+            let ceilings = fences.iter().filter_map(|fence| fence.ceiling_m);
+            let above = ceilings
+                .filter(|ceiling_m| here.altitude_m > ceiling_m + SWING_M)
+                .min_by(f64::total_cmp);
+            let outside = outside.then_some(FenceBreach::Outside);
+            outside.or(above.map(|ceiling_m| FenceBreach::Above { ceiling_m }))
+        };
+        flying
+            .filter_map(|vehicle| Some((vehicle.id, breach(vehicle)?)))
+            .collect()
+    }
+
     /// Why an order needs a confirmation: it leads out of a fence of the mission, or above its ceiling.
     pub(super) fn fence_hazard(&self, order: &Order) -> Option<Text> {
         let ends = self.ends(order);
@@ -158,7 +200,7 @@ mod tests {
 
     use super::*;
     use crate::app::testing::{HOME, at_home, carry_fence, read, switch_fence_on};
-    use crate::vehicle::Vehicle;
+    use crate::vehicle::LandedState;
 
     /// A vehicle at home, inside a square fence with sides of 200 m and a ceiling of 50 m.
     fn view(kind: AreaKind) -> FlightView {
@@ -175,6 +217,33 @@ mod tests {
 
     fn asks(view: &FlightView, line: &str) -> bool {
         view.hazard(&read(line)).is_some()
+    }
+
+    #[test]
+    fn a_vehicle_that_is_out_of_the_fence_breaks_it_while_it_flies() {
+        let breach = |north_m: f64, altitude_m: f64, landed: LandedState| {
+            let mut vehicle = at_home(altitude_m);
+            vehicle.landed = landed;
+            if let Some(here) = &mut vehicle.global {
+                here.at_point = HOME.moved(north_m, 0.0);
+            }
+            let mut view = view(AreaKind::Geofence);
+            view.insert(Arc::new(vehicle));
+            view.breaches().remove(&1)
+        };
+        let outside = Some(FenceBreach::Outside);
+        let above = Some(FenceBreach::Above { ceiling_m: 50.0 });
+        for (north_m, altitude_m, expected) in [
+            (90.0, 20.0, None),
+            (110.0, 20.0, outside),
+            (0.0, 50.5, None),
+            (0.0, 55.0, above),
+            (110.0, 55.0, outside),
+        ] {
+            let found = breach(north_m, altitude_m, LandedState::InAir);
+            assert_eq!(found, expected, "{north_m} {altitude_m}");
+        }
+        assert_eq!(breach(110.0, 0.0, LandedState::OnGround), None);
     }
 
     #[test]

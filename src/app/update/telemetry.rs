@@ -54,6 +54,7 @@ pub fn pass(state: &mut State, now: Duration) {
     map::tick(state);
     if before_ms / SEPARATION_MS != now.as_millis() / SEPARATION_MS {
         watch_separation(state);
+        watch_fences(state);
         watch_traffic(state);
     }
     if before != now.as_secs() {
@@ -157,6 +158,12 @@ fn watch_separation(state: &mut State) {
         let close = too_close(&session.vehicles, limits);
         session.alerts.note_close(close);
     }
+}
+
+/// Finds vehicles outside the mission's fences. They break a rule as long as they stay there.
+fn watch_fences(state: &mut State) {
+    let breaches = state.session.breaches();
+    state.session.alerts.note_breaches(breaches);
 }
 
 fn watch_traffic(state: &mut State) {
