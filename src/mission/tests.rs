@@ -342,7 +342,7 @@ fn hints_follow_the_flight() {
         hint(&pilot)
     );
     pilot.look_above();
-    assert!(hint(&pilot).contains("Send the drone home"));
+    assert!(hint(&pilot).contains("send it home"));
 }
 
 #[test]

@@ -57,27 +57,32 @@ pub fn loss(state: &State) -> Option<Text> {
     if session.task.over || session.activity.is_none() || has_not_begun || state.replay.is_some() {
         return None;
     }
-    match (state.session.task.progress.is_some(), state.session.armed()) {
-        (true, _) => Some(match session.activity {
-            Some(Activity::Mission {
-                stake: Stake::Exam, ..
-            }) => text!("ask-exam-ends"),
-            Some(Activity::Mission {
-                stake: Stake::Graded | Stake::Daily,
+    let count = session.armed();
+    let armed = (count > 0).then(|| text!("ask-armed", count = count));
+    let mission = session.task.progress.is_some().then(|| mission_loss(state));
+    let reasons: Vec<Text> = mission.into_iter().chain(armed).collect();
+    (!reasons.is_empty()).then(|| Text::joined("; ", reasons))
+}
+
+/// What the end of a mission that is not over means.
+fn mission_loss(state: &State) -> Text {
+    match state.session.activity {
+        Some(Activity::Mission {
+            stake: Stake::Exam, ..
+        }) => text!("ask-exam-ends"),
+        Some(Activity::Mission {
+            stake: Stake::Graded | Stake::Daily,
+            ..
+        }) => text!("ask-given-up"),
+        Some(
+            Activity::Mission {
+                stake: Stake::Practice,
                 ..
-            }) => text!("ask-given-up"),
-            Some(
-                Activity::Mission {
-                    stake: Stake::Practice,
-                    ..
-                }
-                | Activity::Free
-                | Activity::Connected { .. },
-            )
-            | None => text!("ask-mission-lost"),
-        }),
-        (false, 0) => None,
-        (false, armed) => Some(text!("ask-armed", count = armed)),
+            }
+            | Activity::Free
+            | Activity::Connected { .. },
+        )
+        | None => text!("ask-mission-lost"),
     }
 }
 
