@@ -249,7 +249,9 @@ mod tests {
             KeyFile::open(folder.path()).expect_err("the second")
         ));
         drop(one);
-        KeyFile::open(folder.path()).expect("the first has ended");
+        // A process that another test starts holds a copy of the lock until it executes its program.
+        let mut tries = (0..100_000).map(|_| KeyFile::open(folder.path()));
+        assert!(tries.any(|opened| opened.is_ok()), "the first has ended");
         assert!(in_use(two.write("").expect_err("it has not read the keys")));
     }
 
