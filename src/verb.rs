@@ -54,7 +54,7 @@ pub struct Unsuited {
 /// A kind of vehicle, as far as it decides which verbs suit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum UnsuitedKind {
-    /// Rovers and boats.
+    /// Rovers and boats, which have no height of their own.
     Surface,
     /// Planes with `ArduPilot`, also those that hover.
     Plane,

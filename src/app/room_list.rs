@@ -50,7 +50,7 @@ pub(crate) use for_each_room;
 enum RoomScope {
     /// The vehicles in flight, which keys select and command there.
     Vehicles,
-    /// The present flight.
+    /// The present flight: its plans, orders, links, files and mission.
     Flight,
     /// What comes before and after flights.
     Apart,

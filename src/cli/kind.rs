@@ -37,7 +37,7 @@ impl From<KindWord> for SitlKind {
     }
 }
 
-/// Reads `NAME=VALUE`.
+/// Reads a parameter to start with, written as `NAME=VALUE`.
 pub(super) fn parse_parameter(text: &str) -> Result<(String, f64), String> {
     let (name, value) = text
         .split_once('=')

@@ -323,8 +323,7 @@ impl RecordsCommands<'_> {
     }
 }
 
-/// The result of a record for the list: that of its mission, or that the record goes on or was cut off; empty
-/// without any.
+/// The entry in the column "result": the mission's result, "recording" or "cut off"; empty for other records.
 fn result_of(record: &ListedRecord) -> Text {
     match record.result {
         _ if record.being_recorded => text!("records-now"),

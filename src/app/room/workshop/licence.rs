@@ -48,7 +48,7 @@ pub(super) fn buy(state: &mut State) {
         return;
     };
     let Some(career) = &state.training.career else {
-        return state.say(Severity::Warning, text!("bench-nobody-buys"));
+        return state.say(Severity::Warning, text!("bench-guests-buy-nothing"));
     };
     match career.standing.buy(part.id, &career.course) {
         Ok(purchase) => {
