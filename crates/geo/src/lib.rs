@@ -60,17 +60,7 @@ impl LatLon {
 
     /// Metres north and east from `self` to `other`.
     pub fn offset_to(self, other: Self) -> (f64, f64) {
-        let (north_m_per_deg, east_m_per_deg) = self.metres_per_degree();
-        let mut delta_lon = other.lon_deg - self.lon_deg;
-        if delta_lon > 180.0 {
-            delta_lon -= 360.0;
-        } else if delta_lon < -180.0 {
-            delta_lon += 360.0;
-        }
-        (
-            (other.lat_deg - self.lat_deg) * north_m_per_deg,
-            delta_lon * east_m_per_deg,
-        )
+        LocalFrame::at(self).offset_to(other)
     }
 
     /// The point `north_m` and `east_m` metres away.
@@ -86,8 +76,7 @@ impl LatLon {
 
     /// Horizontal distance in metres.
     pub fn distance_m(self, other: Self) -> f64 {
-        let (north, east) = self.offset_to(other);
-        maths::hypot(north, east)
+        LocalFrame::at(self).distance_m(other)
     }
 
     /// Bearing towards `other`, 0 to 360 degrees clockwise from north.
@@ -103,6 +92,52 @@ impl LatLon {
         let meridian_m = SEMI_MAJOR_AXIS_M * (1.0 - ECCENTRICITY_SQUARED) / maths::powf(w2, 1.5);
         let parallel_m = SEMI_MAJOR_AXIS_M / w2.sqrt() * maths::cos(lat);
         (meridian_m.to_radians(), parallel_m.to_radians())
+    }
+}
+
+/// The local frame of a place: metres north and east of it. For many offsets from the same place, it saves most of the
+/// arithmetic of [`LatLon::offset_to`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LocalFrame {
+    origin: LatLon,
+    north_m_per_deg: f64,
+    east_m_per_deg: f64,
+}
+
+impl LocalFrame {
+    /// The local frame of a place.
+    pub fn at(origin: LatLon) -> Self {
+        let (north_m_per_deg, east_m_per_deg) = origin.metres_per_degree();
+        Self {
+            origin,
+            north_m_per_deg,
+            east_m_per_deg,
+        }
+    }
+
+    /// The place that is zero metres north and east.
+    pub fn origin(&self) -> LatLon {
+        self.origin
+    }
+
+    /// Metres north and east from the origin to a place.
+    pub fn offset_to(&self, place: LatLon) -> (f64, f64) {
+        let mut delta_lon = place.lon_deg - self.origin.lon_deg;
+        if delta_lon > 180.0 {
+            delta_lon -= 360.0;
+        } else if delta_lon < -180.0 {
+            delta_lon += 360.0;
+        }
+        (
+            (place.lat_deg - self.origin.lat_deg) * self.north_m_per_deg,
+            delta_lon * self.east_m_per_deg,
+        )
+    }
+
+    /// Horizontal distance from the origin to a place, in metres.
+    pub fn distance_m(&self, place: LatLon) -> f64 {
+        let (north, east) = self.offset_to(place);
+        maths::hypot(north, east)
     }
 }
 

@@ -6,7 +6,7 @@
 //! the middle of the view. Both directions use the same scale, so a place and its dot correspond
 //! exactly.
 
-use super::LatLon;
+use super::{LatLon, LocalFrame};
 use crate::maths;
 
 /// Dots in a cell, side by side.
@@ -190,7 +190,7 @@ impl Viewport {
 /// A rectangle on the earth with sides that run north and east, in metres around a place.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Extent {
-    origin: LatLon,
+    frame: LocalFrame,
     /// The south-west corner: metres east and north.
     low_m: [f64; 2],
     /// The north-east corner: metres east and north.
@@ -201,7 +201,7 @@ impl Extent {
     /// An extent of zero size at a place, for [`Self::include`] to enlarge.
     pub fn at(place: LatLon) -> Self {
         Self {
-            origin: place,
+            frame: LocalFrame::at(place),
             low_m: [0.0; 2],
             high_m: [0.0; 2],
         }
@@ -250,13 +250,13 @@ impl Extent {
     pub fn corners(&self) -> [LatLon; 4] {
         let ([west, south], [east, north]) = (self.low_m, self.high_m);
         [(south, west), (south, east), (north, east), (north, west)]
-            .map(|(north_m, east_m)| self.origin.moved(north_m, east_m))
+            .map(|(north_m, east_m)| self.frame.origin().moved(north_m, east_m))
     }
 
     /// The place in the middle of the extent.
     pub fn centre(&self) -> LatLon {
         let [east_m, north_m] = [0, 1].map(|axis| self.low_m[axis].midpoint(self.high_m[axis]));
-        self.origin.moved(north_m, east_m)
+        self.frame.origin().moved(north_m, east_m)
     }
 
     /// The closest zoom at which a grid of this size shows the whole extent.
@@ -272,7 +272,7 @@ impl Extent {
     }
 
     fn offset(&self, place: LatLon) -> [f64; 2] {
-        let (north_m, east_m) = self.origin.offset_to(place);
+        let (north_m, east_m) = self.frame.offset_to(place);
         [east_m, north_m]
     }
 }

@@ -1,11 +1,12 @@
 //! Vehicles in the air that come too close to each other.
 
 use std::collections::BTreeMap;
+use std::iter;
 
 use crate::config::AlertsConfig;
-use crate::geo::{LatLon, maths};
+use crate::geo::{LocalFrame, maths};
 use crate::rehearsal::{Separation, SeparationLimits};
-use crate::vehicle::{Vehicle, VehicleId, Vehicles};
+use crate::vehicle::{GlobalPosition, Vehicle, VehicleId, Vehicles};
 
 /// The limits in the configuration; a horizontal limit of 0 turns the check off.
 pub fn separation_limits(config: &AlertsConfig) -> SeparationLimits {
@@ -25,23 +26,23 @@ pub struct CloseVehicle {
     pub height_m: f64,
 }
 
-/// A vehicle in the air, with its position in metres north, east and up.
+/// A vehicle in the air.
 struct Flyer {
     vehicle: VehicleId,
-    point: [f64; 3],
-    /// The place from which the vehicle took off, in metres north and east.
-    start: Option<[f64; 2]>,
-    /// The cell of the position, counted north and east from the origin.
+    /// The cell of its position, counted north and east from the origin.
     cell: [i32; 2],
 }
 
 /// The vehicles in the air, in square cells as wide as the horizontal limit: only vehicles in the
 /// same or in neighbouring cells can be too close to each other, so the cost grows with their
 /// number and not with its square.
-struct CellGrid {
-    /// Ordered by cell: cells from west to east are neighbours here.
-    flyers: Vec<Flyer>,
+struct CellGrid<'a> {
+    vehicles: &'a Vehicles,
     limits: SeparationLimits,
+    /// Ordered by cell: cells from west to east are neighbours here. Only what the search needs is
+    /// kept, as most vehicles have no neighbours.
+    flyers: Vec<Flyer>,
+    frame: LocalFrame,
 }
 
 /// Each vehicle that is too close to others, with the closest of them.
@@ -52,33 +53,50 @@ pub fn too_close(
     if limits.across_m <= 0.0 || limits.height_m <= 0.0 {
         return BTreeMap::new();
     }
-    CellGrid::new(vehicles, limits).too_close()
+    let grid = CellGrid::new(vehicles, limits);
+    grid.map(|grid| grid.too_close()).unwrap_or_default()
 }
 
-impl CellGrid {
-    fn new(vehicles: &Vehicles, limits: SeparationLimits) -> Self {
-        let mut origin = None;
-        let flying = vehicles.values();
-        let mut flyers: Vec<Flyer> = flying
-            .filter_map(|vehicle| flyer(vehicle, &mut origin, limits))
-            .collect();
+impl<'a> CellGrid<'a> {
+    /// The grid around the first vehicle in the air; `None` without one.
+    fn new(vehicles: &'a Vehicles, limits: SeparationLimits) -> Option<Self> {
+        let mut flying = vehicles.values().filter_map(|it| Some((it.id, place(it)?)));
+        let (first, origin) = flying.next()?;
+        let frame = LocalFrame::at(origin.at_point);
+        let flyer = |(vehicle, place): (VehicleId, GlobalPosition)| {
+            let cell = |metres: f64| (metres / limits.across_m).floor() as i32;
+            let point = point(&frame, place);
+            let is_known = point.iter().all(|metres| metres.is_finite());
+            is_known.then(|| Flyer {
+                vehicle,
+                cell: [cell(point[0]), cell(point[1])],
+            })
+        };
+        let all = iter::once((first, origin)).chain(flying);
+        let mut flyers: Vec<Flyer> = all.filter_map(flyer).collect();
         flyers.sort_by_key(|flyer| flyer.cell);
-        Self { flyers, limits }
+        Some(Self {
+            vehicles,
+            limits,
+            flyers,
+            frame,
+        })
     }
 
     fn too_close(&self) -> BTreeMap<VehicleId, CloseVehicle> {
         let closest = |flyer: &Flyer| {
-            let others = self.around(flyer);
-            let close = others.map(|other| (self.nearness(flyer, other), other));
+            let others = self.around(flyer).map(|other| other.vehicle);
+            let close = others.filter_map(|other| self.nearness(flyer.vehicle, other));
             let close = close.filter(|(nearness, _)| *nearness < 1.0);
             let (_, other) = close.min_by(|(a, _), (b, _)| a.total_cmp(b))?;
-            Some((flyer.vehicle, seen_from(flyer, other)))
+            Some((flyer.vehicle, other))
         };
         self.flyers.iter().filter_map(closest).collect()
     }
 
     /// The other vehicles in the cells around a vehicle.
-    fn around<'a>(&'a self, flyer: &'a Flyer) -> impl Iterator<Item = &'a Flyer> + 'a {
+    fn around(&self, flyer: &Flyer) -> impl Iterator<Item = &Flyer> {
+        let own = flyer.vehicle;
         let [north, east] = flyer.cell;
         let rows = [north.saturating_sub(1), north, north.saturating_add(1)];
         let [west, east] = [east.saturating_sub(1), east.saturating_add(1)];
@@ -87,52 +105,40 @@ impl CellGrid {
             let from_there = self.flyers[first..].iter();
             from_there.take_while(move |it| it.cell <= [row, east])
         });
-        found.filter(|other| other.vehicle != flyer.vehicle)
+        found.filter(move |other| other.vehicle != own)
     }
 
-    /// The distance between two vehicles relative to the limits, by the rules of a rehearsal; less
-    /// than 1 is too close.
-    fn nearness(&self, flyer: &Flyer, other: &Flyer) -> f64 {
-        let starts = flyer.start.zip(other.start);
-        let rule = Separation::new(starts.map(<[_; 2]>::from), self.limits);
-        rule.nearness([flyer.point, other.point])
+    /// The distance from a vehicle to another one relative to the limits, by the rules of a
+    /// rehearsal; less than 1 is too close.
+    fn nearness(&self, own: VehicleId, vehicle: VehicleId) -> Option<(f64, CloseVehicle)> {
+        let pair = [self.vehicles.get(&own)?, self.vehicles.get(&vehicle)?];
+        let places = [place(pair[0])?, place(pair[1])?];
+        let points = places.map(|place| point(&self.frame, place));
+        let starts = pair[0].home.zip(pair[1].home);
+        let starts = starts.map(|(own, other)| {
+            [own, other].map(|home| <[f64; 2]>::from(self.frame.offset_to(home.at_point)))
+        });
+        let rule = Separation::new(starts, self.limits);
+        let [north, east, up] = [0, 1, 2].map(|axis| points[1][axis] - points[0][axis]);
+        let close = CloseVehicle {
+            vehicle,
+            across_m: maths::hypot(north, east),
+            height_m: up.abs(),
+        };
+        Some((rule.nearness(points), close))
     }
 }
 
-fn seen_from(flyer: &Flyer, other: &Flyer) -> CloseVehicle {
-    let [north, east, up] = [0, 1, 2].map(|axis| other.point[axis] - flyer.point[axis]);
-    CloseVehicle {
-        vehicle: other.vehicle,
-        across_m: maths::hypot(north, east),
-        height_m: up.abs(),
-    }
+/// A vehicle's place, if it is in contact and in the air.
+fn place(vehicle: &Vehicle) -> Option<GlobalPosition> {
+    let is_flying = !vehicle.link.lost && vehicle.airborne();
+    vehicle.global.filter(|_| is_flying)
 }
 
-/// A vehicle, if it is in contact, and in the air at a known place; the first one's place is the
-/// origin.
-fn flyer(
-    vehicle: &Vehicle,
-    origin: &mut Option<LatLon>,
-    limits: SeparationLimits,
-) -> Option<Flyer> {
-    if vehicle.link.lost || !vehicle.airborne() {
-        return None;
-    }
-    let here = vehicle.global?;
-    let origin = *origin.get_or_insert(here.at_point);
-    let [north_m, east_m] = <[f64; 2]>::from(origin.offset_to(here.at_point));
-    let point = [north_m, east_m, here.altitude_amsl_m];
-    point
-        .iter()
-        .all(|metres| metres.is_finite())
-        .then_some(Flyer {
-            vehicle: vehicle.id,
-            point,
-            start: vehicle
-                .home
-                .map(|home| origin.offset_to(home.at_point).into()),
-            cell: [north_m, east_m].map(|metres| (metres / limits.across_m).floor() as i32),
-        })
+/// Metres north and east of the frame's origin, and above mean sea level.
+fn point(frame: &LocalFrame, place: GlobalPosition) -> [f64; 3] {
+    let (north_m, east_m) = frame.offset_to(place.at_point);
+    [north_m, east_m, place.altitude_amsl_m]
 }
 
 #[cfg(test)]
@@ -141,7 +147,8 @@ mod tests {
     use std::time::{Duration, Instant};
 
     use super::*;
-    use crate::vehicle::{GlobalPosition, LandedState, Place};
+    use crate::geo::LatLon;
+    use crate::vehicle::{LandedState, Place};
 
     const ORIGIN: LatLon = LatLon::new(50.45, 30.52);
     const LIMITS: SeparationLimits = SeparationLimits {
@@ -262,7 +269,7 @@ mod tests {
             let close = too_close(&vehicles, LIMITS);
             let taken = begun.elapsed();
             assert!(close.is_empty());
-            let grid = CellGrid::new(&vehicles, LIMITS);
+            let grid = CellGrid::new(&vehicles, LIMITS).expect("they fly");
             let compared: usize = grid.flyers.iter().map(|it| grid.around(it).count()).sum();
             println!("{count} vehicles: {compared} comparisons, {taken:?}");
             compared

@@ -3,7 +3,7 @@
 
 use std::time::Duration;
 
-use crate::geo::{Extent, LatLon};
+use crate::geo::{Extent, LatLon, LocalFrame};
 
 /// The margin added on a side when something leaves the frame, as a fraction of the frame's size.
 const GROWTH: f64 = 0.4;
@@ -69,7 +69,8 @@ impl Overview {
         let Some(frame) = self.frame else {
             return false;
         };
-        let near = |place: &LatLon| frame.centre().distance_m(*place) <= FARTHEST_M;
+        let centre = LocalFrame::at(frame.centre());
+        let near = |place: &LatLon| centre.distance_m(*place) <= FARTHEST_M;
         let Some(needed) = Extent::around(places.filter(near)) else {
             return false;
         };
