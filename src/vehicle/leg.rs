@@ -60,8 +60,7 @@ pub struct PlanLeg {
 impl Vehicle {
     /// Whether the vehicle flies its plan.
     pub fn flies_plan(&self) -> bool {
-        let flies = |mode: Mode| mode.is("AUTO") || mode.is("AUTO.MISSION");
-        self.armed() && self.mode().is_some_and(flies)
+        self.armed() && self.mode().is_some_and(Mode::flies_plan)
     }
 
     /// Notes the time of arrival at the place where the vehicle stays for the current item of its

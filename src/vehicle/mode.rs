@@ -231,6 +231,11 @@ impl Mode {
         names.iter().any(|name| self.is(name))
     }
 
+    /// Whether the vehicle flies its plan.
+    pub fn flies_plan(self) -> bool {
+        matches!(self.name(), Some("AUTO" | "AUTO.MISSION"))
+    }
+
     /// Whether the vehicle stops where it is.
     pub fn stops(self) -> bool {
         STOPPING.iter().any(|name| self.is(name))

@@ -32,6 +32,8 @@ pub struct FlightView {
     pub(in crate::app) expected: BTreeSet<VehicleId>,
     /// The vehicles with their latest telemetry.
     pub(in crate::app) vehicles: Vehicles,
+    /// The vehicles that fly their plans, so that a frame need not look at every vehicle.
+    in_plan: BTreeSet<VehicleId>,
     /// The histories of the vehicles' readings.
     pub(in crate::app) histories: Histories,
     pub(in crate::app) alerts: ActiveAlerts,
@@ -217,8 +219,19 @@ impl FlightView {
 
     /// Stores a snapshot of a vehicle.
     pub fn insert(&mut self, vehicle: Arc<Vehicle>) {
-        self.choice.note(vehicle.id);
-        self.vehicles.insert(vehicle.id, vehicle);
+        let id = vehicle.id;
+        self.choice.note(id);
+        if vehicle.flies_plan() {
+            self.in_plan.insert(id);
+        } else {
+            self.in_plan.remove(&id);
+        }
+        self.vehicles.insert(id, vehicle);
+    }
+
+    /// Whether a vehicle flies its plan.
+    pub fn is_plan_flown(&self) -> bool {
+        !self.in_plan.is_empty()
     }
 
     /// The vehicles to which the target `all` refers.
@@ -236,6 +249,7 @@ impl FlightView {
     pub fn forget(&mut self, vehicle: VehicleId, now: Duration) {
         self.commands.forget(vehicle, now);
         self.vehicles.remove(&vehicle);
+        self.in_plan.remove(&vehicle);
         self.histories.forget(vehicle);
         self.alerts.forget(vehicle);
         self.choice.forget(vehicle, &self.vehicles);

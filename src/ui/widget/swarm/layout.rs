@@ -129,14 +129,10 @@ fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Sh
 
 fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
     let has_groups = !state.session().groups().is_empty();
-    let flies_plan = state
-        .session()
-        .vehicles()
-        .values()
-        .any(|vehicle| vehicle.flies_plan());
+    let is_plan_flown = state.session().is_plan_flown();
     let is_offered = |form: &&ColumnForm| match form.column {
         Column::Group => has_groups,
-        Column::Item | Column::Next | Column::End => flies_plan,
+        Column::Item | Column::Next | Column::End => is_plan_flown,
         _ => form.rank < ASKED,
     };
     let mut by_rank: Vec<(u8, Shown)> = FORMS
@@ -145,7 +141,7 @@ fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>,
         .map(|form| {
             // While a plan is flown, its item is more informative than the state.
             let rank = match form.column {
-                Column::State if flies_plan => MORE_RANK,
+                Column::State if is_plan_flown => MORE_RANK,
                 _ => form.rank,
             };
             (rank, form.shown(words, look))
