@@ -37,7 +37,7 @@ pub(super) fn debrief(
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
     let locale = Locale::new(settings.language());
-    let runs = settings.data.as_deref().map(Runs::within);
+    let runs = settings.data.runs();
     let path = file_of_run(&options.run, runs.as_ref(), settings)?;
     let name = path.display().to_string();
     let faulty = |fault: Text| {

@@ -1,7 +1,7 @@
 //! `sortie`, `sortie fly` and `sortie connect`: the console.
 
 use std::io::IsTerminal as _;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::hangar::VehicleBackend;
 use crate::link::{Address, Signer, signing_clock};
 use crate::scoring::FlownBy;
 use crate::shell::{self, ApiOptions, ConsoleOptions, Opening, Preferences};
-use crate::store::{History, KeyFile, Runs};
+use crate::store::{History, KeyFile};
 use crate::terminal::Environment;
 use crate::text;
 use crate::text::{Locale, Text};
@@ -248,11 +248,11 @@ pub(super) fn options(
         look: look(&settings),
         preferences: Preferences {
             history: folders.map(|folders| History::within(&folders.state)),
-            runs: settings.data.as_deref().map(Runs::within),
+            runs: settings.data.runs(),
             records: settings
                 .records()
                 .filter(|_| settings.config.records.enabled),
-            data: settings.data.clone(),
+            data: settings.data.path().map(Path::to_owned),
             profile: settings.config.profile.clone(),
             signer: Some(signer),
             warnings,
@@ -267,11 +267,11 @@ pub(super) fn options(
 
 /// A signer with the user's keys. If they cannot be used, a warning gives the reason.
 fn signer(settings: &CliSettings, warnings: &mut Vec<Text>) -> Signer {
-    let opened = match &settings.data {
+    let opened = match settings.data.path() {
         Some(data) => KeyFile::open(data).map_err(|fault| Text::from(&fault)),
         None => Err(text!("signing-no-folder")),
     };
-    if let (Err(fault), true) = (&opened, settings.data.is_some()) {
+    if let (Err(fault), true) = (&opened, settings.data.path().is_some()) {
         warnings.push(fault.clone());
     }
     let is_required = settings.config.connect.require_signing;

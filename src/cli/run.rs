@@ -175,7 +175,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
         locale: &locale,
     };
     let (flown, attempt) = request.agree(mission)?;
-    let runs = settings.data.as_deref().map(Runs::within);
+    let runs = settings.data.runs();
     let is_flown_now = runs.is_some_and(|runs| runs.is_flown_now(&flown.id, attempt.seed));
     let mut recorder = request.recorder(&flown, attempt)?;
     let flight = RunFlight {
@@ -270,8 +270,8 @@ impl<'l> RunRequest<'_, 'l> {
             (Some(folder), _) => (Some(Runs::at(folder)), Some(Records::at(folder))),
             (None, Some(trainee)) => (Some(trainee.runs().clone()), self.settings.records()),
             (None, None) => {
-                let data = self.settings.data.as_deref().filter(|_| is_recorded);
-                (data.map(Runs::within), self.settings.records())
+                let runs = self.settings.data.runs().filter(|_| is_recorded);
+                (runs, self.settings.records())
             }
         };
         let plan = RecordingPlan {

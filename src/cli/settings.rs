@@ -12,28 +12,27 @@ use super::Failure;
 use super::fault::FileFault;
 use crate::app::keymap::Keymap;
 use crate::app::lines;
-use crate::config::{Config, Layers, Readers};
+use crate::config::{Config, Layers};
 use crate::diagnostic::{Diagnostic, nearest};
-use crate::store::{self, Folders, RecordFiles, RecordLimits, Records, Source, StoreError};
+use crate::store::{self, Folders, Source, StoreError};
 use crate::text;
 use crate::text::{Language, Locale, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
+mod data;
 mod documents;
 mod flags;
 mod shown;
 mod sources;
 mod told;
 
+pub(super) use data::DataFolder;
 pub(super) use flags::Common;
 use sources::{SettingPlace, SettingSources};
 
 const CONFIG_VARIABLE: &str = "SORTIE_CONFIG";
 
 const DATA_VARIABLE: &str = "SORTIE_DATA";
-
-/// The maximum number of unshared files that are named.
-const MOST_UNSHARED: usize = 3;
 
 /// All settings and the files that they come from.
 #[derive(Debug)]
@@ -50,10 +49,8 @@ pub(super) struct CliSettings {
     pub theme: Theme,
     /// The program's folders; `None` without a home folder.
     pub folders: Option<Folders>,
-    /// The folder of profiles and recorded runs; `None` without one.
-    pub data: Option<PathBuf>,
-    /// Whether the user named the data folder; the default one need not exist.
-    pub is_data_named: bool,
+    /// The folder of profiles and recorded runs.
+    pub data: DataFolder,
     /// The faults of the files.
     pub faults: Vec<FileFault>,
 }
@@ -65,11 +62,9 @@ pub(super) struct CliSettings {
 pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
     let mut folders = Folders::find();
     let named = variable(DATA_VARIABLE).map(PathBuf::from);
-    let named = common.data.clone().or(named);
-    let is_data_named = named.is_some();
-    let data = named.or_else(|| folders.as_ref().map(|folders| folders.data.clone()));
-    if let (Some(folders), Some(data)) = (&mut folders, &data) {
-        folders.data.clone_from(data);
+    let data = DataFolder::new(common.data.clone().or(named), folders.as_ref());
+    if let (Some(folders), Some(data)) = (&mut folders, data.path()) {
+        data.clone_into(&mut folders.data);
     }
     let named = common
         .config
@@ -85,7 +80,6 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
         theme: Theme::default(),
         folders,
         data,
-        is_data_named,
         faults: Vec::new(),
     };
     match settings.read_all(common) {
@@ -95,10 +89,6 @@ pub(super) fn gather(common: &Common) -> Result<CliSettings, Failure> {
             Err(failure.said_in(&Locale::new(settings.language())))
         }
     }
-}
-
-fn failed(text: &Text, locale: &Locale) -> Failure {
-    Failure::Failed(anyhow::anyhow!(locale.text(text)))
 }
 
 /// The available themes: the embedded ones and the user's.
@@ -142,50 +132,6 @@ impl CliSettings {
         let folders = self.folders.iter();
         let closed = folders.flat_map(store::closed_folders);
         self.faults.extend(closed.map(FileFault::closed));
-    }
-
-    /// Where flights are recorded, and how many of them are kept; `None` without a data folder.
-    pub fn records(&self) -> Option<Records> {
-        let set = &self.config.records;
-        let limits = RecordLimits {
-            count: set.count as usize,
-            bytes: set.space * 1024 * 1024,
-        };
-        Some(Records::within(self.data.as_deref()?, limits))
-    }
-
-    /// Finds a record by its number in the list, its name, or one of its files.
-    pub fn find_record(&self, named: &str) -> Result<RecordFiles, Failure> {
-        let locale = Locale::new(self.language());
-        if !store::user_path(named).is_file() {
-            self.require_records(&locale)?;
-        }
-        Records::find(self.records().as_ref(), named)
-            .map_err(|fault| Failure::Invalid(format!("sortie: {}", locale.text(&fault))))
-    }
-
-    /// Checks that the records can be listed.
-    ///
-    /// # Errors
-    /// A data folder that the user named does not exist, or the folder of the records cannot be read.
-    pub fn require_records(&self, locale: &Locale) -> Result<(), Failure> {
-        self.require_data(locale)?;
-        let checked = self.records().map_or(Ok(()), |records| records.check());
-        checked.map_err(|error| failed(&Text::from(&error), locale))
-    }
-
-    /// Checks that the data folder exists, if the user named it.
-    ///
-    /// # Errors
-    /// The data folder does not exist.
-    pub fn require_data(&self, locale: &Locale) -> Result<(), Failure> {
-        let named = self.data.as_ref().filter(|_| self.is_data_named);
-        // If the path cannot be checked for lack of permission, the later read reports the reason.
-        let missing = named.filter(|data| data.try_exists().is_ok_and(|exists| !exists));
-        missing.map_or(Ok(()), |data| {
-            let text = text!("file-no-data", path = data.display().to_string());
-            Err(failed(&text, locale))
-        })
     }
 
     /// Reads the administrator's settings. A fault there is reported, but does not prevent flying.
@@ -334,22 +280,6 @@ impl CliSettings {
         .zip(folders);
         for (path, folder) in paths.filter_map(|(path, folder)| path.as_mut().zip(folder)) {
             *path = folder.join(store::user_path(path)).display().to_string();
-        }
-    }
-
-    /// Lets the group read results, if so configured; creates a missing data folder. Another user's
-    /// folder is not changed. What cannot be shared is reported.
-    pub fn share_results(&mut self) {
-        if let (Readers::Group, Some(data)) = (self.config.results.readers, &self.data) {
-            let unshared = store::share_with_group(data);
-            let first = unshared.iter().take(MOST_UNSHARED);
-            self.faults
-                .extend(first.map(|it| FileFault::Whole(it.into())));
-            let more = unshared.len().saturating_sub(MOST_UNSHARED);
-            if more > 0 {
-                let text = text!("sharing-more", count = more);
-                self.faults.push(FileFault::Whole(text));
-            }
         }
     }
 

@@ -26,7 +26,7 @@ pub(super) fn open(settings: &CliSettings, locale: &Locale) -> Result<Profiles, 
 /// # Errors
 /// A data folder that the user named does not exist, or its profiles cannot be read.
 pub(super) fn open_to_read(settings: &CliSettings, locale: &Locale) -> Result<Profiles, Failure> {
-    settings.require_data(locale)?;
+    settings.data.require(locale)?;
     opened_by(open_profiles_to_read, settings, locale)
 }
 
@@ -37,7 +37,7 @@ fn opened_by(
     settings: &CliSettings,
     locale: &Locale,
 ) -> Result<Profiles, Failure> {
-    let Some(data) = &settings.data else {
+    let Some(data) = settings.data.path() else {
         return Err(invalid(&text!("career-nowhere"), locale));
     };
     let (profiles, told) = open(data).map_err(|error| refused(&error, locale))?;

@@ -61,7 +61,7 @@ pub(super) fn hangar_folder(settings: &CliSettings) -> Option<PathBuf> {
 /// Whether the folder of the profiles is safe for a database: on this machine, and not writable by other users.
 pub(super) fn database(settings: &CliSettings) -> Vec<HostFinding> {
     let mounts = fs::read_to_string("/proc/self/mountinfo").unwrap_or_default();
-    let data = settings.data.as_deref().into_iter();
+    let data = settings.data.path().into_iter();
     data.flat_map(|data| {
         let nearest = data.ancestors().find(|folder| folder.exists());
         // If the folder is a link, its files are on the file system of the link's target.
@@ -250,7 +250,7 @@ fn available_kib(text: &str) -> Option<u64> {
 
 /// Whether the signing keys can be used; `None` without any.
 pub(super) fn keys(settings: &CliSettings) -> Option<HostFinding> {
-    let data = settings.data.as_deref()?;
+    let data = settings.data.path()?;
     let file = KeyFile::path_within(data);
     let (path, word) = (file.display(), shell_word(&file));
     let about = "signing keys";

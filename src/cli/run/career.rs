@@ -81,13 +81,14 @@ impl<'a> RunTrainee<'a> {
         let history = profiles
             .history(&profile)
             .map_err(|error| trainee::refused(&error, locale))?;
-        let data = settings.data.clone().unwrap_or_default();
+        let nowhere = || trainee::invalid(&text!("career-nowhere"), locale);
+        let runs = settings.data.runs().ok_or_else(nowhere)?;
         Ok(Some(Self {
             profiles,
             profile,
             course: store::course(),
             standing: CareerStanding::of(&history),
-            runs: Runs::within(&data),
+            runs,
             locale,
         }))
     }
