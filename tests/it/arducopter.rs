@@ -4,13 +4,13 @@ use std::fmt::Write as _;
 use std::fs;
 use std::net::UdpSocket;
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use sortie::parameters::read_defaults;
 
 use crate::fleet::files::to_and_fro;
 use crate::fleet::{Console, signing};
+use crate::sitl::{self, Sitl};
 
 /// The number of the SITL instance: its TCP port is 5760 plus ten per instance, which avoids ports
 /// that other programs usually use.
@@ -40,23 +40,12 @@ pub(crate) fn parameters() -> String {
     text
 }
 
-/// A running SITL; it ends with the test.
-struct Sitl(Child);
-
-impl Drop for Sitl {
-    fn drop(&mut self) {
-        // An error means that it has ended already.
-        drop(self.0.kill());
-        drop(self.0.wait());
-    }
-}
-
-/// The program named by `SORTIE_ARDUCOPTER`. Tests that use it are `#[ignore]`d and have `real_arducopter` in their
-/// names: `SORTIE_ARDUCOPTER=FILE cargo test -- --ignored real_arducopter` runs them.
-pub(crate) fn program() -> PathBuf {
-    std::env::var_os("SORTIE_ARDUCOPTER")
-        .expect("SORTIE_ARDUCOPTER names an arducopter")
-        .into()
+/// Starts a SITL as vehicle 7 with the parameters in the folder, in real time.
+fn run(folder: &Path, instance: u16, arguments: &str) -> Sitl {
+    let line =
+        format!("{arguments} --speedup 1 --slave 0 --sysid 7 --defaults copter.parm -I {instance}");
+    let words: Vec<&str> = line.split(' ').collect();
+    Sitl::start(&sitl::arducopter(), folder, &words)
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
@@ -64,30 +53,11 @@ pub(crate) fn program() -> PathBuf {
 async fn a_real_arducopter_flies_the_classic_flow() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     fs::write(folder.path().join("copter.parm"), parameters()).expect("written");
-    let sitl = Command::new(program())
-        .args([
-            "--model",
-            "quad",
-            "--speedup",
-            "1",
-            "--slave",
-            "0",
-            "--sysid",
-            "7",
-        ])
-        .args([
-            "--defaults",
-            "copter.parm",
-            "--home",
-            "-35.363262,149.165237,584,0",
-        ])
-        .args(["-I", &INSTANCE.to_string()])
-        .current_dir(folder.path())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("SORTIE_ARDUCOPTER can be started");
-    let _sitl = Sitl(sitl);
+    let _sitl = run(
+        folder.path(),
+        INSTANCE,
+        "--model quad --home -35.363262,149.165237,584,0",
+    );
     let mut console = Console::start();
     console.connect(&format!("tcp:127.0.0.1:{}", 5760 + 10 * INSTANCE));
     // Armable in GUIDED about 42 s after the connection.
@@ -115,18 +85,9 @@ async fn a_real_arducopter_flies_the_classic_flow() {
 fn logging(folder: &Path, serial: &str) -> Sitl {
     let parameters = format!("{}LOG_DISARMED 1\n", parameters());
     fs::write(folder.join("copter.parm"), parameters).expect("written");
-    let instance = (INSTANCE + 1).to_string();
-    let sitl = Command::new(program())
-        .args(["--model", "+", "--speedup", "1", "--slave", "0"])
-        .args(["--sysid", "7", "--home", "50.45,30.52,120,0"])
-        .args(["--serial0", serial, "--serial1", "none"])
-        .args(["--serial2", "none", "--defaults", "copter.parm"])
-        .args(["-I", &instance])
-        .current_dir(folder)
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn();
-    Sitl(sitl.expect("SORTIE_ARDUCOPTER can be started"))
+    let serial = format!("--serial0 {serial} --serial1 none --serial2 none");
+    let place = "--model + --home 50.45,30.52,120,0";
+    run(folder, INSTANCE + 1, &format!("{place} {serial}"))
 }
 
 /// Downloads the vehicle's log; returns its bytes and the explanation in its row.
@@ -234,17 +195,10 @@ async fn files_are_copied_to_and_from_a_real_arducopter() {
 /// and serial 1, which rejects them once there is a key.
 fn with_ports(folder: &Path, instance: u16) -> Sitl {
     fs::write(folder.join("copter.parm"), parameters()).expect("written");
-    let sitl = Command::new(program())
-        .args(["--model", "quad", "--speedup", "1", "--slave", "0"])
-        .args(["--sysid", "7", "--home", "-35.363262,149.165237,584,0"])
-        // Without waiting for a client of serial 0.
-        .args(["--serial0", "tcp:0", "--serial1", "tcp:2"])
-        .args(["--defaults", "copter.parm", "-I", &instance.to_string()])
-        .current_dir(folder)
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn();
-    Sitl(sitl.expect("SORTIE_ARDUCOPTER can be started"))
+    // Without waiting for a client of serial 0.
+    let ports = "--serial0 tcp:0 --serial1 tcp:2";
+    let place = "--model quad --home -35.363262,149.165237,584,0";
+    run(folder, instance, &format!("{place} {ports}"))
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

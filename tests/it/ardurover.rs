@@ -1,43 +1,19 @@
 //! The console's fleet against a real `ArduRover`, named by `SORTIE_ARDUROVER`, as a rover and as a boat.
 
 use std::collections::BTreeMap;
-use std::fs;
-use std::path::PathBuf;
-use std::process::{Child, Command, Stdio};
 
 use sortie::geo::LatLon;
 use sortie::ledger::RowState;
 use sortie::sim::Start;
-use sortie::sitl::{Recipe, SerialEndpoint, SitlKind};
+use sortie::sitl::{Recipe, SitlKind};
 
 use crate::fleet::Console;
+use crate::sitl::{self, Sitl};
 
 /// The SITL instances of these tests: TCP port 5760 plus ten per instance, which avoids ports that other programs
 /// usually use.
 const ROVER: u16 = 88;
 const BOAT: u16 = 89;
-
-/// The program named by `SORTIE_ARDUROVER`. Tests that use it are `#[ignore]`d and have `real_ardurover` in their
-/// names: `SORTIE_ARDUROVER=FILE cargo test -- --ignored real_ardurover` runs them.
-fn program() -> PathBuf {
-    std::env::var_os("SORTIE_ARDUROVER")
-        .expect("SORTIE_ARDUROVER names an ardurover")
-        .into()
-}
-
-/// A running SITL in a folder of its own; it ends with the test.
-struct Sitl {
-    process: Child,
-    _folder: tempfile::TempDir,
-}
-
-impl Drop for Sitl {
-    fn drop(&mut self) {
-        // An error means that it has ended already.
-        drop(self.process.kill());
-        drop(self.process.wait());
-    }
-}
 
 /// Starts a model as vehicle 7, as the hangar does, five times as fast as real time.
 fn start(model: &str, instance: u16) -> Sitl {
@@ -54,23 +30,7 @@ fn start(model: &str, instance: u16) -> Sitl {
         speedup: 5.0,
         parameters: BTreeMap::new(),
     };
-    let line = recipe.command_line(SerialEndpoint::Listening(instance));
-    let line = line.expect("SITL has the model");
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    for (name, content) in line.files {
-        fs::write(folder.path().join(name), content).expect("written");
-    }
-    let process = Command::new(program())
-        .args(line.arguments)
-        .current_dir(folder.path())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("SORTIE_ARDUROVER can be started");
-    Sitl {
-        process,
-        _folder: folder,
-    }
+    Sitl::of(&sitl::ardurover(), &recipe, instance)
 }
 
 /// A console with the vehicle, once it can be armed.

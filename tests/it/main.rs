@@ -37,6 +37,7 @@ mod replays;
 mod screens;
 mod settings;
 mod simulator;
+mod sitl;
 mod sitl_designs;
 mod sitl_runs;
 mod stand_in;

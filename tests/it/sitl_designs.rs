@@ -2,18 +2,16 @@
 //! flights.
 
 use std::fmt::Write as _;
-use std::fs;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
 
 use sortie::geo::LatLon;
 use sortie::sim::Start;
-use sortie::sitl::{Recipe, SerialEndpoint, SitlKind};
+use sortie::sitl::{Recipe, SitlKind};
 use sortie::vehicle::VehicleId;
 use sortie::workshop::{Air, Design, Figures};
 
-use crate::arducopter;
 use crate::fleet::Console;
+use crate::sitl::{self, Sitl};
 
 /// The number of the first SITL instance: its TCP port is 5760 plus ten per instance, which avoids
 /// ports that other programs usually use.
@@ -31,56 +29,23 @@ const DESIGNS: [&str; 3] = [
     include_str!("../../designs/endurance.toml"),
 ];
 
-/// A running SITL in its own folder; it ends with the test.
-struct Sitl {
-    process: Child,
-    _folder: tempfile::TempDir,
-}
-
-impl Drop for Sitl {
-    fn drop(&mut self) {
-        // An error means that it has ended already.
-        drop(self.process.kill());
-        drop(self.process.wait());
-    }
-}
-
-impl Sitl {
-    fn start(program: &Path, design: &Design, instance: u16) -> Self {
-        let built = design.airframe().expect("complete");
-        let set = built.parameters.iter();
-        let recipe = Recipe {
-            kind: SitlKind::Copter,
-            model: Some(built.model.to_owned()),
-            airframe: Some(built.frame.to_string()),
-            start: Start {
-                at: LatLon::new(50.45, 30.52),
-                altitude_amsl_m: 0.0,
-                heading_deg: 0.0,
-            },
-            system: VEHICLE as u8,
-            speedup: SPEEDUP,
-            parameters: set.map(|&(name, value)| (name.to_owned(), value)).collect(),
-        };
-        let command = recipe
-            .command_line(SerialEndpoint::Listening(instance))
-            .expect("SITL can fly it");
-        let folder = tempfile::tempdir().expect("a temporary folder");
-        for (name, text) in &command.files {
-            fs::write(folder.path().join(name), text).expect("written");
-        }
-        let process = Command::new(program)
-            .args(&command.arguments)
-            .current_dir(folder.path())
-            .stdout(Stdio::null())
-            .stderr(Stdio::null())
-            .spawn()
-            .expect("SORTIE_ARDUCOPTER can be started");
-        Self {
-            process,
-            _folder: folder,
-        }
-    }
+fn start(program: &Path, design: &Design, instance: u16) -> Sitl {
+    let built = design.airframe().expect("complete");
+    let set = built.parameters.iter();
+    let recipe = Recipe {
+        kind: SitlKind::Copter,
+        model: Some(built.model.to_owned()),
+        airframe: Some(built.frame.to_string()),
+        start: Start {
+            at: LatLon::new(50.45, 30.52),
+            altitude_amsl_m: 0.0,
+            heading_deg: 0.0,
+        },
+        system: VEHICLE as u8,
+        speedup: SPEEDUP,
+        parameters: set.map(|&(name, value)| (name.to_owned(), value)).collect(),
+    };
+    Sitl::of(program, &recipe, instance)
 }
 
 /// Seconds by the vehicle's clock, and the charge drawn from the battery, in mAh.
@@ -128,13 +93,13 @@ async fn top_speed_m_s(console: &mut Console) -> f64 {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 #[ignore = "needs SORTIE_ARDUCOPTER"]
 async fn designs_fly_on_a_real_arducopter_as_computed() {
-    let program = arducopter::program();
+    let program = sitl::arducopter();
     let mut table = String::new();
     let mut worst: f64 = 0.0;
     for (source, instance) in DESIGNS.into_iter().zip(FIRST_INSTANCE..) {
         let design = Design::from_toml(source).expect("a good design");
         let figures = design.figures(Air::default()).expect("complete");
-        let _sitl = Sitl::start(&program, &design, instance);
+        let _sitl = start(&program, &design, instance);
         let mut console = Console::start();
         console.connect(&format!("tcp:127.0.0.1:{}", 5760 + 10 * instance));
         console.until_ready(&[VEHICLE]).await;

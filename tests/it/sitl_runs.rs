@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 use nix::sys::signal::{Signal, kill};
 use nix::unistd::Pid;
 
-use crate::arducopter::program;
+use crate::sitl;
 use crate::stand_in::{Behaviour, StandIn};
 
 /// How long the end of the processes may take.
@@ -39,7 +39,7 @@ impl Scene {
     fn on_the_real_one() -> Self {
         Self {
             folder: tempfile::tempdir().expect("a temporary folder"),
-            program: program(),
+            program: sitl::arducopter(),
             mission: "01".into(),
             _stand_in: None,
         }

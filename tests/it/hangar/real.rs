@@ -4,10 +4,10 @@ use sortie::hangar::SitlStage;
 
 use super::restarts::assert_a_reboot_goes_through_the_stages;
 use super::{Stand, assert_a_console_has_it_back, is_gone};
-use crate::arducopter::program;
+use crate::sitl;
 
 fn stand() -> Stand {
-    Stand::running(program(), |config| config)
+    Stand::running(sitl::arducopter(), |config| config)
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
