@@ -6,7 +6,7 @@
 //! vehicles and to other stations; vehicles are not connected with each other.
 
 use std::collections::{BTreeMap, HashMap, VecDeque};
-use std::hash::{DefaultHasher, Hash as _, Hasher as _};
+use std::hash::{DefaultHasher, Hash, Hasher as _};
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
@@ -16,8 +16,11 @@ use crate::wire::{Anatomy, Content, Frame, MavAddress, Outgoing};
 
 /// A frame with the same content from another port within this time is the same frame on a second path.
 const SAME_WITHIN: Duration = Duration::from_secs(1);
+/// The same frame, sequence number included, within this time has gone round a loop, whichever port it comes from. A
+/// sender that repeats a message numbers it anew; its numbers start again after 256 frames.
+const ROUND_WITHIN: Duration = Duration::from_secs(2);
 /// The maximum number of frames remembered to recognise repetitions.
-const MOST_REMEMBERED: usize = 8192;
+const MOST_REMEMBERED: usize = 16_384;
 /// A sender that was silent for this long is forgotten.
 const STALE: Duration = Duration::from_secs(60);
 /// The maximum number of senders, and of ports per sender: their ids can be forged.
@@ -54,6 +57,8 @@ pub struct FrameFacts {
     /// A hash of sender, message and payload. The sequence number is left out, because a program that passes on its own
     /// messages numbers them separately on each link.
     pub content: u64,
+    /// The sender's sequence number.
+    pub sequence: u8,
     /// Whether the sender can be trusted: the checksum was verified.
     pub is_verified: bool,
 }
@@ -75,6 +80,7 @@ impl FrameFacts {
             id: anatomy.id,
             receiver: receiver.filter(|receiver| receiver.system != 0),
             content: content_of(&anatomy),
+            sequence: anatomy.sequence,
             is_verified: frame.is_verified(),
         })
     }
@@ -134,7 +140,7 @@ pub enum Reach {
 /// The route of a frame.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Route {
-    /// It has already been passed on, having arrived on another port.
+    /// It has already been passed on, having arrived on another port or gone round a loop.
     Repeated,
     /// Its receiver was never heard.
     Unknown,
@@ -149,11 +155,10 @@ pub enum Route {
 pub struct Router {
     own: MavAddress,
     ports: BTreeMap<MavAddress, BTreeMap<Port, Duration>>,
-    /// When each content was passed on, and where it came from; `None` for the console's own
-    /// messages.
-    passed: HashMap<u64, (Option<Port>, Duration)>,
-    /// The contents in the order in which they were first passed on.
-    order: VecDeque<(u64, Duration)>,
+    /// Where each content came from; `None` for the console's own messages.
+    contents: Recent<u64, Option<Port>>,
+    /// Each frame by its content and its sequence number.
+    frames: Recent<(u64, u8), ()>,
 }
 
 impl Router {
@@ -162,32 +167,33 @@ impl Router {
         Self {
             own,
             ports: BTreeMap::new(),
-            passed: HashMap::new(),
-            order: VecDeque::new(),
+            contents: Recent::within(SAME_WITHIN),
+            frames: Recent::within(ROUND_WITHIN),
         }
     }
 
     /// Records a message that the console itself sends to a station, so its echo is not passed on.
     pub fn note_own(&mut self, bytes: &[u8], now: Duration) {
         if let Some(anatomy) = Anatomy::of(bytes) {
-            self.remember(content_of(&anatomy), None, now);
+            let content = content_of(&anatomy);
+            self.contents.note(content, None, now);
+            self.frames.note((content, anatomy.sequence), (), now);
         }
     }
 
     /// The route of a frame from a port.
     pub fn route(&mut self, from: Port, facts: &FrameFacts, now: Duration) -> Route {
-        let known = self.passed.get(&facts.content).copied();
-        let before = known.filter(|&(_, at)| now.saturating_sub(at) < SAME_WITHIN);
-        if let Some((origin, _)) = before
-            && origin != Some(from)
-        {
+        let origin = self.contents.get(&facts.content, now);
+        let has_gone_round = self.frames.get(&(facts.content, facts.sequence), now);
+        if has_gone_round.is_some() || origin.is_some_and(|origin| origin != Some(from)) {
             // Another ground station may use the console's own address: answers must reach it.
-            if origin.is_none() {
+            if origin == Some(None) {
                 self.learn(from, facts, now);
             }
             return Route::Repeated;
         }
-        self.remember(facts.content, Some(from), now);
+        self.contents.note(facts.content, Some(from), now);
+        self.frames.note((facts.content, facts.sequence), (), now);
         self.learn(from, facts, now);
         let Some(receiver) = facts.receiver else {
             return Route::To {
@@ -266,22 +272,43 @@ impl Router {
             oldest.map(|oldest| ports.remove(&oldest));
         }
     }
+}
 
-    fn remember(&mut self, content: u64, origin: Option<Port>, now: Duration) {
+/// What was passed on lately.
+#[derive(Debug)]
+struct Recent<K, V> {
+    within: Duration,
+    last: HashMap<K, (V, Duration)>,
+    /// The keys in the order in which they were noted.
+    order: VecDeque<(K, Duration)>,
+}
+
+impl<K: Copy + Eq + Hash, V: Copy> Recent<K, V> {
+    fn within(within: Duration) -> Self {
+        Self {
+            within,
+            last: HashMap::new(),
+            order: VecDeque::new(),
+        }
+    }
+
+    fn get(&self, key: &K, now: Duration) -> Option<V> {
+        let (value, at) = *self.last.get(key)?;
+        (now.saturating_sub(at) < self.within).then_some(value)
+    }
+
+    fn note(&mut self, key: K, value: V, now: Duration) {
         while let Some(&(oldest, at)) = self.order.front()
-            && (now.saturating_sub(at) >= SAME_WITHIN || self.order.len() >= MOST_REMEMBERED)
+            && (now.saturating_sub(at) >= self.within || self.order.len() >= MOST_REMEMBERED)
         {
             self.order.pop_front();
-            // The same content may have been passed on again since.
-            if self
-                .passed
-                .get(&oldest)
-                .is_some_and(|&(_, last)| last <= at)
-            {
-                self.passed.remove(&oldest);
+            // The same key may have been noted again since.
+            let last = self.last.get(&oldest);
+            if last.is_some_and(|&(_, last)| last <= at) {
+                self.last.remove(&oldest);
             }
         }
-        self.passed.insert(content, (origin, now));
-        self.order.push_back((content, now));
+        self.last.insert(key, (value, now));
+        self.order.push_back((key, now));
     }
 }
