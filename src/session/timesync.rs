@@ -8,21 +8,33 @@ use crate::wire::{MavAddress, Outgoing, SystemId};
 
 /// The time between measurements.
 const EVERY: Duration = Duration::from_secs(5);
+/// A vehicle answers every request on its link, whichever vehicle it is for, so that one request serves all vehicles of
+/// a link. The system ids decide which session asks: the others are due later, by this for each id.
+const APART: Duration = Duration::from_millis(20);
 
 /// Measures the round trip to a vehicle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Timesync {
+    /// When the latest request was sent that the vehicle is known to answer, by this session or by another one.
     asked_at: Option<Duration>,
+    /// When the next request is due.
+    due: Option<Duration>,
 }
 
 impl Timesync {
     /// A request, if due.
     pub fn poll(&mut self, vehicle: MavAddress, now: Duration) -> Option<Outgoing> {
-        if self.asked_at.is_some_and(|asked| now < asked + EVERY) {
+        let apart = APART * u32::from(vehicle.system);
+        if now < *self.due.get_or_insert(now + apart) {
             return None;
         }
-        self.asked_at = Some(now);
+        self.ask_after(now, vehicle.system);
         Some(message(0, nanoseconds(now), vehicle))
+    }
+
+    fn ask_after(&mut self, asked_at: Duration, system: SystemId) {
+        self.asked_at = Some(asked_at);
+        self.due = Some(asked_at + EVERY + APART * u32::from(system));
     }
 
     /// Handles a message: returns a reply to the vehicle's request, or the round trip from its answer.
@@ -47,10 +59,14 @@ impl Timesync {
             );
             return (Some(reply), None);
         }
-        let ours = self
-            .asked_at
-            .filter(|&asked| nanoseconds(asked) == sync.ts1);
-        (None, ours.map(|asked| now.saturating_sub(asked)))
+        let asked_at = u64::try_from(sync.ts1).map(Duration::from_nanos).ok();
+        let latest = asked_at.filter(|&asked_at| {
+            asked_at <= now && now - asked_at < EVERY && self.asked_at <= Some(asked_at)
+        });
+        if let Some(asked_at) = latest {
+            self.ask_after(asked_at, system);
+        }
+        (None, latest.map(|asked_at| now - asked_at))
     }
 }
 
@@ -66,4 +82,75 @@ fn message(tc1: i64, ts1: i64, to: MavAddress) -> Outgoing {
 
 fn nanoseconds(time: Duration) -> i64 {
     i64::try_from(time.as_nanos()).unwrap_or(i64::MAX)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Sessions whose vehicles share a link with a round trip of `delay`, and the requests sent in
+    /// a minute. Every vehicle answers every request.
+    fn requests_in_a_minute(vehicles: u8, delay: Duration) -> usize {
+        let mut sessions: Vec<Timesync> = vec![Timesync::default(); usize::from(vehicles)];
+        let mut answers: Vec<(Duration, MavMessage)> = Vec::new();
+        let mut requests = 0;
+        for now in (0..60_000).step_by(10).map(Duration::from_millis) {
+            answers.retain(|(due, answer)| {
+                if *due > now {
+                    return true;
+                }
+                for (session, system) in sessions.iter_mut().zip(1..) {
+                    let (_, round_trip) = session.receive(answer, system, now);
+                    assert!(round_trip.is_none_or(|it| it >= delay));
+                }
+                false
+            });
+            for (session, system) in sessions.iter_mut().zip(1..) {
+                let vehicle = MavAddress {
+                    system,
+                    component: 1,
+                };
+                if session.poll(vehicle, now).is_some() {
+                    requests += 1;
+                    let Outgoing::Message(answer) = message(7, nanoseconds(now), vehicle) else {
+                        panic!("a message");
+                    };
+                    answers.push((now + delay, answer));
+                }
+            }
+        }
+        requests
+    }
+
+    #[test]
+    fn one_request_serves_all_vehicles_of_a_link() {
+        for (vehicles, delay_ms, most) in [(1, 10, 12), (200, 10, 14), (200, 400, 260)] {
+            let requests = requests_in_a_minute(vehicles, Duration::from_millis(delay_ms));
+            assert!(requests <= most, "{vehicles} {delay_ms}: {requests}");
+            assert!(requests >= 10);
+        }
+    }
+
+    #[test]
+    fn an_answer_to_an_older_request_or_to_another_clock_measures_nothing() {
+        let mut session = Timesync::default();
+        let vehicle = MavAddress {
+            system: 1,
+            component: 1,
+        };
+        let at = Duration::from_secs;
+        assert!(session.poll(vehicle, at(100)).is_none());
+        assert!(session.poll(vehicle, at(101)).is_some());
+        let answer = |asked: Duration| {
+            let Outgoing::Message(answer) = message(7, nanoseconds(asked), vehicle) else {
+                panic!("a message");
+            };
+            answer
+        };
+        for wrong in [at(100), at(102), at(96), Duration::MAX] {
+            assert_eq!(session.receive(&answer(wrong), 1, at(101)).1, None);
+        }
+        let own = session.receive(&answer(at(101)), 1, Duration::from_millis(101_030));
+        assert_eq!(own.1, Some(Duration::from_millis(30)));
+    }
 }
