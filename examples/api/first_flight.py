@@ -1,5 +1,8 @@
 #!/usr/bin/env python3
-"""Flies the first mission: sortie fly 00 --api /tmp/sortie.sock, then first_flight.py /tmp/sortie.sock"""
+"""Flies the first mission: sortie fly 00 --api /tmp/sortie.sock, then first_flight.py /tmp/sortie.sock
+
+The clock starts when Enter is pressed in the brief.
+"""
 
 import sys
 

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Finds the source of a gas plume: sortie fly 03 --api /tmp/sortie.sock, then plume_bot.py /tmp/sortie.sock
 
+The clock starts when Enter is pressed in the brief.
+
 The bot crosses the wind downwind of the plant until it has met the gas. Then it goes up the plume in steps: to the peak,
 which is the place of the highest reading so far, a little against the wind, and once across. When three steps in a row
 find nothing higher, the source is near the peak.
