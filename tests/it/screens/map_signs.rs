@@ -121,9 +121,7 @@ fn the_cursor_is_above_the_name_of_a_place() {
         columns: 80,
         rows: 24,
     });
-    let shown = |console: &Console| {
-        drawn(console, Symbols::Braille, Language::English, (80, 24))
-    };
+    let shown = |console: &Console| drawn(console, Symbols::Braille, Language::English, (80, 24));
     let before = shown(&console);
     let find = |text: &str, what: &str| {
         let mut rows = text.lines().enumerate();

@@ -130,8 +130,8 @@ mod tests {
         let entries: Vec<&str> = lines
             .iter()
             .filter_map(|line| match line {
-                HelpLine::Entry(usage, _) => Some(usage.as_str()),
-                _ => None,
+                HelpLine::Entry(usage, _) | HelpLine::Usage(usage) => Some(usage.as_str()),
+                HelpLine::Title(_) | HelpLine::Note(_) | HelpLine::Blank => None,
             })
             .collect();
         assert!(
@@ -143,6 +143,23 @@ mod tests {
             assert_eq!(open, entry.matches(']').count(), "{entry}");
             assert!(entry.width() <= USAGE_WIDTH + 4, "{entry}");
         }
+    }
+
+    #[test]
+    fn a_verb_with_many_forms_is_described_before_them() {
+        let plan = rows().find(|row| row.name() == "plan").expect("a verb");
+        let locale = Locale::new(Language::English);
+        let lines = explained(plan, &locale);
+        let first_form = lines
+            .iter()
+            .position(|line| matches!(line, HelpLine::Usage(_)));
+        let before = &lines[..first_form.expect("a form")];
+        let words = before.iter().map(|line| match line {
+            HelpLine::Entry(_, text) | HelpLine::Note(text) => text.as_str(),
+            HelpLine::Title(_) | HelpLine::Usage(_) | HelpLine::Blank => "",
+        });
+        let described = words.collect::<Vec<_>>().join(" ");
+        assert_eq!(described.trim(), locale.text(&plan.summary()));
     }
 
     #[test]

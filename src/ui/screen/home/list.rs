@@ -89,7 +89,11 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 fn draw_signs(panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (sign, meaning)) in SIGNS.into_iter().enumerate() {
-        let text = format!("  {} {}", sign.symbol(panel.look.symbols), panel.say(meaning));
+        let text = format!(
+            "  {} {}",
+            sign.symbol(panel.look.symbols),
+            panel.say(meaning)
+        );
         let line = Line::styled(text, panel.style(Role::Muted));
         put(buffer, panel.area, row as u16, &line);
     }

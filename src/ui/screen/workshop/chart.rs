@@ -87,7 +87,11 @@ impl<'a> Chart<'a> {
             let there = rows.get(bench.row()).and_then(|row| row.part);
             let marked = candidate.part.name();
             return match there.filter(|_| self.installed.len() > 1) {
-                Some(there) => text!("bench-two-curves", installed = there.name(), marked = marked),
+                Some(there) => text!(
+                    "bench-two-curves",
+                    installed = there.name(),
+                    marked = marked
+                ),
                 None if self.installed.len() > 1 => text!("bench-curve-added", marked = marked),
                 None => text!("bench-curve-marked", marked = marked),
             };

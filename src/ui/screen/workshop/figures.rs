@@ -43,7 +43,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         } else {
             Role::Muted
         };
-        put(buffer, inner, row as u16, &table.line(figure, role, panel.look));
+        put(
+            buffer,
+            inner,
+            row as u16,
+            &table.line(figure, role, panel.look),
+        );
     }
 }
 

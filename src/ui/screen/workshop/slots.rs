@@ -35,7 +35,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let cursor = room.bench().row();
     let first = first_shown(cursor, rows.len(), inner.height);
     let width = usize::from(inner.width);
-    let names = rows.iter().map(|row| width_of(&panel.text(&row.slot.name())));
+    let names = rows
+        .iter()
+        .map(|row| width_of(&panel.text(&row.slot.name())));
     let name = names.max().unwrap_or(0).min(width * NAMES_PERCENT / 100);
     let shown = rows.iter().enumerate().skip(first);
     for (at, row) in shown.take(usize::from(inner.height)) {

@@ -82,7 +82,11 @@ pub fn draw(state: &State, view: Option<&Viewport>, panel: Panel<'_>, buffer: &m
     let room = usize::from(inner.width).saturating_sub(SIGN_WIDTH + 1);
     let height = usize::from(inner.height);
     let is_cut = rows.len() > height;
-    let shown = if is_cut { height.saturating_sub(1) } else { height };
+    let shown = if is_cut {
+        height.saturating_sub(1)
+    } else {
+        height
+    };
     for (row, entry) in (0..).zip(rows.into_iter().take(shown)) {
         put(buffer, inner, row, &entry.line(room, panel.look));
     }

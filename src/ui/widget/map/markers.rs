@@ -220,7 +220,9 @@ fn gather<'a>(
             count += 1;
         }
         let (these, others) = rest.split_at(count);
-        let from = from.min(columns.end.saturating_sub(ends(count) - from)).max(free_from);
+        let from = from
+            .min(columns.end.saturating_sub(ends(count) - from))
+            .max(free_from);
         board.put_count(these, from, look);
         free_from = ends(count);
         rest = others;
