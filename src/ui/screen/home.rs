@@ -25,7 +25,7 @@ mod list;
 const LIST_LEAST: u16 = 34;
 const LIST_MOST: u16 = 60;
 /// The largest share of the width for the list, in percent; at 80 columns, the longest mission has room for `locked`.
-const LIST_PERCENT: u16 = 48;
+const LIST_PERCENT: u16 = 47;
 /// The height of the text above the sketch of a mission's area, without a career and with one, in
 /// rows.
 const TEXT_ROWS: u16 = 14;

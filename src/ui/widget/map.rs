@@ -121,8 +121,8 @@ fn draw_view(
     outside
 }
 
-/// Draws the map's cursor over ground, lines and names. A vehicle keeps its sign, highlighted, unless that is
-/// highlighted already.
+/// Draws the map's cursor over ground, lines and names. Numbers, and signs of vehicles, stay and are highlighted, unless
+/// the sign is highlighted already.
 pub fn draw_cursor(
     state: &State,
     view: &Viewport,
@@ -137,7 +137,8 @@ pub fn draw_cursor(
     let is_listed = listed.and_then(|it| view.cell(it.at_point)) == Some((column, row));
     let is_vehicle = ground::vehicle_cells(state, view).contains(&(column, row));
     if let Some(cell) = buffer.cell_mut((panel.area.x + column, panel.area.y + row)) {
-        if is_listed || !is_vehicle {
+        let is_number = cell.symbol().starts_with(|c: char| c.is_ascii_digit());
+        if is_listed || !(is_vehicle || is_number) {
             cell.set_char('┼');
         }
         cell.set_style(panel.style(Role::Cursor));

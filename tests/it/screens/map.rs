@@ -164,12 +164,12 @@ fn every_vehicle_of_a_swarm_is_on_the_map_or_counted() {
     let size = (80, 24);
     let console = resized(console, size);
     let text = drawn(&console, Symbols::Braille, Language::English, size);
-    let counts = text.split('(').skip(1);
-    let counts = counts.filter_map(|rest| rest.split(')').next()?.parse::<usize>().ok());
-    let counted: usize = counts.sum();
-    let hidden = text.split("[o1+").nth(1).expect("a count");
-    let digits: String = hidden.chars().take_while(char::is_ascii_digit).collect();
-    let hidden: usize = digits.parse().expect("a number");
+    let number = |text: &str| -> usize {
+        let digits: String = text.chars().take_while(char::is_ascii_digit).collect();
+        digits.parse().expect("a number")
+    };
+    let counted: usize = text.split('×').skip(1).map(number).sum();
+    let hidden = number(text.split("[o1+").nth(1).expect("a count"));
     assert_eq!(
         counted + hidden,
         299,
@@ -331,7 +331,7 @@ fn places_where_a_rehearsal_shows_a_conflict_are_on_the_map_until_the_next_one()
     assert!(shown().contains("!1/2"), "{}", shown());
     console.press("i");
     let text = drawn(&console, Symbols::Braille, Language::Ukrainian, (120, 40));
-    assert!(text.contains("випробуванні"), "{text}");
+    assert!(text.contains("надто близько"), "{text}");
     console.hear(VehicleEvent::Rehearsed(RehearsalFindings {
         passed: vec![1, 2],
         ..RehearsalFindings::default()

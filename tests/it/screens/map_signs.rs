@@ -26,6 +26,8 @@ fn at_the_first_gate() -> Console {
     }
     console.hear(SessionEvent::Mission(Box::new(progress)));
     console.press("M").press("z");
+    // The cursor leaves the name of the first gate.
+    console.press("j").press("j").press("j");
     console
 }
 
@@ -150,7 +152,10 @@ fn vehicles_in_one_place_are_counted_with_a_sign() {
     let mut console = Console::flying(0);
     console.vehicle(fixtures::airborne(1, 80.0, 20.0));
     for id in [2, 3] {
-        console.vehicle(fixtures::airborne(id, 0.0, 20.0));
+        let mut vehicle = fixtures::airborne(id, 0.0, 20.0);
+        let global = vehicle.global.as_mut().expect("it has a position");
+        global.at_point = fixtures::HOME;
+        console.vehicle(vehicle);
     }
     console.press("M").press("z");
     let console = resized(console, (80, 24));

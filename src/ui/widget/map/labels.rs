@@ -58,7 +58,7 @@ impl Label {
         sign.is_some()
     }
 
-    /// The name of a place alone, at each spot beside its sign, best first; nothing for other labels.
+    /// The name alone, at each spot beside the sign, best first.
     fn names_beside(&self) -> Vec<Self> {
         let (column, row) = self.cell;
         let name = self.text.trim_start_matches(|c: char| !c.is_alphanumeric());
@@ -69,8 +69,7 @@ impl Label {
             Some((column, row + 1)),
             row.checked_sub(1).map(|above| (column, above)),
         ];
-        let is_named = self.kind == LabelKind::Place && width > 0;
-        let spots = spots.into_iter().flatten().filter(|_| is_named);
+        let spots = spots.into_iter().flatten().filter(|_| width > 0);
         let named = spots.map(|cell| Self {
             cell,
             kind: LabelKind::Word,
@@ -209,6 +208,7 @@ fn readable(labels: Vec<Label>, vehicles: &[MapCell], size: GridSize) -> Vec<Lab
         taken: BTreeSet::new(),
         words: BTreeSet::new(),
         figures: BTreeSet::new(),
+        places: BTreeSet::new(),
         kept: Vec::new(),
     };
     for label in labels.into_iter().rev() {
@@ -224,12 +224,20 @@ struct LabelBoard<'a> {
     taken: BTreeSet<MapCell>,
     words: BTreeSet<MapCell>,
     figures: BTreeSet<MapCell>,
+    /// The cells of places with a name.
+    places: BTreeSet<MapCell>,
     kept: Vec<Label>,
 }
 
 impl LabelBoard<'_> {
     fn add(&mut self, mut label: Label) {
-        let moved = label.names_beside();
+        // Of several places in one cell, one has a name.
+        let is_first = label.kind == LabelKind::Place && self.places.insert(label.cell);
+        let moved = if is_first {
+            label.names_beside()
+        } else {
+            Vec::new()
+        };
         let must_fit = label.kind == LabelKind::Place && !self.is_inside(&label);
         if must_fit || !self.has_room(&label) {
             let is_free = !self.taken.contains(&label.cell);
@@ -348,8 +356,18 @@ mod tests {
         let place = (10, 5);
         assert_eq!(kept(place, far, far), [of(place, "+gate2")]);
         assert_eq!(kept(place, place, far), [of((12, 5), "gate2")], "a target");
-        let below = [of(place, "+"), of((10, 6), "gate2")];
-        assert_eq!(kept(place, far, place), below, "a vehicle");
+        let left = [of(place, "+"), of((4, 5), "gate2")];
+        assert_eq!(kept(place, far, place), left, "a vehicle");
+        let corner = (0, 5);
+        let below = [of(corner, "+"), of((0, 6), "gate2")];
+        assert_eq!(kept(corner, far, corner), below, "at the left edge");
+        let two = |text: &str| Label {
+            cell: place,
+            ..label(0, LabelKind::Place, text)
+        };
+        let kept_of_two = readable(vec![two("+pad"), two("+pad1")], &[], SIZE);
+        let texts: Vec<&str> = kept_of_two.iter().map(|it| it.text.as_str()).collect();
+        assert_eq!(texts, ["+pad1"], "one place has one name");
         let edge = (77, 5);
         let left = [of(edge, "+"), of((71, 5), "gate2")];
         assert_eq!(kept(edge, far, far), left, "the edge of the map");
