@@ -226,6 +226,16 @@ pub fn score(rules: &ScoreRules, facts: &Facts) -> Score {
     }
 }
 
+/// The points earned so far in a flight. Mandatory objectives that are still open cap nothing yet: the cap would hide
+/// what the other objectives have earned.
+pub fn points_so_far(rules: &ScoreRules, facts: &Facts) -> u16 {
+    let mut facts = facts.clone();
+    for objective in &mut facts.objectives {
+        objective.mandatory = false;
+    }
+    score(rules, &facts).points
+}
+
 fn gold_missing(
     rules: &ScoreRules,
     facts: &Facts,

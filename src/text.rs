@@ -23,7 +23,7 @@ mod system;
 
 pub use catalogue::messages;
 pub use figure::{clock, clock_s, figure, lasting, rounded, utc_minute_of, utc_of};
-pub use layout::{reflow, wrap};
+pub use layout::{clip, reflow, wrap};
 pub use locale::Locale;
 pub use stored::StoredText;
 pub use system::OwnFault;

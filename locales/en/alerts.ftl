@@ -30,14 +30,14 @@ alert-prearm = not ready to arm
 alert-kind-crash = CRASHED
 alert-kind-gps = GPS unreliable
 alert-kind-ekf = EKF unreliable
-alert-kind-separation = too close
+alert-kind-separation = too close to each other
 alert-kind-traffic = traffic
 alert-kind-battery = battery low
 alert-kind-way-home = turn back
 alert-kind-vibration = vibration
 alert-kind-message = serious message
 
-alert-since = { $what } since { $clock }
+alert-since = { $what }, since { $clock }
 alert-of-one = { $vehicle }: { $what }
 alert-of-many = { $count ->
     [one] { $count } vehicle: { $what }

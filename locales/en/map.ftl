@@ -40,8 +40,8 @@ map-legend-plan = plan, waypoint w3
 map-legend-leg = to item 3 of 12 (w3/12)
 map-legend-paused = paused in its plan
 map-legend-rally = rally point (R1)
-map-legend-course = manoeuvre, named place (p3)
-map-legend-meeting = too close in the rehearsal (!1/2)
+map-legend-course = manoeuvre, place (p3)
+map-legend-meeting = too close (!1/2)
 map-legend-ruler = ruler
 
 action-left = move left

@@ -89,7 +89,7 @@ mission-cell-done = done
 
 # The room of the mission.
 mission-begin = { $fly } flies it   { $back } goes back
-mission-under-way = time { $elapsed } of { $limit }   score { $score }
+mission-under-way = time { $elapsed } of { $limit }   score so far { $score }
 mission-ended = ended after { $elapsed }   score { $score }   { $key } shows the debrief
 mission-objectives = objectives
 mission-required = mandatory

@@ -1,8 +1,8 @@
 # Що негаразд з апаратами і що робити з тривогами.
 
 alert-motors-stopped = ЗУПИНКА ДВИГУНІВ у повітрі
-alert-crashed = РОЗБИВСЯ, двигуни деактивовано
-alert-crashed-at = РОЗБИВСЯ на { $speed } m/s
+alert-crashed = РОЗБИТО, двигуни деактивовано
+alert-crashed-at = РОЗБИТО, удар на { $speed } m/s
 alert-link-lost = БЕЗ ЗВ'ЯЗКУ
 alert-other-sender = чути іншого відправника
 alert-process = SITL НЕ ПРАЦЮЄ
@@ -21,7 +21,7 @@ alert-traffic = ПОВІТРЯНЕ СУДНО { $name }: найближче { $a
 alert-battery-critical = АКУМ. { $percent } %
 alert-battery-low = заряд низький { $percent } %
 alert-turn-back = повертайтеся: { $left } %, треба { $needed } %
-alert-out-of-reach = ДОДОМУ НЕ ДОЛЕТИТЬ
+alert-out-of-reach = ДОДОМУ НЕ ДОЛЕТІТИ
 alert-ceiling = вище за межу висоти { $ceiling } m
 alert-fence = поза геозоною
 alert-vibration = вібрація { $level }
@@ -30,14 +30,14 @@ alert-prearm = активація неможлива
 alert-kind-crash = РОЗБИЛИСЯ
 alert-kind-gps = GPS ненадійний
 alert-kind-ekf = EKF ненадійний
-alert-kind-separation = надто близько
+alert-kind-separation = надто близько один до одного
 alert-kind-traffic = повітряне судно поруч
 alert-kind-battery = заряд низький
 alert-kind-way-home = час повертатися
 alert-kind-vibration = вібрація
 alert-kind-message = серйозне повідомлення
 
-alert-since = { $what } з { $clock }
+alert-since = { $what }, з { $clock }
 alert-of-one = { $vehicle }: { $what }
 alert-of-many = { $count ->
     [one] { $count } апарат: { $what }

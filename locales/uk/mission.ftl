@@ -93,7 +93,7 @@ mission-cell-done = є
 
 # Екран завдання.
 mission-begin = { $fly } — почати   { $back } — назад
-mission-under-way = час { $elapsed } з { $limit }   бали { $score }
+mission-under-way = час { $elapsed } з { $limit }   бали поки що { $score }
 mission-ended = завершено за { $elapsed }   бали { $score }   { $key } показує розбір
 mission-objectives = цілі
 mission-required = обов'язкова

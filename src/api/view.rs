@@ -196,7 +196,8 @@ pub struct MissionView {
     pub title: String,
     pub elapsed_s: f64,
     pub limit_s: f64,
-    /// The score if the mission ended now, 0 to 1000; `null` before the first takeoff.
+    /// The points earned so far, 0 to 1000, without the cap for mandatory objectives until the mission is over; `null`
+    /// before the first takeoff.
     pub score: Option<u16>,
     /// Whether the mission is over.
     pub over: bool,

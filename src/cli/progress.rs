@@ -69,7 +69,7 @@ pub(super) fn missions(progress: &CareerProgress, locale: &Locale) -> TextTable 
             figure(mission.last),
             mission
                 .trend
-                .map_or_else(String::new, |it| format!("{it:.1}")),
+                .map_or_else(String::new, |it| format!("{it:+.0}")),
             locale.text(&reasons),
         ]);
     }

@@ -28,6 +28,10 @@ use export::RecordFormat;
 use join::JoinArguments;
 use sign::{KeyArguments, SignArguments};
 
+/// The maximum number of columns of the list, and the index of the column that is cut for that.
+const WIDTH: usize = 80;
+const SUBJECT: usize = 2;
+
 /// Options of `sortie records`.
 #[derive(Debug, Args)]
 pub(super) struct RecordsArguments {
@@ -234,7 +238,8 @@ impl RecordsCommands<'_> {
         }
         let bytes: u64 = all.iter().map(|it| it.bytes).sum();
         if !all.is_empty() {
-            say!("{}", self.table(&all).plain().trim_end())?;
+            let table = self.table(&all).fitted(SUBJECT, WIDTH);
+            say!("{}", table.plain().trim_end())?;
         }
         let limits = self.records.limits();
         let text = text!(

@@ -3,7 +3,7 @@
 use unicode_width::UnicodeWidthStr;
 
 use crate::notice::sanitised;
-use crate::text::{Locale, Text};
+use crate::text::{Locale, Text, clip};
 
 /// A table of words. Columns of figures are aligned to the right.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -46,16 +46,27 @@ impl TextTable {
         self
     }
 
+    /// The same table with the cells of a column cut, so that lines have at most this many columns.
+    pub fn fitted(mut self, column: usize, most: usize) -> Self {
+        let whole: usize = self.widths().iter().map(|width| width + 2).sum();
+        let wanted = self.widths()[column];
+        let least = self.columns[column].0.width();
+        let room = wanted.saturating_sub(whole.saturating_sub(most)).max(least);
+        for row in &mut self.rows {
+            row[column] = clip(&row[column], room);
+        }
+        self
+    }
+
+    fn widths(&self) -> Vec<usize> {
+        let width = |at| self.column(at).map(UnicodeWidthStr::width).max();
+        let columns = 0..self.columns.len();
+        columns.map(|at| width(at).unwrap_or(0)).collect()
+    }
+
     /// The table in columns as wide as needed.
     pub fn plain(&self) -> String {
-        let widths: Vec<usize> = (0..self.columns.len())
-            .map(|at| {
-                self.column(at)
-                    .map(UnicodeWidthStr::width)
-                    .max()
-                    .unwrap_or(0)
-            })
-            .collect();
+        let widths = self.widths();
         let line = |cells: &mut dyn Iterator<Item = &str>| {
             let cells: Vec<String> = cells
                 .zip(&widths)
@@ -166,6 +177,14 @@ mod tests {
             table(&["їжак", "-1.5"]).plain(),
             "  word     n\n  їжак  -1.5\n"
         );
+    }
+
+    #[test]
+    fn a_column_is_cut_so_that_the_lines_fit() {
+        let fitted = |most| table(&["a long name", "7"]).fitted(0, most).plain();
+        assert_eq!(fitted(20), "  word         n\n  a long name  7\n");
+        assert_eq!(fitted(12), "  word     n\n  a long…  7\n");
+        assert_eq!(fitted(3), "  word  n\n  a l…  7\n", "not below its title");
     }
 
     #[test]

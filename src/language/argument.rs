@@ -125,7 +125,7 @@ impl Argument {
     /// The argument's meaning and its valid values, such as "height above home, 0.5 to 1000 m".
     pub(super) fn explained(&self) -> Text {
         let meaning = Some(self.meaning()).filter(|text| !text.is_empty());
-        let parts = meaning.into_iter().chain(self.kind.limits());
+        let parts = meaning.into_iter().chain(self.kind.advice());
         Text::joined(", ", parts.collect())
     }
 

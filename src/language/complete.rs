@@ -296,12 +296,11 @@ fn names(expected: Expected, context: &Context) -> Vec<(String, Text)> {
 
 fn verb_names(fits: impl Fn(&VerbRow) -> bool) -> Vec<(String, Text)> {
     let explained = |row: &VerbRow| {
-        let usage = row.usage().join(" | ");
-        // The usage of a verb without arguments is its name: once is enough.
-        let hint = if usage == row.name() {
-            row.summary()
-        } else {
-            described(usage.into(), row.summary())
+        // The usage of a verb without arguments is its name: once is enough. Many forms would hide the summary.
+        let hint = match row.usage().as_slice() {
+            [usage] if usage == row.name() => row.summary(),
+            [usage] => described(usage.as_str().into(), row.summary()),
+            usages => described(row.summary(), usages.join(" | ").into()),
         };
         (row.name().to_owned(), hint)
     };

@@ -22,7 +22,10 @@ pub(super) fn apply(
     };
     // Senders without the extension fields give 0, and others give the end of the range for an unknown accuracy.
     let is_known = |accuracy| !matches!(accuracy, 0 | u32::MAX);
-    vehicle.gps_accuracy = (is_known(data.h_acc) && is_known(data.v_acc)).then_some(GpsAccuracy {
+    // Without a fix, some receivers repeat the last accuracy or a constant.
+    let is_fixed = gps.fix >= FixType::Fix2d;
+    let is_given = is_known(data.h_acc) && is_known(data.v_acc);
+    vehicle.gps_accuracy = (is_given && is_fixed).then_some(GpsAccuracy {
         horizontal_m: data.h_acc as f32 * 1e-3,
         vertical_m: data.v_acc as f32 * 1e-3,
     });

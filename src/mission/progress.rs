@@ -18,7 +18,8 @@ pub struct Progress {
     pub title: Text,
     pub elapsed: Duration,
     pub limit: Duration,
-    /// The score if the mission ended now, 0 to 1000; `None` before the first takeoff.
+    /// The points earned so far, 0 to 1000, without the cap for mandatory objectives until the mission is over; `None`
+    /// before the first takeoff.
     pub score_so_far: Option<u16>,
     /// The objectives, in file order.
     pub objectives: Vec<ObjectiveProgress>,

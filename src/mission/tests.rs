@@ -290,6 +290,26 @@ fn the_score_begins_with_the_first_takeoff() {
 }
 
 #[test]
+fn the_score_in_flight_counts_what_is_earned_before_the_landing() {
+    let mut pilot = Pilot::new(1);
+    let so_far = |pilot: &Pilot| pilot.flight.progress().score_so_far.expect("it has flown");
+    pilot.take_off(20.0);
+    pilot.survey();
+    let surveyed = so_far(&pilot);
+    pilot.look_above();
+    let hovered = so_far(&pilot);
+    assert!(hovered > surveyed, "{surveyed} {hovered}");
+    pilot.goto(0.0, 0.0, 10.0);
+    pilot.wait(5.0);
+    let in_flight = so_far(&pilot);
+    pilot.land();
+    let landed = pilot.report().score;
+    let with_the_landing = landed - in_flight;
+    assert!((1..150).contains(&with_the_landing), "{in_flight} {landed}");
+    assert_eq!(so_far(&pilot), landed);
+}
+
+#[test]
 fn a_hint_names_only_what_can_be_filled_in() {
     let with = |text: &str| AIR_SAMPLE.replace("{next_cell}", text);
     let faults = Mission::parse(&with("{nextcell}")).expect_err("an unknown placeholder");

@@ -31,7 +31,7 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
             empty = false;
             line.push_str(&word);
             while let Some(at) = overflow(&line, width) {
-                let rest = line.split_off(at);
+                let rest = line.split_off(break_before(&line, at));
                 lines.push(std::mem::replace(&mut line, rest));
             }
         }
@@ -69,6 +69,33 @@ fn overflow(line: &str, width: usize) -> Option<usize> {
         .map(|(at, _)| at)
 }
 
+/// Where to break a word that is too long for a line, at the byte index `most` or before: after the last `|` of a list of
+/// choices, if there is one.
+fn break_before(line: &str, most: usize) -> usize {
+    let start = line.len() - line.trim_start().len();
+    let choice = line[..most].rfind('|').map(|at| at + 1);
+    choice.filter(|at| *at > start + 1).unwrap_or(most)
+}
+
+/// A text cut to a width, with a mark if it was too long.
+pub fn clip(text: &str, width: usize) -> String {
+    if text.width() <= width {
+        return text.to_owned();
+    }
+    let mut clipped = String::new();
+    for c in text.chars() {
+        clipped.push(c);
+        if clipped.width() + 1 > width {
+            clipped.pop();
+            break;
+        }
+    }
+    if width > 0 {
+        clipped.push('…');
+    }
+    clipped
+}
+
 /// Joins the lines of a text that was broken for another width into paragraphs: only blank and
 /// indented lines stay separate.
 pub fn reflow(text: &str) -> String {
@@ -96,6 +123,8 @@ mod tests {
             ["one two", "three", "", "four"]
         );
         assert_eq!(wrap("abcdefghij kl", 4), ["abcd", "efgh", "ij", "kl"]);
+        assert_eq!(wrap("one|two|three", 9), ["one|two|", "three"]);
+        assert_eq!(wrap("|three", 3), ["|th", "ree"]);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use ratatui::widgets::{Block, Clear, Widget as _};
 use super::look::Look;
 use super::theme::Role;
 use crate::app::action::{Action, Step};
-use crate::text::Text;
+use crate::text::{Text, clip};
 
 /// A part of the screen with the look to draw in.
 #[derive(Debug, Clone, Copy)]
@@ -220,25 +220,6 @@ pub fn clip_rows(mut lines: Vec<String>, rows: usize, width: usize) -> Vec<Strin
         *last = clip(&format!("{last} …"), width);
     }
     lines
-}
-
-/// A text cut to a width, with a mark if it was too long.
-pub fn clip(text: &str, width: usize) -> String {
-    if Span::raw(text).width() <= width {
-        return text.to_owned();
-    }
-    let mut clipped = String::new();
-    for c in text.chars() {
-        clipped.push(c);
-        if Span::raw(clipped.as_str()).width() + 1 > width {
-            clipped.pop();
-            break;
-        }
-    }
-    if width > 0 {
-        clipped.push('…');
-    }
-    clipped
 }
 
 #[cfg(test)]

@@ -15,11 +15,11 @@ use std::time::Duration;
 use ratatui::layout::Rect;
 use ratatui::text::Span;
 
-pub use super::panel::{below, clip, clip_rows, columns, put, row_of, upper};
+pub use super::panel::{below, clip_rows, columns, put, row_of, upper};
 use super::theme::Role;
 use crate::ledger::RowState;
 use crate::scoring::Medal;
-pub use crate::text::{reflow, wrap};
+pub use crate::text::{clip, reflow, wrap};
 use crate::vehicle::Severity;
 
 pub mod alerts;

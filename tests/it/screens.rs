@@ -23,6 +23,7 @@ mod keys;
 mod legs;
 mod link_room;
 mod map;
+mod map_signs;
 mod mission;
 mod on_board;
 mod parameters;

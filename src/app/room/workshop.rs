@@ -20,7 +20,7 @@ mod shelf;
 #[cfg(test)]
 mod tests;
 
-pub use bench::{Bench, Candidate, SlotRow, rows};
+pub use bench::{Bench, Candidate, Curves, SlotRow, rows};
 pub use files::{copied, exported, imported, read, renamed, saved_as};
 pub use fit::{Fit, Stand, weigh};
 pub use fleet::{Seat, bill, seats};

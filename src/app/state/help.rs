@@ -97,7 +97,9 @@ mod tests {
         let entries = |lines: &[HelpLine]| -> Vec<(String, String)> {
             let entries = lines.iter().filter_map(|line| match line {
                 HelpLine::Entry(what, meaning) => Some((what.clone(), meaning.clone())),
-                HelpLine::Title(_) | HelpLine::Note(_) | HelpLine::Blank => None,
+                HelpLine::Title(_) | HelpLine::Note(_) | HelpLine::Usage(_) | HelpLine::Blank => {
+                    None
+                }
             });
             entries.collect()
         };
@@ -140,7 +142,7 @@ mod tests {
             let title = locale.text(&Place::In(Room::Ledger).title());
             assert_eq!(lines[0], HelpLine::Title(title));
             for line in lines {
-                if let HelpLine::Entry(what, _) = &line {
+                if let HelpLine::Entry(what, _) | HelpLine::Usage(what) = &line {
                     assert!(what.width() <= NOTE_WIDTH + 4, "{line:?}");
                 }
                 if let HelpLine::Entry(what, meaning) = &line

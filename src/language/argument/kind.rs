@@ -8,6 +8,8 @@ use crate::text;
 use crate::text::Text;
 
 const CHOICES_IN_USAGE: usize = 10;
+/// The bound, in both directions, from which a range only guards against typing errors.
+const BOUNDLESS: f64 = 100_000.0;
 
 /// The words of a switch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumString, VariantNames)]
@@ -69,6 +71,18 @@ impl Kind {
     /// Whether the kind is a choice short enough to be listed in a usage line.
     pub(in crate::language) fn fits_a_usage(self) -> bool {
         !matches!(self, Self::Choice(words) if words.len() > CHOICES_IN_USAGE)
+    }
+
+    /// What helps to write a value: [`limits`](Self::limits), but of a range so wide that it only guards against typing
+    /// errors, the unit alone.
+    pub(in crate::language) fn advice(self) -> Option<Text> {
+        match self {
+            Self::Number(unit, least, greatest) if -least >= BOUNDLESS && greatest >= BOUNDLESS => {
+                let symbol = unit.symbol();
+                (!symbol.is_empty()).then(|| text!("grammar-in-unit", unit = symbol))
+            }
+            _ => self.limits(),
+        }
     }
 
     /// The range of a number as text, or the words of a long choice; `None` for other kinds.

@@ -2,10 +2,11 @@
 
 use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, DISTANCE_SENSOR_DATA, GLOBAL_POSITION_INT_DATA,
-    GPS_GLOBAL_ORIGIN_DATA, GPS_RAW_INT_DATA, HOME_POSITION_DATA, LOCAL_POSITION_NED_DATA,
-    MISSION_CURRENT_DATA, MavFrame, MavParamType, MavSensorOrientation, MissionState,
-    PARAM_VALUE_DATA, POSITION_TARGET_GLOBAL_INT_DATA, POSITION_TARGET_LOCAL_NED_DATA,
-    PositionTargetTypemask, SERVO_OUTPUT_RAW_DATA, SYS_STATUS_DATA, VIBRATION_DATA,
+    GPS_GLOBAL_ORIGIN_DATA, GPS_RAW_INT_DATA, GpsFixType, HOME_POSITION_DATA,
+    LOCAL_POSITION_NED_DATA, MISSION_CURRENT_DATA, MavFrame, MavParamType, MavSensorOrientation,
+    MissionState, PARAM_VALUE_DATA, POSITION_TARGET_GLOBAL_INT_DATA,
+    POSITION_TARGET_LOCAL_NED_DATA, PositionTargetTypemask, SERVO_OUTPUT_RAW_DATA, SYS_STATUS_DATA,
+    VIBRATION_DATA,
 };
 
 use super::super::testing::Bench;
@@ -64,6 +65,23 @@ fn values_at_the_end_of_their_range_are_no_figures() {
         ..Default::default()
     }));
     assert_eq!(bench.vehicle.gps_accuracy, None);
+    for (fix_type, is_known) in [
+        (GpsFixType::GPS_FIX_TYPE_3D_FIX, true),
+        (GpsFixType::GPS_FIX_TYPE_NO_FIX, false),
+        (GpsFixType::GPS_FIX_TYPE_NO_GPS, false),
+    ] {
+        bench.hear(MavMessage::GPS_RAW_INT(GPS_RAW_INT_DATA {
+            fix_type,
+            h_acc: 900,
+            v_acc: 900,
+            ..Default::default()
+        }));
+        assert_eq!(
+            bench.vehicle.gps_accuracy.is_some(),
+            is_known,
+            "{fix_type:?}"
+        );
+    }
     bench.hear(MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
         lat: 504_501_000,
         lon: 305_234_000,

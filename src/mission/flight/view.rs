@@ -11,7 +11,7 @@ use crate::mission::{
     Area, Cell, Ground, LessonStep, MovingThing, NEXT_CELL, ObjectiveProgress, ObjectiveState,
     Phase, Progress, Reading,
 };
-use crate::scoring::{SafetyEvent, score};
+use crate::scoring::{SafetyEvent, points_so_far, score};
 use crate::text;
 use crate::text::Text;
 
@@ -82,10 +82,14 @@ impl Flight {
         }
     }
 
-    /// The score so far; `None` before the first takeoff, when points for unbroken rules would be confusing.
+    /// The points earned so far; `None` before the first takeoff, when points for unbroken rules would be confusing.
     fn score_so_far(&self, standings: &[ObjectiveStanding]) -> Option<u16> {
         let begun = self.is_over() || self.crafts.iter().any(|craft| craft.flown);
-        begun.then(|| score(&self.mission.scoring, &result::facts(self, standings)).points)
+        let (rules, is_over) = (&self.mission.scoring, self.is_over());
+        begun.then(|| match result::facts(self, standings) {
+            facts if is_over => score(rules, &facts).points,
+            facts => points_so_far(rules, &facts),
+        })
     }
 
     fn readings(&self) -> Vec<Reading> {

@@ -74,7 +74,7 @@ fn help(state: &State) -> Vec<Text> {
             HelpLine::Title(title) => title.into(),
             HelpLine::Entry(what, meaning) if meaning.is_empty() => what.into(),
             HelpLine::Entry(what, meaning) => Text::joined(": ", vec![what.into(), meaning.into()]),
-            HelpLine::Note(note) => format!("  {note}").into(),
+            HelpLine::Note(text) | HelpLine::Usage(text) => format!("  {text}").into(),
             HelpLine::Blank => Text::default(),
         });
     general.collect()

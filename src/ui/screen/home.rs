@@ -24,6 +24,8 @@ mod list;
 /// The limits of the list's width, which otherwise depends on its longest line.
 const LIST_LEAST: u16 = 34;
 const LIST_MOST: u16 = 60;
+/// The largest share of the width for the list, in percent; at 80 columns, the longest mission has room for `locked`.
+const LIST_PERCENT: u16 = 47;
 /// The height of the text above the sketch of a mission's area, without a career and with one, in
 /// rows.
 const TEXT_ROWS: u16 = 14;
@@ -38,7 +40,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let trainee = panel.at(draw_heads(state, panel, buffer));
     draw_trainee(state, trainee, buffer);
     let body = trainee.below(1);
-    let most = (body.area.width * 9 / 20).clamp(LIST_LEAST, LIST_MOST);
+    let most = (body.area.width * LIST_PERCENT / 100).clamp(LIST_LEAST, LIST_MOST);
     let list = list::wanted_width(state, body.look).clamp(LIST_LEAST, most);
     list::draw(state, body.columns(1, list), buffer);
     let before = list + 3;

@@ -10,7 +10,9 @@ use crate::text::figure;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::map::{draw as draw_map, draw_legend, length, next_place, stamp};
+use crate::ui::widget::map::{
+    draw as draw_map, draw_cursor, draw_legend, length, next_place, stamp,
+};
 use crate::ui::widget::{below, clip_rows, columns, mission, put, row_of, upper, urgent, wrap};
 
 const LESSON_ROWS: usize = 3;
@@ -45,7 +47,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     if let Some(view) = view {
         draw_task(state, &view, panel.at(canvas), buffer);
         let cursor = map.pointed(&view);
-        draw_cursor(&view, cursor, panel.at(canvas), buffer);
+        draw_cursor(state, &view, cursor, panel.at(canvas), buffer);
         let whole = place_line(state, panel.look, cursor, true);
         let line = if whole.width() > usize::from(panel.area.width) {
             place_line(state, panel.look, cursor, false)
@@ -86,26 +88,6 @@ fn draw_task(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buff
     }
 }
 
-fn draw_cursor(view: &Viewport, cursor: LatLon, panel: Panel<'_>, buffer: &mut Buffer) {
-    let cell = view.cell(cursor);
-    let found =
-        cell.and_then(|(column, row)| buffer.cell_mut((panel.area.x + column, panel.area.y + row)));
-    if let Some(cell) = found {
-        if is_ground(cell.symbol()) {
-            cell.set_char('┼');
-        }
-        cell.set_style(panel.style(Role::Cursor));
-    }
-}
-
-/// Whether a cell shows ground, its shades or a line: the cursor is above them; it only marks signs and names.
-fn is_ground(symbol: &str) -> bool {
-    let is_shade = |c: char| " ·,░▒▓█▀▄".contains(c);
-    symbol
-        .chars()
-        .all(|c| is_shade(c) || ('\u{2800}'..='\u{28ff}').contains(&c))
-}
-
 /// The cursor's position: coordinates, offset from home if that fits, and the distances from the vehicle and from the
 /// ruler's start.
 fn place_line(state: &State, look: &Look, cursor: LatLon, with_home: bool) -> Line<'static> {
@@ -144,19 +126,4 @@ fn place_line(state: &State, look: &Look, cursor: LatLon, with_home: bool) -> Li
         spans.push(Span::styled(way(mark), look.style(Role::Key)));
     }
     Line::from(spans)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_cursor_is_above_ground_and_lines_but_hides_no_sign() {
-        for ground in [" ", "·", ",", "▒", "⠤"] {
-            assert!(is_ground(ground), "{ground}");
-        }
-        for sign in ["H", "↑", "+", "3", "!"] {
-            assert!(!is_ground(sign), "{sign}");
-        }
-    }
 }

@@ -87,6 +87,9 @@ fn draw_tree(room: &Messages, branches: &[Branch], panel: Panel<'_>, buffer: &mu
                 Role::Selected
             };
             buffer.set_style(row_of(inner, row as u16), panel.style(role));
+            if let Some(cell) = buffer.cell_mut((inner.x, inner.y + row as u16)) {
+                cell.set_char('>');
+            }
         }
     }
     panel
@@ -144,7 +147,8 @@ fn tree_line(
         None => "",
     };
     let room_left = usize::from(width).saturating_sub(figures.len() + 1);
-    let indent = " ".repeat(branch.node.depth());
+    // A column before the tree for the cursor.
+    let indent = " ".repeat(branch.node.depth() + 1);
     let whole = format!("{indent}{marker}{}", label(room, branch.node, look));
     let label = clip(&whole, room_left);
     let padding = room_left.saturating_sub(Span::raw(label.as_str()).width()) + 1;

@@ -30,8 +30,10 @@ const TALL: u16 = 34;
 const ROOMY: u16 = 110;
 /// The share of the lists of a screen, in percent: names of parts are longer than figures.
 const LISTS_PERCENT: u16 = 56;
-/// That share on narrow screens, where the names of figures need room too.
+/// That share on narrow screens, where the names of figures and their changes need room too.
 const NARROW_LISTS_PERCENT: u16 = 50;
+/// The width of the figures on narrow screens beside the list of slots: without changes, they need less.
+const NARROW_FIGURES: u16 = 32;
 /// The minimum height of a chart below the problems, in rows.
 const CHART_ROWS: u16 = 9;
 /// The share of a wide screen for the list of slots, in percent, and the width of the figures, in
@@ -74,12 +76,11 @@ fn draw_wide(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 /// Draws the lists on the left, and the chosen view on the right.
 fn draw_narrow(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let room = state.rooms().workshop();
-    let share = if panel.area.width >= ROOMY {
-        LISTS_PERCENT
-    } else {
-        NARROW_LISTS_PERCENT
+    let width = match room.pane() {
+        _ if panel.area.width >= ROOMY => panel.area.width * LISTS_PERCENT / 100,
+        Pane::Slots => panel.area.width.saturating_sub(NARROW_FIGURES + 1),
+        Pane::Parts => panel.area.width * NARROW_LISTS_PERCENT / 100,
     };
-    let width = panel.area.width * share / 100;
     let left = columns(panel.area, 0, width);
     let right = columns(panel.area, width + 1, panel.area.width - width - 1);
     if panel.area.height >= TALL {

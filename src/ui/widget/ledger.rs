@@ -209,19 +209,19 @@ pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
         return look.text(&entry.state_of(row));
     }
     // The progress of each vehicle in percent would be too much here.
-    let mut counts: BTreeMap<u8, (Text, usize)> = BTreeMap::new();
+    let mut counts: BTreeMap<(u8, bool), (Text, usize)> = BTreeMap::new();
     for row in &entry.rows {
         let name = if row.state.is_final() {
             entry.state_of(row)
         } else {
             row.state.name()
         };
-        // One word stands for all that another command or source has ended.
-        let at = match row.state {
-            RowState::Done if row.is_over() => order(RowState::Superseded),
-            RowState::Overtaken => order(RowState::Superseded),
-            state => order(state),
+        // One word stands for all that another command or source has superseded.
+        let state = match row.state {
+            RowState::Overtaken => RowState::Superseded,
+            state => state,
         };
+        let at = (order(state), row.is_over());
         let (_, count) = counts.entry(at).or_insert((name, 0));
         *count += 1;
     }
@@ -362,8 +362,8 @@ mod tests {
         let look = Look::default();
         for (ended, said, role) in [
             (0, "2 effect seen", Role::Ok),
-            (1, "1 effect seen, 1 superseded", Role::Ok),
-            (2, "2 superseded", Role::Muted),
+            (1, "1 effect seen, 1 effect ended", Role::Ok),
+            (2, "2 effect ended", Role::Muted),
         ] {
             let ledger = done_and_ended("all arm", ended);
             let entry = ledger.entries().next().expect("it was opened");
@@ -379,7 +379,7 @@ mod tests {
         let entry = ledger.entries().next().expect("it was opened");
         let view = FlightView::default();
         let line = short_line(entry, &view, 50, &look).to_string();
-        assert_eq!(line, "00:00 all goto n 12…  1 effect seen, 1 superseded…");
+        assert_eq!(line, "00:00 all goto n …  1 effect seen, 1 effect ended…");
     }
 
     #[test]

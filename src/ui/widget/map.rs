@@ -13,7 +13,7 @@ use ratatui::text::Line;
 
 use crate::app::State;
 use crate::app::room::map::{Aim, Sketch, SketchKind, sketches};
-use crate::geo::{GridSize, Viewport};
+use crate::geo::{GridSize, LatLon, Viewport};
 use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
@@ -75,7 +75,7 @@ fn title(state: &State, look: &Look, view: &Viewport, outside: usize) -> String 
     title.join("  ")
 }
 
-/// What the view of everything contains: areas and fences that are not part of the task do not widen it.
+/// What the view of everything contains: fences and the radio's shadows do not widen it.
 fn in_view(sketches: &[Sketch], view: &Viewport) -> &'static str {
     let is_whole = |sketch: &&Sketch| {
         let mut points = sketch.points.iter();
@@ -119,6 +119,30 @@ fn draw_view(
         fire::draw_scale(state, view, panel.at(row_of(area, last)), buffer);
     }
     outside
+}
+
+/// Draws the map's cursor over ground, lines and names. Numbers, and signs of vehicles, stay and are highlighted, unless
+/// the sign is highlighted already.
+pub fn draw_cursor(
+    state: &State,
+    view: &Viewport,
+    cursor: LatLon,
+    panel: Panel<'_>,
+    buffer: &mut Buffer,
+) {
+    let Some((column, row)) = view.cell(cursor) else {
+        return;
+    };
+    let listed = state.session().under_cursor().and_then(|it| it.global);
+    let is_listed = listed.and_then(|it| view.cell(it.at_point)) == Some((column, row));
+    let is_vehicle = ground::vehicle_cells(state, view).contains(&(column, row));
+    if let Some(cell) = buffer.cell_mut((panel.area.x + column, panel.area.y + row)) {
+        let is_number = cell.symbol().starts_with(|c: char| c.is_ascii_digit());
+        if is_listed || !(is_vehicle || is_number) {
+            cell.set_char('┼');
+        }
+        cell.set_style(panel.style(Role::Cursor));
+    }
 }
 
 /// Shows that nothing has a position yet.

@@ -161,6 +161,7 @@ fn help_line(line: HelpLine, look: &Look) -> Line<'static> {
     match line {
         HelpLine::Title(text) => Line::styled(text, look.style(Role::Title)),
         HelpLine::Note(text) => Line::styled(format!("      {text}"), look.style(Role::Muted)),
+        HelpLine::Usage(text) => Line::styled(format!("      {text}"), look.style(Role::Key)),
         HelpLine::Blank => Line::default(),
         HelpLine::Entry(what, meaning) => Line::from(vec![
             Span::styled(format!("  {what:SHORT_USAGE$} "), look.style(Role::Key)),

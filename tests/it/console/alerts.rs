@@ -24,10 +24,10 @@ fn an_alert_says_what_and_since_when_until_it_is_over() {
     console.at(45).vehicle(silent(2, 42));
     let screen = first_lines(&console);
     assert!(
-        screen.contains("! 2: LINK LOST since 0:42  x acknowledges"),
+        screen.contains("! 2: LINK LOST, since 0:42  x acknowledges"),
         "{screen}"
     );
-    assert!(screen.contains("!LINK LOST 0:42") || screen.contains("!LINK LOST since 0:42"));
+    assert!(screen.contains("!LINK LOST, 0:42") || screen.contains("!LINK LOST, since 0:42"));
     console.at(60).press("x");
     let screen = first_lines(&console);
     assert!(!screen.contains("acknowledges"), "{screen}");
@@ -48,7 +48,7 @@ fn alerts_of_many_vehicles_are_one_line_one_ring_and_one_note() {
         effects.extend(console.vehicle(silent(id, 7)).effects.clone());
     }
     assert_eq!(effects, [Effect::Terminal(TerminalEffect::Bell)]);
-    assert!(first_lines(&console).contains("! 4 vehicles: LINK LOST since 0:07: 1-4"));
+    assert!(first_lines(&console).contains("! 4 vehicles: LINK LOST, since 0:07: 1-4"));
     let [Effect::Terminal(TerminalEffect::Notify(note))] = console.at(11).effects.as_slice() else {
         panic!("one note: {:?}", console.effects);
     };

@@ -27,7 +27,7 @@ fn way(bench: &mut Bench, part: &str) -> String {
     let at = all.position(|candidate| candidate.part.id == part);
     let at = at.expect("it is listed");
     for _ in 0..at {
-        bench.move_part(Step::Down);
+        bench.move_part(Step::Down, Air::default());
     }
     bench.put_in(Air::default());
     bench.move_to_empty(Air::default());

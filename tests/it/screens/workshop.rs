@@ -10,7 +10,7 @@ use sortie::campaign::MissionCourse;
 use sortie::config::Symbols;
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Role};
-use sortie::workshop::Design;
+use sortie::workshop::{Design, Measure};
 
 use super::{SIZES, draw_at_some_sizes};
 use crate::harness::Console;
@@ -62,6 +62,27 @@ fn the_parts_say_what_they_would_change() {
         let console = looking(language);
         check(&format!("parts_{}", language.code()), &console);
     }
+}
+
+/// At 80x24, the figures once touched their names.
+#[test]
+fn figures_stand_apart_from_their_names_which_are_whole() {
+    for language in [Language::English, Language::Ukrainian] {
+        let locale = Locale::new(language);
+        let text = looking(language).screen(80, 24);
+        for measure in Measure::ALL {
+            let name = locale.text(&measure.name());
+            let whole = text.lines().any(|line| line.contains(&format!("{name} ")));
+            assert!(whole, "{name}: {text}");
+        }
+    }
+}
+
+#[test]
+fn the_curves_of_the_installed_and_of_the_marked_part_can_be_told_apart() {
+    let mut console = looking(Language::English);
+    console.press("v");
+    insta::assert_snapshot!("workshop_two_curves_80x24", console.screen(80, 24));
 }
 
 #[test]

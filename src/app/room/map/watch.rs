@@ -97,8 +97,16 @@ pub fn refit(state: &mut State) {
     state.rooms.map.aim = Aim::All;
 }
 
-/// The positions that the view of everything must contain. If the mission has a task area, other
-/// areas and limits such as a fence do not widen the view.
+/// Whether an area widens the view of everything, in a mission with a task area: where to fly, and what to fly around.
+/// Limits such as a fence, and the radio's shadows, are larger than the task.
+fn widens_view(kind: AreaKind) -> bool {
+    match kind {
+        AreaKind::Task | AreaKind::NoFly | AreaKind::Jamming | AreaKind::People => true,
+        AreaKind::Geofence | AreaKind::Radio => false,
+    }
+}
+
+/// The positions that the view of everything must contain.
 fn places(state: &State) -> Vec<LatLon> {
     let session = &state.session;
     let vehicles = session.vehicles.values().flat_map(|vehicle| {
@@ -113,7 +121,7 @@ fn places(state: &State) -> Vec<LatLon> {
         .iter()
         .any(|area| area.kind == AreaKind::Task);
     let all_areas = session.task.areas.iter();
-    let framed = all_areas.filter(|area| area.kind == AreaKind::Task || !has_task);
+    let framed = all_areas.filter(|area| !has_task || widens_view(area.kind));
     let areas = framed.flat_map(|area| area.outline.corners());
     let pylons = wires(state).flat_map(|wire| wire.pylons.iter().copied());
     let named = session.places.values().copied();

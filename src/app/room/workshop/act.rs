@@ -70,7 +70,7 @@ impl RoomModel for Workshop {
         match room.page {
             Page::Bench => match room.pane {
                 Pane::Slots => room.bench.move_row(step, air()),
-                Pane::Parts => room.bench.move_part(step),
+                Pane::Parts => room.bench.move_part(step, air()),
             },
             Page::Designs => shelf::step(state, step),
             Page::Compare => {

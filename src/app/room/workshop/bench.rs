@@ -20,9 +20,28 @@ pub struct Bench {
     part: Option<&'static str>,
     sheet: Sheet,
     findings: Vec<DesignFinding>,
-    polar: Vec<(f64, f64)>,
-    endurance: Vec<(f64, f64)>,
+    curves: Curves,
     candidates: Vec<Candidate>,
+    /// The curves with the part under the cursor among the candidates, if that changes the design and fits.
+    marked_curves: Option<Curves>,
+}
+
+/// The curves of a design.
+#[derive(Debug, Clone, Default)]
+pub struct Curves {
+    /// Power in watts by speed in m/s.
+    pub polar: Vec<(f64, f64)>,
+    /// Hover time in seconds by kilograms of payload added.
+    pub endurance: Vec<(f64, f64)>,
+}
+
+impl Curves {
+    fn of(design: &Design, air: Air) -> Self {
+        Self {
+            polar: design.polar(air),
+            endurance: design.endurance_by_payload(air),
+        }
+    }
 }
 
 /// An earlier state of the design, with the name under which it was stored.
@@ -67,9 +86,9 @@ impl Default for Bench {
             row: 0,
             part: None,
             findings: Vec::new(),
-            polar: Vec::new(),
-            endurance: Vec::new(),
+            curves: Curves::default(),
             candidates: Vec::new(),
+            marked_curves: None,
         }
     }
 }
@@ -93,14 +112,14 @@ impl Bench {
         &self.findings
     }
 
-    /// Power in watts by speed in m/s.
-    pub fn polar(&self) -> &[(f64, f64)] {
-        &self.polar
+    /// The curves of the design.
+    pub fn curves(&self) -> &Curves {
+        &self.curves
     }
 
-    /// Hover time in seconds by kilograms of payload added.
-    pub fn endurance(&self) -> &[(f64, f64)] {
-        &self.endurance
+    /// The curves with the part under the cursor among the candidates, if that changes the design and fits.
+    pub fn marked_curves(&self) -> Option<&Curves> {
+        self.marked_curves.as_ref()
     }
 
     /// The parts for the slot under the cursor; those that do not fit come last.
@@ -153,7 +172,7 @@ impl Bench {
         self.row = step.apply(self.row, self.rows().len());
         if self.slot() != before {
             self.list(air);
-            self.find_part();
+            self.find_part(air);
         }
     }
 
@@ -165,14 +184,15 @@ impl Bench {
         if let Some(at) = next.into_iter().find(|&at| is_empty(&rows[at])) {
             self.row = at;
             self.list(air);
-            self.find_part();
+            self.find_part(air);
         }
     }
 
     /// Moves the cursor over the candidates.
-    pub fn move_part(&mut self, step: Step) {
+    pub fn move_part(&mut self, step: Step, air: Air) {
         let at = step.apply(self.at(), self.candidates.len());
         self.part = self.candidates.get(at).map(|candidate| candidate.part.id);
+        self.trace(air);
     }
 
     /// Installs the part under the cursor. Returns false if that changes nothing.
@@ -214,7 +234,7 @@ impl Bench {
         self.row = 0;
         self.part = None;
         self.lay(Kept { design, origin }, air);
-        self.find_part();
+        self.find_part(air);
     }
 
     /// Replaces the design by a renamed one, stored under the name `origin`; this cannot be undone.
@@ -225,9 +245,9 @@ impl Bench {
     pub fn renew(&mut self, air: Air) {
         self.sheet = Sheet::of(&self.design, air);
         self.findings = self.design.findings_with(self.sheet.figures.as_ref());
-        self.polar = self.design.polar(air);
-        self.endurance = self.design.endurance_by_payload(air);
+        self.curves = Curves::of(&self.design, air);
         self.list(air);
+        self.trace(air);
     }
 
     fn change(&mut self, design: Design, air: Air) -> bool {
@@ -268,11 +288,20 @@ impl Bench {
     }
 
     /// Puts the cursor on the part in the current row, or on the first candidate.
-    fn find_part(&mut self) {
+    fn find_part(&mut self, air: Air) {
         let rows = self.rows();
         let there = rows.get(self.row).and_then(|row| row.part);
         let first = self.candidates.first().map(|candidate| candidate.part);
         self.part = there.or(first).map(|part| part.id);
+        self.trace(air);
+    }
+
+    /// Computes the curves with the part under the cursor.
+    fn trace(&mut self, air: Air) {
+        let usable = self.candidate();
+        let usable = usable.filter(|it| it.on_board == 0 && it.misfit.is_none());
+        let changed = usable.map(|candidate| self.design.with(candidate.part));
+        self.marked_curves = changed.map(|design| Curves::of(&design, air));
     }
 
     fn list(&mut self, air: Air) {

@@ -25,26 +25,54 @@ pub enum HelpLine {
     Entry(String, String),
     /// An explanation below an entry.
     Note(String),
+    /// A form of a verb, below its entry.
+    Usage(String),
     Blank,
 }
 
-/// A verb with its summary beside its usage; the summary is below if either is long.
+/// A verb with its summary beside its usage; the summary is below if either is long. A verb with several forms has its
+/// summary before them.
 pub(super) fn explained(row: &VerbRow, locale: &Locale) -> Vec<HelpLine> {
     let summary = locale.text(&row.summary());
-    if let [usage] = row.usage().as_slice()
-        && usage.width() <= SHORT_USAGE
-        && summary.width() <= SHORT_SUMMARY
-    {
-        return vec![HelpLine::Entry(usage.clone(), summary)];
+    let usages = row.usage();
+    let beside = |what: &str| {
+        let fits = what.width() <= SHORT_USAGE && summary.width() <= SHORT_SUMMARY;
+        fits.then(|| HelpLine::Entry(what.to_owned(), summary.clone()))
+    };
+    if let [usage] = usages.as_slice() {
+        return beside(usage).map_or_else(
+            || {
+                let mut lines: Vec<HelpLine> =
+                    row.usage_parts().flat_map(|parts| alone(&parts)).collect();
+                lines.extend(notes(&summary));
+                lines
+            },
+            |line| vec![line],
+        );
     }
-    let mut lines: Vec<HelpLine> = row.usage_parts().flat_map(|parts| alone(&parts)).collect();
-    lines.extend(notes(&summary));
+    let mut lines = beside(row.name()).map_or_else(
+        || {
+            let name = HelpLine::Entry(row.name().to_owned(), String::new());
+            std::iter::once(name).chain(notes(&summary)).collect()
+        },
+        |line| vec![line],
+    );
+    let forms = row.usage_parts().flat_map(|parts| usage_lines(&parts));
+    lines.extend(forms.map(HelpLine::Usage));
     lines
 }
 
-/// A usage without a summary. A keyword and its value stay on one line; a list of choices that is too long for one is
-/// broken after a `|`.
+/// A usage without a summary.
 fn alone(parts: &[String]) -> Vec<HelpLine> {
+    let lines = usage_lines(parts).into_iter();
+    lines
+        .map(|line| HelpLine::Entry(line, String::new()))
+        .collect()
+}
+
+/// The lines of a usage. A keyword and its value stay on one line; a list of choices that is too long for one is broken
+/// after a `|`.
+fn usage_lines(parts: &[String]) -> Vec<String> {
     let words = parts.iter().flat_map(|part| {
         let fits = part.width() <= USAGE_WIDTH;
         let choices = (!fits).then(|| part.split_inclusive('|'));
@@ -55,7 +83,7 @@ fn alone(parts: &[String]) -> Vec<HelpLine> {
     let indents = std::iter::once("").chain(std::iter::repeat("    "));
     indents
         .zip(lines)
-        .map(|(indent, line)| HelpLine::Entry(format!("{indent}{line}"), String::new()))
+        .map(|(indent, line)| format!("{indent}{line}"))
         .collect()
 }
 
@@ -102,8 +130,8 @@ mod tests {
         let entries: Vec<&str> = lines
             .iter()
             .filter_map(|line| match line {
-                HelpLine::Entry(usage, _) => Some(usage.as_str()),
-                _ => None,
+                HelpLine::Entry(usage, _) | HelpLine::Usage(usage) => Some(usage.as_str()),
+                HelpLine::Title(_) | HelpLine::Note(_) | HelpLine::Blank => None,
             })
             .collect();
         assert!(
@@ -115,6 +143,23 @@ mod tests {
             assert_eq!(open, entry.matches(']').count(), "{entry}");
             assert!(entry.width() <= USAGE_WIDTH + 4, "{entry}");
         }
+    }
+
+    #[test]
+    fn a_verb_with_many_forms_is_described_before_them() {
+        let plan = rows().find(|row| row.name() == "plan").expect("a verb");
+        let locale = Locale::new(Language::English);
+        let lines = explained(plan, &locale);
+        let first_form = lines
+            .iter()
+            .position(|line| matches!(line, HelpLine::Usage(_)));
+        let before = &lines[..first_form.expect("a form")];
+        let words = before.iter().map(|line| match line {
+            HelpLine::Entry(_, text) | HelpLine::Note(text) => text.as_str(),
+            HelpLine::Title(_) | HelpLine::Usage(_) | HelpLine::Blank => "",
+        });
+        let described = words.collect::<Vec<_>>().join(" ");
+        assert_eq!(described.trim(), locale.text(&plan.summary()));
     }
 
     #[test]

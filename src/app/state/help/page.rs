@@ -61,7 +61,9 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
     let wanted = text.to_lowercase();
     let holds = |line: &HelpLine| {
         let words = match line {
-            HelpLine::Title(words) | HelpLine::Note(words) => words.clone(),
+            HelpLine::Title(words) | HelpLine::Note(words) | HelpLine::Usage(words) => {
+                words.clone()
+            }
             HelpLine::Entry(what, meaning) => format!("{what} {meaning}"),
             HelpLine::Blank => String::new(),
         };
@@ -72,11 +74,11 @@ fn found(lines: &[HelpLine], text: &str) -> Vec<HelpLine> {
         let Some((title, entries)) = section.split_first() else {
             continue;
         };
-        let is_note = |line: &HelpLine| matches!(line, HelpLine::Note(_));
+        let is_note = |line: &HelpLine| matches!(line, HelpLine::Note(_) | HelpLine::Usage(_));
         // The usages of a verb share the notes below the last of them.
         let is_bare = |line: &HelpLine| match line {
             HelpLine::Entry(_, meaning) => meaning.is_empty(),
-            HelpLine::Title(_) | HelpLine::Note(_) | HelpLine::Blank => false,
+            HelpLine::Title(_) | HelpLine::Note(_) | HelpLine::Usage(_) | HelpLine::Blank => false,
         };
         let parts = entries.chunk_by(|line, next| is_note(next) || is_bare(line));
         let hits: Vec<HelpLine> = parts

@@ -9,6 +9,7 @@ use crate::app::action::{Action, Step};
 use crate::app::room::home::{HomeItem, items};
 use crate::app::state::Career;
 use crate::campaign::MissionStage;
+use crate::config::Symbols;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -88,7 +89,11 @@ pub(super) fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 
 fn draw_signs(panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (sign, meaning)) in SIGNS.into_iter().enumerate() {
-        let text = format!("  {} {}", sign.symbol(), panel.say(meaning));
+        let text = format!(
+            "  {} {}",
+            sign.symbol(panel.look.symbols),
+            panel.say(meaning)
+        );
         let line = Line::styled(text, panel.style(Role::Muted));
         put(buffer, panel.area, row as u16, &line);
     }
@@ -110,8 +115,10 @@ impl Sign {
         }
     }
 
-    fn symbol(self) -> char {
+    /// Its sign in the list; in ASCII, an arrow would look like the cursor.
+    fn symbol(self, symbols: Symbols) -> char {
         match self {
+            Self::Next if symbols == Symbols::Ascii => '+',
             Self::Next => '→',
             Self::Due => '!',
             Self::Passed => '✓',
@@ -164,7 +171,7 @@ fn item_line(
             Some(_) | None,
         ) => (None, None),
     };
-    let mark = sign.map_or(' ', Sign::symbol);
+    let mark = sign.map_or(' ', |sign| sign.symbol(look.symbols));
     // The sign means the same as its word, so the name takes precedence over the word.
     let word = sign
         .and_then(|sign| sign.word(look))

@@ -12,7 +12,7 @@ use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::gauge::Gauge;
-use crate::ui::widget::{aligned, below, clip, put, row_of, upper, width};
+use crate::ui::widget::{aligned, below, clip, put, row_of, upper, width, wrap};
 
 /// The widths of a skill's name, of its bar, and of its state, in columns.
 const NAME: usize = 34;
@@ -112,14 +112,17 @@ fn draw_moves(subject: &StandingSubject<'_>, skill: Skill, area: Rect, buffer: &
     let framed = Panel::new(look, below(area, 1)).titled(&look.text(&title), buffer);
     let inner = match lacks(subject, skill) {
         Some(lacks) => {
-            let text = clip(&look.text(&lacks), usize::from(framed.width));
-            put(
-                buffer,
-                framed,
-                0,
-                &Line::styled(text, look.style(Role::Accent)),
-            );
-            below(framed, 1)
+            let lines = wrap(&look.text(&lacks), usize::from(framed.width));
+            let rows = lines.len() as u16;
+            for (row, line) in (0..).zip(lines) {
+                put(
+                    buffer,
+                    framed,
+                    row,
+                    &Line::styled(line, look.style(Role::Accent)),
+                );
+            }
+            below(framed, rows)
         }
         None => framed,
     };

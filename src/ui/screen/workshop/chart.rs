@@ -4,12 +4,12 @@ use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 
 use crate::app::State;
-use crate::app::room::workshop::View;
+use crate::app::room::workshop::{Curves, Pane, View, Workshop};
 use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::curve::{self, Curve, steps};
+use crate::ui::widget::curve::{self, Curve, LineWeight, steps};
 use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
 use crate::workshop::{GOOD_THRUST, LEAST_THRUST};
 
@@ -18,42 +18,119 @@ const LABELS: u16 = 7;
 /// The minimum number of rows of the curve.
 const LEAST: u16 = 3;
 
-/// Draws the chosen curve.
+/// The points of the design's curve, and of the curve with the marked part.
+struct Chart<'a> {
+    room: &'a Workshop,
+    installed: Vec<(f64, f64)>,
+    marked: Option<Vec<(f64, f64)>>,
+}
+
+impl<'a> Chart<'a> {
+    fn new(room: &'a Workshop) -> Self {
+        let points = |curves: &Curves| match room.view() {
+            View::Payload => {
+                let minutes = curves.endurance.iter();
+                minutes.map(|(kg, seconds)| (*kg, seconds / 60.0)).collect()
+            }
+            View::Figures | View::Polar | View::Mission => curves.polar.clone(),
+        };
+        let marked = room.bench().marked_curves();
+        let marked = marked.filter(|_| room.pane() == Pane::Parts).map(points);
+        Self {
+            room,
+            installed: points(room.bench().curves()),
+            marked: marked.filter(|it| it.len() > 1),
+        }
+    }
+
+    fn is_payload(&self) -> bool {
+        self.room.view() == View::Payload
+    }
+
+    fn title(&self) -> &'static str {
+        if self.is_payload() {
+            "bench-payload"
+        } else {
+            "workshop-polar"
+        }
+    }
+
+    /// The units of both axes.
+    fn units(&self) -> [&'static str; 2] {
+        if self.is_payload() {
+            ["kg", "min"]
+        } else {
+            ["m/s", "W"]
+        }
+    }
+
+    fn points(&self) -> impl Iterator<Item = (f64, f64)> {
+        let marked = self.marked.iter().flatten();
+        self.installed.iter().chain(marked).copied()
+    }
+
+    /// The ends of both axes, which begin at 0.
+    fn ends(&self) -> [f64; 2] {
+        let end = |of: fn((f64, f64)) -> f64| self.points().map(of).fold(0.0, f64::max);
+        [end(|point| point.0), end(|point| point.1)]
+    }
+
+    fn is_drawn(&self) -> bool {
+        self.installed.len() > 1 || self.marked.is_some()
+    }
+
+    /// What the curves show, and which is which if there are two.
+    fn about(&self) -> Text {
+        let bench = self.room.bench();
+        if let (Some(_), Some(candidate)) = (&self.marked, bench.candidate()) {
+            let rows = bench.rows();
+            let there = rows.get(bench.row()).and_then(|row| row.part);
+            let marked = candidate.part.name();
+            return match there.filter(|_| self.installed.len() > 1) {
+                Some(there) => text!(
+                    "bench-two-curves",
+                    installed = there.name(),
+                    marked = marked
+                ),
+                None if self.installed.len() > 1 => text!("bench-curve-added", marked = marked),
+                None => text!("bench-curve-marked", marked = marked),
+            };
+        }
+        let Some(figures) = &bench.sheet().figures else {
+            return text!("bench-no-curve");
+        };
+        if self.is_payload() {
+            text!(
+                "bench-payload-about",
+                spare = format!("{:.2}", figures.spare_kg),
+                least = LEAST_THRUST.to_string(),
+                good = GOOD_THRUST.to_string()
+            )
+        } else {
+            text!(
+                "bench-polar-about",
+                longest = format!("{:.1}", figures.endurance_speed_m_s),
+                farthest = format!("{:.1}", figures.range_speed_m_s)
+            )
+        }
+    }
+}
+
+/// Draws the chosen curve; beside it, the one with the marked part.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = state.rooms().workshop();
-    let is_payload = room.view() == View::Payload;
-    let title = if is_payload {
-        "bench-payload"
-    } else {
-        "workshop-polar"
-    };
-    let inner = panel.titled(&panel.say(title), buffer);
-    let points: Vec<(f64, f64)> = if is_payload {
-        let minutes = room.bench().endurance().iter();
-        minutes.map(|(kg, seconds)| (*kg, seconds / 60.0)).collect()
-    } else {
-        room.bench().polar().to_vec()
-    };
-    let about = about(state, is_payload);
+    let chart = Chart::new(state.rooms().workshop());
+    let inner = panel.titled(&panel.say(chart.title()), buffer);
     let words = wrap(
-        &panel.text(&about),
+        &panel.text(&chart.about()),
         usize::from(inner.width.saturating_sub(1)),
     );
     let below_curve = words.len() as u16 + 1;
-    let units = if is_payload {
-        ("kg", "min")
-    } else {
-        ("m/s", "W")
-    };
     let plot = upper(inner, inner.height.saturating_sub(below_curve));
-    let rest = if points.len() > 1 && plot.height >= LEAST {
-        draw_curve(&points, units.1, panel.at(plot), buffer);
-        below(inner, plot.height)
-    } else {
-        inner
-    };
-    if points.len() > 1 && plot.height >= LEAST {
-        draw_axis(&points, units.0, panel.at(rest), buffer);
+    let mut rest = inner;
+    if chart.is_drawn() && plot.height >= LEAST {
+        draw_curves(&chart, panel.at(plot), buffer);
+        rest = below(inner, plot.height);
+        draw_axis(&chart, panel.at(rest), buffer);
     }
     let rest = below(rest, 1);
     for (row, line) in words.into_iter().enumerate() {
@@ -62,28 +139,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-fn about(state: &State, is_payload: bool) -> Text {
-    let Some(figures) = &state.rooms().workshop().bench().sheet().figures else {
-        return text!("bench-no-curve");
-    };
-    if is_payload {
-        text!(
-            "bench-payload-about",
-            spare = format!("{:.2}", figures.spare_kg),
-            least = LEAST_THRUST.to_string(),
-            good = GOOD_THRUST.to_string()
-        )
-    } else {
-        text!(
-            "bench-polar-about",
-            longest = format!("{:.1}", figures.endurance_speed_m_s),
-            farthest = format!("{:.1}", figures.range_speed_m_s)
-        )
-    }
-}
-
-fn draw_curve(points: &[(f64, f64)], unit: &str, panel: Panel<'_>, buffer: &mut Buffer) {
-    let high = points.iter().map(|point| point.1).fold(0.0, f64::max);
+fn draw_curves(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let ([last, high], [_, unit]) = (chart.ends(), chart.units());
     for (row, value) in [(0, high), (panel.area.height - 1, 0.0)] {
         let label = aligned(&format!("{value:.0} {unit}"), usize::from(LABELS) - 1, true);
         put(
@@ -94,18 +151,28 @@ fn draw_curve(points: &[(f64, f64)], unit: &str, panel: Panel<'_>, buffer: &mut 
         );
     }
     let place = columns(panel.area, LABELS, panel.area.width.saturating_sub(LABELS));
-    let values: Vec<Option<f64>> = spread(points, steps(place.width, panel.look.symbols));
-    let curve = Curve {
-        values: &values,
+    let symbols = panel.look.symbols;
+    let curve = |values, role| Curve {
+        values,
         low: 0.0,
         high,
-        style: panel.style(Role::Accent),
+        style: panel.style(role),
     };
-    curve::draw(&curve, panel.look.symbols, place, buffer);
+    let installed = spread(&chart.installed, last, steps(place.width, symbols));
+    let Some(marked) = &chart.marked else {
+        return curve::draw(&curve(&installed, Role::Accent), symbols, place, buffer);
+    };
+    let marked = spread(marked, last, steps(place.width, symbols));
+    for (values, role, weight) in [
+        (&installed, Role::Text, LineWeight::Light),
+        (&marked, Role::Accent, LineWeight::Heavy),
+    ] {
+        curve::draw_line(&curve(values, role), weight, symbols, place, buffer);
+    }
 }
 
-fn draw_axis(points: &[(f64, f64)], unit: &str, panel: Panel<'_>, buffer: &mut Buffer) {
-    let last = points.last().map_or(0.0, |point| point.0);
+fn draw_axis(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let ([last, _], [unit, _]) = (chart.ends(), chart.units());
     let end = format!("{last:.1} {unit}");
     let room = panel.area.width.saturating_sub(LABELS + 1);
     let end = aligned(&end, usize::from(room), true);
@@ -118,26 +185,28 @@ fn draw_axis(points: &[(f64, f64)], unit: &str, panel: Panel<'_>, buffer: &mut B
     );
 }
 
-/// A curve's values at `count` equally spaced places, by linear interpolation.
-fn spread(points: &[(f64, f64)], count: usize) -> Vec<Option<f64>> {
-    let (first, last) = match (points.first(), points.last()) {
-        (Some(first), Some(last)) => (first.0, last.0),
-        _ => return Vec::new(),
+/// A curve's values at `count` equally spaced places from 0 to `last`, by linear interpolation; gaps beyond its ends.
+fn spread(points: &[(f64, f64)], last: f64, count: usize) -> Vec<Option<f64>> {
+    let Some(end) = points.last().map(|point| point.0) else {
+        return vec![None; count];
     };
-    let step = (last - first) / (count.max(2) - 1) as f64;
-    (0..count)
-        .map(|at| {
-            let x = first + step * at as f64;
-            let next = points.partition_point(|point| point.0 < x);
-            let (after, before) = (points.get(next), points.get(next.saturating_sub(1)));
-            match (before, after.or(before)) {
-                (Some(a), Some(b)) if b.0 > a.0 => {
-                    Some(a.1 + (b.1 - a.1) * ((x - a.0) / (b.0 - a.0)).clamp(0.0, 1.0))
-                }
-                (_, b) => b.map(|b| b.1),
+    let step = last / (count.max(2) - 1) as f64;
+    let value = |at: usize| {
+        let x = step * at as f64;
+        // Half a step of tolerance, so that the curve reaches its end.
+        if x > end + step / 2.0 {
+            return None;
+        }
+        let next = points.partition_point(|point| point.0 < x);
+        let (after, before) = (points.get(next), points.get(next.saturating_sub(1)));
+        match (before, after.or(before)) {
+            (Some(a), Some(b)) if b.0 > a.0 => {
+                Some(a.1 + (b.1 - a.1) * ((x - a.0) / (b.0 - a.0)).clamp(0.0, 1.0))
             }
-        })
-        .collect()
+            (_, b) => b.map(|b| b.1),
+        }
+    };
+    (0..count).map(value).collect()
 }
 
 #[cfg(test)]
@@ -147,10 +216,12 @@ mod tests {
     #[test]
     fn a_curve_is_spread_along_straight_lines() {
         let points = [(0.0, 10.0), (1.0, 20.0), (3.0, 0.0)];
-        let spread = spread(&points, 7);
+        let spread = spread(&points, 3.0, 7);
         let wanted = [10.0, 15.0, 20.0, 15.0, 10.0, 5.0, 0.0];
         for (value, wanted) in spread.iter().zip(wanted) {
             assert!((value.expect("no gap") - wanted).abs() < 1e-9, "{value:?}");
         }
+        let longer = super::spread(&points, 6.0, 7);
+        assert_eq!(longer[4..], [None; 3], "nothing beyond its end");
     }
 }

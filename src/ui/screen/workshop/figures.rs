@@ -6,13 +6,13 @@ use ratatui::text::{Line, Span};
 use super::change;
 use crate::app::State;
 use crate::app::room::workshop::Pane;
+use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, put};
+use crate::ui::widget::{aligned, put, width};
 use crate::workshop::{Measure, Sheet};
 
-/// The widths of the values and of a change, in columns.
-const VALUES: usize = 15;
+/// The width of a change, in columns.
 const CHANGE: usize = 8;
 
 /// Draws a line for each measure.
@@ -35,52 +35,116 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         .bench()
         .candidate()
         .is_none_or(|it| it.misfit.is_none());
-    for (row, measure) in Measure::ALL.into_iter().enumerate() {
-        let mut line = line(measure, room.bench().sheet(), candidate, panel.at(inner));
+    let table = FigureTable::new(room.bench().sheet(), candidate, panel.at(inner));
+    for (row, figure) in table.rows.iter().enumerate() {
         // A gain is not shown for a part that cannot be used.
-        if let Some(change) = line
-            .spans
-            .last_mut()
-            .filter(|_| !fits && candidate.is_some())
-        {
-            change.style = panel.style(Role::Muted);
-        }
-        put(buffer, inner, row as u16, &line);
+        let role = if fits || candidate.is_none() {
+            figure.role
+        } else {
+            Role::Muted
+        };
+        put(
+            buffer,
+            inner,
+            row as u16,
+            &table.line(figure, role, panel.look),
+        );
     }
 }
 
-/// A line with name, value, and the change to another sheet.
-fn line(measure: Measure, now: &Sheet, then: Option<&Sheet>, panel: Panel<'_>) -> Line<'static> {
+/// The figures as rows of three columns: name, value, and the change to another sheet.
+struct FigureTable {
+    rows: Vec<FigureRow>,
+    name: usize,
+    value: usize,
+    change: usize,
+}
+
+struct FigureRow {
+    name: String,
+    value: String,
+    change: String,
+    role: Role,
+}
+
+impl FigureTable {
+    /// The table in the panel's width. If names would be cut, the values now are left out: the changes tell them.
+    fn new(now: &Sheet, then: Option<&Sheet>, panel: Panel<'_>) -> Self {
+        let change = if then.is_some() { CHANGE } else { 0 };
+        let with = |form: ValueForm| {
+            let row = |measure| figure_row(measure, now, then, form, panel.look);
+            let rows: Vec<FigureRow> = Measure::ALL.into_iter().map(row).collect();
+            let widest = |of: fn(&FigureRow) -> &str| {
+                let widths = rows.iter().map(|row| width(of(row)));
+                widths.max().unwrap_or(0)
+            };
+            let value = widest(|row| &row.value);
+            // A blank before the names and between the columns.
+            let name = panel.width().saturating_sub(value + change + 3);
+            let is_cut = widest(|row| &row.name) > name;
+            let table = Self {
+                rows,
+                name,
+                value,
+                change,
+            };
+            (table, is_cut)
+        };
+        match with(ValueForm::BeforeAndAfter) {
+            (table, false) => table,
+            (_, true) => with(ValueForm::After).0,
+        }
+    }
+
+    fn line(&self, row: &FigureRow, role: Role, look: &Look) -> Line<'static> {
+        let name = aligned(&row.name, self.name, false);
+        Line::from(vec![
+            Span::styled(format!(" {name} "), look.style(Role::Muted)),
+            Span::raw(aligned(&row.value, self.value, true)),
+            Span::styled(
+                format!(" {}", aligned(&row.change, self.change, true)),
+                look.style(role),
+            ),
+        ])
+    }
+}
+
+/// How a value that changes is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum ValueForm {
+    BeforeAndAfter,
+    After,
+}
+
+fn figure_row(
+    measure: Measure,
+    now: &Sheet,
+    then: Option<&Sheet>,
+    form: ValueForm,
+    look: &Look,
+) -> FigureRow {
     let before = measure.of(now);
-    let after = then.map(|sheet| measure.of(sheet));
+    let after = then.map_or(before, |sheet| measure.of(sheet));
     let changed = before
-        .zip(after.flatten())
+        .zip(after)
         .and_then(|(before, after)| change(measure, before, after));
     let value = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |it| measure.figure(it));
-    let figures = match after {
-        Some(after) if changed.is_some() || before.is_some() != after.is_some() => {
-            format!("{} → {}", value(before), value(after))
-        }
-        _ => value(before),
-    };
-    let values = if before.or(after.flatten()).is_some() {
-        format!("{figures} {}", measure.unit())
+    let differs = changed.is_some() || before.is_some() != after.is_some();
+    let figures = if differs && form == ValueForm::BeforeAndAfter {
+        format!("{} → {}", value(before), value(after))
     } else {
-        figures
+        value(after)
     };
+    let is_known = match form {
+        ValueForm::BeforeAndAfter => before.or(after).is_some(),
+        ValueForm::After => after.is_some(),
+    };
+    let unit = if is_known { measure.unit() } else { "" };
     let (change, role) = changed.unwrap_or_else(|| (String::new(), Role::Text));
-    let beside = if then.is_some() { CHANGE + 1 } else { 0 };
-    let name = aligned(
-        &panel.text(&measure.name()),
-        panel.width().saturating_sub(VALUES + beside + 1),
-        false,
-    );
-    Line::from(vec![
-        Span::styled(format!(" {name}"), panel.style(Role::Muted)),
-        Span::raw(aligned(values.trim_end(), VALUES, true)),
-        Span::styled(
-            format!(" {}", aligned(&change, CHANGE, true)),
-            panel.style(role),
-        ),
-    ])
+    FigureRow {
+        name: look.text(&measure.name()),
+        value: format!("{figures} {unit}").trim_end().to_owned(),
+        change,
+        role,
+    }
 }

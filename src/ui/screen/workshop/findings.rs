@@ -33,7 +33,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     for finding in bench.findings().iter().filter(|it| !is_missing(it)) {
         let (mark, role) = match finding.severity() {
-            FindingSeverity::Fault => ('x', Role::Danger),
+            FindingSeverity::Fault => ('×', Role::Danger),
             FindingSeverity::Warning => ('!', Role::Warning),
         };
         let text = format!("{mark} {}", panel.text(&finding.text));

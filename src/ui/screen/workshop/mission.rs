@@ -65,7 +65,7 @@ fn draw_stand(stand: &Stand, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let line = &stand.line;
     let (mark, role) = match (line.met, line.is_block) {
         (true, _) => ('✓', Role::Ok),
-        (false, true) => ('x', Role::Danger),
+        (false, true) => ('×', Role::Danger),
         (false, false) => ('!', Role::Warning),
     };
     let what = format!("{mark} {}", panel.text(&line.what));

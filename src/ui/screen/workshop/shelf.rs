@@ -47,7 +47,7 @@ fn line(Stored { design, is_own }: Stored<'_>, look: &Look, width: u16) -> Line<
     let pieces = design.pieces();
     let parts: Vec<String> = pieces.map(|(part, _)| look.text(&part.name())).collect();
     let head = format!(
-        " {}{}{}{}  ",
+        "  {}{}{}{}  ",
         aligned(&name, NAME, false),
         aligned(&whose, WHOSE, false),
         aligned(&format!("{:.2} kg", design.mass_kg()), MASS, true),

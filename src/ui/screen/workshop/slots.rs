@@ -10,12 +10,11 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, put, row_of};
+use crate::ui::widget::{aligned, put, row_of, width as width_of};
 use crate::workshop::{Design, FindingSeverity, PartSlot};
 
-/// The width of a slot's name, in columns.
-const NAME: usize = 12;
-const WIDE_NAME: usize = 18;
+/// The largest share of the width for the names of slots, in percent.
+const NAMES_PERCENT: usize = 45;
 /// The minimum width at which mass and price are shown as well, in columns.
 const ROOMY: usize = 50;
 /// The widths of mass and price, in columns.
@@ -35,18 +34,22 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let rows = room.bench().rows();
     let cursor = room.bench().row();
     let first = first_shown(cursor, rows.len(), inner.height);
+    let width = usize::from(inner.width);
+    let names = rows
+        .iter()
+        .map(|row| width_of(&panel.text(&row.slot.name())));
+    let name = names.max().unwrap_or(0).min(width * NAMES_PERCENT / 100);
     let shown = rows.iter().enumerate().skip(first);
     for (at, row) in shown.take(usize::from(inner.height)) {
         let place = row_of(inner, (at - first) as u16);
         let is_first = at == 0 || rows[at - 1].slot != row.slot;
         let severity = room.bench().severity(row.slot).filter(|_| is_first);
-        let width = usize::from(inner.width);
-        let wide = width >= ROOMY;
         let line = SlotLine {
             there: row,
             is_first,
             severity,
-            wide,
+            wide: width >= ROOMY,
+            name,
             width,
         };
         put(
@@ -69,6 +72,8 @@ struct SlotLine<'a> {
     is_first: bool,
     severity: Option<FindingSeverity>,
     wide: bool,
+    /// The width of the names of slots, in columns.
+    name: usize,
     width: usize,
 }
 
@@ -80,11 +85,11 @@ impl SlotLine<'_> {
             String::new()
         };
         let (mark, role) = match self.severity {
-            Some(FindingSeverity::Fault) => ("x", Role::Danger),
+            Some(FindingSeverity::Fault) => ("×", Role::Danger),
             Some(FindingSeverity::Warning) => ("!", Role::Warning),
             None => (" ", Role::Muted),
         };
-        let name = if self.wide { WIDE_NAME } else { NAME };
+        let name = self.name;
         let figures = if self.wide { MASS + PRICE } else { 0 };
         let rest = self.width.saturating_sub(name + 4 + figures);
         let (words, part_role) = self.part(design, look);

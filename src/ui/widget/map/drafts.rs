@@ -3,15 +3,14 @@
 use ratatui::buffer::Buffer;
 
 use super::canvas::{Canvas, Stroke};
-use super::ground::{keep_out_sign, label_kind, outline, sign, stroke};
+use super::ground::{keep_out_sign, label_kind, named_places, outline, sign, stroke};
 use super::labels::{self, Label, LabelKind};
-use super::{draw_nowhere, legend, markers};
+use super::{draw_cursor, draw_nowhere, legend, markers};
 use crate::app::State;
 use crate::app::room::map::{SketchKind, sketches};
 use crate::app::room::plans::{Drawing, pace};
 use crate::draft::{Draft, TrialFlight, areas, place, profile};
 use crate::geo::{GridSize, LatLon, Outline, Viewport};
-use crate::mission::NEXT_PLACE;
 use crate::plan::{Document, Item, ListKind, command};
 use crate::rehearsal::Approach;
 use crate::ui::look::Badge;
@@ -49,7 +48,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     labels::draw(labels, &[], panel, buffer);
     markers::draw(state, panel.look, &view, panel.area, buffer);
     legend::draw_scale(panel.look, &view, panel.area, buffer);
-    draw_cursor(&view, room.map().pointed(&view), panel, buffer);
+    draw_cursor(state, &view, room.map().pointed(&view), panel, buffer);
 }
 
 struct Board<'a> {
@@ -108,10 +107,8 @@ impl Board<'_> {
                 }
             }
         }
-        // The next place of a mission has a name of its own.
-        let places = state.session().places().iter();
-        for (name, place) in places.filter(|(name, _)| *name != NEXT_PLACE) {
-            self.label(*place, LabelKind::Signed, format!("+{name}"), Role::Info);
+        for (name, place) in named_places(state) {
+            self.label(place, LabelKind::Place, format!("+{name}"), Role::Info);
         }
         let vehicles = state.session().vehicles().values();
         for home in vehicles.filter_map(|vehicle| vehicle.home) {
@@ -249,16 +246,4 @@ fn way(state: &State, document: &Document) -> Vec<LatLon> {
     let home = home.filter(|_| !course.stops.is_empty());
     let stops = course.stops.iter().map(|stop| stop.place);
     home.into_iter().chain(stops).collect()
-}
-
-fn draw_cursor(view: &Viewport, cursor: LatLon, panel: Panel<'_>, buffer: &mut Buffer) {
-    let Some((column, row)) = view.cell(cursor) else {
-        return;
-    };
-    if let Some(cell) = buffer.cell_mut((panel.area.x + column, panel.area.y + row)) {
-        if cell.symbol() == " " {
-            cell.set_char('┼');
-        }
-        cell.set_style(panel.style(Role::Cursor));
-    }
 }

@@ -147,7 +147,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
 }
 
 /// The cells of the vehicles' signs, sorted by row and column, without duplicates.
-fn vehicle_cells(state: &State, view: &Viewport) -> Vec<MapCell> {
+pub fn vehicle_cells(state: &State, view: &Viewport) -> Vec<MapCell> {
     let vehicles = state.session().vehicles().values();
     let mut cells: Vec<MapCell> = vehicles
         .filter_map(|vehicle| view.cell(vehicle.global?.at_point))
@@ -276,16 +276,10 @@ fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Labe
         .chain(contacts.map(|contact| contact.name.as_str()))
         .collect();
     let next = next_place(state);
-    let places = session.places().iter();
-    // The highest reading of all vehicles is that of one of them: one label is enough.
-    let peak = session.places().get(PEAK_PLACE);
-    let is_own_peak = |name: &str, place| Some(place) == peak && name != PEAK_PLACE;
-    let named = places.filter(|(name, place)| {
-        !drawn.contains(name.as_str()) && *name != NEXT_PLACE && !is_own_peak(name, *place)
-    });
+    let named = named_places(state).filter(|(name, _)| !drawn.contains(name));
     // Later ones take precedence if there is no room for all.
-    let (coming, others): (Vec<_>, Vec<_>) = named.partition(|(_, place)| Some(**place) == next);
-    for (name, &place) in others.into_iter().chain(coming) {
+    let (coming, others): (Vec<_>, Vec<_>) = named.partition(|(_, place)| Some(*place) == next);
+    for (name, place) in others.into_iter().chain(coming) {
         let cell = view.cell(place).filter(|cell| !homes.contains(cell));
         let (sign, role) = if Some(place) == next {
             (next_sign(look.symbols), Role::Key)
@@ -294,7 +288,7 @@ fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Labe
         };
         labels.extend(cell.map(|cell| Label {
             cell,
-            kind: LabelKind::Signed,
+            kind: LabelKind::Place,
             text: format!("{sign}{name}"),
             role,
         }));
@@ -305,6 +299,17 @@ fn draw_homes(state: &State, look: &Look, view: &Viewport, labels: &mut Vec<Labe
         text: "H".to_owned(),
         role: Role::Title,
     }));
+}
+
+/// The named places, each place with one name: the next one of a mission has a name of its own, and the highest reading
+/// of all vehicles is that of one of them.
+pub fn named_places(state: &State) -> impl Iterator<Item = (&str, LatLon)> {
+    let places = state.session().places();
+    let peak = places.get(PEAK_PLACE).copied();
+    let named = places.iter().map(|(name, place)| (name.as_str(), *place));
+    named.filter(move |&(name, place)| {
+        name != NEXT_PLACE && (name == PEAK_PLACE || Some(place) != peak)
+    })
 }
 
 /// The next place to go to, if the mission has one.

@@ -8,6 +8,7 @@ use ratatui::style::Style;
 use ratatui::text::Line;
 use unicode_width::UnicodeWidthStr as _;
 
+use crate::geo::GridSize;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::put;
@@ -28,6 +29,8 @@ pub enum LabelKind {
     Word,
     /// A sign of one character, and a name after it unless there is no room.
     Signed,
+    /// The sign and the name of a place: without room after the sign, the name is written elsewhere beside it.
+    Place,
     /// A number; next to another number, it would be read as part of that one.
     Number,
 }
@@ -48,20 +51,41 @@ impl Label {
     /// Shortens the label to its sign; returns `false` if it has none.
     fn shorten(&mut self) -> bool {
         let sign = match self.kind {
-            LabelKind::Signed => self.text.chars().next(),
+            LabelKind::Signed | LabelKind::Place => self.text.chars().next(),
             LabelKind::Word | LabelKind::Number => None,
         };
         self.text = sign.map(String::from).unwrap_or_default();
         sign.is_some()
     }
+
+    /// The name alone, at each spot beside the sign, best first.
+    fn names_beside(&self) -> Vec<Self> {
+        let (column, row) = self.cell;
+        let name = self.text.trim_start_matches(|c: char| !c.is_alphanumeric());
+        let width = name.width() as u16;
+        let spots = [
+            Some((column + 2, row)),
+            column.checked_sub(width + 1).map(|left| (left, row)),
+            Some((column, row + 1)),
+            row.checked_sub(1).map(|above| (column, above)),
+        ];
+        let spots = spots.into_iter().flatten().filter(|_| width > 0);
+        let named = spots.map(|cell| Self {
+            cell,
+            kind: LabelKind::Word,
+            text: name.to_owned(),
+            role: self.role,
+        });
+        named.collect()
+    }
 }
 
 /// Draws the labels that can be read, on the map's panel; `vehicles` are the sorted cells of the vehicles' signs.
 pub fn draw(labels: Vec<Label>, vehicles: &[MapCell], panel: Panel<'_>, buffer: &mut Buffer) {
-    let labels = readable(labels, vehicles);
+    let area = panel.area;
+    let labels = readable(labels, vehicles, GridSize::new(area.width, area.height));
     for label in &labels {
         let (column, row) = label.cell;
-        let area = panel.area;
         let place = Rect {
             x: area.x + column,
             y: area.y + row,
@@ -176,46 +200,97 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
 
 /// The labels without those that would overlap another one: later labels take precedence. If there
 /// is no room for a name, only its sign stays. Vehicles are drawn over everything, so a name that
-/// they would partly cover is left out in the same way.
-fn readable(labels: Vec<Label>, vehicles: &[MapCell]) -> Vec<Label> {
-    let mut taken: BTreeSet<MapCell> = BTreeSet::new();
-    let mut words: BTreeSet<MapCell> = BTreeSet::new();
-    let mut figures: BTreeSet<MapCell> = BTreeSet::new();
-    let mut kept = Vec::new();
-    for mut label in labels.into_iter().rev() {
+/// they would partly cover is left out in the same way. The name of a place moves to the other sides of its sign first.
+fn readable(labels: Vec<Label>, vehicles: &[MapCell], size: GridSize) -> Vec<Label> {
+    let mut board = LabelBoard {
+        vehicles,
+        size,
+        taken: BTreeSet::new(),
+        words: BTreeSet::new(),
+        figures: BTreeSet::new(),
+        places: BTreeSet::new(),
+        kept: Vec::new(),
+    };
+    for label in labels.into_iter().rev() {
+        board.add(label);
+    }
+    board.kept
+}
+
+/// The labels that can be read, and the cells that they cover.
+struct LabelBoard<'a> {
+    vehicles: &'a [MapCell],
+    size: GridSize,
+    taken: BTreeSet<MapCell>,
+    words: BTreeSet<MapCell>,
+    figures: BTreeSet<MapCell>,
+    /// The cells of places with a name.
+    places: BTreeSet<MapCell>,
+    kept: Vec<Label>,
+}
+
+impl LabelBoard<'_> {
+    fn add(&mut self, mut label: Label) {
+        // Of several places in one cell, one has a name.
+        let is_first = label.kind == LabelKind::Place && self.places.insert(label.cell);
+        let moved = if is_first {
+            label.names_beside()
+        } else {
+            Vec::new()
+        };
+        let must_fit = label.kind == LabelKind::Place && !self.is_inside(&label);
+        if must_fit || !self.has_room(&label) {
+            let is_free = !self.taken.contains(&label.cell);
+            if is_free && label.shorten() {
+                self.keep(label);
+            }
+            let mut names = moved.into_iter();
+            if let Some(name) = names.find(|name| self.is_inside(name) && self.has_room(name)) {
+                self.keep(name);
+            }
+            return;
+        }
+        self.keep(label);
+    }
+
+    fn is_inside(&self, label: &Label) -> bool {
+        let (column, row) = label.cell;
+        column + label.width() <= self.size.columns && row < self.size.rows
+    }
+
+    /// Whether the label overlaps no other one, and no vehicle will cut it.
+    fn has_room(&self, label: &Label) -> bool {
         let (column, row) = label.cell;
         let width = label.width();
         // Words need a space on both sides; signs may be adjacent.
         let margin = u16::from(width > 1);
         let mut around = column.saturating_sub(margin)..column + width + margin;
-        let is_cut = width > 1 && cells(&label).any(|cell| is_under_vehicle(cell, vehicles));
-        if is_cut || around.any(|at| taken.contains(&(at, row))) {
-            let is_free = !taken.contains(&(column, row));
-            if !is_free || !label.shorten() {
-                continue;
-            }
-        }
+        let is_cut = width > 1 && cells(label).any(|cell| is_under_vehicle(cell, self.vehicles));
+        !is_cut && !around.any(|at| self.taken.contains(&(at, row)))
+    }
+
+    /// Adds a label, unless it would be misread.
+    fn keep(&mut self, label: Label) {
         if label.width() > 1 {
-            words.extend(cells(&label));
+            self.words.extend(cells(&label));
         } else {
             let mut around = beside(&label);
             let is_misread = match label.kind {
                 LabelKind::Word => false,
                 // A sign would read as part of the word.
-                LabelKind::Signed => around.any(|at| words.contains(&at)),
-                LabelKind::Number => around.any(|at| figures.contains(&at)),
+                LabelKind::Signed | LabelKind::Place => around.any(|at| self.words.contains(&at)),
+                LabelKind::Number => around.any(|at| self.figures.contains(&at)),
             };
             if is_misread {
-                continue;
+                return;
             }
             if label.kind == LabelKind::Number {
-                figures.extend(cells(&label));
+                self.figures.extend(cells(&label));
             }
         }
-        taken.extend(cells(&label));
-        kept.push(label);
+        self.taken.extend(cells(&label));
+        self.kept.push(label);
     }
-    kept
 }
 
 /// Whether a vehicle will cover the cell: by its sign, the bracket before it or the number after it.
@@ -232,6 +307,8 @@ mod tests {
 
     use super::*;
     use crate::ui::look::Look;
+
+    const SIZE: GridSize = GridSize::new(80, 20);
 
     fn label(column: u16, kind: LabelKind, text: &str) -> Label {
         Label {
@@ -250,7 +327,7 @@ mod tests {
                 label(20, LabelKind::Signed, "!c2"),
                 label(30, LabelKind::Word, "H"),
             ];
-            let kept = readable(labels, &[(vehicle, 0)]);
+            let kept = readable(labels, &[(vehicle, 0)], SIZE);
             kept.into_iter().rev().map(|label| label.text).collect()
         };
         assert_eq!(kept(41), ["peak4", "!c2", "H"]);
@@ -260,10 +337,47 @@ mod tests {
     }
 
     #[test]
+    fn the_name_of_a_place_moves_away_from_what_covers_it() {
+        let kept = |at: MapCell, target: MapCell, vehicle: MapCell| -> Vec<(MapCell, String)> {
+            let place = Label {
+                cell: at,
+                ..label(0, LabelKind::Place, "+gate2")
+            };
+            let target = Label {
+                cell: target,
+                ..label(0, LabelKind::Word, "x")
+            };
+            let kept = readable(vec![place, target], &[vehicle], SIZE).into_iter();
+            let names = kept.filter(|label| label.text != "x");
+            names.map(|label| (label.cell, label.text)).collect()
+        };
+        let far = (0, 0);
+        let of = |cell, text: &str| (cell, text.to_owned());
+        let place = (10, 5);
+        assert_eq!(kept(place, far, far), [of(place, "+gate2")]);
+        assert_eq!(kept(place, place, far), [of((12, 5), "gate2")], "a target");
+        let left = [of(place, "+"), of((4, 5), "gate2")];
+        assert_eq!(kept(place, far, place), left, "a vehicle");
+        let corner = (0, 5);
+        let below = [of(corner, "+"), of((0, 6), "gate2")];
+        assert_eq!(kept(corner, far, corner), below, "at the left edge");
+        let two = |text: &str| Label {
+            cell: place,
+            ..label(0, LabelKind::Place, text)
+        };
+        let kept_of_two = readable(vec![two("+pad"), two("+pad1")], &[], SIZE);
+        let texts: Vec<&str> = kept_of_two.iter().map(|it| it.text.as_str()).collect();
+        assert_eq!(texts, ["+pad1"], "one place has one name");
+        let edge = (77, 5);
+        let left = [of(edge, "+"), of((71, 5), "gate2")];
+        assert_eq!(kept(edge, far, far), left, "the edge of the map");
+    }
+
+    #[test]
     fn a_sign_never_stands_beside_a_word() {
         let sign = |column, text| label(column, LabelKind::Signed, text);
         let labels = vec![sign(13, "?"), sign(14, "?"), sign(10, "!c2")];
-        let kept = readable(labels, &[]);
+        let kept = readable(labels, &[], SIZE);
         let texts: Vec<&str> = kept.iter().rev().map(|it| it.text.as_str()).collect();
         assert_eq!(texts, ["?", "!c2"]);
         assert_eq!(kept[1].cell, (14, 0));
@@ -288,7 +402,7 @@ mod tests {
         let kept = |kind| -> Vec<String> {
             let labels = [(10, "3"), (11, "5"), (20, "7")];
             let labels = labels.map(|(column, text)| label(column, kind, text));
-            let kept = readable(labels.into(), &[]).into_iter().rev();
+            let kept = readable(labels.into(), &[], SIZE).into_iter().rev();
             kept.map(|label| label.text).collect()
         };
         assert_eq!(kept(LabelKind::Number), ["5", "7"]);

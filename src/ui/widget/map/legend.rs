@@ -7,7 +7,7 @@ use ratatui::text::{Line, Span};
 use super::canvas::Stroke;
 use super::ground::{KEEP_OUT, RULER, is_seen, next_place, next_sign, stroke};
 use super::labels::blank;
-use super::markers::{LOST, arrow};
+use super::markers::{LOST, arrow, tally};
 use super::ways::{GHOST, target, trail};
 use super::{finds, fire, swept, traffic};
 use crate::app::State;
@@ -19,7 +19,7 @@ use crate::geo::{LatLon, Viewport, scale_bar};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{put, width};
+use crate::ui::widget::{clip, put, width};
 use crate::vehicle::VehicleId;
 
 /// The maximum width of the scale bar, in columns.
@@ -74,26 +74,58 @@ pub fn length(metres: f64) -> String {
 
 /// Draws the legend with the signs that are in the map's view.
 pub fn draw(state: &State, view: Option<&Viewport>, panel: Panel<'_>, buffer: &mut Buffer) {
-    let lines = lines(state, view, panel.look);
+    let rows = rows(state, view, panel.look);
     let inner =
         panel
-            .upper(lines.len() as u16 + 2)
+            .upper(rows.len() as u16 + 2)
             .boxed(&panel.say("map-legend"), Role::Border, buffer);
-    for (row, line) in lines.iter().enumerate() {
-        put(buffer, inner, row as u16, line);
+    let room = usize::from(inner.width).saturating_sub(SIGN_WIDTH + 1);
+    let height = usize::from(inner.height);
+    let is_cut = rows.len() > height;
+    let shown = if is_cut {
+        height.saturating_sub(1)
+    } else {
+        height
+    };
+    for (row, entry) in (0..).zip(rows.into_iter().take(shown)) {
+        put(buffer, inner, row, &entry.line(room, panel.look));
+    }
+    if is_cut {
+        put(buffer, inner, shown as u16, &Line::raw("…"));
     }
 }
 
-fn lines(state: &State, view: Option<&Viewport>, look: &Look) -> Vec<Line<'static>> {
-    // Blanks without the sign's style: reversed, every sign would be the same block.
-    let row = |(sign, role, id): (String, Role, &str)| {
-        let blanks = " ".repeat((SIGN_WIDTH + 1).saturating_sub(width(&sign)));
+/// A sign, its role, and the message with its meaning.
+struct LegendRow {
+    sign: String,
+    role: Role,
+    meaning: &'static str,
+}
+
+impl From<(String, Role, &'static str)> for LegendRow {
+    fn from((sign, role, meaning): (String, Role, &'static str)) -> Self {
+        Self {
+            sign,
+            role,
+            meaning,
+        }
+    }
+}
+
+impl LegendRow {
+    /// The line with this many columns for the meaning.
+    fn line(self, room: usize, look: &Look) -> Line<'static> {
+        // Blanks without the sign's style: reversed, every sign would be the same block.
+        let blanks = " ".repeat((SIGN_WIDTH + 1).saturating_sub(width(&self.sign)));
         Line::from(vec![
-            Span::styled(sign, look.style(role)),
+            Span::styled(self.sign, look.style(self.role)),
             Span::raw(blanks),
-            Span::raw(look.say(id)),
+            Span::raw(clip(&look.say(self.meaning), room)),
         ])
-    };
+    }
+}
+
+fn rows(state: &State, view: Option<&Viewport>, look: &Look) -> Vec<LegendRow> {
     let seen = seen(state, view);
     let signs = [
         (
@@ -106,7 +138,7 @@ fn lines(state: &State, view: Option<&Viewport>, look: &Look) -> Vec<Line<'stati
         ("[3]".to_owned(), Role::Cursor, "map-legend-cursor"),
         ("3*".to_owned(), Role::Selected, "map-legend-selected"),
         ("3!".to_owned(), Role::Warning, "map-legend-alert"),
-        ("(4)".to_owned(), Role::Text, "map-legend-several"),
+        (tally(4), Role::Text, "map-legend-several"),
         ("H".to_owned(), Role::Title, "map-legend-home"),
         ("┼".to_owned(), Role::Cursor, "map-legend-pointer"),
     ];
@@ -143,7 +175,7 @@ fn lines(state: &State, view: Option<&Viewport>, look: &Look) -> Vec<Line<'stati
         .chain(shades(state, look))
         .chain(keep_out(&seen, look))
         .chain(strokes)
-        .map(row)
+        .map(LegendRow::from)
         .collect()
 }
 

@@ -1,4 +1,4 @@
-//! The vehicles on the map: a sign, its number if there is room, and a count if several share a cell.
+//! The vehicles on the map: a sign, its number if there is room, and a count such as `×2` if several share a cell.
 
 use std::ops::Range;
 
@@ -211,8 +211,8 @@ fn gather<'a>(
             rest = &rest[1..];
             continue;
         }
-        let from = first.column.saturating_sub(1).max(free_from);
-        let ends = |count: usize| from + format!("({count})").len() as u16;
+        let from = first.column;
+        let ends = |count: usize| from + tally(count).chars().count() as u16;
         while rest
             .get(count)
             .is_some_and(|next| next.column < ends(count))
@@ -220,11 +220,18 @@ fn gather<'a>(
             count += 1;
         }
         let (these, others) = rest.split_at(count);
-        let from = from.min(columns.end.saturating_sub(ends(count) - from));
+        let from = from
+            .min(columns.end.saturating_sub(ends(count) - from))
+            .max(free_from);
         board.put_count(these, from, look);
         free_from = ends(count);
         rest = others;
     }
+}
+
+/// The number of vehicles in one place, which must not look like the number of a vehicle.
+pub fn tally(count: usize) -> String {
+    format!("×{count}")
 }
 
 /// The cells of the map that already have a sign or a number.
@@ -328,7 +335,7 @@ impl<'a> Board<'a> {
         let worst = those.iter().min_by_key(|it| it.rank);
         let role = worst.map_or(Role::Text, |it| it.role);
         let mark = |wanted: char| those.iter().any(|it| it.marks.contains(wanted));
-        let mut text = format!("({})", those.len());
+        let mut text = tally(those.len());
         for wanted in [SELECTED, ALERT] {
             if mark(wanted) {
                 text.push(wanted);

@@ -336,7 +336,7 @@ pub fn since(one: &Standing, at: Duration, look: &Look, room: usize) -> String {
     if width(&long) <= room {
         return long;
     }
-    let short = format!("{what} {clock}");
+    let short = format!("{what}, {clock}");
     if width(&short) <= room {
         return short;
     }

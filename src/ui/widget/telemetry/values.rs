@@ -225,7 +225,8 @@ fn way_home_share(vehicle: &Vehicle, reserve_percent: f64) -> Option<Gauge> {
     })
 }
 
-/// The charge needed for the way home and the remaining charge, each in percent and as a flight time in `m:ss`.
+/// The charge needed for the way home in percent, and its flight time of the remaining one, both in `m:ss`. The row of
+/// the battery shows the remaining charge.
 fn way_home(vehicle: &Vehicle) -> Text {
     let clock = |time: Duration| format!("{}:{:02}", time.as_secs() / 60, time.as_secs() % 60);
     vehicle.way_home().map_or_else(Text::default, |way_home| {
@@ -233,7 +234,6 @@ fn way_home(vehicle: &Vehicle) -> Text {
             "telemetry-way-home",
             needed = figure(way_home.needed_percent.ceil(), 0),
             time = clock(way_home.needed),
-            left = figure(way_home.left_percent, 0),
             lasts = clock(way_home.left)
         )
     })

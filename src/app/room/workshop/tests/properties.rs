@@ -65,7 +65,7 @@ proptest! {
         for key in keys {
             match key {
                 0 => bench.move_row(Step::Down, air()),
-                1 => bench.move_part(Step::Down),
+                1 => bench.move_part(Step::Down, air()),
                 2 => {
                     bench.put_in(air());
                 }
