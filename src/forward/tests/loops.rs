@@ -18,6 +18,8 @@ struct End {
 
 /// Consoles whose ports are connected with each other. Each port has at most one peer.
 struct Network {
+    /// The address of each console.
+    own: Vec<MavAddress>,
     routers: Vec<Router>,
     wires: BTreeMap<End, End>,
     delay_ms: u64,
@@ -36,8 +38,10 @@ impl Network {
             (end(1, link), end(0, forward)),
         ];
         let wires = pairs.into_iter().flat_map(|(a, b)| [(a, b), (b, a)]);
+        let own = [OWN, address(250, 190)];
         Self {
-            routers: [OWN, address(250, 190)].map(Router::new).into(),
+            own: own.into(),
+            routers: own.map(Router::new).into(),
             wires: wires.collect(),
             delay_ms,
             travelling: BTreeMap::new(),
@@ -56,7 +60,7 @@ impl Network {
     /// Each console sends its heartbeat on all its ports, numbered separately.
     fn beat(&mut self, number: u8, now: u64) {
         for console in 0..self.routers.len() {
-            let sender = self.routers[console].own;
+            let sender = self.own[console];
             for (at, end) in self.ends(console).into_iter().enumerate() {
                 let (bytes, _) = numbered(sender, &beat(), number.wrapping_mul(2) + at as u8);
                 if matches!(end.port, Port::Station { .. }) {
