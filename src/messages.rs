@@ -20,7 +20,7 @@ use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Place, Severity, Vehicle, VehicleId};
-use crate::wire::{CONTROL_STATUS, Content, Frame};
+use crate::wire::{CONTROL_STATUS, Content, Frame, boot_ms};
 
 mod attitude;
 mod battery;
@@ -140,7 +140,7 @@ impl Inbox {
         }
         match &frame.content {
             Content::Message(message) => {
-                if let Some(boot_ms) = clock::boot_ms(message) {
+                if let Some(boot_ms) = boot_ms(message) {
                     self.note_clock(vehicle, boot_ms, &mut report);
                 }
                 self.dispatch(vehicle, message, &mut report);
