@@ -68,7 +68,7 @@ pub use log::{LogChoice, LogCommand, LogGroup};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};
 pub use mav_cmd::{command_by_name, command_name, command_names};
 pub use motion::MotionCommand;
-pub use nearness::{STOPPED_M, is_back};
+pub use nearness::{is_back, stopped_m};
 pub use order::{Act, Order};
 pub use parameter::{ParameterCommand, is_written_so};
 pub use plan::{PlanCommand, PlanDeed, PlanSource, ProtectedItem, protected_item};

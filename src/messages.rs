@@ -265,6 +265,9 @@ impl Inbox {
                 if data.param_id.to_str() == Ok(DISARM_DELAY) {
                     self.idle.delay_s = Some(data.param_value);
                 }
+                if let Ok(name) = data.param_id.to_str() {
+                    vehicle.arrival.note(name, data.param_value);
+                }
                 parameters::apply(Arc::make_mut(&mut self.parameters), data);
             }
             _ => {}
