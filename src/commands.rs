@@ -75,7 +75,7 @@ pub use plan::{PlanCommand, PlanDeed, PlanSource, ProtectedItem, protected_item}
 pub use plan_flight::PlanFlight;
 pub use query::QueryCommand;
 pub use raw::{RawCommand, RawMessage};
-pub use request::{Answer, Repeat, Request};
+pub use request::{Answer, Offboard, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 pub use speeds::{CHANGE_SPEED, asked_again};
 pub use sticks::{CENTRE_US, StickChange, hold_message, release_message};

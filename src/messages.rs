@@ -48,6 +48,8 @@ mod traffic;
 mod version;
 mod vibration;
 
+pub use parameters::{parameter_encoding, parameter_value};
+
 const HEARTBEAT_ID: u32 = HEARTBEAT_DATA::ID;
 /// The parameter for the time after which a vehicle on the ground disarms, in seconds; 0 for never.
 const DISARM_DELAY: &str = "DISARM_DELAY";
@@ -167,7 +169,7 @@ impl Inbox {
     }
 
     /// Stores the defaults of the parameters.
-    pub fn note_defaults(&mut self, defaults: BTreeMap<String, f32>) {
+    pub fn note_defaults(&mut self, defaults: BTreeMap<String, f64>) {
         Arc::make_mut(&mut self.parameters).note_defaults(defaults);
     }
 
@@ -268,7 +270,7 @@ impl Inbox {
                 if let Ok(name) = data.param_id.to_str() {
                     vehicle.arrival.note(name, data.param_value);
                 }
-                parameters::apply(Arc::make_mut(&mut self.parameters), data);
+                parameters::apply(Arc::make_mut(&mut self.parameters), data, vehicle);
             }
             _ => {}
         }
