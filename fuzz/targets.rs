@@ -20,8 +20,10 @@ use sortie::hangar::{Hangar, HangarLimits, HangarSetup, HangarToken, Restart};
 use sortie::inspector::{self, FieldReading};
 use sortie::language::{Context, Script, parse};
 use sortie::link::{TlogPiece, TlogReader, TlogSalvage};
+use sortie::metadata::{EventDocuments, general, unpacked};
 use sortie::mission::Mission;
 use sortie::mission::record::{Stored, WithoutEnd};
+use sortie::parameters::ParameterDocuments;
 use sortie::plan::check::{CheckOptions, check};
 use sortie::plan::generate::source::areas;
 use sortie::plan::{FileFormat, ReadOptions};
@@ -42,7 +44,7 @@ pub struct Target {
     pub run: fn(&[u8]),
 }
 
-pub const TARGETS: [Target; 10] = [
+pub const TARGETS: [Target; 11] = [
     Target {
         name: "frames",
         run: frames,
@@ -80,10 +82,33 @@ pub const TARGETS: [Target; 10] = [
         run: line,
     },
     Target {
+        name: "documentation",
+        run: documentation,
+    },
+    Target {
         name: "http",
         run: http,
     },
 ];
+
+/// What a vehicle documents about itself: files of any kind, compressed or not.
+pub fn documentation(bytes: &[u8]) {
+    let Ok(text) = unpacked(bytes.to_vec()) else {
+        return;
+    };
+    let parameters = ParameterDocuments::read(&text).documents;
+    for name in ["RTL_ALT", "COM_RC_IN_MODE"] {
+        if let Some(document) = parameters.get(name) {
+            black_box((document.about(4.0), document.doubt(-1.0)));
+        }
+    }
+    drop(black_box(general(&text)));
+    if let Ok(events) = EventDocuments::read(&text) {
+        for own in [1, 100, 101, 102, 1234] {
+            black_box(events.documents.text(1 << 24 | own, &[7; 40]));
+        }
+    }
+}
 
 /// Bytes of a link: framing, and the decoding of every field for the inspector.
 pub fn frames(bytes: &[u8]) {

@@ -64,6 +64,7 @@ pub struct Config {
     pub connect: ConnectConfig,
     pub results: ResultsConfig,
     pub parameters: ParametersConfig,
+    pub events: EventsConfig,
 }
 
 /// The parameters of vehicles.
@@ -71,6 +72,14 @@ pub struct Config {
 #[serde(default, deny_unknown_fields)]
 pub struct ParametersConfig {
     /// The path of a file with the documentation of parameters; without it, none is shown.
+    pub documentation: Option<String>,
+}
+
+/// The events of vehicles.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct EventsConfig {
+    /// The path of a file with the texts of events; without it, they are shown by number until the vehicle's are read.
     pub documentation: Option<String>,
 }
 
@@ -271,6 +280,7 @@ impl Default for Config {
             connect: ConnectConfig::default(),
             results: ResultsConfig::default(),
             parameters: ParametersConfig::default(),
+            events: EventsConfig::default(),
         }
     }
 }

@@ -13,6 +13,7 @@ use tokio_util::sync::CancellationToken;
 use crate::forward::ForwardSpec;
 use crate::ledger::ForeignCommand;
 use crate::link::{Address, FrameSink, LinkStatus, Signer, Tap, Transport};
+use crate::metadata::EventDocuments;
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{
@@ -82,6 +83,8 @@ pub struct Keeping {
     pub files: Option<Arc<dyn FileDesk>>,
     /// The files of plans.
     pub plans: Option<Arc<dyn PlanShelf>>,
+    /// The texts of events, from a file of the user.
+    pub events: Option<Arc<EventDocuments>>,
     /// The keys of signed links.
     pub signer: Option<Signer>,
     /// The system id of this program; the usual one if there is none.

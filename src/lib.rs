@@ -40,6 +40,7 @@
 //! | | [`messages`] | telemetry: a handler for each kind of message |
 //! | | [`ledger`], [`notice`], [`alert`], [`moment`] | the outcome of each command; notices to people; the kinds of alerts; the moments of a flight |
 //! | | [`vehicle`] | the model of one vehicle, the grades of its readings (good, poor, bad), its fence and limits, and the battery needed to return home |
+//! | | [`metadata`] | what a vehicle documents about itself: which files, and the texts of its events |
 //! | | [`doctor`] | the faults of a link, such as losses, old timestamps and shared ids (`sortie doctor`, about this machine, is in [`cli`]) |
 //! | | [`signing`] | the keys of MAVLink signing and the console's timestamps |
 //! | | [`inspector`] | messages, counted and decoded field by field, and built from fields by name |
@@ -119,6 +120,7 @@ pub mod language;
 pub mod ledger;
 pub mod link;
 pub mod messages;
+pub mod metadata;
 pub mod mission;
 pub mod moment;
 pub mod notice;

@@ -20,7 +20,7 @@ use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Place, Severity, Vehicle, VehicleId};
-use crate::wire::{CONTROL_STATUS, Content, Frame};
+use crate::wire::{CONTROL_STATUS, Content, Frame, boot_ms};
 
 mod attitude;
 mod battery;
@@ -47,6 +47,8 @@ mod testing;
 mod traffic;
 mod version;
 mod vibration;
+
+pub use parameters::{parameter_encoding, parameter_value};
 
 const HEARTBEAT_ID: u32 = HEARTBEAT_DATA::ID;
 /// The parameter for the time after which a vehicle on the ground disarms, in seconds; 0 for never.
@@ -140,7 +142,7 @@ impl Inbox {
         }
         match &frame.content {
             Content::Message(message) => {
-                if let Some(boot_ms) = clock::boot_ms(message) {
+                if let Some(boot_ms) = boot_ms(message) {
                     self.note_clock(vehicle, boot_ms, &mut report);
                 }
                 self.dispatch(vehicle, message, &mut report);
@@ -167,7 +169,7 @@ impl Inbox {
     }
 
     /// Stores the defaults of the parameters.
-    pub fn note_defaults(&mut self, defaults: BTreeMap<String, f32>) {
+    pub fn note_defaults(&mut self, defaults: BTreeMap<String, f64>) {
         Arc::make_mut(&mut self.parameters).note_defaults(defaults);
     }
 
@@ -265,7 +267,10 @@ impl Inbox {
                 if data.param_id.to_str() == Ok(DISARM_DELAY) {
                     self.idle.delay_s = Some(data.param_value);
                 }
-                parameters::apply(Arc::make_mut(&mut self.parameters), data);
+                if let Ok(name) = data.param_id.to_str() {
+                    vehicle.arrival.note(name, data.param_value);
+                }
+                parameters::apply(Arc::make_mut(&mut self.parameters), data, vehicle);
             }
             _ => {}
         }

@@ -17,7 +17,7 @@ pub use documentation::{
     ReadDocuments,
 };
 pub use file::{parse, write};
-pub use kind::{ParameterType, ParameterUnfit};
+pub use kind::{ParameterEncoding, ParameterType, ParameterUnfit};
 pub use list::{HeardParameter, ListedParameter, ParameterList};
 pub use packed::{DEFAULTS_FILE, read_defaults};
 pub use sortie_sim::{AliasSense, other_name};
@@ -54,16 +54,38 @@ pub struct ParameterSnapshot {
     /// How many times the vehicle has rebooted. After each reboot the list starts again, since settings may have been
     /// lost.
     pub reboots: u32,
+    /// What the vehicle itself documents; empty until it has been read.
+    pub documents: Arc<ParameterDocuments>,
 }
 
-/// A value as text: the shortest decimal number that reads as the same `f32`.
-pub fn shown(value: f32) -> String {
-    let plain = value.to_string();
+/// A value as text, short enough for its column; a whole number of 32 bits in full.
+pub fn shown(value: f64) -> String {
+    let plain = written(value);
     if plain.len() <= LONGEST_PLAIN {
         plain
     } else {
-        format!("{value:e}")
+        format!("{:e}", value as f32)
     }
+}
+
+/// A value as text: a whole number in full, any other as the shortest decimal number that reads as the same `f32`.
+pub fn written(value: f64) -> String {
+    if is_whole(value) {
+        value.to_string()
+    } else {
+        (value as f32).to_string()
+    }
+}
+
+/// A value as the number that is [`written`]: `0.1` for the float next to it.
+pub fn decimal(value: f64) -> f64 {
+    written(value).parse().unwrap_or(value)
+}
+
+/// Whether a value is a whole number that an integer parameter can have. Such values are kept to the last digit; all
+/// others are floats of 32 bits.
+fn is_whole(value: f64) -> bool {
+    value.fract() == 0.0 && value.abs() <= f64::from(u32::MAX)
 }
 
 /// Longer numbers are shown with an exponent, to fit their column.

@@ -13,7 +13,7 @@
 //!   answer, effect), `precedence` (which order supersedes which), `fit` (refused for the vehicle's parameters),
 //!   `acknowledgement`, `control` (which station the vehicle obeys).
 //! - What takes minutes and runs beside the orders: `transfers`, with `lists`, `logs`, `files`, `ftp`, `gaps` and
-//!   `defaults`; `plan_orders` and `plans`, `signing`, `download` (of parameters), `events`.
+//!   `defaults`; `metadata` (what a vehicle documents); `plan_orders` and `plans`, `signing`, `download` (of parameters), `events`.
 //! - How parameters are encoded and named: `parameter_code`, `naming`, `settings` (those that a mission sets).
 //! - What lies between vehicle and console: `surroundings`, `radio` (a mission's), `bench` (a radio under test),
 //!   `sticks`.
@@ -41,6 +41,7 @@ mod hearing;
 mod line;
 mod lists;
 mod logs;
+mod metadata;
 mod naming;
 mod order;
 mod orders;
@@ -149,6 +150,7 @@ impl Session {
         ParameterSnapshot {
             list: Arc::clone(self.inbox.parameters()),
             fetching: self.download.fetching(),
+            documents: Arc::clone(self.orders.documents()),
             reboots: self.vehicle.link.reboots,
         }
     }
@@ -220,7 +222,6 @@ impl Session {
     }
 
     fn take_in(&mut self, frame: &Frame, now: Duration) {
-        let frame = &*parameter_code::received(frame, &self.vehicle);
         if radio::position(frame).is_some() {
             self.vehicle.unheard = None;
         }
@@ -350,10 +351,7 @@ impl Session {
 
     /// Takes the messages to send, in order.
     pub fn take_outgoing(&mut self) -> Vec<Outgoing> {
-        let mut said = std::mem::take(&mut self.output.messages);
-        for message in &mut said {
-            parameter_code::encode(message, &self.vehicle, self.inbox.parameters());
-        }
+        let said = std::mem::take(&mut self.output.messages);
         self.surroundings.pass(said, self.now)
     }
 
@@ -377,6 +375,9 @@ impl Session {
     }
 
     fn note_defaults(&mut self, defaults: ReadDefaults) {
+        if let Some(documents) = self.orders.transfers().take_events() {
+            self.events.use_documents(documents);
+        }
         if let Some(defaults) = defaults {
             self.inbox.note_defaults(defaults);
         }

@@ -75,7 +75,9 @@ pub use sharing::{
     PROFILES_FILE, RUNS, SharingFault, Unshared, other_owner, share_with_group, sharing_fault,
 };
 pub use signature::{RecordKey, RecordPublicKey, SignatureError, SignatureFault};
-pub use source::{Source, StoreError, read, read_bytes, read_found, read_large, read_start};
+pub use source::{
+    Source, StoreError, read, read_bytes, read_documentation, read_found, read_start,
+};
 pub use terrain::add_square;
 pub use transferred::TransferredFiles;
 pub use unsaved::UnsavedDrafts;

@@ -21,6 +21,7 @@ use crate::geo::maths;
 use crate::wire::{ComponentId, GROUND_STATION_SYSTEM, MavAddress, SystemId};
 
 mod announced;
+mod arrival;
 mod carried;
 mod check_rules;
 mod control;
@@ -45,6 +46,7 @@ mod way_home;
 pub use crate::vehicle_id::VehicleId;
 pub use crate::wire::BoardId;
 pub use announced::{AnnouncedMode, AnnouncedModes};
+pub use arrival::ArrivalRadii;
 pub use carried::CarriedLists;
 pub use check_rules::check_rules;
 pub use control::ControlStatus;
@@ -148,6 +150,8 @@ pub struct Vehicle {
     pub traffic: Traffic,
     /// The speeds that this program has commanded.
     pub asked_speeds: AskedSpeeds,
+    /// How near to a place it flies or drives.
+    pub arrival: ArrivalRadii,
     /// Milliseconds since the autopilot booted, from its messages; a step back means a reboot.
     pub boot_ms: Option<u32>,
     /// The quality of reception from the vehicle.
@@ -208,6 +212,7 @@ impl Vehicle {
             version: None,
             traffic: Traffic::default(),
             asked_speeds: AskedSpeeds::default(),
+            arrival: ArrivalRadii::default(),
             boot_ms: None,
             link: LinkQuality::default(),
             unheard: None,

@@ -34,6 +34,7 @@ file-frame = airframe
 file-theme = theme
 file-keymap = keymap
 file-documentation = documentation of parameters
+file-events = event texts
 file-configuration = configuration
 file-any = mission, theme, keymap, configuration or script
 

@@ -40,6 +40,7 @@ outcome-other-name = { $outcome } (this vehicle's name for { $name })
 outcome-opposite-name = { $outcome } (this vehicle's name for { $name }, with the opposite meaning)
 outcome-not-seen = not seen: { $effect }
 outcome-not-seen-within = not seen within { $seconds } s: { $effect }
+outcome-offboard-kept = still in OFFBOARD 5 s after the command to hold; setpoints are no longer sent, so its failsafe decides
 outcome-other-target = the vehicle keeps its earlier target; is the new one outside its fence?
 outcome-overtaken = by { $mode }
 outcome-disarmed = by disarming

@@ -143,3 +143,26 @@ documentation-not-listed = { $name } = { $value } is not one of its documented v
 documentation-unknown-bits = { $name } = { $value } has bits without a documented meaning
 documentation-still = { $doubt }; { $submit } sets it anyway
 parameters-column-meaning = UNIT, MEANING
+
+# What a vehicle documents about itself (`param docs`).
+metadata-parameters = { $count ->
+    [one] { $count } parameter documented
+   *[other] { $count } parameters documented
+}
+metadata-events = { $count ->
+    [one] { $count } event text
+   *[other] { $count } event texts
+}
+metadata-no-parameters = no documentation of parameters: { $fault }
+metadata-no-events = no event texts: { $fault }
+metadata-elsewhere = the file is not on the autopilot; get { $address } and name it with --parameter-docs or --event-docs
+metadata-nothing = it names no files about parameters or events
+metadata-damaged = the compressed file is damaged ({ $fault })
+metadata-too-large = the file is larger than { $most } MB
+metadata-not-text = the file is not a text
+events-version = version { $version } of the format; version 2 can be read
+events-nothing = the file has no event
+events-fault = event { $event }: { $fault }
+events-no-number = { $written } is not the number of an event
+outcome-metadata-none = the vehicle names no documentation of its own (COMPONENT_METADATA); --parameter-docs names a file
+refused-metadata-busy = the vehicle's documentation is already being read

@@ -146,7 +146,6 @@ reason-other = result { $number }
 
 # Vehicles with PX4
 refused-px4-guided = PX4 has no GUIDED and needs none: use `goto` or `takeoff` in any mode
-refused-px4-velocity = PX4 flies at a velocity only in OFFBOARD, after a stream of setpoints that the console does not send: use `goto`
 refused-px4-vertical-speed = PX4 takes no climb or descent speed by command: set its parameters MPC_Z_VEL_MAX_UP and MPC_Z_VEL_MAX_DN
 refused-px4-turn-rate = PX4 takes no turn rate by command: leave it out, or set its parameter MPC_YAWRAUTO_MAX
 refused-px4-servo = PX4 has no command for one servo output: `long DO_SET_ACTUATOR` sets actuators

@@ -128,6 +128,7 @@ argument-name-or-id = name or id
 argument-parameter-get = read the parameter
 argument-parameter-name = name of the parameter
 argument-parameter-set = write the parameter
+argument-parameter-docs = read what the vehicle documents
 argument-parameter-value = the new value
 argument-mav-frame = MAV_FRAME
 argument-timeout = maximum wait; 60 s by default

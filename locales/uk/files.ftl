@@ -35,6 +35,7 @@ file-frame = файл рами
 file-theme = тема
 file-keymap = розкладка клавіш
 file-documentation = опис параметрів
+file-events = тексти подій
 file-configuration = файл налаштувань
 file-any = завдання, тема, розкладка клавіш, налаштування чи скрипт
 

@@ -41,6 +41,7 @@ outcome-other-name = { $outcome } (так у цього апарата звет�
 outcome-opposite-name = { $outcome } (так у цього апарата зветься { $name }, із протилежним значенням)
 outcome-not-seen = не помічено: { $effect }
 outcome-not-seen-within = за { $seconds } s не помічено: { $effect }
+outcome-offboard-kept = за 5 s після команди зависнути режим не змінився з OFFBOARD; цілі більше не надсилаються, тож діє захист апарата
 outcome-other-target = апарат і далі летить до попередньої цілі; чи не лежить нова за межами його геозони?
 outcome-overtaken = режим { $mode }
 outcome-disarmed = двигуни деактивовано

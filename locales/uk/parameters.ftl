@@ -147,3 +147,27 @@ documentation-not-listed = { $name } = { $value }: такого значення
 documentation-unknown-bits = { $name } = { $value } має біти, яких в описі немає
 documentation-still = { $doubt }; { $submit } все одно встановлює значення
 parameters-column-meaning = ОДИНИЦЯ, ЗМІСТ
+
+# Що апарат описує сам про себе (`param docs`).
+metadata-parameters = { $count ->
+    [one] описано { $count } параметр
+    [few] описано { $count } параметри
+   *[many] описано { $count } параметрів
+}
+metadata-events = { $count ->
+    [one] текст { $count } події
+   *[other] тексти { $count } подій
+}
+metadata-no-parameters = опису параметрів немає: { $fault }
+metadata-no-events = текстів подій немає: { $fault }
+metadata-elsewhere = файл не на автопілоті; отримайте { $address } і вкажіть через --parameter-docs або --event-docs
+metadata-nothing = у ньому немає файлів про параметри чи події
+metadata-damaged = стиснений файл пошкоджено ({ $fault })
+metadata-too-large = файл більший за { $most } MB
+metadata-not-text = файл не є текстом
+events-version = версія формату { $version }; прочитати можна версію 2
+events-nothing = у файлі немає жодної події
+events-fault = подія { $event }: { $fault }
+events-no-number = { $written } не є номером події
+outcome-metadata-none = апарат не має власного опису (COMPONENT_METADATA); файл можна вказати через --parameter-docs
+refused-metadata-busy = опис апарата вже читається

@@ -149,7 +149,6 @@ reason-other = результат { $number }
 
 # Апарати з PX4
 refused-px4-guided = PX4 не має GUIDED і не потребує його: `goto` і `takeoff` працюють у будь-якому режимі
-refused-px4-velocity = PX4 летить із заданою швидкістю лише в OFFBOARD, якщо потік цілей почався до перемикання; консоль його не надсилає: скористайтеся `goto`
 refused-px4-vertical-speed = PX4 не приймає вертикальної швидкості командою: задайте його параметри MPC_Z_VEL_MAX_UP і MPC_Z_VEL_MAX_DN
 refused-px4-turn-rate = PX4 не приймає швидкості повороту командою: не вказуйте її або задайте параметр MPC_YAWRAUTO_MAX
 refused-px4-servo = PX4 не має команди для одного виходу: приводи задає `long DO_SET_ACTUATOR`

@@ -128,6 +128,7 @@ argument-name-or-id = назва або номер
 argument-parameter-get = прочитати параметр
 argument-parameter-name = назва параметра
 argument-parameter-set = записати параметр
+argument-parameter-docs = прочитати опис з апарата
 argument-parameter-value = нове значення
 argument-mav-frame = MAV_FRAME
 argument-timeout = найдовше очікування; типово 60 s

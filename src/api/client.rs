@@ -266,7 +266,7 @@ pub fn present(
             let views = known.iter().flat_map(|known| {
                 known.list.iter().map(|(name, parameter)| {
                     let default = known.list.default_of(name);
-                    let document = state.documents().get(name);
+                    let document = state.documents_of(Some(vehicle)).get(name);
                     ParameterView::new(name, parameter, default, document)
                 })
             });

@@ -401,7 +401,7 @@ fn a_parameter_has_its_default_unit_and_meaning_where_they_are_known() {
         kind: ParameterType::Real32,
         index: None,
     };
-    let view = |name: &str, value: f32, default| {
+    let view = |name: &str, value: f64, default| {
         let view = ParameterView::new(name, &parameter(value), default, documents.get(name));
         serde_json::to_value(view).expect("JSON")
     };

@@ -11,7 +11,7 @@ use crate::doctor::SealCounts;
 use crate::geo::LatLon;
 use crate::ledger::{LedgerEntry, LedgerRow, RowState};
 use crate::mission::{ObjectiveState, Progress};
-use crate::parameters::{ListedParameter, ParameterDocument};
+use crate::parameters::{ListedParameter, ParameterDocument, decimal};
 use crate::text::Locale;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
@@ -372,9 +372,9 @@ impl LinkView {
 #[derive(Debug, Clone, PartialEq, Serialize, ToSchema)]
 pub struct ParameterView {
     pub name: String,
-    pub value: f32,
+    pub value: f64,
     /// The default; `null` if the vehicle has not told it.
-    pub default: Option<f32>,
+    pub default: Option<f64>,
     /// The unit; `null` if none is documented.
     pub unit: Option<String>,
     /// The meaning of the value; `null` if none is documented.
@@ -385,14 +385,14 @@ impl ParameterView {
     pub(super) fn new(
         name: &str,
         parameter: &ListedParameter,
-        default: Option<f32>,
+        default: Option<f64>,
         document: Option<&ParameterDocument>,
     ) -> Self {
         let unit = document.map(|it| it.unit.clone());
         Self {
             name: name.to_owned(),
-            value: parameter.value,
-            default,
+            value: decimal(parameter.value),
+            default: default.map(decimal),
             unit: unit.filter(|unit| !unit.is_empty()),
             meaning: document.and_then(|it| it.meaning(parameter.value)),
         }

@@ -253,11 +253,6 @@ impl<R> State<R> {
         self.keymap.key(action, Place::In(self.room))
     }
 
-    /// The documentation of parameters.
-    pub fn documents(&self) -> &ParameterDocuments {
-        &self.documents
-    }
-
     /// Another flight of the mission, shown beside this one.
     pub fn ghost(&self) -> Option<&Ghost> {
         self.ghost.as_ref()

@@ -230,6 +230,7 @@ pub(super) fn options(
         }
     }
     let documents = settings.read_parameter_documents()?;
+    let events = settings.read_event_documents()?;
     settings.complain();
     let ardupilot = backend::found(&settings);
     let folders = settings.folders.as_ref();
@@ -260,6 +261,7 @@ pub(super) fn options(
             config: settings.config,
             keymap: settings.keymap,
             documents: Arc::new(documents),
+            events: Arc::new(events),
             themes: settings.themes,
         },
     })

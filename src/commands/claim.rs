@@ -1,6 +1,7 @@
 //! A command's claim on a vehicle's state.
 
 use super::modes::{holding_mode, mode_named};
+use super::px4;
 use super::{ArmingCommand, Command, FlightCommand, MotionCommand};
 use crate::text;
 use crate::text::Text;
@@ -44,6 +45,16 @@ impl Claim {
             armed: Some(true),
             ends_disarmed: false,
         }
+    }
+
+    /// A claim to follow the setpoints of OFFBOARD.
+    pub fn in_offboard(vehicle: &Vehicle) -> Self {
+        Self::px4_flight(vehicle, px4::OFFBOARD, None)
+    }
+
+    /// A claim to hold after the setpoints of OFFBOARD.
+    pub fn after_offboard(vehicle: &Vehicle) -> Self {
+        Self::px4_flight(vehicle, px4::LOITER, None)
     }
 
     /// Whether the command makes no claim.
@@ -144,6 +155,7 @@ impl MotionCommand {
             Self::Goto { .. } | Self::Altitude { .. } | Self::Yaw { .. } if before.runs_px4() => {
                 Claim::px4_flight(before, "AUTO.LOITER", None)
             }
+            Self::Velocity { .. } if before.runs_px4() => Claim::in_offboard(before),
             Self::Orbit { .. } if before.runs_px4() => {
                 Claim::px4_flight(before, "POSCTL.ORBIT", None)
             }

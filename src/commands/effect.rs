@@ -209,7 +209,10 @@ impl Effect {
             Watched::TakenOff { least_m, .. } => {
                 text!("effect-taken-off", metres = format!("{least_m:.1}"))
             }
-            Watched::Place(_) => text!("effect-place", metres = arrival_m(vehicle).to_string()),
+            Watched::Place(_) => {
+                let metres = (arrival_m(vehicle) * 10.0).round() / 10.0;
+                text!("effect-place", metres = metres.to_string())
+            }
             Watched::Heading(heading) => {
                 text!("effect-heading", degrees = format!("{heading:.0}"))
             }

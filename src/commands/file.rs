@@ -33,6 +33,8 @@ pub enum FileCommand {
     Checksum {
         path: String,
     },
+    /// Reads what the vehicle documents about its parameters and events.
+    Documentation,
     /// Ends all commands about files.
     Stop,
 }
@@ -42,7 +44,11 @@ impl FileCommand {
     pub fn changes_files(&self) -> bool {
         match self {
             Self::Put { .. } | Self::Remove { .. } | Self::MakeFolder { .. } => true,
-            Self::List { .. } | Self::Get { .. } | Self::Checksum { .. } | Self::Stop => false,
+            Self::List { .. }
+            | Self::Get { .. }
+            | Self::Checksum { .. }
+            | Self::Documentation
+            | Self::Stop => false,
         }
     }
 
@@ -55,6 +61,7 @@ impl FileCommand {
             | Self::Get { .. }
             | Self::MakeFolder { .. }
             | Self::Checksum { .. }
+            | Self::Documentation
             | Self::Stop => None,
         }
     }

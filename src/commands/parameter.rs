@@ -3,6 +3,7 @@
 use super::encode;
 use super::request::{Answer, Request};
 use crate::ledger::Risk;
+use crate::parameters::{decimal, written};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
@@ -39,15 +40,13 @@ impl ParameterCommand {
     /// # Errors
     /// A text if the vehicle has a different value from the one that was set. Integer parameters truncate the fraction,
     /// which is not a fault.
-    pub fn outcome(&self, value: f32) -> Result<Text, Text> {
+    pub fn outcome(&self, value: f64) -> Result<Text, Text> {
         let (name, wanted) = match self {
             Self::Set { name, value } => (name, *value),
-            Self::Get { name } => return Ok(format!("{name} = {value}").into()),
+            Self::Get { name } => return Ok(format!("{name} = {}", written(value)).into()),
         };
-        let carried = wanted as f32;
-        let is_kept = (value - carried).abs() <= 1e-6 * carried.abs();
-        if !is_kept && (value - carried.trunc()).abs() > f32::EPSILON {
-            let (value, wanted) = (value.to_string(), wanted.to_string());
+        if !is_kept(value, wanted) {
+            let (value, wanted) = (written(value), wanted.to_string());
             return Err(text!(
                 "refused-value",
                 name = name,
@@ -56,9 +55,9 @@ impl ParameterCommand {
             ));
         }
         if is_written_so(value, wanted) {
-            return Ok(format!("{name} = {value}").into());
+            return Ok(format!("{name} = {}", written(value)).into());
         }
-        let (value, wanted) = (value.to_string(), wanted.to_string());
+        let (value, wanted) = (written(value), wanted.to_string());
         Ok(text!(
             "outcome-value-became",
             name = name,
@@ -75,9 +74,18 @@ impl ParameterCommand {
     }
 }
 
+/// Whether a vehicle that was to have a value has it: a whole number to the last digit; a float as it is sent; the whole
+/// part of a number with a fraction, which integer parameters drop.
+fn is_kept(value: f64, wanted: f64) -> bool {
+    let carried = f64::from(wanted as f32);
+    let differs = |other: f64| (value - other).abs() > 0.0;
+    let is_near = (value - carried).abs() <= 1e-6 * carried.abs();
+    let is_whole = value.fract() == 0.0 && wanted.fract() == 0.0;
+    !differs(wanted) || !differs(carried) || !differs(carried.trunc()) || is_near && !is_whole
+}
+
 /// Whether a value equals the typed one, exactly or in its shortest decimal notation (0.1).
-pub fn is_written_so(value: f32, written: f64) -> bool {
-    let differs = |value: f64| (value - written).abs() > 0.0;
-    let shortest = value.to_string().parse().unwrap_or(f64::NAN);
-    !differs(f64::from(value)) || !differs(shortest)
+pub fn is_written_so(value: f64, typed: f64) -> bool {
+    let differs = |value: f64| (value - typed).abs() > 0.0;
+    !differs(value) || !differs(decimal(value))
 }

@@ -4,13 +4,15 @@
 //! (`PX4FirmwarePlugin.cc`). PX4 takes heights above sea level in every frame, angles of `DO_REPOSITION` in radians, and
 //! NaN for whatever is left to the vehicle.
 
+use std::time::Duration;
+
 use mavlink::dialects::ardupilotmega::MavCmd;
 
 use super::destination::{Destination, Heading};
-use super::encode::{FRAME_GLOBAL, IntFields, LongFields, finite};
+use super::encode::{self, FRAME_GLOBAL, IntFields, LongFields, finite};
 use super::flight::mode_fields;
 use super::plan_flight::MISSION;
-use super::request::Request;
+use super::request::{Offboard, Request};
 use super::setpoint::{above_ground, heading, height, position};
 use super::{Command, DeviceCommand, FlightCommand, MotionCommand, PlanFlight};
 use crate::geo::{LatLon, wrap_180};
@@ -26,6 +28,12 @@ const CHANGE_MODE: f32 = 1.0;
 const NO_PITCH: f32 = -1.0;
 /// The speed of `DO_REPOSITION` that leaves the vehicle's own.
 const USUAL_SPEED: f32 = -1.0;
+/// The mode in which PX4 takes setpoints.
+pub(super) const OFFBOARD: &str = "OFFBOARD";
+/// The mode in which a velocity ends.
+pub(super) const LOITER: &str = "AUTO.LOITER";
+/// How long setpoints are sent before the change to OFFBOARD: PX4 wants them for more than one second.
+const OFFBOARD_LEAD: Duration = Duration::from_millis(1500);
 
 /// The request for a vehicle with PX4; `None` if it is the same as for `ArduPilot`.
 pub(super) fn request(
@@ -51,6 +59,9 @@ pub(super) fn request(
             destination,
             heading,
         }) => Some(goto(vehicle, *destination, *heading)),
+        Command::Motion(MotionCommand::Velocity { ned_m_s, .. }) => {
+            Some(velocity(vehicle, *ned_m_s, confirmation))
+        }
         Command::Motion(MotionCommand::RegionOfInterest {
             target: Some((point, height_m)),
         }) => Some(look_at(vehicle, *point, *height_m)),
@@ -103,12 +114,12 @@ fn motion(command: MotionCommand, vehicle: &Vehicle) -> Option<Result<LongFields
             relative,
             rate_deg_s: None,
         } => Some(turn(vehicle, angle_deg, relative)),
-        MotionCommand::Velocity { .. } => Some(Err(text!("refused-px4-velocity"))),
         MotionCommand::Speed {
             axis: SpeedAxis::Climb | SpeedAxis::Descend,
             ..
         } => Some(Err(text!("refused-px4-vertical-speed"))),
         MotionCommand::Goto { .. }
+        | MotionCommand::Velocity { .. }
         | MotionCommand::Speed { .. }
         | MotionCommand::Orbit { .. }
         | MotionCommand::RegionOfInterest { .. }
@@ -138,6 +149,27 @@ fn goto(vehicle: &Vehicle, destination: Destination, heading: Heading) -> Result
         point,
         altitude_m,
     )
+}
+
+/// Flies at a velocity in OFFBOARD, and holds in AUTO.LOITER at the end.
+fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3], confirmation: u8) -> Result<Request, Text> {
+    flies("velocity", vehicle)?;
+    let enter = mode_fields(vehicle, OFFBOARD)?;
+    let leave = mode_fields(vehicle, LOITER)?;
+    let mut request = Request::long(vehicle, &enter, confirmation)?;
+    let is_there = vehicle.mode().is_some_and(|mode| mode.is(OFFBOARD));
+    request.offboard = Some(Box::new(Offboard {
+        setpoint: encode::velocity(vehicle, ned_m_s)?,
+        lead: if is_there {
+            Duration::ZERO
+        } else {
+            OFFBOARD_LEAD
+        },
+        standstill: encode::velocity(vehicle, [0.0; 3])?,
+        leave: encode::long(vehicle, &leave, 0)?,
+        leave_command: leave.command,
+    }));
+    Ok(request)
 }
 
 fn altitude(vehicle: &Vehicle, altitude_m: f64) -> Result<LongFields, Text> {

@@ -32,6 +32,8 @@ pub struct Request {
     pub answer: Answer,
     /// The message sent once after a [`Repeat`], such as the stop after a velocity.
     pub closing: Option<Outgoing>,
+    /// The setpoints of a request that holds only in OFFBOARD.
+    pub offboard: Option<Box<Offboard>>,
     /// The request that follows once this one is accepted.
     pub next: Option<Box<Request>>,
 }
@@ -43,6 +45,7 @@ impl Request {
             speeds: Vec::new(),
             answer,
             closing: None,
+            offboard: None,
             next: None,
         }
     }
@@ -82,6 +85,22 @@ impl Request {
             encode::confirm_again(message);
         }
     }
+}
+
+/// Setpoints for PX4, which accepts them only in OFFBOARD, and enters that mode only while they arrive. The messages of
+/// the request change the mode.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Offboard {
+    /// The setpoint, sent before, while and after the mode changes.
+    pub setpoint: Outgoing,
+    /// How long setpoints must arrive before the mode can change; zero if the vehicle is in OFFBOARD already.
+    pub lead: Duration,
+    /// The setpoint to stop, sent until the vehicle has left OFFBOARD.
+    pub standstill: Outgoing,
+    /// The command that leaves OFFBOARD for AUTO.LOITER.
+    pub leave: Outgoing,
+    /// The number of that command.
+    pub leave_command: u16,
 }
 
 /// Setpoints that must be repeated.

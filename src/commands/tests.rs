@@ -17,7 +17,7 @@ mod outcome;
 const HERE: LatLon = LatLon::new(50.45, 30.52);
 
 /// A copter in a mode, 20 m above home and 10 m north of the origin, heading east.
-fn flying(mode: &str) -> Vehicle {
+pub(super) fn flying(mode: &str) -> Vehicle {
     let class = VehicleClass::Copter;
     let at = Duration::ZERO;
     let mut vehicle = Vehicle::new(3, 1);

@@ -263,7 +263,13 @@ pub const SETTINGS: &[Setting] = &[
         "parameters.documentation",
         SettingKind::Text,
         Some("SORTIE_PARAMETER_DOCS"),
-        "File with the documentation of parameters: apm.pdef.xml or apm.pdef.json of ArduPilot, parameters.json of PX4.",
+        "File with the documentation of parameters: apm.pdef.xml or apm.pdef.json of ArduPilot, parameters.json of PX4, also compressed (.xz).",
+    ),
+    setting(
+        "events.documentation",
+        SettingKind::Text,
+        Some("SORTIE_EVENT_DOCS"),
+        "File with the texts of events: all_events.json of PX4, also compressed (.xz).",
     ),
     setting(
         "macros",

@@ -377,6 +377,9 @@ impl Hub {
         if let Some(desk) = &self.keeping.files {
             session = session.with_files(Arc::new(BlockingFiles(Arc::clone(desk))));
         }
+        if let Some(events) = &self.keeping.events {
+            session = session.knowing_events(Arc::clone(events));
+        }
         if let Some(shelf) = &self.keeping.plans {
             session = session.with_plan_files(Arc::new(BlockingShelf(Arc::clone(shelf))));
         }

@@ -50,6 +50,14 @@ impl FileDesk for BlockingFiles {
     fn write(&self, file: &str, bytes: &[u8]) -> Result<String, Text> {
         off_the_loop(|| self.0.write(file, bytes))
     }
+
+    fn kept(&self, checksum: u32) -> Option<Vec<u8>> {
+        off_the_loop(|| self.0.kept(checksum))
+    }
+
+    fn keep(&self, checksum: u32, bytes: &[u8]) {
+        off_the_loop(|| self.0.keep(checksum, bytes));
+    }
 }
 
 /// A shelf whose work blocks only its own vehicle.

@@ -72,7 +72,7 @@ pub(super) struct VehicleTask {
 /// Publishes parameters while they arrive: as a list a few times a second, not one by one.
 pub(super) struct ParameterFeed {
     sender: watch::Sender<ParameterSnapshot>,
-    published: (u64, Fetching),
+    published: (u64, Fetching, usize),
     at: Duration,
 }
 
@@ -80,13 +80,14 @@ impl ParameterFeed {
     pub fn new(sender: watch::Sender<ParameterSnapshot>) -> Self {
         Self {
             sender,
-            published: (0, Fetching::NotAsked),
+            published: (0, Fetching::NotAsked, 0),
             at: Duration::ZERO,
         }
     }
 
     fn publish(&mut self, news: ParameterSnapshot, now: Duration) {
-        let state = (news.list.revision(), news.fetching);
+        let documented = news.documents.len();
+        let state = (news.list.revision(), news.fetching, documented);
         // While a reader holds a snapshot, the next change copies the list.
         let is_due = !news.fetching.is_under_way() || now >= self.at + PARAMETERS_EVERY;
         if state != self.published && is_due {

@@ -195,7 +195,7 @@ impl InstanceProbe {
             self.session.fetch_parameters(now);
         }
         let parameters = self.session.parameters();
-        let speed = parameters.list.get(SPEED).map(|speed| speed.value);
+        let speed = parameters.list.get(SPEED).map(|speed| speed.value as f32);
         let speed_fits = speed == Some(self.speedup as f32) || self.speed_tries > SPEED_TRIES;
         self.can_arm = can_arm;
         self.stage = match parameters.fetching {

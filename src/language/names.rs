@@ -51,7 +51,7 @@ pub trait Names: fmt::Debug {
     fn listed(&self, list: NameList) -> Listed;
 
     /// What is documented about a parameter with this value; empty if nothing is.
-    fn about_parameter(&self, _name: &str, _value: f32) -> String {
+    fn about_parameter(&self, _name: &str, _value: f64) -> String {
         String::new()
     }
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use strum::{EnumString, IntoStaticStr, VariantNames};
 
-use crate::commands::{STOPPED_M, is_back};
+use crate::commands::{is_back, stopped_m};
 use crate::ledger::{Ledger, RowState};
 use crate::vehicle::{Mode, Vehicle, VehicleClass, VehicleId, Vehicles};
 use crate::verb::Arrival;
@@ -249,7 +249,11 @@ fn still_at_target(vehicle: &Vehicle) -> bool {
         return false;
     };
     let is_on_surface = vehicle.is_on_surface();
-    let near_m = if is_on_surface { STOPPED_M } else { ARRIVED_M };
+    let near_m = if is_on_surface {
+        stopped_m(vehicle)
+    } else {
+        ARRIVED_M
+    };
     let near = target
         .at_point
         .is_some_and(|point| global.at_point.distance_m(point) <= near_m);

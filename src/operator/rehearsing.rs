@@ -183,7 +183,7 @@ impl PlanRehearsal {
 
     /// Stores the parameters of a vehicle that determine how it flies.
     pub fn set_parameters(&mut self, vehicle: VehicleId, list: &Arc<ParameterList>) {
-        let value = |name: &str| list.get(name).map(|known| known.value);
+        let value = |name: &str| list.get(name).map(|known| known.value as f32);
         let members = self.crew.iter_mut();
         for member in members.filter(|member| member.seat.vehicle == vehicle) {
             let carried = |name: &str| {
@@ -193,7 +193,7 @@ impl PlanRehearsal {
             member.participant.parameters = list
                 .iter()
                 .filter(|(name, _)| carried(name))
-                .map(|(name, known)| (name.to_owned(), known.value))
+                .map(|(name, known)| (name.to_owned(), known.value as f32))
                 .collect();
             let fence = FenceSwitch::of(member.reported_fence, value);
             member.participant.fence_switch = fence.by_command;

@@ -6,11 +6,11 @@ use std::collections::BTreeMap;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ParameterFinding {
     /// Both lists have the parameter, with different values: this list's and the other's.
-    Changed(f32, f32),
+    Changed(f64, f64),
     /// Only the other list has the parameter, with this value.
-    Missing(f32),
+    Missing(f64),
     /// Only this list has the parameter, with this value.
-    Extra(f32),
+    Extra(f64),
 }
 
 /// One parameter that differs.
@@ -21,7 +21,7 @@ pub struct ParameterDifference<'a> {
 }
 
 /// The rounding of a number written with about seven digits.
-const ROUNDING: f32 = 1e-6;
+const ROUNDING: f64 = 1e-6;
 
 /// Whether two values are equal. Whole numbers must match exactly, since they may be bit masks;
 /// other numbers may have been rounded in a file.
@@ -29,7 +29,7 @@ const ROUNDING: f32 = 1e-6;
     clippy::float_cmp,
     reason = "whole numbers are compared, and equal is meant"
 )]
-pub fn is_same(one: f32, other: f32) -> bool {
+pub fn is_same(one: f64, other: f64) -> bool {
     if one == other || (one.is_nan() && other.is_nan()) {
         return true;
     }
@@ -39,10 +39,10 @@ pub fn is_same(one: f32, other: f32) -> bool {
 
 /// The differences between this list and another, in order of the names.
 pub fn differences<'a>(
-    this: impl Iterator<Item = (&'a str, f32)>,
-    other: impl Iterator<Item = (&'a str, f32)>,
+    this: impl Iterator<Item = (&'a str, f64)>,
+    other: impl Iterator<Item = (&'a str, f64)>,
 ) -> Vec<ParameterDifference<'a>> {
-    let mut sides: BTreeMap<&str, (Option<f32>, Option<f32>)> = BTreeMap::new();
+    let mut sides: BTreeMap<&str, (Option<f64>, Option<f64>)> = BTreeMap::new();
     for (name, value) in this {
         sides.entry(name).or_default().0 = Some(value);
     }
@@ -104,8 +104,8 @@ mod tests {
         assert!(is_same(0.135, 0.135_000_02));
         assert!(!is_same(0.135, 0.1351));
         assert!(!is_same(0.0, 1e-9));
-        assert!(is_same(f32::NAN, f32::NAN));
-        assert!(!is_same(f32::NAN, 0.0));
+        assert!(is_same(f64::NAN, f64::NAN));
+        assert!(!is_same(f64::NAN, 0.0));
         assert!(is_same(-0.0, 0.0));
     }
 

@@ -6,6 +6,7 @@
 
 use std::collections::BTreeMap;
 
+use super::is_whole;
 use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
@@ -123,8 +124,7 @@ impl ParameterDocuments {
 
 impl ParameterDocument {
     /// The meaning of a value: its name, or the names of its bits; `None` if neither is documented.
-    pub fn meaning(&self, value: f32) -> Option<String> {
-        let value = f64::from(value);
+    pub fn meaning(&self, value: f64) -> Option<String> {
         if let Some(named) = self.values.iter().find(|it| is_equal(it.value, value)) {
             return Some(named.name.clone());
         }
@@ -140,12 +140,12 @@ impl ParameterDocument {
     }
 
     /// The meaning of a value, otherwise its unit; empty if neither is documented.
-    pub fn remark(&self, value: f32) -> String {
+    pub fn remark(&self, value: f64) -> String {
         self.meaning(value).unwrap_or_else(|| self.unit.clone())
     }
 
     /// The meaning of a value or its unit, and the parameter's title, on one line.
-    pub fn about(&self, value: f32) -> String {
+    pub fn about(&self, value: f64) -> String {
         let parts = [self.remark(value), self.title.clone()];
         let known: Vec<String> = parts.into_iter().filter(|it| !it.is_empty()).collect();
         known.join(" · ")
@@ -207,10 +207,11 @@ impl ParameterDoubt {
 /// Whether a value is the documented one, which may have been rounded to a float.
 #[expect(
     clippy::float_cmp,
-    reason = "a documented value is meant exactly, but for the rounding to a float"
+    reason = "a documented value is meant exactly, but for the rounding of fractions to a float"
 )]
 fn is_equal(documented: f64, value: f64) -> bool {
-    documented as f32 == value as f32
+    let is_rounded = !is_whole(documented) || !is_whole(value);
+    documented == value || is_rounded && documented as f32 == value as f32
 }
 
 /// A value as a mask; `None` if it is not a whole number of 32 bits.

@@ -7,6 +7,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
+use super::{is_whole, written};
 use crate::diagnostic::Diagnostic;
 use crate::text;
 use crate::text::Text;
@@ -19,8 +20,8 @@ const LONGEST_NAME: usize = 16;
 /// # Errors
 /// Every invalid line, with its place: a wrong name, a value that is not a finite number or does not fit a float, text
 /// after the value, a name with two different values.
-pub fn parse(text: &str) -> Result<BTreeMap<String, f32>, Vec<Diagnostic>> {
-    let mut values: BTreeMap<String, (f32, usize)> = BTreeMap::new();
+pub fn parse(text: &str) -> Result<BTreeMap<String, f64>, Vec<Diagnostic>> {
+    let mut values: BTreeMap<String, (f64, usize)> = BTreeMap::new();
     let mut faults = Vec::new();
     for (number, line) in (1..).zip(text.lines()) {
         let start = line.as_ptr().addr() - text.as_ptr().addr();
@@ -33,7 +34,7 @@ pub fn parse(text: &str) -> Result<BTreeMap<String, f32>, Vec<Diagnostic>> {
                     let said = text!(
                         "parameters-file-twice",
                         name = read.name,
-                        value = value.to_string(),
+                        value = written(value),
                         line = first
                     );
                     faults.push(Diagnostic::new(read.span, said));
@@ -52,7 +53,7 @@ pub fn parse(text: &str) -> Result<BTreeMap<String, f32>, Vec<Diagnostic>> {
 
 /// Writes a parameter file, with a comment before the values. A value that is not a finite number is written as a
 /// comment, since no vehicle could accept it.
-pub fn write<'a>(comment: &str, values: impl Iterator<Item = (&'a str, f32)>) -> String {
+pub fn write<'a>(comment: &str, values: impl Iterator<Item = (&'a str, f64)>) -> String {
     let mut text = String::new();
     for line in comment.lines() {
         text.push_str("# ");
@@ -61,7 +62,7 @@ pub fn write<'a>(comment: &str, values: impl Iterator<Item = (&'a str, f32)>) ->
     }
     for (name, value) in values {
         let sign = if value.is_finite() { "" } else { "# " };
-        for part in [sign, name, ",", &value.to_string(), "\n"] {
+        for part in [sign, name, ",", &written(value), "\n"] {
             text.push_str(part);
         }
     }
@@ -70,7 +71,7 @@ pub fn write<'a>(comment: &str, values: impl Iterator<Item = (&'a str, f32)>) ->
 
 struct ParameterLine<'a> {
     name: &'a str,
-    value: f32,
+    value: f64,
     span: Range<usize>,
 }
 
@@ -126,9 +127,11 @@ fn check_name(name: &str) -> Result<(), Text> {
     Err(text!("parameters-file-name", name = name))
 }
 
-fn number(written: &str) -> Result<f32, Text> {
-    match written.parse::<f32>() {
-        Ok(value) if value.is_finite() => Ok(value),
+/// A value: a whole number to the last digit, any other as the float that a vehicle has.
+fn number(written: &str) -> Result<f64, Text> {
+    match written.parse::<f64>() {
+        Ok(value) if is_whole(value) => Ok(value),
+        Ok(value) if (value as f32).is_finite() => Ok(f64::from(value as f32)),
         Ok(_) => Err(text!("parameters-file-too-large", value = written)),
         Err(_) => Err(text!("parameters-no-number", value = written)),
     }
@@ -151,7 +154,7 @@ mod tests {
             ("ANGLE_MAX", 3000.0),
             ("BATT_CAPACITY", 3300.0),
             ("RTL_ALT", 1500.0),
-            ("TINY", 1e-7),
+            ("TINY", f64::from(1e-7f32)),
         ];
         let expected = expected.map(|(name, value)| (name.to_owned(), value));
         assert_eq!(values, BTreeMap::from(expected));
@@ -182,7 +185,7 @@ mod tests {
     fn what_is_no_number_is_kept_as_a_comment() {
         let text = write(
             "vehicle 3\ntwo lines",
-            [("A", f32::NAN), ("B", 0.1)].into_iter(),
+            [("A", f64::NAN), ("B", f64::from(0.1f32))].into_iter(),
         );
         assert_eq!(text, "# vehicle 3\n# two lines\n# A,NaN\nB,0.1\n");
     }
@@ -192,13 +195,17 @@ mod tests {
         fn what_is_written_reads_the_same_to_the_last_bit(
             values in proptest::collection::btree_map(
                 "[A-Za-z0-9_]{1,16}",
-                any::<f32>().prop_filter("finite", |value| value.is_finite()),
+                prop_oneof![
+                    any::<f32>().prop_filter("finite", |value| value.is_finite()).prop_map(f64::from),
+                    any::<i32>().prop_map(f64::from),
+                    any::<u32>().prop_map(f64::from),
+                ],
                 0..50,
             ),
         ) {
             let text = write("a comment", values.iter().map(|(name, value)| (name.as_str(), *value)));
             let read = parse(&text).expect("it was written by us");
-            let bits = |all: &BTreeMap<String, f32>| -> Vec<(String, u32)> {
+            let bits = |all: &BTreeMap<String, f64>| -> Vec<(String, u64)> {
                 all.iter().map(|(name, value)| (name.clone(), value.to_bits())).collect()
             };
             prop_assert_eq!(bits(&read), bits(&values));

@@ -5,7 +5,7 @@ use std::fmt;
 use mavlink::dialects::ardupilotmega::MavParamType;
 use strum::IntoStaticStr;
 
-use super::shown;
+use super::{shown, written};
 use crate::text;
 use crate::text::Text;
 
@@ -29,6 +29,16 @@ pub enum ParameterType {
     Real64,
 }
 
+/// How a vehicle puts integers into the float of `PARAM_VALUE` and `PARAM_SET`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum ParameterEncoding {
+    /// Converted to a float, which has 24 significant bits: `ArduPilot`.
+    #[default]
+    Converted,
+    /// By their bytes (`MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE`): PX4.
+    Bytewise,
+}
+
 /// Why a value does not fit a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ParameterUnfit {
@@ -48,7 +58,7 @@ pub enum ParameterUnfit {
     /// significant bits.
     Inexact {
         /// The nearest value that `PARAM_SET` can carry.
-        nearest: f32,
+        nearest: f64,
     },
 }
 
@@ -58,12 +68,12 @@ impl ParameterType {
         self.into()
     }
 
-    /// Checks that a value fits a parameter of this type, and returns it as it is sent.
+    /// Checks that a value fits a parameter of this type and its encoding, and returns it as it is sent.
     ///
     /// # Errors
     /// The value does not fit. `ArduPilot` itself does not check: it cuts off fractions and wraps or saturates values
     /// that are too large.
-    pub fn check(self, value: f64) -> Result<f32, ParameterUnfit> {
+    pub fn check(self, value: f64, encoding: ParameterEncoding) -> Result<f64, ParameterUnfit> {
         if !value.is_finite() {
             return Err(ParameterUnfit::NotFinite);
         }
@@ -75,14 +85,18 @@ impl ParameterType {
                 greatest,
             });
         }
-        let carried = value as f32;
-        if self.is_whole() {
-            if value.fract() != 0.0 {
-                return Err(ParameterUnfit::NotWhole(self));
-            }
-            if (f64::from(carried) - value).abs() > 0.0 {
-                return Err(ParameterUnfit::Inexact { nearest: carried });
-            }
+        let carried = f64::from(value as f32);
+        if !self.is_whole() {
+            return Ok(carried);
+        }
+        if value.fract() != 0.0 {
+            return Err(ParameterUnfit::NotWhole(self));
+        }
+        if encoding == ParameterEncoding::Bytewise && self.fits_a_float_by_its_bytes() {
+            return Ok(value);
+        }
+        if (carried - value).abs() > 0.0 {
+            return Err(ParameterUnfit::Inexact { nearest: carried });
         }
         Ok(carried)
     }
@@ -90,6 +104,11 @@ impl ParameterType {
     /// Whether it stores whole numbers only.
     pub fn is_whole(self) -> bool {
         !matches!(self, Self::Real32 | Self::Real64)
+    }
+
+    /// Whether all bytes of its numbers fit the four of a float.
+    fn fits_a_float_by_its_bytes(self) -> bool {
+        self.is_whole() && !matches!(self, Self::Uint64 | Self::Int64)
     }
 
     /// The minimum and the maximum value of the type.
@@ -125,13 +144,13 @@ impl ParameterUnfit {
                 "parameters-out-of-range",
                 name = name,
                 kind = kind.name(),
-                least = shown(*least as f32),
-                greatest = shown(*greatest as f32)
+                least = shown(*least),
+                greatest = shown(*greatest)
             ),
             Self::Inexact { nearest } => text!(
                 "parameters-inexact",
                 name = name,
-                nearest = nearest.to_string()
+                nearest = written(*nearest)
             ),
         }
     }
@@ -183,7 +202,11 @@ mod tests {
             (T::Real32, 1e39, false),
         ];
         for (kind, value, fits) in cases {
-            assert_eq!(kind.check(value).is_ok(), fits, "{value} as {kind}");
+            assert_eq!(
+                kind.check(value, ParameterEncoding::Converted).is_ok(),
+                fits,
+                "{value} as {kind}"
+            );
         }
     }
 
@@ -191,7 +214,10 @@ mod tests {
     fn what_is_no_number_is_refused_by_every_type() {
         for kind in [ParameterType::Int8, ParameterType::Real32] {
             for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-                assert_eq!(kind.check(value), Err(ParameterUnfit::NotFinite));
+                assert_eq!(
+                    kind.check(value, ParameterEncoding::Converted),
+                    Err(ParameterUnfit::NotFinite)
+                );
             }
         }
     }
@@ -199,10 +225,13 @@ mod tests {
     #[test]
     fn a_whole_number_that_a_float_would_change_is_refused() {
         assert_eq!(
-            ParameterType::Int32.check(16_777_217.0),
+            ParameterType::Int32.check(16_777_217.0, ParameterEncoding::Converted),
             Err(ParameterUnfit::Inexact {
                 nearest: 16_777_216.0
             })
         );
+        let bytewise = |kind: ParameterType| kind.check(16_777_217.0, ParameterEncoding::Bytewise);
+        assert_eq!(bytewise(ParameterType::Int32), Ok(16_777_217.0));
+        assert!(bytewise(ParameterType::Int64).is_err());
     }
 }

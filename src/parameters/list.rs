@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{ParameterType, is_same};
+use super::{ParameterEncoding, ParameterType, is_same};
 
 /// The maximum number of parameters kept: no vehicle has more, so further names are noise.
 const MOST_PARAMETERS: usize = 10_000;
@@ -13,10 +13,10 @@ const HASH: &str = "_HASH_CHECK";
 /// One parameter as last heard.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ListedParameter {
-    /// The value. Integers are converted to a float, as `ArduPilot` sends them, not copied by their bits.
-    pub value: f32,
+    /// The value. A number, even if the vehicle sends the bytes of integers.
+    pub value: f64,
     /// The value when the parameter was first heard.
-    pub original: f32,
+    pub original: f64,
     /// The type in which the vehicle stores the value.
     pub kind: ParameterType,
     /// Its index in the vehicle's list, if the vehicle has sent one.
@@ -34,9 +34,11 @@ impl ListedParameter {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HeardParameter<'a> {
     pub name: &'a str,
-    pub value: f32,
+    pub value: f64,
     /// The type in which the value is stored.
     pub kind: ParameterType,
+    /// How the vehicle sends and takes values.
+    pub encoding: ParameterEncoding,
     /// The index in the list; `None` if the value was sent on its own.
     pub index: Option<u16>,
     /// The number of parameters of the vehicle.
@@ -56,21 +58,28 @@ pub struct ParameterList {
     /// The length of the list according to a value that was sent on its own.
     announced: Option<u16>,
     revision: u64,
+    /// How the vehicle sends and takes values.
+    encoding: ParameterEncoding,
     /// The defaults by name, if the vehicle has told them.
-    defaults: Arc<BTreeMap<String, f32>>,
+    defaults: Arc<BTreeMap<String, f64>>,
 }
 
 impl ParameterList {
     /// The default of a parameter, if the vehicle has told it.
-    pub fn default_of(&self, name: &str) -> Option<f32> {
+    pub fn default_of(&self, name: &str) -> Option<f64> {
         self.defaults.get(name).copied()
     }
 
     /// The default of a parameter that has another value; `None` also without a known default.
-    pub fn other_default(&self, name: &str) -> Option<f32> {
+    pub fn other_default(&self, name: &str) -> Option<f64> {
         let value = self.get(name)?.value;
         self.default_of(name)
             .filter(|default| !is_same(*default, value))
+    }
+
+    /// How the vehicle sends and takes values, as far as it has sent any.
+    pub fn encoding(&self) -> ParameterEncoding {
+        self.encoding
     }
 
     /// Whether the vehicle has told its defaults.
@@ -79,7 +88,7 @@ impl ParameterList {
     }
 
     /// Stores the defaults of all parameters.
-    pub fn note_defaults(&mut self, defaults: BTreeMap<String, f32>) {
+    pub fn note_defaults(&mut self, defaults: BTreeMap<String, f64>) {
         self.defaults = Arc::new(defaults);
         self.revision += 1;
     }
@@ -165,6 +174,7 @@ impl ParameterList {
         if heard.name == HASH {
             return;
         }
+        self.encoding = heard.encoding;
         self.note_place(heard);
         if let Some(known) = self.by_name.get_mut(heard.name) {
             let index = heard.index.or(known.index);
@@ -229,11 +239,12 @@ impl ParameterList {
 mod tests {
     use super::*;
 
-    fn heard(name: &str, value: f32, index: Option<u16>, count: u16) -> HeardParameter<'_> {
+    fn heard(name: &str, value: f64, index: Option<u16>, count: u16) -> HeardParameter<'_> {
         HeardParameter {
             name,
             value,
             kind: ParameterType::Real32,
+            encoding: ParameterEncoding::Converted,
             index,
             count,
         }
@@ -288,7 +299,7 @@ mod tests {
     #[test]
     fn only_news_moves_the_revision() {
         let mut list = ParameterList::default();
-        list.note(&heard("A", f32::NAN, Some(0), 1));
+        list.note(&heard("A", f64::NAN, Some(0), 1));
         let before = list.revision();
         list.note(&heard("A", 1.0, Some(0), 1));
         let after = list.revision();

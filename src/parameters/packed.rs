@@ -16,7 +16,7 @@ const LONGEST_NAME: usize = 16;
 const HAS_DEFAULT: u8 = 1;
 
 /// The default of each parameter in a file; `None` if the file is not whole, or has no defaults.
-pub fn read_defaults(file: &[u8]) -> Option<BTreeMap<String, f32>> {
+pub fn read_defaults(file: &[u8]) -> Option<BTreeMap<String, f64>> {
     let number = |at: usize| Some(u16::from_le_bytes([*file.get(at)?, *file.get(at + 1)?]));
     if number(0)? != MAGIC {
         return None;
@@ -47,23 +47,24 @@ pub fn read_defaults(file: &[u8]) -> Option<BTreeMap<String, f32>> {
     Some(defaults)
 }
 
-fn value(kind: u8, bytes: &[u8]) -> Option<(f32, &[u8])> {
+fn value(kind: u8, bytes: &[u8]) -> Option<(f64, &[u8])> {
     match kind {
         1 => {
             let (value, rest) = bytes.split_first()?;
-            Some((f32::from(*value as i8), rest))
+            Some((f64::from(*value as i8), rest))
         }
         2 => {
             let (value, rest) = bytes.split_first_chunk()?;
-            Some((f32::from(i16::from_le_bytes(*value)), rest))
+            Some((f64::from(i16::from_le_bytes(*value)), rest))
         }
         3 => {
             let (value, rest) = bytes.split_first_chunk()?;
-            Some((i32::from_le_bytes(*value) as f32, rest))
+            // `PARAM_VALUE` has the same number, rounded to a float.
+            Some((f64::from(i32::from_le_bytes(*value) as f32), rest))
         }
         4 => {
             let (value, rest) = bytes.split_first_chunk()?;
-            Some((f32::from_le_bytes(*value), rest))
+            Some((f64::from(f32::from_le_bytes(*value)), rest))
         }
         _ => None,
     }

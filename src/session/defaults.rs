@@ -52,7 +52,7 @@ impl DefaultsReader {
         ticket: FtpTicket,
         event: &FtpEvent,
         ftp: &mut FtpClient,
-    ) -> Option<BTreeMap<String, f32>> {
+    ) -> Option<BTreeMap<String, f64>> {
         let DefaultsStage::Reading { ticket: own, bytes } = &mut self.stage else {
             return None;
         };

@@ -1,8 +1,9 @@
 //! Events: numbered reports of a vehicle, which are requested again if they were lost (`EVENT`,
-//! `CURRENT_EVENT_SEQUENCE`, `REQUEST_EVENT`, `RESPONSE_EVENT_ERROR`). PX4 sends them. Their texts are in metadata that
-//! the console does not have, so a notice names the event by its number.
+//! `CURRENT_EVENT_SEQUENCE`, `REQUEST_EVENT`, `RESPONSE_EVENT_ERROR`). PX4 sends them. Their texts are in metadata, which
+//! is read from the vehicle (`param docs`) or from a file; without it, a notice names the event by its number.
 
 use std::collections::BTreeSet;
+use std::sync::Arc;
 use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::{
@@ -11,6 +12,7 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use super::Output;
+use crate::metadata::EventDocuments;
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -37,6 +39,7 @@ pub(super) struct Events {
     /// When the missing events are requested next.
     next_request: Duration,
     tries: u8,
+    documents: Arc<EventDocuments>,
 }
 
 impl Events {
@@ -103,9 +106,17 @@ impl Events {
         !self.missing.is_empty()
     }
 
-    /// Forgets everything: a reboot begins the numbers anew.
+    /// Forgets all events: a reboot begins the numbers anew.
     pub fn forget(&mut self) {
-        *self = Self::default();
+        *self = Self {
+            documents: Arc::clone(&self.documents),
+            ..Self::default()
+        };
+    }
+
+    /// Shows events by these texts.
+    pub fn use_documents(&mut self, documents: Arc<EventDocuments>) {
+        self.documents = documents;
     }
 
     fn take(&mut self, event: &EVENT_DATA, vehicle: &Vehicle, now: Duration) -> Option<Notice> {
@@ -118,11 +129,14 @@ impl Events {
             return None;
         }
         let severity = Severity::from_wire(level);
-        let text = text!(
-            "heard-event",
-            id = event.id.to_string(),
-            level = level_word(severity)
-        );
+        let text = match self.documents.text(event.id, &event.arguments) {
+            Some(text) => Text::verbatim(text),
+            None => text!(
+                "heard-event",
+                id = event.id.to_string(),
+                level = level_word(severity)
+            ),
+        };
         Some(Notice::about(vehicle.id, now, severity, text))
     }
 

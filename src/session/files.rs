@@ -36,6 +36,12 @@ pub trait FileDesk: Debug + Send + Sync {
     /// # Errors
     /// A file of this name exists, or the file cannot be written.
     fn write(&self, file: &str, bytes: &[u8]) -> Result<String, Text>;
+
+    /// The file of a vehicle's documentation that was kept under a checksum; `None` if there is none.
+    fn kept(&self, checksum: u32) -> Option<Vec<u8>>;
+
+    /// Keeps a file of a vehicle's documentation under its checksum. If that fails, it is read from the vehicle again.
+    fn keep(&self, checksum: u32, bytes: &[u8]);
 }
 
 /// The orders about the files of one vehicle.
@@ -68,7 +74,7 @@ impl FilesScene<'_> {
         });
     }
 
-    fn unsent(&mut self, order: &VehicleCommand, state: RowState, reason: Text) {
+    pub fn unsent(&mut self, order: &VehicleCommand, state: RowState, reason: Text) {
         let row = order.unsent(self.vehicle.id, state, reason, self.now);
         self.output.row(row);
     }

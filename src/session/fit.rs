@@ -4,6 +4,7 @@ use super::VehicleCommand;
 use super::parameter_code::is_bytewise;
 use crate::commands::{Command, ParameterCommand, suits};
 use crate::diagnostic::nearest;
+use crate::messages::parameter_encoding;
 use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
@@ -45,7 +46,7 @@ fn check_value(command: &Command, list: &ParameterList, vehicle: &Vehicle) -> Re
             Ok(())
         };
     };
-    let checked = known.kind.check(*value);
+    let checked = known.kind.check(*value, parameter_encoding(vehicle));
     checked.map(drop).map_err(|unfit| unfit.text(name))
 }
 

@@ -9,7 +9,7 @@ use std::time::Duration;
 use super::acknowledgement::{Acknowledgement, OwedAcks};
 use super::naming::{self, Search, Searching};
 use super::transaction::{Progress, Transaction};
-use super::{Output, Steering, VehicleCommand, fit, precedence};
+use super::{Output, Steering, VehicleCommand, fit, parameter_code, precedence};
 use crate::commands::{self, Claim, Command, MotionCommand};
 use crate::ledger::{EntryId, RowEnding, RowState, RowUpdate};
 use crate::notice::Notice;
@@ -17,7 +17,7 @@ use crate::parameters::ParameterList;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
-use crate::wire::{Frame, SystemId};
+use crate::wire::Frame;
 
 /// The maximum number of orders that wait for one vehicle; more are refused.
 const MOST_WAITING: usize = 32;
@@ -99,16 +99,16 @@ impl Line {
     pub fn receive(
         &mut self,
         frame: &Frame,
-        station: SystemId,
+        vehicle: &Vehicle,
         now: Duration,
         output: &mut Output,
     ) {
-        let ack = Acknowledgement::from_frame(frame, station);
+        let ack = Acknowledgement::from_frame(frame, vehicle.station);
         if ack.is_some_and(|ack| self.owed.take(ack.command, now)) {
             return;
         }
         if let Some(active) = &mut self.active {
-            active.receive(frame, station, now, output);
+            active.receive(frame, vehicle, now, output);
         }
     }
 
@@ -166,7 +166,7 @@ impl Line {
         if is_place && self.places_in_a_row <= SPEEDS_SAID {
             output.say_speeds(commands::asked_again(vehicle)?);
         }
-        self.note_speeds(now, output);
+        self.note_unawaited(now, output);
         Ok(())
     }
 
@@ -175,9 +175,11 @@ impl Line {
         let now = moment.now;
         loop {
             if self.active.is_none() {
-                let Some((order, given)) = self.next(&mut moment) else {
+                let Some((mut order, given)) = self.next(&mut moment) else {
                     break;
                 };
+                order.stored_as =
+                    parameter_code::kind(&order.command, moment.parameters, moment.vehicle);
                 if order.command.sets_plan_item() {
                     moment.vehicle.plan.asked = Some(now);
                 }
@@ -196,7 +198,7 @@ impl Line {
             }
         }
         self.watch(&mut moment);
-        self.note_speeds(now, moment.output);
+        self.note_unawaited(now, moment.output);
     }
 
     /// Handles an order that was accepted or has ended.
@@ -283,11 +285,15 @@ impl Line {
         })
     }
 
-    /// Notes the expected acknowledgements of repeated speeds, for which no order waits.
-    fn note_speeds(&mut self, now: Duration, output: &mut Output) {
+    /// Notes the expected acknowledgements for which no order waits: of repeated speeds, and of the end of OFFBOARD.
+    fn note_unawaited(&mut self, now: Duration, output: &mut Output) {
         let count = std::mem::take(&mut output.speed_acks);
         self.owed.add(commands::CHANGE_SPEED, count, now);
+        for command in output.unawaited.drain(..) {
+            self.owed.add(command, 1, now);
+        }
     }
+
     /// Whether no answer is awaited.
     pub fn is_free(&self) -> bool {
         self.active.is_none()

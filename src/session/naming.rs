@@ -101,7 +101,10 @@ impl Search {
                 ..Self::default()
             };
         }
-        let is_answer_due = self.tries > 0 && now < self.asked + order.verb.retry.every;
+        // With a speed-up, a link's delay is longer in the vehicle's time.
+        let delay = vehicle.link.round_trip.unwrap_or_default();
+        let wait = order.verb.retry.every.max(2 * delay);
+        let is_answer_due = self.tries > 0 && now < self.asked + wait;
         if is_answer_due && now < deadline {
             return Searching::Wait;
         }

@@ -7,6 +7,7 @@ use super::naming::Renamed;
 use crate::commands::{Command, Setpoint};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
+use crate::parameters::{ParameterType, written};
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 use crate::verb::Verb;
@@ -21,6 +22,8 @@ pub struct VehicleCommand {
     pub command: Command,
     /// The parameter's name as typed, if the vehicle has another one.
     pub renamed: Option<Renamed>,
+    /// The type of the parameter that it sets, if the vehicle takes the bytes of that type.
+    pub stored_as: Option<ParameterType>,
 }
 
 /// One vehicle's part in a joint manoeuvre, at one moment.
@@ -59,6 +62,7 @@ impl VehicleCommand {
             verb,
             command,
             renamed: None,
+            stored_as: None,
         }
     }
 
@@ -68,9 +72,9 @@ impl VehicleCommand {
     }
 
     /// The outcome from a `PARAM_VALUE`, with the name as typed if the vehicle has another.
-    pub(super) fn parameter_outcome(&self, value: f32) -> Result<Text, Text> {
+    pub(super) fn parameter_outcome(&self, value: f64) -> Result<Text, Text> {
         let Command::Parameter(command) = &self.command else {
-            return Ok(value.to_string().into());
+            return Ok(written(value).into());
         };
         let outcome = command.outcome(value);
         match &self.renamed {

@@ -16,7 +16,7 @@ use super::transfers::{ReadDefaults, SessionTransfers};
 use super::{Steering, VehicleCommand};
 use crate::commands::{Command, DeviceCommand, REQUEST_CONTROL};
 use crate::notice::Notice;
-use crate::parameters::Fetching;
+use crate::parameters::{Fetching, ParameterDocuments};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{AskedSpeeds, HeldChannels, Vehicle};
@@ -36,6 +36,11 @@ impl Orders {
     /// The part for lists, logs and files.
     pub fn transfers(&mut self) -> &mut SessionTransfers {
         &mut self.transfers
+    }
+
+    /// What the vehicle documents about its parameters, as far as it has been read.
+    pub fn documents(&self) -> &Arc<ParameterDocuments> {
+        self.transfers.documents()
     }
 
     /// Takes the keys for signing from this desk; without one, keys cannot be changed.
@@ -118,8 +123,7 @@ impl Orders {
             .receive(frame, moment.vehicle, now, moment.output);
         let defaults = self.transfers.receive(frame, moment);
         ControlDesk::receive(frame, moment.vehicle, now, moment.output);
-        self.line
-            .receive(frame, moment.vehicle.station, now, moment.output);
+        self.line.receive(frame, moment.vehicle, now, moment.output);
         defaults
     }
 

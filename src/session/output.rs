@@ -13,6 +13,8 @@ pub(super) struct Output {
     pub messages: Vec<Outgoing>,
     /// Acknowledgements of `DO_CHANGE_SPEED` that no order waits for.
     pub speed_acks: u8,
+    /// The commands whose acknowledgements no order waits for, each as often as it was sent.
+    pub unawaited: Vec<u16>,
     pub reports: Vec<Report>,
 }
 

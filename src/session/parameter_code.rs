@@ -1,75 +1,52 @@
-//! The encoding of parameters. `ArduPilot` converts integers to the float of `PARAM_VALUE` and `PARAM_SET`; PX4 copies
-//! their bytes into it (`MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE`). Inside of the session, all values are
-//! converted ones: only here, at its edge, are bytes.
+//! The encoding of parameters that are set. `ArduPilot` converts integers to the float of `PARAM_SET`; PX4 copies their
+//! bytes into it (`MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE`). For received values see `messages::parameters`.
 
-use std::borrow::Cow;
+use mavlink::dialects::ardupilotmega::{MavMessage, MavParamType};
 
-use mavlink::dialects::ardupilotmega::{MavMessage, MavParamType, MavProtocolCapability};
-
-use crate::parameters::{ParameterList, ParameterType};
+use super::VehicleCommand;
+use crate::commands::{Command, ParameterCommand, Request};
+use crate::messages::parameter_encoding;
+use crate::parameters::{ParameterEncoding, ParameterList, ParameterType};
 use crate::vehicle::Vehicle;
-use crate::wire::{Content, Frame, Outgoing};
+use crate::wire::Outgoing;
 
-const BYTEWISE: u64 = MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_PARAM_ENCODE_BYTEWISE.bits();
-
-/// Whether the vehicle copies the bytes of integers. A vehicle that has not reported its capabilities is judged by its
-/// autopilot.
+/// Whether the vehicle copies the bytes of integers.
 pub(super) fn is_bytewise(vehicle: &Vehicle) -> bool {
-    match vehicle.version {
-        Some(version) => version.capabilities & BYTEWISE != 0,
-        None => vehicle.runs_px4(),
-    }
+    parameter_encoding(vehicle) == ParameterEncoding::Bytewise
 }
 
-/// A received frame, with a parameter's value converted.
-pub(super) fn received<'frame>(frame: &'frame Frame, vehicle: &Vehicle) -> Cow<'frame, Frame> {
-    let Content::Message(MavMessage::PARAM_VALUE(data)) = &frame.content else {
-        return Cow::Borrowed(frame);
-    };
-    if frame.component != vehicle.component || !is_bytewise(vehicle) {
-        return Cow::Borrowed(frame);
-    }
-    let mut data = data.clone();
-    data.param_value = converted(data.param_value, data.param_type.into());
-    Cow::Owned(Frame {
-        content: Content::Message(MavMessage::PARAM_VALUE(data)),
-        ..frame.clone()
-    })
-}
-
-/// Encodes a parameter's value in a message to the vehicle, if the vehicle takes bytes. The type must be known: PX4
+/// The type of the parameter that a command sets, if the vehicle takes the bytes of that type. It must be known: PX4
 /// refuses another one.
-pub(super) fn encode(message: &mut Outgoing, vehicle: &Vehicle, list: &ParameterList) {
-    let Outgoing::Message(MavMessage::PARAM_SET(data)) = message else {
+pub(super) fn kind(
+    command: &Command,
+    list: &ParameterList,
+    vehicle: &Vehicle,
+) -> Option<ParameterType> {
+    let Command::Parameter(ParameterCommand::Set { name, .. }) = command else {
+        return None;
+    };
+    let known = list.get(name).filter(|_| is_bytewise(vehicle));
+    known.map(|known| known.kind)
+}
+
+/// Encodes the value that an order sets, if the vehicle takes bytes. The value is the command's: the float of the message
+/// has only 24 of its bits.
+pub(super) fn encode(request: &mut Request, order: &VehicleCommand) {
+    let (Command::Parameter(ParameterCommand::Set { value, .. }), Some(kind)) =
+        (&order.command, order.stored_as)
+    else {
         return;
     };
-    let known = data.param_id.to_str().ok().and_then(|name| list.get(name));
-    if let Some(known) = known.filter(|_| is_bytewise(vehicle)) {
-        data.param_value = copied(data.param_value, known.kind);
-        data.param_type = wire_type(known.kind);
-    }
-}
-
-/// The number whose bytes are in the float. Whole numbers of more than 24 bits are rounded.
-fn converted(value: f32, kind: ParameterType) -> f32 {
-    let bytes @ [first, second, ..] = value.to_le_bytes();
-    match kind {
-        ParameterType::Uint8 => f32::from(first),
-        ParameterType::Int8 => f32::from(i8::from_le_bytes([first])),
-        ParameterType::Uint16 => f32::from(u16::from_le_bytes([first, second])),
-        ParameterType::Int16 => f32::from(i16::from_le_bytes([first, second])),
-        ParameterType::Uint32 => u32::from_le_bytes(bytes) as f32,
-        ParameterType::Int32 => i32::from_le_bytes(bytes) as f32,
-        // The float has no room for 64 bits.
-        ParameterType::Uint64
-        | ParameterType::Int64
-        | ParameterType::Real32
-        | ParameterType::Real64 => value,
+    for message in &mut request.messages {
+        if let Outgoing::Message(MavMessage::PARAM_SET(data)) = message {
+            data.param_value = copied(*value, kind);
+            data.param_type = wire_type(kind);
+        }
     }
 }
 
 /// A float with the bytes of the number, which fits the type.
-fn copied(value: f32, kind: ParameterType) -> f32 {
+fn copied(value: f64, kind: ParameterType) -> f32 {
     let bits = match kind {
         ParameterType::Uint8 => u32::from(value as u8),
         ParameterType::Int8 => u32::from((value as i8).cast_unsigned()),
@@ -80,7 +57,7 @@ fn copied(value: f32, kind: ParameterType) -> f32 {
         ParameterType::Uint64
         | ParameterType::Int64
         | ParameterType::Real32
-        | ParameterType::Real64 => return value,
+        | ParameterType::Real64 => return value as f32,
     };
     f32::from_bits(bits)
 }
@@ -107,21 +84,16 @@ mod tests {
     use super::*;
 
     #[test]
-    fn bytes_of_integers_are_their_values() {
-        let minus_one = f32::from_bits(u32::MAX);
-        assert!((converted(minus_one, ParameterType::Int32) + 1.0).abs() < f32::EPSILON);
-        assert!((converted(minus_one, ParameterType::Uint16) - 65535.0).abs() < f32::EPSILON);
-        assert_eq!(copied(4001.0, ParameterType::Int32).to_bits(), 4001);
+    fn reals_are_sent_as_they_are() {
         assert!((copied(0.25, ParameterType::Real32) - 0.25).abs() < f32::EPSILON);
+        assert_eq!(copied(-3.0, ParameterType::Int8).to_bits(), 0xFD);
     }
 
     proptest! {
         #[test]
-        fn every_integer_comes_back(number in -16_777_216_i32..=16_777_216) {
-            let value = number as f32;
-            let sent = copied(value, ParameterType::Int32);
+        fn integers_keep_all_their_bits(number in any::<i32>()) {
+            let sent = copied(f64::from(number), ParameterType::Int32);
             prop_assert_eq!(sent.to_bits(), number.cast_unsigned());
-            prop_assert_eq!(converted(sent, ParameterType::Int32).to_bits(), value.to_bits());
         }
     }
 }

@@ -4,6 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{FileDesk, KeyDesk, LogKeeper, PlanShelf, Session, Stream};
+use crate::metadata::EventDocuments;
 
 impl Session {
     /// Requests these streams instead of the console's usual telemetry.
@@ -24,6 +25,13 @@ impl Session {
     #[must_use]
     pub fn with_files(mut self, desk: Arc<dyn FileDesk>) -> Self {
         self.orders.transfers().use_desk(desk);
+        self
+    }
+
+    /// Shows events by these texts, until the vehicle's own are read.
+    #[must_use]
+    pub fn knowing_events(mut self, documents: Arc<EventDocuments>) -> Self {
+        self.events.use_documents(documents);
         self
     }
 

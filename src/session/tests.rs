@@ -20,6 +20,7 @@ use crate::verb::{Retry, Verb};
 mod download;
 mod hearing;
 mod logs;
+mod metadata;
 mod modes;
 mod naming;
 mod orders;

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::{Output, VehicleCommand, precedence};
+use super::{Output, VehicleCommand, parameter_code, precedence};
 use crate::commands::{AckResult, Answer, Claim, Effect, Request};
 use crate::ledger::{RowEnding, RowState, RowUpdate};
 use crate::notice::Notice;
@@ -13,6 +13,7 @@ use crate::verb::Verb;
 
 mod answer;
 mod effect;
+mod offboard;
 
 /// How long later commands wait for the effect of a command that they depend on.
 const SETTLE_PATIENCE: Duration = Duration::from_millis(1500);
@@ -28,6 +29,10 @@ pub(super) enum Progress {
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum TransactionPhase {
+    /// Setpoints are sent that must arrive before the mode changes.
+    Leading {
+        until: Duration,
+    },
     AwaitingAnswer {
         deadline: Duration,
         /// The vehicle is working on the command, so the command is not sent again.
@@ -46,6 +51,12 @@ enum TransactionPhase {
         /// How many times a setpoint, which has no answer, was repeated.
         repeated: u8,
     },
+    /// The time of a velocity in OFFBOARD is over, and the vehicle changes to AUTO.LOITER.
+    Leaving {
+        until: Duration,
+        /// When the command is sent next.
+        due: Duration,
+    },
     Done,
     /// Refused, timed out, without effect, or ended because another source has taken over the
     /// vehicle.
@@ -62,6 +73,8 @@ pub(super) struct Transaction {
     tries: u8,
     first_sent: Duration,
     last_sent: Duration,
+    /// When the next setpoint of OFFBOARD is sent.
+    setpoint_due: Duration,
     /// The request, built once from the state at the first transmission: a repeated "10 m further"
     /// must not accumulate.
     request: Request,
@@ -103,13 +116,14 @@ impl Transaction {
         output: &mut Output,
     ) -> Option<Self> {
         let deadline = given + order.verb.retry.deadline;
-        let request = match prepare(&order, deadline, vehicle, now) {
+        let mut request = match prepare(&order, deadline, vehicle, now) {
             Ok(request) => request,
             Err(RowEnding { state, text }) => {
                 output.row(order.unsent(vehicle.id, state, text, now));
                 return None;
             }
         };
+        parameter_code::encode(&mut request, &order);
         let effect = order.command.effect(vehicle);
         let phase = match request.answer {
             Answer::None | Answer::NotAwaited(_) => TransactionPhase::AwaitingEffect {
@@ -122,6 +136,8 @@ impl Transaction {
                 rejected: false,
             },
         };
+        let phase = offboard::lead(&request, now)
+            .map_or(phase, |until| TransactionPhase::Leading { until });
         let mut transaction = Self {
             vehicle: vehicle.id,
             given,
@@ -129,6 +145,7 @@ impl Transaction {
             tries: 0,
             first_sent: now,
             last_sent: now,
+            setpoint_due: now,
             effect_was_there: effect.seen(vehicle) == Some(true),
             is_accepted: request.answer == Answer::None,
             claim: order.command.claim(vehicle),
@@ -142,6 +159,10 @@ impl Transaction {
             contrary: None,
             order,
         };
+        if matches!(transaction.phase, TransactionPhase::Leading { .. }) {
+            transaction.stream(now, output);
+            return Some(transaction);
+        }
         transaction.send(now, output);
         if matches!(transaction.request.answer, Answer::NotAwaited(_)) {
             transaction.end(RowState::SentOnly, None, now, output);
@@ -205,6 +226,9 @@ impl Transaction {
     /// Ends the command if telemetry contradicts its claim after having agreed with it: another
     /// source has taken control of the vehicle.
     pub fn yield_to_others(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) {
+        if matches!(self.phase, TransactionPhase::Leaving { .. }) {
+            return;
+        }
         let by = self.claim.contradicted(vehicle);
         match by {
             Some(by) if self.holds_since.is_some() => {
@@ -220,6 +244,10 @@ impl Transaction {
     /// Advances time and reports changes.
     pub fn poll(&mut self, vehicle: &Vehicle, now: Duration, output: &mut Output) -> Progress {
         match self.phase {
+            TransactionPhase::Leading { until } => self.lead_in(until, now, output),
+            TransactionPhase::Leaving { until, due } => {
+                self.leave_offboard(until, due, vehicle, now, output);
+            }
             TransactionPhase::AwaitingAnswer { .. } => self.await_answer(vehicle, now, output),
             TransactionPhase::AwaitingReason { result, until } if now >= until => {
                 self.refuse(result, vehicle, now, output);
@@ -228,7 +256,7 @@ impl Transaction {
             | TransactionPhase::Done
             | TransactionPhase::Over => {}
             TransactionPhase::AwaitingEffect { since, .. } => match self.order.command.repeat() {
-                Some(repeat) => self.keep_up(repeat, vehicle, now, output),
+                Some(repeat) => self.keep_up(repeat, since, vehicle, now, output),
                 None => self.await_effect(since, vehicle, now, output),
             },
         }
@@ -237,7 +265,9 @@ impl Transaction {
             TransactionPhase::AwaitingEffect { since, .. } if self.is_settled(since, now) => {
                 Progress::Watching
             }
-            TransactionPhase::AwaitingAnswer { .. }
+            TransactionPhase::Leaving { .. } => Progress::Watching,
+            TransactionPhase::Leading { .. }
+            | TransactionPhase::AwaitingAnswer { .. }
             | TransactionPhase::AwaitingReason { .. }
             | TransactionPhase::AwaitingEffect { .. } => Progress::Waiting,
         }

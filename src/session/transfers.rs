@@ -1,5 +1,5 @@
-//! What a vehicle keeps on board: its lists (plan, fence, rally points), logs, files, and the defaults of its
-//! parameters.
+//! What a vehicle keeps on board: its lists (plan, fence, rally points), logs, files, and the defaults and the
+//! documentation of its parameters.
 //!
 //! They are together because they share one file client: its events reach the part whose task they are about, and a
 //! reboot ends all tasks at once. They are apart from the line of commands, which a transfer of minutes must not hold
@@ -18,16 +18,18 @@ use super::ftp::{FtpClient, FtpPayload};
 use super::line::Moment;
 use super::lists::{Lists, ListsDesk};
 use super::logs::{LogKeeper, LogReader, hands_out_files};
+use super::metadata::MetadataReader;
 use super::plan_orders::PlanShelf;
-use crate::commands::Command;
-use crate::parameters::Fetching;
+use crate::commands::{Command, FileCommand};
+use crate::metadata::EventDocuments;
+use crate::parameters::{Fetching, ParameterDocuments};
 use crate::plan::Document;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, Frame, Outgoing};
 
 /// The defaults of a vehicle's parameters, by name; `None` until their file is whole.
-pub(super) type ReadDefaults = Option<BTreeMap<String, f32>>;
+pub(super) type ReadDefaults = Option<BTreeMap<String, f64>>;
 
 /// The file client of one vehicle, and the parts that it works for.
 #[derive(Debug, Clone, Default)]
@@ -37,6 +39,7 @@ pub(super) struct SessionTransfers {
     logs: LogReader,
     files: FileOrders,
     defaults: DefaultsReader,
+    metadata: MetadataReader,
 }
 
 impl SessionTransfers {
@@ -47,7 +50,8 @@ impl SessionTransfers {
 
     /// Reads and writes the files that are copied to and from the vehicle through `desk`.
     pub fn use_desk(&mut self, desk: Arc<dyn FileDesk>) {
-        self.files.use_desk(desk);
+        self.files.use_desk(Arc::clone(&desk));
+        self.metadata.use_desk(desk);
     }
 
     /// Reads and writes plan files through `shelf`.
@@ -65,6 +69,16 @@ impl SessionTransfers {
         self.lists.stock(document);
     }
 
+    /// What the vehicle documents about its parameters, as far as it has been read.
+    pub fn documents(&self) -> &Arc<ParameterDocuments> {
+        self.metadata.parameters()
+    }
+
+    /// The texts of events that were read since the last call.
+    pub fn take_events(&mut self) -> Option<Arc<EventDocuments>> {
+        self.metadata.take_events()
+    }
+
     /// Notes that another ground station is heard, which may change the lists.
     pub fn station_heard(&mut self, now: Duration) {
         self.lists.station_heard(now);
@@ -80,6 +94,8 @@ impl SessionTransfers {
         self.defaults.begin_anew();
         let (files, mut scene) = self.files(moment);
         files.clear(newer, &mut scene);
+        let (metadata, mut scene) = self.metadata(moment);
+        metadata.clear(newer, &mut scene);
         self.ftp.forget();
         self.lists.begin_anew(&mut self.ftp, moment.now);
         self.logs
@@ -100,6 +116,10 @@ impl SessionTransfers {
             Command::Log(_) => {
                 self.logs
                     .order(order, moment.vehicle, moment.now, moment.output);
+            }
+            Command::File(FileCommand::Documentation) => {
+                let (metadata, mut scene) = self.metadata(moment);
+                metadata.order(order, &mut scene);
             }
             Command::File(_) => {
                 let (files, mut scene) = self.files(moment);
@@ -123,6 +143,10 @@ impl SessionTransfers {
         let (lists, desk) = self.lists(moment);
         lists.receive(frame, desk);
         self.logs.receive(frame, moment.now);
+        if let Content::Message(message) = &frame.content {
+            let (metadata, mut scene) = self.metadata(moment);
+            metadata.receive(message, &mut scene);
+        }
         if let Content::Message(MavMessage::FILE_TRANSFER_PROTOCOL(data)) = &frame.content
             && [0, moment.vehicle.station].contains(&data.target_system)
         {
@@ -148,12 +172,18 @@ impl SessionTransfers {
             .poll(moment.vehicle, &mut self.ftp, moment.now, moment.output);
         let (files, mut scene) = self.files(moment);
         files.poll(&mut scene);
+        let (metadata, mut scene) = self.metadata(moment);
+        metadata.poll(&mut scene);
         self.step(None, moment)
     }
 
     /// Whether an order is carried out, or an answer is awaited.
     pub fn is_busy(&self) -> bool {
-        self.logs.is_busy() || self.lists.is_busy() || self.files.is_busy() || self.ftp.is_busy()
+        self.logs.is_busy()
+            || self.lists.is_busy()
+            || self.files.is_busy()
+            || self.metadata.is_busy()
+            || self.ftp.is_busy()
     }
 
     /// Advances the file client, and passes on the events of its tasks.
@@ -180,6 +210,8 @@ impl SessionTransfers {
             read = defaults.or(read);
             let (files, mut scene) = self.files(moment);
             files.hear_file(ticket, &event, &mut scene);
+            let (metadata, mut scene) = self.metadata(moment);
+            metadata.hear_file(ticket, &event, &mut scene);
             self.logs
                 .hear_file(ticket, event, &mut self.ftp, moment.now);
         }
@@ -205,6 +237,19 @@ impl SessionTransfers {
             output: moment.output,
         };
         (&mut self.files, scene)
+    }
+
+    fn metadata<'a>(
+        &'a mut self,
+        moment: &'a mut Moment<'_>,
+    ) -> (&'a mut MetadataReader, FilesScene<'a>) {
+        let scene = FilesScene {
+            vehicle: moment.vehicle,
+            ftp: &mut self.ftp,
+            now: moment.now,
+            output: moment.output,
+        };
+        (&mut self.metadata, scene)
     }
 }
 

@@ -199,6 +199,7 @@ impl Console {
             runs: self.options.preferences.runs.clone(),
             records: self.options.preferences.records.clone(),
             data: self.options.preferences.data.clone(),
+            events: Arc::clone(&self.options.preferences.events),
             signer: self.options.preferences.signer.clone(),
             station: self.options.preferences.config.connect.station,
             occasion: Occasion {

@@ -9,6 +9,7 @@ use crate::config::Config;
 use crate::forward::ForwardSpec;
 use crate::hangar::{SitlSource, VehicleBackend};
 use crate::link::{Address, Signer};
+use crate::metadata::EventDocuments;
 use crate::mission::Mission;
 use crate::parameters::ParameterDocuments;
 use crate::scoring::FlownBy;
@@ -94,6 +95,8 @@ pub struct Preferences {
     pub keymap: Keymap,
     /// The documentation of parameters.
     pub documents: Arc<ParameterDocuments>,
+    /// The texts of events.
+    pub events: Arc<EventDocuments>,
     pub themes: Themes,
     /// The command history; `None` for measurements.
     pub history: Option<History>,

@@ -8,6 +8,7 @@ use std::{fs, io};
 use super::names::unread;
 use super::regular::read_regular;
 use crate::diagnostic::{self, Diagnostic};
+use crate::metadata::{is_packed, unpacked};
 use crate::text;
 use crate::text::Text;
 
@@ -168,12 +169,20 @@ pub fn read_bytes(path: &Path, kind: &'static str) -> Result<Vec<u8>, StoreError
     read_at_most(path, kind, LARGEST_FILE)
 }
 
-/// As [`read`], for generated files, which are larger: at most 16 MiB.
+/// As [`read`], for generated files, which are larger: at most 16 MiB, also after decompression (`.xz`).
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_large(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
-    as_text(path, read_at_most(path, kind, LARGEST_GENERATED_FILE)?)
+pub fn read_documentation(path: &Path, kind: &'static str) -> Result<Source, StoreError> {
+    let bytes = read_at_most(path, kind, LARGEST_GENERATED_FILE)?;
+    if !is_packed(&bytes) {
+        return as_text(path, bytes);
+    }
+    let unpacked = unpacked(bytes).map_err(|fault| StoreError::Unreadable {
+        path: path.to_owned(),
+        error: io::Error::other(fault.to_string()),
+    })?;
+    as_text(path, unpacked.into_bytes())
 }
 
 fn read_at_most(path: &Path, kind: &'static str, most: u64) -> Result<Vec<u8>, StoreError> {

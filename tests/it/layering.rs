@@ -17,7 +17,7 @@ const PURE: &[&[&str]] = &[
     &["diagnostic", "alert", "config"],
     &["preflight", "draft"],
     &["parameters", "workshop"],
-    &["inspector", "signing"],
+    &["inspector", "metadata", "signing"],
     &["doctor"],
     &["vehicle"],
     &["notice", "ledger", "moment"],

@@ -4,6 +4,7 @@ use std::process::Command;
 
 use crate::terminal::Terminal;
 
+mod sticks;
 mod workshop;
 
 /// Free flight from the home screen, with all vehicles ready to arm.

@@ -11,7 +11,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavMessage;
 use sortie::commands::{
-    ArmingCommand, Command, Destination, FlightCommand, Heading, MotionCommand, ParameterCommand,
+    ArmingCommand, Command, Destination, FlightCommand, Heading, MotionCommand,
 };
 use sortie::geo::LatLon;
 use sortie::language;
@@ -21,7 +21,9 @@ use sortie::wire::{Content, Decoder, Encoder, Outgoing};
 
 use crate::terminal::{home_variables, program};
 
+mod parameters;
 mod stand_in;
+mod velocity;
 
 use stand_in::{HOME_E7, Px4, STEP_MS};
 
@@ -225,46 +227,6 @@ fn a_refused_arming_names_the_reasons_of_px4() {
 }
 
 #[test]
-fn parameters_are_read_and_set_by_the_bytes_of_their_type() {
-    let mut talk = Talk::new();
-    let set = |value| {
-        Command::Parameter(ParameterCommand::Set {
-            name: "COM_RC_IN_MODE".to_owned(),
-            value,
-        })
-    };
-    talk.order(1, "param", set(4.0));
-    assert_eq!(talk.last(1), Some(RowState::Refused));
-    assert!(talk.explanation(1).contains("param get COM_RC_IN_MODE"));
-    talk.px4.stick_mode = -3;
-    talk.session.fetch_parameters(talk.now);
-    talk.pass(2);
-    let list = talk.session.parameters().list;
-    assert!(list.is_complete());
-    let value = |name: &str| list.get(name).map(|known| known.value);
-    assert_eq!(
-        (value("COM_RC_IN_MODE"), value("MPC_XY_P")),
-        (Some(-3.0), Some(0.95))
-    );
-    talk.order(2, "param", set(4.0));
-    talk.pass(1);
-    assert_eq!(
-        talk.last(2),
-        Some(RowState::Done),
-        "{}",
-        talk.explanation(2)
-    );
-    assert_eq!(talk.explanation(2), "COM_RC_IN_MODE = 4");
-    assert_eq!((talk.px4.stick_mode, talk.px4.faults.len()), (4, 0));
-    talk.order(3, "param", set(2.5));
-    assert_eq!(
-        talk.last(3),
-        Some(RowState::Refused),
-        "it is a whole number"
-    );
-}
-
-#[test]
 fn lost_events_are_requested_again_and_each_is_shown_once() {
     let mut talk = Talk::new();
     let first = talk.px4.event(101, 6);
@@ -297,6 +259,8 @@ fn serve(socket: &UdpSocket, ends: &AtomicBool) -> Px4 {
     let wait = Duration::from_millis(STEP_MS.into()) / 10;
     socket.set_read_timeout(Some(wait)).expect("a socket");
     let (mut px4, mut encoder, mut decoder) = (Px4::new(), Encoder::new(1, 1), Decoder::new());
+    // Its time runs up to ten times as fast as the console's.
+    px4.longest_gap_ms *= 10;
     let mut console = None;
     let mut buffer = [0; 2048];
     while !ends.load(Ordering::Relaxed) {
@@ -356,7 +320,7 @@ fn the_program_flies_a_px4_over_udp() {
         "1 takeoff 10: 1 effect seen",
         "AUTO.TAKEOFF",
         "1 mode auto.loiter: 1 effect seen",
-        "1 refused, PX4 flies at a velocity only in OFFBOARD",
+        "1 velocity n 1 e 0 d 0 for 2s: 1 effect seen",
         "1 land: 1 effect seen",
     ] {
         assert!(said.contains(expected), "{expected:?} in:\n{said}{wrong}");

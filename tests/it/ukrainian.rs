@@ -33,15 +33,15 @@ const NAMES: &[&str] = &[
     // Formats of plans, and the programs that write them.
     "MPC_Z_VEL_MAX_UP MPC_Z_VEL_MAX_DN MPC_YAWRAUTO_MAX GF_ACTION OFFBOARD QGC WPL plan MAVProxy KML KMZ kml GeoJSON XML QGroundControl SRTM deflate NAV_DELAY DISARM_DELAY",
     // Units that are not part of an argument.
-    "B B/s cr g in kB/s kB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kg rpm/V uSv MiB",
+    "B B/s cr g in kB/s kB MB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kg rpm/V uSv MiB",
     // Kinds of batteries and radios.
     "LiPo Li ion LoRa Wi Fi S C",
     // Placeholders in a line to type.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
     // Parts of MAVLink's names and of parameters' names.
-    "COMMAND_INT COMMAND_LONG MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV MAV_SYSID CONTROL_STATUS RC_CHANNELS_OVERRIDE",
+    "COMMAND_INT COMMAND_LONG COMPONENT_METADATA MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV MAV_SYSID CONTROL_STATUS RC_CHANNELS_OVERRIDE",
     // Addresses, options and files.
-    "api data features file hangar-token token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
+    "api data docs event features file hangar-token parameter token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
     // Words of filters, and of the plain console.
     "air alert bat invert status peak",
     // Words in the user's files: themes, keymaps, missions.

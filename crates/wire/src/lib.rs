@@ -5,7 +5,8 @@
 //! ids and noise.
 //!
 //! # How the parts fit
-//! - Reading: `decoder` finds frames, `checksum` and `signature` prove them, `loss` counts what never arrived.
+//! - Reading: `decoder` finds frames, `checksum` and `signature` prove them, `loss` counts what never arrived, and `boot` tells that a sender has
+//!   restarted.
 //!   Writing: `encoder`.
 //! - What the dialect lacks or hides: `beyond` (messages read by hand), `channels`, `board_id`. For display:
 //!   `anatomy`.
@@ -22,6 +23,7 @@ use mavlink::{MavlinkVersion, Message as _, MessageData as _};
 mod anatomy;
 mod beyond;
 mod board_id;
+mod boot;
 #[macro_use]
 mod channels;
 mod checksum;
@@ -33,6 +35,7 @@ mod signature;
 pub use anatomy::{Anatomy, frame_len, without_payload};
 pub use beyond::CONTROL_STATUS;
 pub use board_id::BoardId;
+pub use boot::{CLOCK_STEP_BACK_MS, boot_ms, is_clock_step_back};
 pub use checksum::FtpChecksum;
 pub use decoder::{Counters, Decoder, is_frame_start};
 pub use encoder::{Encoder, Outgoing};

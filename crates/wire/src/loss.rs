@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{ComponentId, Frame, SystemId};
+use super::{ComponentId, Content, Frame, SystemId, boot_ms, is_clock_step_back};
 
 /// A larger step between sequence numbers counts as a step back: the frame is late, or the sender has restarted.
 const LONGEST_GAP: u8 = 127;
@@ -79,6 +79,10 @@ struct Numbering {
     /// missing ones, as long as their numbers rise steadily.
     repeated: u8,
     found: u8,
+    /// The last time since the sender's boot.
+    boot_ms: Option<u32>,
+    /// The frames counted as missing since that time.
+    missing_since: i16,
 }
 
 impl Numbering {
@@ -89,7 +93,35 @@ impl Numbering {
             behind: None,
             repeated: 0,
             found: 0,
+            boot_ms: None,
+            missing_since: 0,
         }
+    }
+
+    /// The step to a frame. A sender that has booted again begins its numbers anew: what was counted as a gap since its
+    /// last sign before the boot is none.
+    fn step_of(&mut self, frame: &Frame) -> SequenceStep {
+        let mut step = self.step_to(frame.sequence);
+        self.missing_since = self.missing_since.saturating_add(step.missing);
+        let Content::Message(message) = &frame.content else {
+            return step;
+        };
+        let Some(now_ms) = boot_ms(message) else {
+            return step;
+        };
+        let before_ms = self.boot_ms.replace(now_ms);
+        if before_ms.is_some_and(|before_ms| is_clock_step_back(before_ms, now_ms)) {
+            step = SequenceStep {
+                missing: step.missing.saturating_sub(self.missing_since),
+                is_late: false,
+            };
+            *self = Self {
+                boot_ms: Some(now_ms),
+                ..Self::beginning_at(frame.sequence)
+            };
+        }
+        self.missing_since = 0;
+        step
     }
 
     fn step_to(&mut self, sequence: u8) -> SequenceStep {
@@ -152,7 +184,7 @@ impl LossMeter {
         }
         let known = self.senders.entry(sender);
         let numbering = known.or_insert_with(|| Numbering::beginning_at(frame.sequence));
-        let step = numbering.step_to(frame.sequence);
+        let step = numbering.step_of(frame);
         self.lost = self.lost.saturating_add_signed(step.missing.into());
         step
     }
@@ -168,7 +200,7 @@ mod tests {
     use super::*;
     use crate::Content;
     use mavlink::MavlinkVersion;
-    use mavlink::dialects::ardupilotmega::{HEARTBEAT_DATA, MavMessage};
+    use mavlink::dialects::ardupilotmega::{ATTITUDE_DATA, HEARTBEAT_DATA, MavMessage};
 
     fn frame(component: ComponentId, sequence: u8) -> Frame {
         Frame {
@@ -293,6 +325,30 @@ mod tests {
                 255 - u64::from(stopped_at)
             };
             assert_eq!(counted, 1 + gap, "stopped at {stopped_at}");
+        }
+    }
+
+    #[test]
+    fn the_numbers_of_a_sender_that_boots_again_are_no_gap() {
+        let attitude = |sequence: u8, time_boot_ms: u32| Frame {
+            content: Content::Message(MavMessage::ATTITUDE(ATTITUDE_DATA {
+                time_boot_ms,
+                ..ATTITUDE_DATA::default()
+            })),
+            ..frame(1, sequence)
+        };
+        for stopped_at in 0..=255_u8 {
+            let mut meter = LossMeter::default();
+            meter.note(&attitude(stopped_at.wrapping_sub(3), 90_000));
+            meter.note(&attitude(stopped_at, 90_100));
+            assert_eq!(meter.lost(), 2, "lost before the boot");
+            // A heartbeat says nothing about the boot.
+            meter.note(&frame(1, 0));
+            meter.note(&frame(1, 1));
+            meter.note(&attitude(2, 1_200));
+            assert_eq!(meter.lost(), 2, "stopped at {stopped_at}");
+            meter.note(&attitude(5, 1_300));
+            assert_eq!(meter.lost(), 4, "lost after the boot");
         }
     }
 

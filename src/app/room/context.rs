@@ -8,6 +8,7 @@ use crate::geo::Outline;
 use crate::language::{
     Channel, Context, Listed, NameList, Named, Names, OfferedModes, VehicleChoice, field_text,
 };
+use crate::parameters::ParameterDocuments;
 use crate::plan::field;
 use crate::preflight::summary;
 use crate::text;
@@ -33,8 +34,8 @@ impl Names for Known<'_> {
         }
     }
 
-    fn about_parameter(&self, name: &str, value: f32) -> String {
-        let document = self.0.documents.get(name);
+    fn about_parameter(&self, name: &str, value: f64) -> String {
+        let document = self.0.documents().get(name);
         document.map_or_else(String::new, |it| it.about(value))
     }
 }
@@ -78,6 +79,17 @@ fn drawn(state: &State) -> Vec<(String, Outline)> {
 }
 
 impl State {
+    /// The documentation of parameters for the vehicle under the cursor.
+    pub fn documents(&self) -> &ParameterDocuments {
+        self.documents_of(self.session.choice.cursor)
+    }
+
+    /// The documentation of a vehicle's parameters: its own, once that has been read, otherwise that of the user's file.
+    pub fn documents_of(&self, vehicle: Option<VehicleId>) -> &ParameterDocuments {
+        let own = vehicle.and_then(|vehicle| self.rooms.parameters.own_documents(vehicle));
+        own.unwrap_or(&self.documents)
+    }
+
     /// Runs `work` with the grammar's context: groups, places, vehicles.
     pub fn with_context<T>(&self, work: impl FnOnce(&Context<'_>) -> T) -> T {
         let vehicles: Vec<VehicleId> = self.session.vehicles.keys().copied().collect();

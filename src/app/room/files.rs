@@ -80,6 +80,7 @@ impl Files {
             | FileCommand::Remove { .. }
             | FileCommand::MakeFolder { .. }
             | FileCommand::Checksum { .. }
+            | FileCommand::Documentation
             | FileCommand::Stop => false,
         };
         newest
@@ -338,7 +339,10 @@ pub fn advanced(state: &mut State, row: &RowUpdate) {
         | FileCommand::Remove { path }
         | FileCommand::MakeFolder { path } => Some((row.vehicle, folder_of(path))),
         FileCommand::List { .. } => return,
-        FileCommand::Get { .. } | FileCommand::Checksum { .. } | FileCommand::Stop => None,
+        FileCommand::Get { .. }
+        | FileCommand::Checksum { .. }
+        | FileCommand::Documentation
+        | FileCommand::Stop => None,
     };
     if let Some(place) = changed {
         state.rooms.files.spoil(&place);

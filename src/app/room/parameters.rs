@@ -15,7 +15,9 @@ use crate::app::room::fly;
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest};
 use crate::app::state::Purpose;
 use crate::ledger::EntryId;
-use crate::parameters::{ListedParameter, ParameterSnapshot, shown};
+use crate::parameters::{
+    ListedParameter, ParameterDocuments, ParameterEncoding, ParameterSnapshot, shown,
+};
 use crate::text;
 use crate::vehicle::{Severity, VehicleId};
 
@@ -108,7 +110,7 @@ impl Parameters {
     }
 
     /// The default of a vehicle's parameter, if it has another value.
-    pub fn other_default(&self, vehicle: VehicleId, name: &str) -> Option<f32> {
+    pub fn other_default(&self, vehicle: VehicleId, name: &str) -> Option<f64> {
         self.lists.get(&vehicle)?.list.other_default(name)
     }
 
@@ -133,6 +135,18 @@ impl Parameters {
     /// A parameter of a vehicle, if it is known.
     pub fn get(&self, vehicle: VehicleId, name: &str) -> Option<&ListedParameter> {
         self.lists.get(&vehicle)?.list.get(name)
+    }
+
+    /// What a vehicle itself documents about its parameters; `None` until that has been read.
+    pub fn own_documents(&self, vehicle: VehicleId) -> Option<&ParameterDocuments> {
+        let known = self.lists.get(&vehicle)?;
+        (!known.documents.is_empty()).then_some(&known.documents)
+    }
+
+    /// How a vehicle encodes its parameters.
+    pub fn encoding(&self, vehicle: VehicleId) -> ParameterEncoding {
+        let known = self.lists.get(&vehicle);
+        known.map_or_else(ParameterEncoding::default, |known| known.list.encoding())
     }
 
     /// The newest command that set a parameter of a vehicle, and its value; `None` if there was

@@ -212,7 +212,7 @@ pub enum Consequence {
 #[derive(Debug, Clone, PartialEq)]
 pub struct ParameterSetting {
     pub name: String,
-    pub value: f32,
+    pub value: f64,
     /// The vehicles on which to set the value, in ascending order.
     pub vehicles: Vec<VehicleId>,
     /// How many more times to send the command if there is no answer; setting the same value twice
@@ -222,7 +222,7 @@ pub struct ParameterSetting {
 
 impl ParameterSetting {
     /// A value for some vehicles.
-    pub fn new(name: &str, value: f32, vehicles: Vec<VehicleId>) -> Self {
+    pub fn new(name: &str, value: f64, vehicles: Vec<VehicleId>) -> Self {
         Self {
             name: name.to_owned(),
             value,

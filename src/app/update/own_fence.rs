@@ -32,7 +32,7 @@ fn limits(state: &State, vehicle: &Vehicle) -> CheckOptions {
     let class = class.unwrap_or(VehicleClass::Other);
     let known = state.rooms.parameters.lists.get(&vehicle.id);
     check_rules(class, vehicle.reports_fence_on(), |name| {
-        Some(known?.list.get(name)?.value)
+        Some(known?.list.get(name)?.value as f32)
     })
 }
 

@@ -259,11 +259,9 @@ fn parameter_file(path: &Path) -> Result<Vec<(String, f64)>, Failure> {
             .collect();
         Failure::Invalid(lines.join("\n"))
     })?;
-    // Converted through the shortest decimal, so that 0.1 stays 0.1.
-    let exact = |value: f32| value.to_string().parse().unwrap_or(f64::from(value));
     Ok(values
         .into_iter()
-        .map(|(name, value)| (name.to_uppercase(), exact(value)))
+        .map(|(name, value)| (name.to_uppercase(), parameters::decimal(value)))
         .collect())
 }
 

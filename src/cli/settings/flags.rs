@@ -65,6 +65,9 @@ pub(in crate::cli) struct Common {
     /// PX4.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     parameter_docs: Option<String>,
+    /// Show the texts of events from FILE: all_events.json of PX4.
+    #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
+    event_docs: Option<String>,
     /// Use this MAVLink system id, 1 to 255, instead of 255: two consoles on the same vehicles need two ids.
     #[arg(long, global = true, value_name = "ID", help_heading = "Settings")]
     station: Option<String>,
@@ -97,6 +100,7 @@ impl Common {
                 "--parameter-docs",
                 &self.parameter_docs,
             ),
+            ("events.documentation", "--event-docs", &self.event_docs),
             ("connect.station", "--station", &self.station),
             ("log.file", "--log", &self.log),
             ("log.level", "--log-level", &self.log_level),

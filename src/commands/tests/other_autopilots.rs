@@ -233,16 +233,11 @@ fn px4_orbits_in_a_mode_of_its_own() {
 #[test]
 fn what_px4_lacks_is_refused_with_its_reason() {
     let px4 = with_px4();
-    let velocity = MotionCommand::Velocity {
-        ned_m_s: [1.0, 0.0, 0.0],
-        lasting: Duration::from_secs(5),
-    };
     let climb = MotionCommand::Speed {
         axis: SpeedAxis::Climb,
         speed_m_s: 2.0,
     };
     for (command, word) in [
-        (Command::Motion(velocity), "OFFBOARD"),
         (Command::Motion(climb), "MPC_Z_VEL_MAX_UP"),
         (Command::Flight(FlightCommand::Resume), "plan resume"),
         (Command::PlanFlight(PlanFlight::Skip), "ArduPilot"),
@@ -258,4 +253,27 @@ fn what_px4_lacks_is_refused_with_its_reason() {
         let why = refused(&command, &px4);
         assert!(why.contains("PX4") && why.contains(word), "{why}");
     }
+}
+
+#[test]
+fn px4_gets_setpoints_before_the_mode_that_takes_them() {
+    let mut px4 = with_px4();
+    let velocity = Command::Motion(MotionCommand::Velocity {
+        ned_m_s: [1.0, 0.0, 0.0],
+        lasting: Duration::from_secs(5),
+    });
+    let (number, fields) = long(&velocity, &px4);
+    assert_eq!((number, &fields[..3]), (176, &[1.0, 6.0, 0.0][..]));
+    let offboard = |px4: &Vehicle| {
+        let request = velocity.request(px4, 0).expect("a request");
+        request.offboard.expect("it needs OFFBOARD")
+    };
+    assert!(offboard(&px4).lead > Duration::from_secs(1));
+    enters(&mut px4, "OFFBOARD");
+    assert_eq!(offboard(&px4).lead, Duration::ZERO);
+    px4.heartbeat = px4.heartbeat.map(|heartbeat| Heartbeat {
+        armed: false,
+        ..heartbeat
+    });
+    assert!(refused(&velocity, &px4).contains("armed"));
 }

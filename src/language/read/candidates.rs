@@ -106,7 +106,7 @@ fn mav_commands() -> Vec<(String, Text)> {
 
 fn parameters(context: &Context) -> Vec<(String, Text)> {
     let known = context.parameters.into_iter().flat_map(ParameterList::iter);
-    let meaning = |name: &str, value: f32| {
+    let meaning = |name: &str, value: f64| {
         let about = context.names.about_parameter(name, value);
         Text::verbatim(format!("= {} {about}", shown(value)).trim_end())
     };

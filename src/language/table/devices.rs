@@ -4,8 +4,8 @@ use strum::VariantNames as _;
 
 use super::{Built, command, confirmed, question, raw, setting, swarm};
 use crate::commands::{
-    Act, Command, ControlChange, DeviceCommand, LogChoice, LogCommand, LogGroup, ParameterCommand,
-    QueryCommand, StickChange,
+    Act, Command, ControlChange, DeviceCommand, FileCommand, LogChoice, LogCommand, LogGroup,
+    ParameterCommand, QueryCommand, StickChange,
 };
 use crate::language::argument::{Argument, Arguments, Kind, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
@@ -139,7 +139,11 @@ const PARAM: VerbRow = VerbRow {
     verb: setting("param"),
     scope: Scope::Everywhere,
     aliases: &["parameter"],
-    examples: &["param get WPNAV_SPEED", "all param set WPNAV_SPEED 500"],
+    examples: &[
+        "param get WPNAV_SPEED",
+        "all param set WPNAV_SPEED 500",
+        "param docs",
+    ],
     forms: &[
         Form::new(
             &[
@@ -164,6 +168,9 @@ const PARAM: VerbRow = VerbRow {
                 }))
             },
         ),
+        Form::new(&[Argument::flag("docs", "argument-parameter-docs")], |_| {
+            command(Command::File(FileCommand::Documentation))
+        }),
     ],
 };
 

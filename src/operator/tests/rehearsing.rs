@@ -1,7 +1,7 @@
 //! Rehearsals: their wind, their fence, and their findings.
 
 use super::*;
-use crate::parameters::{HeardParameter, ParameterList, ParameterType};
+use crate::parameters::{HeardParameter, ParameterEncoding, ParameterList, ParameterType};
 use crate::plan::Item;
 use crate::sim::Airframe;
 use crate::vehicle::{GlobalPosition, Health, Plan, Stored, Transfer, Wind};
@@ -75,8 +75,9 @@ fn parameters(values: &[(&str, f32)]) -> Arc<ParameterList> {
     for (index, (name, value)) in values.iter().enumerate() {
         list.note(&HeardParameter {
             name,
-            value: *value,
+            value: f64::from(*value),
             kind: ParameterType::Real32,
+            encoding: ParameterEncoding::Converted,
             index: Some(index as u16),
             count: values.len() as u16,
         });

@@ -106,7 +106,9 @@ impl FileJob {
                 path: path.clone(),
                 size: CHECKED,
             },
-            FileCommand::Stop => return Err(text!("refused-files-here")),
+            FileCommand::Documentation | FileCommand::Stop => {
+                return Err(text!("refused-files-here"));
+            }
         };
         Ok(Self {
             order: order.clone(),
@@ -206,6 +208,7 @@ impl FileJob {
             | FileCommand::Remove { .. }
             | FileCommand::MakeFolder { .. }
             | FileCommand::Checksum { .. }
+            | FileCommand::Documentation
             | FileCommand::Stop => return Err(FileEnding::failed(FtpFault::Malformed)),
         };
         self.is_copied = true;
@@ -262,6 +265,7 @@ impl FileJob {
             | FileCommand::Get { .. }
             | FileCommand::Put { .. }
             | FileCommand::Checksum { .. }
+            | FileCommand::Documentation
             | FileCommand::Stop => text!("outcome-files-stopped"),
         }
     }

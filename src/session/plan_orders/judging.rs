@@ -28,7 +28,7 @@ pub(super) fn checked(
     let vehicle = &*desk.vehicle;
     let class = vehicle.heartbeat.map_or(VehicleClass::Other, |it| it.class);
     let reported = vehicle.reports_fence_on();
-    let value = |name: &str| desk.parameters.get(name).map(|known| known.value);
+    let value = |name: &str| desk.parameters.get(name).map(|known| known.value as f32);
     let rules = check_rules(class, reported, value);
     let mut found = check(&as_flown(&document, kind, vehicle), &rules);
     found.retain(|finding| finding.list == kind);

@@ -208,3 +208,18 @@ fn a_vehicle_that_nobody_asked_is_not_said_to_lack_a_name() {
     let says = "not sent: expired after 3.5 s in the queue";
     assert_eq!(vehicle.outcome(), (RowState::TimedOut, says.to_owned()));
 }
+
+#[test]
+fn a_slow_link_is_not_taken_for_a_vehicle_without_the_parameter() {
+    let mut vehicle = Firmware::new("SIM_GPS1_ENABLE");
+    // With a speed-up, a delay of the link is many times as long in the vehicle's time.
+    vehicle.scene.session.vehicle.link.round_trip = Some(ms(2500));
+    let name = "SIM_GPS_DISABLE".to_owned();
+    let command = Command::Parameter(ParameterCommand::Set { name, value: 1.0 });
+    vehicle.scene.order(1, "param", command);
+    for _ in 0..100 {
+        vehicle.scene.pass(ms(50));
+        vehicle.scene.heartbeat(STABILIZE, false);
+    }
+    assert_eq!(vehicle.outcome().0, RowState::TimedOut);
+}

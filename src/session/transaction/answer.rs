@@ -7,12 +7,13 @@ use mavlink::dialects::ardupilotmega::MavMessage;
 use super::{Contrary, Transaction, TransactionPhase};
 use crate::commands::{AckResult, Answer, explain};
 use crate::ledger::RowState;
+use crate::messages::parameter_value;
 use crate::session::Output;
 use crate::session::acknowledgement::Acknowledgement;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Vehicle;
-use crate::wire::{Content, Frame, SystemId};
+use crate::wire::{Content, Frame};
 
 /// How long status texts may follow a refusal to explain it.
 const REASON_PATIENCE: Duration = Duration::from_millis(300);
@@ -32,7 +33,7 @@ impl Transaction {
     pub fn receive(
         &mut self,
         frame: &Frame,
-        station: SystemId,
+        vehicle: &Vehicle,
         now: Duration,
         output: &mut Output,
     ) {
@@ -41,7 +42,7 @@ impl Transaction {
         }
         match (&self.request.answer, &frame.content) {
             (Answer::Ack(command), _) => {
-                if let Some(ack) = Acknowledgement::from_frame(frame, station)
+                if let Some(ack) = Acknowledgement::from_frame(frame, vehicle.station)
                     && ack.command == *command
                 {
                     self.acknowledged(ack, now, output);
@@ -50,7 +51,10 @@ impl Transaction {
             (Answer::Parameter(name), Content::Message(MavMessage::PARAM_VALUE(value))) => {
                 let id = value.param_id.to_str();
                 if id.is_ok_and(|id| id.eq_ignore_ascii_case(name)) {
-                    match self.order.parameter_outcome(value.param_value) {
+                    match self
+                        .order
+                        .parameter_outcome(parameter_value(value, vehicle))
+                    {
                         Ok(text) => self.accept(Some(text), now, output),
                         Err(text) => self.contradict(text, now),
                     }
@@ -70,6 +74,10 @@ impl Transaction {
         else {
             return;
         };
+        self.stream(now, output);
+        if self.has_entered_offboard(vehicle) {
+            return self.accept(None, now, output);
+        }
         if let Some(contrary) = self.contrary.take_if(|contrary| now >= contrary.until) {
             return self.end(RowState::Refused, Some(contrary.text), now, output);
         }
@@ -102,7 +110,8 @@ impl Transaction {
     /// of a chain shows only at its end, and the first steps may bring it about: until the
     /// deadline, the last step is sent again.
     fn is_answer_lost(&mut self, vehicle: &Vehicle, deadline: Duration, now: Duration) -> bool {
-        if self.request.next.is_some() || self.effect_shows(vehicle) != Some(true) {
+        let is_sequel_due = self.request.next.is_some() || self.request.offboard.is_some();
+        if is_sequel_due || self.effect_shows(vehicle) != Some(true) {
             self.shown_since = None;
             return false;
         }

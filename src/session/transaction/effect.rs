@@ -78,25 +78,45 @@ impl Transaction {
     pub(super) fn keep_up(
         &mut self,
         repeat: Repeat,
+        since: Duration,
         vehicle: &Vehicle,
         now: Duration,
         output: &mut Output,
     ) {
         self.effect_has_shown |= self.effect_shows(vehicle) == Some(true);
-        if now >= self.first_sent + repeat.lasting {
-            output.messages.extend(self.request.closing.take());
-            if self.effect_has_shown || repeat.lasting < GATHERING_SPEED {
-                return self.end(RowState::Done, None, now, output);
-            }
-            let text = text!("outcome-not-seen", effect = self.effect.describe(vehicle));
+        if !self.has_begun(vehicle) && now >= since + BEGINS_WITHIN {
+            let text = not_seen(&self.claim.describe(vehicle), BEGINS_WITHIN);
             return self.end(RowState::NoEffect, Some(text), now, output);
         }
-        if now >= self.last_sent + repeat.every {
+        if now >= since + repeat.lasting {
+            if self.request.offboard.is_some() {
+                return self.begin_to_leave(vehicle, now);
+            }
+            output.messages.extend(self.request.closing.take());
+            return self.end_velocity(repeat, vehicle, now, output);
+        }
+        self.stream(now, output);
+        if self.request.offboard.is_none() && now >= self.last_sent + repeat.every {
             self.last_sent = now;
             output
                 .messages
                 .extend(self.request.messages.iter().cloned());
         }
+    }
+
+    /// Ends a velocity, as done if the vehicle has had it.
+    pub(super) fn end_velocity(
+        &mut self,
+        repeat: Repeat,
+        vehicle: &Vehicle,
+        now: Duration,
+        output: &mut Output,
+    ) {
+        if self.effect_has_shown || repeat.lasting < GATHERING_SPEED {
+            return self.end(RowState::Done, None, now, output);
+        }
+        let text = text!("outcome-not-seen", effect = self.effect.describe(vehicle));
+        self.end(RowState::NoEffect, Some(text), now, output);
     }
 
     /// Whether telemetry shows the effect of this particular command; `None` if the effect is not observable. An effect
@@ -110,8 +130,10 @@ impl Transaction {
         let is_proof = match self.phase {
             // Without an answer, only a change proves that the command arrived.
             TransactionPhase::AwaitingAnswer { .. } => !self.effect_was_there,
-            TransactionPhase::AwaitingReason { .. }
+            TransactionPhase::Leading { .. }
+            | TransactionPhase::AwaitingReason { .. }
             | TransactionPhase::AwaitingEffect { .. }
+            | TransactionPhase::Leaving { .. }
             | TransactionPhase::Done
             | TransactionPhase::Over => is_news,
         };

@@ -24,6 +24,7 @@ use crate::forward::ForwardSpec;
 use crate::geo::LatLon;
 use crate::hangar::{SitlSource, VehicleBackend as Simulation};
 use crate::link::{Address, Endpoint, Signer, Simulator, SimulatorPace, Transport};
+use crate::metadata::EventDocuments;
 use crate::mission::record::Occasion;
 use crate::mission::{Flight, Mission, Stake};
 use crate::operator::Operator;
@@ -71,6 +72,8 @@ pub(in crate::shell) struct SessionBackend {
     pub records: Option<Records>,
     /// The data folder, where downloaded logs are kept.
     pub data: Option<PathBuf>,
+    /// The texts of events, from a file of the user.
+    pub events: Arc<EventDocuments>,
     /// The keys of signed links.
     pub signer: Option<Signer>,
     /// The system id of this program; the usual one if there is none.
@@ -111,7 +114,8 @@ impl SessionPlan {
         Keeping {
             sink: recorder.map(FlightRecorder::sink),
             logs: folder.map(|folder| Arc::new(folder) as Arc<dyn LogKeeper>),
-            files: Some(Arc::new(TransferredFiles)),
+            files: Some(Arc::new(TransferredFiles::within(backend.data.as_deref()))),
+            events: Some(Arc::clone(&backend.events)),
             plans: Some(self.shelf(backend.occasion.stake, backend.data.as_deref())),
             signer: backend.signer.clone(),
             station: backend.station,

@@ -94,7 +94,7 @@ fn edited(
     state: &State,
     edit: Edit,
     vehicle: VehicleId,
-    now: Option<f32>,
+    now: Option<f64>,
 ) -> Option<(Text, Role, Option<Text>)> {
     let row = outcome(state, edit.entry, vehicle)?;
     let (word, role) = match row.state {

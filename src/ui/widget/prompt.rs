@@ -76,11 +76,11 @@ pub fn draw(state: &State, prompt: &Prompt, panel: Panel<'_>, buffer: &mut Buffe
 
 /// The warning that the value typed so far contradicts the parameter's documentation.
 fn doubt(state: &State, prompt: &Prompt) -> Option<Text> {
-    let Purpose::Parameter { name, .. } = prompt.purpose() else {
+    let Purpose::Parameter { name, vehicles } = prompt.purpose() else {
         return None;
     };
     let value: f64 = prompt.input().value().trim().parse().ok()?;
-    let doubt = parameters::doubt(state, name, value)?;
+    let doubt = parameters::doubt(state, vehicles, name, value)?;
     Some(text!(
         "documentation-still",
         doubt = doubt,

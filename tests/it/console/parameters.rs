@@ -9,7 +9,7 @@ use sortie::app::state::{Overlay, Room};
 use sortie::commands::{Act, Command, ParameterCommand};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
 use sortie::parameters::{
-    Fetching, HeardParameter, ParameterList, ParameterSnapshot, ParameterType,
+    Fetching, HeardParameter, ParameterEncoding, ParameterList, ParameterSnapshot, ParameterType,
 };
 
 use crate::harness::Console;
@@ -35,8 +35,9 @@ pub fn list(system: f32, speed: f32) -> ParameterList {
     for (index, (name, value, kind)) in (0..).zip(all) {
         list.note(&HeardParameter {
             name,
-            value,
+            value: f64::from(value),
             kind,
+            encoding: ParameterEncoding::Converted,
             index: Some(index),
             count: all.len() as u16,
         });
@@ -248,6 +249,7 @@ fn what_was_confirmed_before_a_reboot_is_not_confirmed_after_it() {
         name: "WPNAV_SPEED",
         value: 1000.0,
         kind: ParameterType::Real32,
+        encoding: ParameterEncoding::Converted,
         index: Some(9),
         count: 10,
     });
@@ -255,6 +257,7 @@ fn what_was_confirmed_before_a_reboot_is_not_confirmed_after_it() {
         list: Arc::new(coming),
         fetching: Fetching::UnderWay { fruitless: 0 },
         reboots: 1,
+        ..ParameterSnapshot::default()
     };
     console.hear(VehicleEvent::Parameters {
         vehicle: 1,

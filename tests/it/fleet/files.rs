@@ -15,7 +15,7 @@ use super::{Console, serve, world};
 impl Console {
     /// A console that copies files to and from vehicles.
     pub(crate) fn with_files() -> Self {
-        let desk: Arc<dyn FileDesk> = Arc::new(TransferredFiles);
+        let desk: Arc<dyn FileDesk> = Arc::new(TransferredFiles::default());
         Self::start_kept(Keeping {
             files: Some(desk),
             ..Keeping::default()

@@ -115,7 +115,7 @@ async fn several_lists_come_whole_over_links_that_lose_a_third_of_all() {
             usize::from(list.count().expect("it has said so"))
         );
         let own = list.get("SYSID_THISMAV").expect("every vehicle has it");
-        assert!((own.value - f32::from(id)).abs() < f32::EPSILON);
+        assert!((own.value - f64::from(id)).abs() < f64::EPSILON);
     }
     let set = console.give("param set WPNAV_SPEED 640", &all);
     for id in all {

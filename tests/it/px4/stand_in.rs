@@ -8,8 +8,8 @@ use mavlink::dialects::ardupilotmega::{
     EstimatorStatusFlags, GLOBAL_POSITION_INT_DATA, HEARTBEAT_DATA, HOME_POSITION_DATA,
     MavAutopilot, MavCmd, MavEventCurrentSequenceFlags, MavFrame, MavLandedState, MavMessage,
     MavModeFlag, MavParamType, MavProtocolCapability, MavResult, MavSeverity, MavState,
-    MavSysStatusSensor, MavType, PARAM_SET_DATA, PARAM_VALUE_DATA, STATUSTEXT_DATA,
-    SYS_STATUS_DATA,
+    MavSysStatusSensor, MavType, PARAM_SET_DATA, PARAM_VALUE_DATA,
+    SET_POSITION_TARGET_LOCAL_NED_DATA, STATUSTEXT_DATA, SYS_STATUS_DATA,
 };
 
 /// Home's height above sea level, in metres.
@@ -23,6 +23,11 @@ const LOITER: (u8, u8) = (4, 3);
 const TAKEOFF: (u8, u8) = (4, 2);
 const RTL: (u8, u8) = (4, 5);
 const LAND: (u8, u8) = (4, 6);
+const POSCTL: (u8, u8) = (3, 0);
+pub const OFFBOARD: (u8, u8) = (6, 0);
+
+/// How long setpoints must arrive before OFFBOARD, in milliseconds.
+const OFFBOARD_AFTER_MS: u32 = 1000;
 
 /// Climb and descent per step, in metres.
 const CLIMB_M: f64 = 0.5;
@@ -41,10 +46,22 @@ pub struct Px4 {
     goal_m: f64,
     at_e7: (i32, i32),
     goal_e7: (i32, i32),
+    /// When the first of an unbroken stream of setpoints came, and the last.
+    stream_ms: Option<(u32, u32)>,
+    /// The velocity of the last setpoint: north, east, down in m/s.
+    velocity_m_s: [f32; 3],
+    /// The longest gap between setpoints (`COM_OF_LOSS_T`), in milliseconds.
+    pub longest_gap_ms: u32,
+    /// Whether OFFBOARD is refused, whatever arrives.
+    pub bars_offboard: bool,
+    /// Whether changes to AUTO.LOITER are ignored without an answer.
+    pub is_deaf_to_loiter: bool,
     /// The events so far; the number of each is its place.
     events: Vec<EVENT_DATA>,
     /// `COM_RC_IN_MODE`, an `INT32`.
     pub stick_mode: i32,
+    /// Whether it keeps its values, and reports them.
+    pub refuses_values: bool,
     /// Commands with an unexpected content.
     pub faults: Vec<String>,
 }
@@ -60,8 +77,14 @@ impl Px4 {
             goal_m: 0.0,
             at_e7: HOME_E7,
             goal_e7: HOME_E7,
+            stream_ms: None,
+            velocity_m_s: [0.0; 3],
+            longest_gap_ms: 1000,
+            bars_offboard: false,
+            is_deaf_to_loiter: false,
             events: Vec::new(),
             stick_mode: 1,
+            refuses_values: false,
             faults: Vec::new(),
         }
     }
@@ -69,6 +92,16 @@ impl Px4 {
     /// The height above home, in metres.
     pub fn height_m(&self) -> f64 {
         self.height_m
+    }
+
+    /// The position in 1e-7 degrees.
+    pub fn at_e7(&self) -> (i32, i32) {
+        self.at_e7
+    }
+
+    /// The velocity of the last setpoint, in m/s.
+    pub fn velocity_m_s(&self) -> [f32; 3] {
+        self.velocity_m_s
     }
 
     /// Adds an event, and returns its message.
@@ -96,6 +129,10 @@ impl Px4 {
                 _ => Vec::new(),
             },
             MavMessage::PARAM_SET(set) => self.set(set),
+            MavMessage::SET_POSITION_TARGET_LOCAL_NED(setpoint) => {
+                self.take_setpoint(setpoint);
+                Vec::new()
+            }
             MavMessage::REQUEST_EVENT(asked) => {
                 let wanted = asked.first_sequence..=asked.last_sequence;
                 let kept = self.events.iter();
@@ -124,9 +161,42 @@ impl Px4 {
         said
     }
 
+    fn take_setpoint(&mut self, setpoint: &SET_POSITION_TARGET_LOCAL_NED_DATA) {
+        let now = self.clock_ms;
+        let unbroken = self
+            .stream_ms
+            .filter(|(_, last)| now - last <= self.longest_gap_ms);
+        self.stream_ms = Some((unbroken.map_or(now, |(first, _)| first), now));
+        self.velocity_m_s = [setpoint.vx, setpoint.vy, setpoint.vz];
+    }
+
+    /// Whether setpoints have arrived for long enough, and still do.
+    fn has_stream(&self) -> bool {
+        self.stream_ms.is_some_and(|(first, last)| {
+            last - first > OFFBOARD_AFTER_MS && self.clock_ms - last <= self.longest_gap_ms
+        })
+    }
+
+    /// Flies at the velocity of the setpoints. Without them, PX4's failsafe leaves the mode (`COM_OBL_RC_ACT` 0).
+    fn follow_setpoints(&mut self) {
+        if !self.has_stream() {
+            self.mode = POSCTL;
+            return;
+        }
+        let seconds = f64::from(STEP_MS) / 1000.0;
+        let [north, east, down] = self.velocity_m_s.map(f64::from);
+        self.at_e7.0 += (north * seconds * 90.0) as i32;
+        self.at_e7.1 += (east * seconds * 90.0) as i32;
+        self.height_m -= down * seconds;
+        (self.goal_e7, self.goal_m) = (self.at_e7, self.height_m);
+    }
+
     fn fly(&mut self) {
         if !self.armed {
             return;
+        }
+        if self.mode == OFFBOARD {
+            return self.follow_setpoints();
         }
         let near = |at: i32, goal: i32| at + (goal - at).clamp(-WAY_E7, WAY_E7);
         self.at_e7 = (
@@ -160,6 +230,13 @@ impl Px4 {
             MavCmd::MAV_CMD_SET_MESSAGE_INTERVAL => ack(accepted),
             MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => self.arm(long),
             MavCmd::MAV_CMD_DO_SET_MODE => {
+                let mode = (long.param2 as u8, long.param3 as u8);
+                if mode == LOITER && self.is_deaf_to_loiter {
+                    return Vec::new();
+                }
+                if mode == OFFBOARD && (self.bars_offboard || !self.has_stream()) {
+                    return ack(MavResult::MAV_RESULT_TEMPORARILY_REJECTED);
+                }
                 self.mode = (long.param2 as u8, long.param3 as u8);
                 self.goal_m = self.height_m;
                 ack(accepted)
@@ -228,7 +305,9 @@ impl Px4 {
             self.faults.push("a parameter of another type".to_owned());
             return Vec::new();
         }
-        self.stick_mode = set.param_value.to_bits().cast_signed();
+        if !self.refuses_values {
+            self.stick_mode = set.param_value.to_bits().cast_signed();
+        }
         vec![self.stick(u16::MAX)]
     }
 
@@ -257,12 +336,19 @@ impl Px4 {
     }
 
     fn position(&self) -> MavMessage {
+        let moves = self.armed && self.mode == OFFBOARD;
+        let [vx, vy, vz] = self
+            .velocity_m_s
+            .map(|speed| if moves { (speed * 100.0) as i16 } else { 0 });
         MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
             time_boot_ms: self.clock_ms,
             lat: self.at_e7.0,
             lon: self.at_e7.1,
             alt: ((HOME_AMSL_M + self.height_m) * 1000.0) as i32,
             relative_alt: (self.height_m * 1000.0) as i32,
+            vx,
+            vy,
+            vz,
             ..GLOBAL_POSITION_INT_DATA::DEFAULT
         })
     }

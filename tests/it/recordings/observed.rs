@@ -201,7 +201,7 @@ impl Observed {
         self.put("parameters_indexed", indexed.count() as i64);
         self.put("parameter_count", parameters.count().map_or(-1, i64::from));
         for (name, parameter) in parameters.iter() {
-            self.put(&format!("parameter_{name}"), f64::from(parameter.value));
+            self.put(&format!("parameter_{name}"), parameter.value);
         }
     }
 }

@@ -31,7 +31,7 @@ pub enum Other {
     File {
         /// The file's path as typed.
         path: String,
-        values: BTreeMap<String, f32>,
+        values: BTreeMap<String, f64>,
     },
     Vehicle(VehicleId),
 }

@@ -7,7 +7,7 @@ use crate::app::room::Room;
 use crate::app::state::ParameterSetting;
 use crate::commands::{Act, Command, Order, ParameterCommand};
 use crate::ledger::{EntryId, LedgerRow, RowState};
-use crate::parameters::ParameterType;
+use crate::parameters::{ParameterEncoding, ParameterType, written};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -34,31 +34,37 @@ pub fn entered(
     vehicles: &[VehicleId],
     entered: &str,
 ) -> Result<String, Text> {
-    let written = entered.trim();
-    let value: f64 = written
+    let typed = entered.trim();
+    let value: f64 = typed
         .parse()
-        .map_err(|_| text!("parameters-no-number", value = written))?;
-    let fits = |kind: ParameterType| kind.check(value).map_err(|unfit| unfit.text(name));
-    fits(ParameterType::Real32)?;
+        .map_err(|_| text!("parameters-no-number", value = typed))?;
+    let fits = |kind: ParameterType, encoding| {
+        let checked = kind.check(value, encoding);
+        checked.map_err(|unfit| unfit.text(name))
+    };
+    fits(ParameterType::Real32, ParameterEncoding::Converted)?;
     for &vehicle in vehicles {
         if let Some(known) = state.rooms.parameters.get(vehicle, name) {
-            fits(known.kind)?;
+            fits(known.kind, state.rooms.parameters.encoding(vehicle))?;
         }
     }
     Ok(line(name, &value.to_string(), vehicles))
 }
 
-/// Why a value contradicts the documentation of a parameter; `None` if it does not.
-pub fn doubt(state: &State, name: &str, value: f64) -> Option<Text> {
-    let doubt = state.documents.get(name)?.doubt(value)?;
-    Some(doubt.text(name, value))
+/// Why a value contradicts the documentation of a parameter of some vehicles; `None` if it does not.
+pub fn doubt(state: &State, vehicles: &[VehicleId], name: &str, value: f64) -> Option<Text> {
+    let mut vehicles = vehicles.iter();
+    vehicles.find_map(|&vehicle| {
+        let document = state.documents_of(Some(vehicle)).get(name)?;
+        Some(document.doubt(value)?.text(name, value))
+    })
 }
 
 /// Why the value that an order sets contradicts the documentation of its parameter.
 pub fn order_doubt(state: &State, order: &Order) -> Option<Text> {
     match &order.act {
         Act::Command(Command::Parameter(ParameterCommand::Set { name, value })) => {
-            doubt(state, name, *value)
+            doubt(state, &order.targets, name, *value)
         }
         Act::Command(_)
         | Act::Deed(_)
@@ -70,14 +76,7 @@ pub fn order_doubt(state: &State, order: &Order) -> Option<Text> {
 
 /// The line that sets a value on some vehicles.
 pub fn setting_line(setting: &ParameterSetting) -> String {
-    let value = setting.value;
-    // The shortest notation of a large whole number may stand for another whole number.
-    let written = if value.fract() == 0.0 {
-        f64::from(value).to_string()
-    } else {
-        value.to_string()
-    };
-    line(&setting.name, &written, &setting.vehicles)
+    line(&setting.name, &written(setting.value), &setting.vehicles)
 }
 
 fn line(name: &str, value: &str, vehicles: &[VehicleId]) -> String {

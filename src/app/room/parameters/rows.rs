@@ -23,7 +23,7 @@ pub struct Row<'a> {
 impl Row<'_> {
     /// The value on the other side of a comparison; `None` without a comparison, or if the other
     /// side lacks it.
-    pub fn other(&self) -> Option<f32> {
+    pub fn other(&self) -> Option<f64> {
         match self.finding {
             Some(ParameterFinding::Changed(_, other) | ParameterFinding::Missing(other)) => {
                 Some(other)

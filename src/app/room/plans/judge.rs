@@ -13,7 +13,7 @@ use crate::vehicle::check_rules;
 fn parameter(state: &State, name: &str) -> Option<f32> {
     let vehicle = state.session.choice.cursor?;
     let known = state.rooms.parameters.get(vehicle, name)?;
-    Some(known.value)
+    Some(known.value as f32)
 }
 
 /// The speeds used to compute a draft's times: the user's setting, otherwise the parameters of the

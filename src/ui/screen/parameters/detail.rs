@@ -74,7 +74,7 @@ impl ParameterState {
         let asked = room.edit(vehicle, name).and_then(|edit| {
             let (word, role, reason) =
                 edited(state, edit, vehicle, known.map(|known| known.value))?;
-            let value = shown(edit.value as f32);
+            let value = shown(edit.value);
             let text = text!("parameters-asked", value = value, state = word);
             Some((text, role, reason))
         });

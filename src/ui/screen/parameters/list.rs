@@ -219,7 +219,7 @@ fn standing(
     let asked = edit.and_then(|edit| Some((edit, edited(state, edit, vehicle, now)?)));
     let (text, role) = match (asked, row.finding) {
         (Some((edit, (word, role, _))), _) => {
-            let value = shown(edit.value as f32);
+            let value = shown(edit.value);
             (text!("parameters-asked", value = value, state = word), role)
         }
         (None, Some(ParameterFinding::Changed(..))) if is_the_vehicles_own(row.name) => {

@@ -3,7 +3,7 @@
 use sortie::app::effect::FileKind;
 use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::ledger::{EntryId, RowState, RowUpdate};
-use sortie::parameters::{HeardParameter, ParameterList, ParameterType};
+use sortie::parameters::{HeardParameter, ParameterEncoding, ParameterList, ParameterType};
 
 use super::{arrives, in_the_room, row, said, settings};
 use crate::harness::Console;
@@ -19,6 +19,7 @@ fn many_values_go_out_a_few_at_a_time_with_a_result_for_each() {
             name,
             value: 0.0,
             kind: ParameterType::Real32,
+            encoding: ParameterEncoding::Converted,
             index: Some(index),
             count: 100,
         });
