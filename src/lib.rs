@@ -53,7 +53,8 @@
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
 //! | | [`vehicle_id`] | the numbers of vehicles, and sets of them (`1-4,7`) |
 //! | | [`hash`] | a hash that never changes |
-//! | libraries | [`rehearsal`] | plans of several vehicles flown in simulation: times, batteries, closest approaches |
+//! | libraries | [`class`] | a class: what seats report to the instructor's desk, its orders, and what survives a broken connection |
+//! | | [`rehearsal`] | plans of several vehicles flown in simulation: times, batteries, closest approaches |
 //! | | [`sim`] | simulated vehicles, their batteries and radios, and the wind |
 //! | | [`wire`] | MAVLink frames |
 //! | | [`plan`] | items of plans, fences and rally points: their files, the faults in them, and estimates of time and energy |
@@ -143,6 +144,7 @@ pub mod vehicle_id;
 pub mod verb;
 pub mod workshop;
 
+pub use sortie_class as class;
 pub use sortie_geo as geo;
 pub use sortie_plan as plan;
 pub use sortie_rehearsal as rehearsal;

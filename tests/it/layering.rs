@@ -9,7 +9,7 @@ use sources::{ModuleSource, blanked, modules, paths, uses, without_tests};
 mod sources;
 
 /// Libraries of the workspace: pure, and below every module of the program.
-const LIBRARIES: &[&[&str]] = &[&["geo", "plan", "wire", "sim", "rehearsal"]];
+const LIBRARIES: &[&[&str]] = &[&["class", "geo", "plan", "wire", "sim", "rehearsal"]];
 /// Pure modules of the program, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
     &["hash", "text", "verb"],
