@@ -33,7 +33,7 @@ const PURE: &[&[&str]] = &[
     &["exercise"],
 ];
 /// Modules with input and output: they may use pure ones, and those before them.
-const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar"]];
+const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar", "carrier"]];
 /// The shell, lowest first.
 const SHELL: &[&[&str]] = &[
     &["app"],
