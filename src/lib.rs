@@ -51,6 +51,7 @@
 //! | | [`draft`] | plans, fences and rally points that are being drawn: every change, undo, legs and heights |
 //! | | [`preflight`] | plan files before a flight: faults, notes and findings in words |
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
+//! | | [`class_text`] | the orders of an instructor's desk, as text |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
 //! | | [`vehicle_id`] | the numbers of vehicles, and sets of them (`1-4,7`) |
 //! | | [`hash`] | a hash that never changes |
@@ -102,6 +103,7 @@ pub mod api;
 pub mod app;
 pub mod campaign;
 pub mod carrier;
+pub mod class_text;
 pub mod cli;
 pub mod commands;
 pub mod comparison;

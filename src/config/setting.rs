@@ -266,6 +266,18 @@ pub const SETTINGS: &[Setting] = &[
         "File with the documentation of parameters: apm.pdef.xml or apm.pdef.json of ArduPilot, parameters.json of PX4.",
     ),
     setting(
+        "class.join",
+        SettingKind::Text,
+        Some("SORTIE_CLASS"),
+        "The class that consoles ask to join, by name or path (`sortie class open`).",
+    ),
+    setting(
+        "class.instructor",
+        SettingKind::Text,
+        None,
+        "User name of the instructor to whom the desk must belong; by default the owner of the folder of the class.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

@@ -13,6 +13,7 @@ const LIBRARIES: &[&[&str]] = &[&["class", "geo", "plan", "wire", "sim", "rehear
 /// Pure modules of the program, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
     &["hash", "text", "verb"],
+    &["class_text"],
     &["vehicle_id"],
     &["diagnostic", "alert", "config"],
     &["preflight", "draft"],

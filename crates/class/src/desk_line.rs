@@ -43,7 +43,7 @@ impl DeskLine {
         }
         if self.has_to_ask(seat, now) {
             return Some(DeskMessage::Ask {
-                from: seat.journal.last() + 1,
+                from: seat.journal.next_number(),
             });
         }
         self.next_order(seat, now).map(DeskMessage::Order)

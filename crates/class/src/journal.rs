@@ -1,7 +1,6 @@
 //! What happened at a seat, in order.
 
 use std::collections::VecDeque;
-use std::ops::RangeInclusive;
 
 use serde::{Deserialize, Serialize};
 
@@ -130,7 +129,7 @@ impl Journal {
 pub struct JournalCopy {
     entries: VecDeque<Entry>,
     last: u64,
-    missing: Vec<RangeInclusive<u64>>,
+    missing: u64,
 }
 
 impl JournalCopy {
@@ -144,20 +143,27 @@ impl JournalCopy {
         self.entries.iter()
     }
 
-    /// The numbers of entries that the seat had dropped before they were asked for.
-    pub fn missing(&self) -> &[RangeInclusive<u64>] {
-        &self.missing
+    /// The number of entries that the seat had dropped before they were asked for.
+    pub fn missing(&self) -> u64 {
+        self.missing
+    }
+
+    /// The number of the entry that comes next.
+    pub fn next_number(&self) -> u64 {
+        // A seat may send any number.
+        self.last.saturating_add(1)
     }
 
     /// Takes in entries, and returns those that are new. Entries after a gap are left out: they are asked for again.
     pub fn receive(&mut self, batch: Batch) -> Vec<Entry> {
-        if batch.kept_from > self.last + 1 {
-            self.missing.push(self.last + 1..=batch.kept_from - 1);
+        if batch.kept_from > self.next_number() {
+            let dropped = batch.kept_from - self.next_number();
+            self.missing = self.missing.saturating_add(dropped);
             self.last = batch.kept_from - 1;
         }
         let mut new = Vec::new();
         for entry in batch.entries {
-            if entry.number == self.last + 1 {
+            if entry.number == self.next_number() {
                 self.last = entry.number;
                 new.push(entry.clone());
                 self.entries.push_back(entry);

@@ -28,6 +28,8 @@ pub struct FlightReport {
     pub score: Option<u16>,
     /// The number of objectives that are met.
     pub objectives_done: u16,
+    /// The number of all objectives.
+    pub objectives: u16,
     /// The number of objectives that can still be met.
     pub objectives_open: u16,
     /// The number of vehicles.
@@ -40,8 +42,8 @@ pub struct FlightReport {
     pub oldest_alert_s: Option<f64>,
     /// A collision or a broken fence that is near.
     pub danger: Option<Danger>,
-    /// The number of commands that vehicles refused.
-    pub refusals: u32,
+    /// How often a vehicle did not carry out a command: it refused, did not answer, or had no effect to show.
+    pub failures: u32,
     /// The least distance so far between two vehicles in the air, in metres.
     pub least_separation_m: Option<f64>,
     /// The workload: how many of the last 60 s the trainee was occupied, in percent.
