@@ -1,5 +1,7 @@
 //! A part of the screen: dividing it, and writing lines and titles into it.
 
+use std::ops::Range;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::{Color, Modifier, Style};
@@ -209,7 +211,35 @@ pub fn put(buffer: &mut Buffer, area: Rect, row: u16, line: &Line<'_>) -> Option
     if row >= area.height || area.width == 0 {
         return None;
     }
-    Some(buffer.set_line(area.x, area.y + row, line, area.width).0)
+    let (mut x, y) = (area.x, area.y + row);
+    let end = area.right().min(buffer.area.right());
+    for span in line {
+        let style = line.style.patch(span.style);
+        let text: &str = &span.content;
+        x = if is_plain(text) {
+            put_plain(buffer, x..end, y, text, style)
+        } else {
+            let room = end.saturating_sub(x);
+            buffer.set_stringn(x, y, text, usize::from(room), style).0
+        };
+    }
+    Some(x)
+}
+
+/// Whether a text is printable ASCII: each byte takes one cell.
+fn is_plain(text: &str) -> bool {
+    text.bytes().all(|byte| matches!(byte, b' '..=b'~'))
+}
+
+/// Writes a plain text into columns of a row; returns the column after its end. Most of the screen
+/// is plain, and to split it into graphemes would take a good part of the time of a frame.
+fn put_plain(buffer: &mut Buffer, columns: Range<u16>, y: u16, text: &str, style: Style) -> u16 {
+    let mut end = columns.start;
+    for (x, byte) in columns.zip(text.bytes()) {
+        buffer[(x, y)].set_char(char::from(byte)).set_style(style);
+        end = x + 1;
+    }
+    end
 }
 
 /// As many lines of a wrapped text as fit, with a mark at the end if some are left out.
@@ -227,6 +257,32 @@ mod tests {
     use super::*;
     use crate::ui::ascii;
     use crate::ui::theme::Theme;
+
+    /// Plain or not, a line is drawn as `Buffer::set_line` draws it.
+    #[test]
+    fn lines_are_written_as_the_library_writes_them() {
+        let (red, bold) = (
+            Style::new().fg(Color::Red),
+            Style::new().add_modifier(Modifier::BOLD),
+        );
+        let line = Line::styled("", red).spans([
+            Span::raw("plain "),
+            Span::styled("два\u{301} слова ", bold),
+            Span::raw("無人 ~"),
+            Span::styled("a\tb", bold),
+            Span::raw(" end"),
+        ]);
+        for width in 0..30 {
+            let whole = Rect::new(0, 0, 26, 2);
+            let area = Rect::new(2, 1, width, 1);
+            let mut own = Buffer::filled(whole, ratatui::buffer::Cell::new("x"));
+            let mut library = own.clone();
+            let end = put(&mut own, area, 0, &line);
+            let its_end = library.set_line(2, 1, &line, width).0;
+            assert_eq!(own, library, "{width}");
+            assert_eq!(end, (width > 0).then_some(its_end));
+        }
+    }
 
     #[test]
     fn the_marks_of_a_longer_list_cover_no_letter() {
