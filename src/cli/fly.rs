@@ -186,6 +186,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
 }
 
 /// The options of `sortie connect` about others who take part.
+#[derive(Clone, Copy)]
 pub(super) struct JoinedArguments<'a> {
     pub forwards: &'a ForwardArguments,
     pub api: &'a ApiArguments,

@@ -125,9 +125,7 @@ impl RoomModel for ClassRoom {
 
     fn escape(state: &mut State) -> Answer {
         state.hush();
-        if state.class.desk().is_none() {
-            return None;
-        }
+        state.class.desk()?;
         state.rooms.class.marked.clear();
         Some(Vec::new())
     }

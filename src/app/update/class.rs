@@ -100,9 +100,8 @@ fn tell(state: &mut State, severity: Severity, text: Text) {
 /// and the question whether the trainee joins.
 pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: &mut Effects) {
     match &state.class {
-        ClassRole::None => return,
         ClassRole::Desk(_) if is_tick => return desk::tick(state),
-        ClassRole::Desk(_) => return,
+        ClassRole::None | ClassRole::Desk(_) => return,
         ClassRole::Seat(_) => {}
     }
     let commands = effects.iter().filter_map(|effect| match effect {

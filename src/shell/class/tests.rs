@@ -74,13 +74,15 @@ fn class(folder: &Path, part: ClassPart) -> ClassOptions {
 
 async fn desk(folder: &Path) -> Member {
     let name = "9-A".to_owned();
-    Member::new(Opening::Home, class(folder, ClassPart::Desk { name })).await
+    let member = Member::new(Opening::Home, class(folder, ClassPart::Desk { name }));
+    Box::pin(member).await
 }
 
 async fn seat(folder: &Path) -> Member {
     let mission = Mission::parse(FIRST).expect("it is good");
     let opening = Opening::Mission(Arc::new(mission));
-    Member::new(opening, class(folder, ClassPart::Seat { asks: false })).await
+    let member = Member::new(opening, class(folder, ClassPart::Seat { asks: false }));
+    Box::pin(member).await
 }
 
 async fn run(members: &mut [&mut Member], seconds: u32) {
