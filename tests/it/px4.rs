@@ -25,7 +25,7 @@ mod parameters;
 mod stand_in;
 mod velocity;
 
-use stand_in::{HOME_E7, Px4, STEP_MS};
+use stand_in::{HOME_E7, Px4, STEP_MS, Unwilling};
 
 /// A session and a stand-in, which hear each other at once.
 struct Talk {
@@ -211,7 +211,7 @@ fn another_mode_ends_a_landing_but_disarming_does_not() {
 #[test]
 fn a_refused_arming_names_the_reasons_of_px4() {
     let mut talk = Talk::new();
-    talk.px4.is_unfit = true;
+    talk.px4.unwilling = Some(Unwilling::Arm);
     talk.order(1, "arm", Command::Arming(ArmingCommand::Arm));
     talk.pass(8);
     assert_eq!(talk.last(1), Some(RowState::Refused));

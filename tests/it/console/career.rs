@@ -47,7 +47,9 @@ fn in_flight(console: &mut Console) {
 
 #[test]
 fn a_newcomer_flies_the_first_mission_with_the_first_key() {
-    for mut console in [nobody(), trained_by(newcomer())] {
+    let newcomers: [fn() -> Console; 2] = [nobody, || trained_by(newcomer())];
+    for start in newcomers {
+        let mut console = start();
         console.press("enter");
         let launch = Launch::graded("00-first-flight");
         assert_eq!(

@@ -5,6 +5,7 @@ use sortie::ledger::RowState;
 use sortie::parameters;
 
 use super::Talk;
+use super::stand_in::Unwilling;
 
 #[test]
 fn parameters_are_read_and_set_by_the_bytes_of_their_type() {
@@ -95,7 +96,7 @@ fn a_neighbour_of_a_large_integer_is_another_value() {
     talk.session.fetch_parameters(talk.now);
     talk.pass(2);
     // The vehicle keeps its own value.
-    talk.px4.refuses_values = true;
+    talk.px4.unwilling = Some(Unwilling::TakeValues);
     talk.px4.stick_mode = 0x7f12_3456;
     let set = ParameterCommand::Set {
         name: "COM_RC_IN_MODE".to_owned(),

@@ -34,14 +34,27 @@ const CLIMB_M: f64 = 0.5;
 /// The way per step, in 1e-7 degrees: about 1 m.
 const WAY_E7: i32 = 90;
 
+/// What a stand-in does not do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unwilling {
+    /// The checks before arming fail.
+    Arm,
+    /// OFFBOARD is refused, whatever arrives.
+    EnterOffboard,
+    /// Changes to AUTO.LOITER are ignored without an answer.
+    HearLoiter,
+    /// It keeps its values, and reports them.
+    TakeValues,
+}
+
 /// The state of the stand-in.
 #[derive(Debug)]
 pub struct Px4 {
     clock_ms: u32,
     pub mode: (u8, u8),
     pub armed: bool,
-    /// Whether the checks before arming fail.
-    pub is_unfit: bool,
+    /// What it does not do, if anything.
+    pub unwilling: Option<Unwilling>,
     height_m: f64,
     goal_m: f64,
     at_e7: (i32, i32),
@@ -52,16 +65,10 @@ pub struct Px4 {
     velocity_m_s: [f32; 3],
     /// The longest gap between setpoints (`COM_OF_LOSS_T`), in milliseconds.
     pub longest_gap_ms: u32,
-    /// Whether OFFBOARD is refused, whatever arrives.
-    pub bars_offboard: bool,
-    /// Whether changes to AUTO.LOITER are ignored without an answer.
-    pub is_deaf_to_loiter: bool,
     /// The events so far; the number of each is its place.
     events: Vec<EVENT_DATA>,
     /// `COM_RC_IN_MODE`, an `INT32`.
     pub stick_mode: i32,
-    /// Whether it keeps its values, and reports them.
-    pub refuses_values: bool,
     /// Commands with an unexpected content.
     pub faults: Vec<String>,
 }
@@ -72,7 +79,7 @@ impl Px4 {
             clock_ms: 10_000,
             mode: LOITER,
             armed: false,
-            is_unfit: false,
+            unwilling: None,
             height_m: 0.0,
             goal_m: 0.0,
             at_e7: HOME_E7,
@@ -80,11 +87,8 @@ impl Px4 {
             stream_ms: None,
             velocity_m_s: [0.0; 3],
             longest_gap_ms: 1000,
-            bars_offboard: false,
-            is_deaf_to_loiter: false,
             events: Vec::new(),
             stick_mode: 1,
-            refuses_values: false,
             faults: Vec::new(),
         }
     }
@@ -149,7 +153,11 @@ impl Px4 {
         self.fly();
         let mut said = vec![self.position(), self.landed_state()];
         if self.clock_ms.is_multiple_of(500) {
-            said.extend([self.heartbeat(), health(self.is_unfit), estimator()]);
+            said.extend([
+                self.heartbeat(),
+                health(self.unwilling == Some(Unwilling::Arm)),
+                estimator(),
+            ]);
             if let Some(last) = self.events.last() {
                 let current = CURRENT_EVENT_SEQUENCE_DATA {
                     sequence: last.sequence,
@@ -231,10 +239,12 @@ impl Px4 {
             MavCmd::MAV_CMD_COMPONENT_ARM_DISARM => self.arm(long),
             MavCmd::MAV_CMD_DO_SET_MODE => {
                 let mode = (long.param2 as u8, long.param3 as u8);
-                if mode == LOITER && self.is_deaf_to_loiter {
+                if mode == LOITER && self.unwilling == Some(Unwilling::HearLoiter) {
                     return Vec::new();
                 }
-                if mode == OFFBOARD && (self.bars_offboard || !self.has_stream()) {
+                if mode == OFFBOARD
+                    && (self.unwilling == Some(Unwilling::EnterOffboard) || !self.has_stream())
+                {
                     return ack(MavResult::MAV_RESULT_TEMPORARILY_REJECTED);
                 }
                 self.mode = (long.param2 as u8, long.param3 as u8);
@@ -278,7 +288,7 @@ impl Px4 {
 
     fn arm(&mut self, long: &COMMAND_LONG_DATA) -> Vec<MavMessage> {
         let arms = long.param1 as i32 == 1;
-        if arms && self.is_unfit {
+        if arms && self.unwilling == Some(Unwilling::Arm) {
             let text = "Preflight Fail: ekf2 missing data\t";
             let reason = MavMessage::STATUSTEXT(STATUSTEXT_DATA {
                 severity: MavSeverity::MAV_SEVERITY_CRITICAL,
@@ -305,7 +315,7 @@ impl Px4 {
             self.faults.push("a parameter of another type".to_owned());
             return Vec::new();
         }
-        if !self.refuses_values {
+        if self.unwilling != Some(Unwilling::TakeValues) {
             self.stick_mode = set.param_value.to_bits().cast_signed();
         }
         vec![self.stick(u16::MAX)]

@@ -5,7 +5,7 @@ use std::time::Duration;
 use sortie::commands::{ArmingCommand, Command, FlightCommand, MotionCommand};
 use sortie::ledger::RowState;
 
-use super::stand_in::OFFBOARD;
+use super::stand_in::{OFFBOARD, Unwilling};
 use super::{Talk, takeoff};
 
 fn velocity(north_m_s: f64, seconds: u64) -> Command {
@@ -82,12 +82,12 @@ fn a_new_velocity_takes_over_in_offboard_and_a_hold_ends_it() {
 #[test]
 fn a_refused_or_lost_offboard_ends_the_velocity_with_the_reason() {
     let mut talk = in_the_air();
-    talk.px4.bars_offboard = true;
+    talk.px4.unwilling = Some(Unwilling::EnterOffboard);
     talk.order(3, "velocity", velocity(2.0, 5));
     talk.pass(12);
     assert_eq!(talk.last(3), Some(RowState::Refused));
     assert_eq!(talk.mode(), "AUTO.LOITER");
-    talk.px4.bars_offboard = false;
+    talk.px4.unwilling = None;
     talk.order(4, "velocity", velocity(2.0, 30));
     talk.pass(4);
     // A failsafe, or a pilot, leaves the mode.
@@ -103,7 +103,7 @@ fn a_refused_or_lost_offboard_ends_the_velocity_with_the_reason() {
 #[test]
 fn a_vehicle_that_stays_in_offboard_is_not_done() {
     let mut talk = in_the_air();
-    talk.px4.is_deaf_to_loiter = true;
+    talk.px4.unwilling = Some(Unwilling::HearLoiter);
     talk.order(3, "velocity", velocity(2.0, 5));
     talk.pass(20);
     assert_eq!(talk.last(3), Some(RowState::NoEffect));

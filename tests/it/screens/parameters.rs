@@ -8,7 +8,8 @@ use sortie::app::effect::FileKind;
 use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::ledger::RowState;
 use sortie::parameters::{
-    Fetching, HeardParameter, ParameterDocuments, ParameterList, ParameterSnapshot, ParameterType,
+    Fetching, HeardParameter, ParameterDocuments, ParameterEncoding, ParameterList,
+    ParameterSnapshot, ParameterType,
 };
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
@@ -45,6 +46,7 @@ fn edited() -> Console {
                 name: "WPNAV_SPEED",
                 value,
                 kind: ParameterType::Real32,
+                encoding: ParameterEncoding::Converted,
                 index: None,
                 count: 10,
             });
@@ -156,8 +158,9 @@ fn a_list_that_is_coming() {
     for index in 0..500_u16 {
         half.note(&HeardParameter {
             name: &format!("P{index:04}"),
-            value: f32::from(index) / 3.0,
+            value: f64::from(f32::from(index) / 3.0),
             kind: ParameterType::Real32,
+            encoding: ParameterEncoding::Converted,
             index: Some(index),
             count: 1382,
         });
@@ -243,10 +246,11 @@ fn ukrainian_screen(console: &Console) -> String {
 
 #[test]
 fn in_ukrainian() {
-    for (name, console) in [("edited", edited()), ("compared", compared())] {
+    let screens: [(&str, fn() -> Console); 2] = [("edited", edited), ("compared", compared)];
+    for (name, console) in screens {
         insta::assert_snapshot!(
             format!("parameters_{name}_ukrainian_80x24"),
-            ukrainian_screen(&console)
+            ukrainian_screen(&console())
         );
     }
 }
