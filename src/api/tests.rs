@@ -412,28 +412,6 @@ fn a_parameter_has_its_default_unit_and_meaning_where_they_are_known() {
 }
 
 #[test]
-fn faults_of_requests_are_in_plain_words() {
-    for (line, words) in [
-        (
-            r#"{"do": "get", "what": "plan", "vehicle": -1}"#,
-            "expected a whole number",
-        ),
-        (
-            r#"{"do": "get", "what": "plan", "vehicle": "x"}"#,
-            "not the text",
-        ),
-        (r#"{"do": "say"}"#, "missing field `line`"),
-        (
-            r#"{"do": "fly"}"#,
-            "unknown value `fly`; known: say, get, watch",
-        ),
-    ] {
-        let fault = read(line).expect_err(line);
-        assert!(fault.message.contains(words), "{}", fault.message);
-    }
-}
-
-#[test]
 fn forwards_are_among_the_links() {
     let mut app = console();
     let forward = crate::app::state::ForwardSummary {
