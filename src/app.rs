@@ -28,7 +28,7 @@ use crate::workshop::Design;
 use effect::Effect;
 use event::Event;
 use keymap::Keymap;
-use state::MissionListing;
+use state::{ClassRole, MissionListing};
 
 pub mod action;
 pub mod effect;
@@ -71,6 +71,8 @@ pub struct Setup {
     pub has_ardupilot: bool,
     /// Whether rooms are drawn; the plain console has only the vehicles.
     pub has_rooms: bool,
+    /// The console's part in a class.
+    pub class: ClassRole,
 }
 
 impl Default for Setup {
@@ -88,6 +90,7 @@ impl Default for Setup {
             history: Vec::new(),
             has_ardupilot: false,
             has_rooms: true,
+            class: ClassRole::None,
         }
     }
 }

@@ -7,6 +7,7 @@
 //!   running console.
 //! - Flying: `fly` (the console, also for `connect`), `run` (a mission with a pilot script), `replay`, `sim` and
 //!   `hangar` (vehicles for other programs).
+//! - A class: `class` opens the instructor's desk; `seat` is the option of trainees' consoles.
 //! - A running console: `say` gives it lines, `watch` prints its state, `mcp` offers it to language models.
 //! - After a flight: `debrief` scores it again, `verify` flies it again and compares, `records` lists, exports, signs
 //!   and joins records.
@@ -53,6 +54,7 @@ macro_rules! tell {
 mod backend;
 mod bench;
 mod check;
+mod class;
 mod config;
 mod debrief;
 mod designs;
@@ -75,6 +77,7 @@ mod replay;
 mod report;
 mod run;
 mod say;
+mod seat;
 mod settings;
 mod sim;
 mod socket;
@@ -136,6 +139,8 @@ enum CliCommand {
         forwards: fly::ForwardArguments,
         #[command(flatten)]
         api: fly::ApiArguments,
+        #[command(flatten)]
+        seat: seat::SeatArguments,
         /// Print lines of text instead of drawing a screen, for screen readers and pipes.
         #[arg(long)]
         plain: bool,
@@ -151,6 +156,8 @@ enum CliCommand {
     Run(run::RunArguments),
     /// Flies a recorded flight again in the embedded simulator and checks that the outcome matches the record.
     Verify(verify::VerifyArguments),
+    /// Opens the instructor's desk of a class.
+    Class(class::ClassArguments),
     /// Sends lines to a console that was started with --api, and prints their outcomes.
     #[command(after_help = "Examples:\n  \
                             sortie say /tmp/lab.sock \"all arm\" \"all takeoff 20\"\n  \
@@ -219,7 +226,10 @@ enum CliCommand {
 impl CliCommand {
     /// Whether the command opens the console, which shows notices itself.
     fn opens_console(&self) -> bool {
-        matches!(self, Self::Fly(_) | Self::Connect { .. } | Self::Replay(_))
+        matches!(
+            self,
+            Self::Fly(_) | Self::Connect { .. } | Self::Replay(_) | Self::Class(_)
+        )
     }
 
     /// Whether the command only reads the data folder: it creates no folder and changes no mode.
@@ -241,6 +251,7 @@ impl CliCommand {
             | Self::Man { .. } => true,
             Self::Fly(_)
             | Self::Connect { .. }
+            | Self::Class(_)
             | Self::Run(_)
             | Self::Plan(_)
             | Self::Sim(_)
@@ -338,7 +349,7 @@ fn dispatch(
     match command {
         None => fly::home(home, settings),
         Some(_) if !home.is_default() => Err(Failure::Invalid(
-            "sortie: --seed and --speedup go after the command".to_owned(),
+            "sortie: --seed, --speedup and --class go after the command".to_owned(),
         )),
         Some(CliCommand::Fly(options)) => fly::fly(&options, settings),
         Some(CliCommand::Connect {
@@ -346,18 +357,25 @@ fn dispatch(
             expect,
             forwards,
             api,
+            seat,
             plain,
         }) => {
             let mut settings = settings;
             if expect.is_some() {
                 settings.config.connect.expect = expect;
             }
-            fly::connect(addresses, &forwards, &api, plain, settings)
+            let joined = fly::JoinedArguments {
+                forwards: &forwards,
+                api: &api,
+                seat: &seat,
+            };
+            fly::connect(addresses, joined, plain, settings)
         }
         Some(CliCommand::Records(options)) => records::records(&options, settings.complained()),
         Some(CliCommand::Replay(options)) => replay::replay(&options, settings),
         Some(CliCommand::Run(options)) => run::run(&options, settings.complained()),
         Some(CliCommand::Verify(options)) => verify::verify(&options, settings.complained()),
+        Some(CliCommand::Class(options)) => class::class(&options, settings),
         Some(CliCommand::Say(options)) => say::say(&options),
         Some(CliCommand::Watch(options)) => watch::watch(&options),
         Some(CliCommand::Mcp(options)) => mcp::serve(&options),

@@ -65,6 +65,17 @@ pub struct Config {
     pub results: ResultsConfig,
     pub parameters: ParametersConfig,
     pub events: EventsConfig,
+    pub class: ClassConfig,
+}
+
+/// The class of an instructor.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct ClassConfig {
+    /// The class that consoles ask to join, by name or path.
+    pub join: Option<String>,
+    /// The user name of its instructor; by default that of the owner of the class's folder.
+    pub instructor: Option<String>,
 }
 
 /// The parameters of vehicles.
@@ -281,6 +292,7 @@ impl Default for Config {
             results: ResultsConfig::default(),
             parameters: ParametersConfig::default(),
             events: EventsConfig::default(),
+            class: ClassConfig::default(),
         }
     }
 }

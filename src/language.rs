@@ -58,9 +58,9 @@ pub use complete::{
     Completion, begun, complete, file_begun, hint, lines, usages_begun, vehicle_verbs,
 };
 pub use console::{
-    AlertLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource, LineNeeds,
-    LoopTarget, MessagesLine, ParametersLine, ProcessDeed, RadioChoice, ReplayLine, Report,
-    ReviewLine, SeekTarget, TableLine,
+    AlertLine, ClassLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource,
+    LineNeeds, LoopTarget, MessagesLine, ParametersLine, ProcessDeed, RadioChoice, ReplayLine,
+    Report, ReviewLine, SeatChoice, SeekTarget, TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};

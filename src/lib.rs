@@ -17,6 +17,7 @@
 //! | | [`ui`] | screens and widgets: state in, cells out; the roles of text (such as warning) and their styles (`themes/*.toml`), the colours and signs of drones |
 //! | | [`app`] | state, events, effects, one `update`; the rooms' behaviour, their keys and the hints in their footers; the order of rows in the swarm table; when an alert is active, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
+//! | | [`carrier`] | the connections between the seats of a class and its desk: a Unix socket, and who is at its other end |
 //! | | [`hangar`] | SITL processes, started here or by a service over HTTP |
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
 //! | | [`store`] | files: missions, pilots, designs, the user's theme files, settings, profiles, runs, records; what a finished or abandoned flight adds to a career |
@@ -51,10 +52,12 @@
 //! | | [`draft`] | plans, fences and rally points that are being drawn: every change, undo, legs and heights |
 //! | | [`preflight`] | plan files before a flight: faults, notes and findings in words |
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
+//! | | [`class_text`] | the orders of an instructor's desk, as text |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
 //! | | [`vehicle_id`] | the numbers of vehicles, and sets of them (`1-4,7`) |
 //! | | [`hash`] | a hash that never changes |
-//! | libraries | [`rehearsal`] | plans of several vehicles flown in simulation: times, batteries, closest approaches |
+//! | libraries | [`class`] | a class: what seats report to the instructor's desk, its orders, and what survives a broken connection |
+//! | | [`rehearsal`] | plans of several vehicles flown in simulation: times, batteries, closest approaches |
 //! | | [`sim`] | simulated vehicles, their batteries and radios, and the wind |
 //! | | [`wire`] | MAVLink frames |
 //! | | [`plan`] | items of plans, fences and rally points: their files, the faults in them, and estimates of time and energy |
@@ -100,6 +103,8 @@ pub mod alert;
 pub mod api;
 pub mod app;
 pub mod campaign;
+pub mod carrier;
+pub mod class_text;
 pub mod cli;
 pub mod commands;
 pub mod comparison;
@@ -145,6 +150,7 @@ pub mod vehicle_id;
 pub mod verb;
 pub mod workshop;
 
+pub use sortie_class as class;
 pub use sortie_geo as geo;
 pub use sortie_plan as plan;
 pub use sortie_rehearsal as rehearsal;

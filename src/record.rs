@@ -23,6 +23,7 @@ use crate::text;
 use crate::text::Text;
 
 mod day_clock;
+mod desk_line;
 mod flight_log;
 mod foreign_line;
 mod inputs;
@@ -31,6 +32,7 @@ mod line;
 mod mission_clock;
 
 pub use day_clock::DayClock;
+pub use desk_line::DeskLine;
 pub use flight_log::{FlightLog, push_frame};
 pub use foreign_line::ForeignLine;
 pub use inputs::{
@@ -245,6 +247,7 @@ impl Journal {
             | Happening::Speedup { .. }
             | Happening::Paused { .. }
             | Happening::Mission { .. }
+            | Happening::Desk(_)
             | Happening::End => None,
         })
     }

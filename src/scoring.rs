@@ -37,7 +37,7 @@ pub use swarm::{SwarmFigures, SwarmTimes};
 pub use truth::{MarkReport, ObjectKind, ObjectReport, SquareReport, TrackReport, TruthReport};
 pub use utilisation::{IDLE_AFTER, VehicleUse, utilisation_value};
 pub use workload::{
-    OverloadedStretch, VehicleLoad, WorkloadAnswer, WorkloadCourse, WorkloadReport,
+    OverloadedStretch, VehicleLoad, WorkloadAnswer, WorkloadCourse, WorkloadReport, utilisation,
     workload_question,
 };
 

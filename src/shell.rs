@@ -6,7 +6,8 @@
 //! # How the parts fit
 //! - A flight's life: `options` (how the console starts), `begin` (a session starts, and whether it counts for a
 //!   career), `session`, `pause` (pauses, Ctrl-Z, the speed-up), `pace` (how often the console ticks), `replaying`.
-//! - In: `input` (keys, answers and sizes of the terminal), `signals`, `api` (programs). Out: `sight` holds what the
+//! - In: `input` (keys, answers and sizes of the terminal), `signals`, `api` (programs), `class` (the other side of a
+//!   class). Out: `sight` holds what the
 //!   terminal must show next, `plain` prints lines without a screen.
 //! - How effects are carried out: `effects`, with `orders` (to vehicles), `files`, `missions` (the missions on offer)
 //!   and `career` (profile, purchases).
@@ -24,8 +25,11 @@ use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 use crate::app::effect::{ProgramAnswer, ProgramFault};
 use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
+use crate::app::state::ClassRole;
 use crate::app::{App, Setup};
 use crate::campaign::{Attempt, Stake};
+use crate::class::ConnectionId;
+use crate::class::protocol::Denial;
 use crate::config::Config;
 use crate::fleet::FleetClock;
 use crate::replay::Replay;
@@ -37,6 +41,7 @@ use crate::text::Text;
 mod api;
 mod begin;
 mod career;
+mod class;
 mod drive;
 mod effects;
 mod files;
@@ -58,6 +63,8 @@ mod trials;
 pub use api::ApiOptions;
 use api::Programs;
 use career::Careers;
+use class::ClassEnd;
+pub use class::{ClassOptions, ClassPart};
 pub use drive::drive;
 use input::hear_last_answer;
 pub use missions::mission_faults;
@@ -78,6 +85,7 @@ const LOOK_EVERY: Duration = Duration::from_secs(2);
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
+    let mut class = open_class(&options)?;
     let mut screen = Screen::open(
         options.preferences.config.fps,
         options.preferences.config.mouse,
@@ -98,6 +106,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
             happened = signals.next() => console.obey(happened, &mut screen, &mut keyboard).await?,
             () = pace.tick() => console.tick().await,
             arrival = programs.next() => console.serve(&mut programs, arrival).await,
+            arrival = class.next() => console.attend(&mut class, arrival).await,
             input = keyboard.next() => match input {
                 Some(input) => console.hear_all(input, &mut screen, &mut keyboard).await,
                 None => console.is_cut_off = true,
@@ -108,12 +117,22 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
             break;
         }
         programs.tell(console.app.state());
+        class.tell(console.app.state());
         console.draw(&mut screen).await?;
     }
     console.close().await;
     programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
     console.require_stored()
+}
+
+/// Opens the console's end of a class, if it has a part in one.
+///
+/// # Errors
+/// The desk cannot be opened.
+fn open_class(options: &ConsoleOptions) -> anyhow::Result<ClassEnd> {
+    ClassEnd::open(options.class.as_ref(), options.flown_by())
+        .map_err(|fault| anyhow::anyhow!(options.look.text(&Text::from(&fault))))
 }
 
 /// The command history, oldest first. A history that cannot be read adds a warning.
@@ -170,6 +189,8 @@ struct Console {
     ghost: Option<ghost::GhostWork>,
     /// The drafts that are being flown in simulation.
     trial: Option<trials::TrialWork>,
+    /// Connections to seats that are to be ended, with the reason.
+    denials: Vec<(ConnectionId, Denial)>,
     /// The unsaved drafts; `None` without a folder for data.
     drafts: Option<UnsavedDrafts>,
 }
@@ -202,6 +223,10 @@ impl Console {
             history,
             has_ardupilot: options.ardupilot.is_some() && options.backend.ardupilot.is_none(),
             has_rooms,
+            class: options
+                .class
+                .as_ref()
+                .map_or(ClassRole::None, ClassOptions::role),
         };
         let drafts = preferences.data.as_deref().map(UnsavedDrafts::new);
         let mut console = Self {
@@ -225,6 +250,7 @@ impl Console {
             is_cut_off: false,
             ghost: None,
             trial: None,
+            denials: Vec::new(),
             drafts,
         };
         console.open_careers(course, false);

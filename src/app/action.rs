@@ -9,8 +9,8 @@ mod shared;
 mod step;
 
 pub use of_rooms::{
-    DebriefAction, DrawAction, FilesAction, HangarAction, LedgerAction, MapAction, MessagesAction,
-    ParametersAction, PlansAction, WorkshopAction,
+    ClassAction, DebriefAction, DrawAction, FilesAction, HangarAction, LedgerAction, MapAction,
+    MessagesAction, ParametersAction, PlansAction, WorkshopAction,
 };
 pub use shared::{LineAction, ReplayAction, SelectAction, StartAction, ViewAction};
 pub use step::Step;
@@ -127,6 +127,8 @@ actions! {
         Messages(MessagesAction),
         /// Actions of the Hangar room.
         Hangar(HangarAction),
+        /// Actions of the Class room.
+        Class(ClassAction),
         /// Actions of the Workshop room.
         Workshop(WorkshopAction),
     }

@@ -3,6 +3,8 @@
 use std::time::Duration;
 
 use crate::campaign::{Aids, Stake};
+use crate::class::protocol::Denial;
+use crate::class::{ConnectionId, OrderId};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::draft::Trial;
@@ -11,6 +13,7 @@ use crate::geo::Square;
 use crate::language::{GhostSource, LoopTarget, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
+use crate::record::DeskLine;
 use crate::review::Review;
 use crate::text::{Language, Text};
 use crate::vehicle::{HeldChannels, RadioTest, VehicleId};
@@ -76,6 +79,8 @@ pub enum Effect {
     TryDrafts(Trial),
     /// Change the profile or its data.
     Career(CareerEffect),
+    /// Do something for the class.
+    Class(ClassEffect),
     /// Start, change or end a session.
     Session(SessionEffect),
     Replay(ReplayEffect),
@@ -108,6 +113,10 @@ pub struct Effects(Vec<Effect>);
 impl Effects {
     pub fn none() -> Self {
         Self::default()
+    }
+
+    pub fn iter(&self) -> impl Iterator<Item = &Effect> {
+        self.0.iter()
     }
 
     pub fn into_vec(self) -> Vec<Effect> {
@@ -195,6 +204,20 @@ pub enum CareerEffect {
     },
     /// Delete the stored design of this name.
     DropDesign(String),
+}
+
+/// Work for the class.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ClassEffect {
+    /// At a seat: set a bookmark in the record, and report whether it is set.
+    Mark { id: OrderId, text: String },
+    /// At a seat: note an order of the desk in the record.
+    Note(DeskLine),
+    /// At the desk: end a connection, with the reason.
+    Deny {
+        connection: ConnectionId,
+        denial: Denial,
+    },
 }
 
 /// A change to the session.

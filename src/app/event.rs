@@ -15,6 +15,8 @@ use super::state::{
     Activity, Career, ForwardSummary, Ghost, Instance, LinkSummary, ReplayPosition, ReplayView,
 };
 use crate::campaign::Reward;
+use crate::class::protocol::{DeskMessage, SeatMessage};
+use crate::class::{ConnectionId, OrderId};
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
@@ -58,6 +60,8 @@ pub enum Event {
     Replay(ReplayEvent),
     /// A change to the profile in use or to its data.
     Career(CareerEvent),
+    /// Something happened between a seat and the desk of its class.
+    Class(ClassEvent),
     /// A file was read or written by the shell.
     File(FileEvent),
     /// Drafts were flown together in simulation.
@@ -234,6 +238,30 @@ pub enum CareerEvent {
     AtRisk(usize),
 }
 
+/// What happens between a seat and the desk of its class.
+#[derive(Debug, Clone)]
+pub enum ClassEvent {
+    /// At a seat: a desk was found, which belongs to this user.
+    Found { instructor: String },
+    /// At a seat: the desk has said something.
+    Said(DeskMessage),
+    /// At a seat: the connection to the desk has ended.
+    Lost,
+    /// At a seat: there is a desk to which it must not connect; the text states why.
+    Refused(Text),
+    /// At a seat: a bookmark that the desk had asked for was set, or could not be.
+    Marked { id: OrderId, is_set: bool },
+    /// At the desk: a seat has said something.
+    Heard {
+        connection: ConnectionId,
+        /// The user at the other end.
+        user: String,
+        message: SeatMessage,
+    },
+    /// At the desk: a connection has ended.
+    Left(ConnectionId),
+}
+
 /// The result of a file operation. Paths are as the user typed them.
 #[derive(Debug, Clone)]
 pub enum FileEvent {
@@ -279,6 +307,7 @@ part_of_event! {
     SessionEvent => Session,
     ReplayEvent => Replay,
     CareerEvent => Career,
+    ClassEvent => Class,
     FileEvent => File,
     Notice => Notice,
 }

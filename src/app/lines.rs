@@ -24,7 +24,8 @@ impl Names for NamesInFiles<'_> {
             | NameList::Macro
             | NameList::Draft
             | NameList::ItemField
-            | NameList::PlanFile => Listed::Anything,
+            | NameList::PlanFile
+            | NameList::Seat => Listed::Anything,
         }
     }
 }

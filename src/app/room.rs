@@ -6,6 +6,7 @@
 //!   `standing`, `workshop`.
 //! - In flight: `fly` (the table), `map`, `vehicle`, `ledger`, `plans` (drafts), `parameters` and `files` of a
 //!   vehicle.
+//! - Around it: `class` (the seats of an instructor's desk).
 //! - Behind it: `links` and `messages` (the traffic), `hangar` (the processes).
 //! - What several rooms use: `keys` and `footer_keys` (default keys, and hints), `page` (text with meaning),
 //!   `context` (views of the state that need the rooms), `request` (what a room asks of the console).
@@ -15,6 +16,7 @@ use super::keymap::{KeyHint, KeyRow};
 use super::room_list::for_each_room;
 use super::state;
 
+pub mod class;
 mod context;
 pub mod debrief;
 pub mod files;
@@ -189,6 +191,7 @@ pub fn act(state: &mut State, action: Action) -> Answer {
             Room::Messages.alone(state, |it| messages::act::act(it, action))
         }
         Action::Hangar(action) => Room::Hangar.alone(state, |it| hangar::act(it, action)),
+        Action::Class(action) => Room::Class.alone(state, |it| class::act(it, action)),
         Action::Workshop(action) => {
             Room::Workshop.alone(state, |it| workshop::act::act(it, action))
         }

@@ -39,6 +39,8 @@ macro_rules! for_each_room {
             Review, review, "review", 'A', Flight, review::Review;
             Standing, standing, "standing", 'T', Apart, standing::Standing;
             /// The workshop for designs.
+            /// The seats of a class, at the instructor's desk.
+            Class, class, "class", 'K', Apart, class::ClassRoom;
             Workshop, workshop, "workshop", 'W', Apart, workshop::Workshop;
         }
     };

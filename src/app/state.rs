@@ -15,6 +15,8 @@
 //!   they are sorted; `arrange` in `room/fly` sorts), `typing`, `overlay` (questions and prompts), `help` (made
 //!   from the keymap and the verbs), `names` (the names that a line may use), `sticks`; `display` has the size of
 //!   the smallest terminal. `training` and `career` hold missions, results and standing.
+//! - The class: `class` (a seat or the desk), `seat_report` (what a seat says of itself), `danger` (collisions and broken
+//!   fences that are near).
 //! - `views` is what other modules may read.
 
 use std::sync::Arc;
@@ -35,7 +37,9 @@ mod alert;
 mod bell;
 mod career;
 mod choice;
+mod class;
 mod column;
+mod danger;
 mod display;
 mod filter;
 mod flight_view;
@@ -53,6 +57,7 @@ mod overlay;
 mod pace;
 mod plan_failures;
 mod replay;
+mod seat_report;
 mod separation;
 mod session_ledger;
 mod sticks;
@@ -72,6 +77,8 @@ pub use alert::{Alert, alert, alerts};
 pub use bell::{BellCall, Due};
 pub use career::Career;
 pub use choice::{Choice, Selection};
+pub(in crate::app) use class::PendingOrder;
+pub use class::{ClassRole, SeatPlace};
 pub use column::SortKey;
 pub use display::{Display, SMALLEST, is_too_small};
 pub use filter::VehicleFilter;
@@ -134,6 +141,8 @@ pub struct State<R> {
     pub(in crate::app) documents: Arc<ParameterDocuments>,
     /// Whether ArduPilot's SITL is available.
     pub(in crate::app) has_ardupilot: bool,
+    /// The console's part in a class.
+    pub(in crate::app) class: ClassRole,
     message: Option<Message>,
     revision: u64,
 }
@@ -165,7 +174,10 @@ impl<R: Default> State<R> {
             wall: Duration::ZERO,
             replay: None,
             ghost: None,
-            room: Room::Home,
+            room: match setup.class {
+                ClassRole::Desk(_) => Room::Class,
+                ClassRole::None | ClassRole::Seat(_) => Room::Home,
+            },
             rooms: R::default(),
             overlay: None,
             session: FlightView::default(),
@@ -189,6 +201,7 @@ impl<R: Default> State<R> {
             keymap: setup.keymap,
             documents: setup.documents,
             has_ardupilot: setup.has_ardupilot,
+            class: setup.class,
             message: None,
             revision: 0,
         }

@@ -30,6 +30,7 @@ use crate::vehicle::Severity;
 mod act;
 mod alert_line;
 mod batch;
+mod class;
 mod consequence;
 mod console_line;
 mod drafts;
@@ -70,6 +71,8 @@ pub fn update(state: &mut State, event: Event) -> Effects {
     let said = state.message().cloned();
     let held = sticks::held(state);
     let watch = pace::watch(state, &event);
+    let witnessed = class::witnessed(state, &event);
+    let is_tick = matches!(event, Event::Tick { .. });
     let mut effects = react(state, event);
     // A message disappears with its subject, unless it has only just appeared.
     let is_elsewhere = state.room != room || (state.overlay.is_some() && !had_overlay);
@@ -83,6 +86,7 @@ pub fn update(state: &mut State, event: Event) -> Effects {
     if let Some(reason) = watch.and_then(|before| pace::news(state, before)) {
         effects.extend(pace::fall_back(state, reason));
     }
+    class::follow(state, is_tick, witnessed, &mut effects);
     workshop::weigh(state);
     stay_with_vehicles(state);
     mission::leave_brief(state);
@@ -116,6 +120,7 @@ fn react(state: &mut State, event: Event) -> Effects {
         Event::Session(event) => session(state, event),
         Event::Replay(event) => replay::happened(state, event),
         Event::Career(event) => career(state, event),
+        Event::Class(event) => return class::happened(state, event),
         Event::File(event) => return file(state, event),
         Event::Tried(tried) => {
             state.touch();

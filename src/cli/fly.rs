@@ -10,6 +10,7 @@ use clap::Args;
 use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
 use super::free::FreeOptions;
+use super::seat::SeatArguments;
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
 use crate::forward::{ForwardFault, ForwardSpec};
@@ -55,6 +56,8 @@ pub(super) struct FlyArguments {
     forwards: ForwardArguments,
     #[command(flatten)]
     api: ApiArguments,
+    #[command(flatten)]
+    seat: SeatArguments,
     /// Print lines of text instead of drawing a screen, for screen readers and pipes.
     #[arg(long)]
     plain: bool,
@@ -134,18 +137,21 @@ pub(super) struct HomeArguments {
     /// Run this many times as fast as real time.
     #[arg(long, value_parser = parse_speedup, help_heading = HOME_OPTIONS)]
     speedup: Option<f64>,
+    #[command(flatten)]
+    seat: SeatArguments,
 }
 
 impl HomeArguments {
     /// Whether all values are the defaults.
     pub fn is_default(&self) -> bool {
-        self.seed.is_none() && self.speedup.is_none()
+        self.seed.is_none() && self.speedup.is_none() && self.seat.is_default()
     }
 }
 
 /// Opens the home screen. The options apply to every mission chosen there.
 pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let options = ConsoleOptions {
+        class: arguments.seat.or_configured(&settings),
         seed: arguments.seed,
         speedup: arguments.speedup.unwrap_or(1.0),
         ..options(Opening::Home, settings)?
@@ -169,6 +175,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
     let options = ConsoleOptions {
         forwards: arguments.forwards.or_configured(&settings)?,
         api: arguments.api.options(),
+        class: arguments.seat.or_configured(&settings),
         backend: VehicleBackend {
             free: arguments.free.flight(backend.ardupilot.is_some())?,
             ..backend
@@ -181,17 +188,24 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
     open(options, arguments.plain)
 }
 
+/// The options of `sortie connect` about others who take part.
+pub(super) struct JoinedArguments<'a> {
+    pub forwards: &'a ForwardArguments,
+    pub api: &'a ApiArguments,
+    pub seat: &'a SeatArguments,
+}
+
 /// Opens the console on running vehicles.
 pub(super) fn connect(
     addresses: Vec<Address>,
-    forwards: &ForwardArguments,
-    api: &ApiArguments,
+    joined: JoinedArguments<'_>,
     plain: bool,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
     let options = ConsoleOptions {
-        forwards: forwards.or_configured(&settings)?,
-        api: api.options(),
+        forwards: joined.forwards.or_configured(&settings)?,
+        api: joined.api.options(),
+        class: joined.seat.or_configured(&settings),
         ..options(Opening::Connect(addresses), settings)?
     };
     open(options, plain)
@@ -248,6 +262,7 @@ pub(super) fn options(
         speedup: 1.0,
         typed_by: FlownBy::Hand,
         api: None,
+        class: None,
         forwards: Vec::new(),
         look: look(&settings),
         preferences: Preferences {

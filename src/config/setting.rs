@@ -272,6 +272,18 @@ pub const SETTINGS: &[Setting] = &[
         "File with the texts of events: all_events.json of PX4, also compressed (.xz).",
     ),
     setting(
+        "class.join",
+        SettingKind::Text,
+        Some("SORTIE_CLASS"),
+        "The class that consoles ask to join, by name or path (`sortie class open`).",
+    ),
+    setting(
+        "class.instructor",
+        SettingKind::Text,
+        None,
+        "User name of the instructor to whom the desk must belong; by default the owner of the folder of the class.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

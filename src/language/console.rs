@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::VehicleChoice;
 use super::targets::Targets;
 use crate::alert::AlertKind;
+use crate::class::Deed;
 use crate::commands::Pattern;
 use crate::config::{Column, LiveSetting, TableSort};
 use crate::draft::Edit;
@@ -85,6 +86,8 @@ pub enum ConsoleLine {
     Draft(DraftLine),
     /// A command about another flight, shown beside this one.
     Ghost(GhostLine),
+    /// A command about the class.
+    Class(ClassLine),
     /// Abandon the mission and show its debrief.
     Abandon,
     /// Restart the same mission.
@@ -146,10 +149,32 @@ impl ConsoleLine {
             | Self::Bookmark(_)
             | Self::Draft(_)
             | Self::Ghost(_)
+            | Self::Class(_)
             | Self::Leave
             | Self::Quit => LineNeeds::Nothing,
         }
     }
+}
+
+/// A command about the class.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ClassLine {
+    /// At a seat: join the class that the configuration names.
+    Join,
+    /// At a seat: leave it.
+    Leave,
+    /// At the desk: give an order to seats.
+    Give { seats: SeatChoice, deed: Deed },
+}
+
+/// The seats that an order is for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SeatChoice {
+    /// The marked seats; with none marked, the one under the cursor.
+    Addressed,
+    All,
+    /// The seat with this name.
+    Named(String),
 }
 
 /// A command about forwards.
@@ -195,6 +220,8 @@ pub enum Report {
     Traffic,
     /// The processes of simulated vehicles.
     Hangar,
+    /// The seats of the class.
+    Class,
     /// The brief: the mission's objectives, its rules and its scoring.
     Brief,
     /// The state of vehicles: these, otherwise the selected ones, otherwise all.

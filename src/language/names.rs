@@ -24,6 +24,8 @@ pub enum NameList {
     ItemField,
     /// The files of plans in the folder that is being typed.
     PlanFile,
+    /// The seats of the class, with `@`, and `@all`.
+    Seat,
 }
 
 /// A name that a line may contain.
@@ -94,7 +96,8 @@ impl Listed {
             | NameList::Macro
             | NameList::Draft
             | NameList::ItemField
-            | NameList::PlanFile => words.iter().copied().find(|word| *word == written),
+            | NameList::PlanFile
+            | NameList::Seat => words.iter().copied().find(|word| *word == written),
         };
         let unknown = || text!("grammar-no-name", word = written);
         found.map(str::to_owned).ok_or_else(unknown)

@@ -4,7 +4,7 @@
 //! - For vehicles: `flight` (arm, take off, return, stop), `motion` (go, turn, climb), `swarm` (together), `plans`
 //!   (the lists on board), `devices` (outputs, parameters, logs, keys), `files`, and `raw` for commands as typed.
 //! - For the mission: `mission` (loads, reports, prediction). For a script: `waiting`.
-//! - For the console: `console` (screen, selection), `session` (start, speed, end), `drafts`, `replay`, `review`.
+//! - For the console: `console` (screen, selection), `session` (start, speed, end), `class`, `drafts`, `replay`, `review`.
 //!
 //! The properties of a verb (danger, retries, precedence, when it has arrived) stand in its row.
 
@@ -14,6 +14,7 @@ use super::verb::{Meaning, Scope, VerbRow};
 use crate::commands::{Act, Command, Deed, Manoeuvre, PlanTask};
 use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
 
+mod class;
 mod console;
 mod devices;
 mod drafts;
@@ -52,7 +53,7 @@ pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }
 
-static TABLE: [&[VerbRow]; 13] = [
+static TABLE: [&[VerbRow]; 14] = [
     flight::ROWS,
     motion::ROWS,
     swarm::ROWS,
@@ -66,6 +67,7 @@ static TABLE: [&[VerbRow]; 13] = [
     review::ROWS,
     console::ROWS,
     session::ROWS,
+    class::ROWS,
 ];
 
 /// For arming: a motor that starts late can hurt a person, so the attempts end soon.

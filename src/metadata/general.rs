@@ -59,13 +59,13 @@ struct Entry {
 pub fn general(source: &str) -> Result<Vec<MetadataFile>, Text> {
     let general: General = serde_json::from_str(source)
         .map_err(|error| text!("documentation-json", fault = error.to_string()))?;
-    let mut files: Vec<MetadataFile> = general.types.into_iter().filter_map(file).collect();
+    let mut files: Vec<MetadataFile> = general.types.iter().filter_map(file).collect();
     files.sort_by_key(|file| file.kind);
     files.dedup_by_key(|file| file.kind);
     Ok(files)
 }
 
-fn file(entry: Entry) -> Option<MetadataFile> {
+fn file(entry: &Entry) -> Option<MetadataFile> {
     let kind = match entry.kind {
         1 => MetadataKind::Parameters,
         4 => MetadataKind::Events,

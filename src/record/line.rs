@@ -5,6 +5,7 @@ use std::time::Duration;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
+use super::desk_line::DeskLine;
 use super::foreign_line::ForeignLine;
 use crate::alert::AlertKind;
 use crate::commands::Order;
@@ -63,6 +64,7 @@ impl JournalLine {
             | Happening::Speedup { .. }
             | Happening::Paused { .. }
             | Happening::Bookmark { .. }
+            | Happening::Desk(_)
             | Happening::End => true,
         };
         is_short && is_next(self.at(), before)
@@ -103,6 +105,8 @@ pub enum Happening {
     Mission { ms: u64 },
     /// The operator set a bookmark.
     Bookmark { text: String },
+    /// An order of an instructor's desk has ended.
+    Desk(DeskLine),
     /// The session was ended normally.
     End,
 }

@@ -102,6 +102,7 @@ impl Lookout {
                 | Event::Process(_)
                 | Event::Replay(_)
                 | Event::Career(_)
+                | Event::Class(_)
                 | Event::File(_)
                 | Event::Tried(_)
                 | Event::Notice(_)

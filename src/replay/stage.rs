@@ -15,6 +15,7 @@ use crate::mission::Progress;
 use crate::notice::Notice;
 use crate::record::{EntryLine, Happening, JournalLine, PathLine};
 use crate::text::Text;
+use crate::vehicle::Severity;
 
 mod actor;
 mod mission;
@@ -274,6 +275,10 @@ impl Stage {
                     events.push(VehicleEvent::Foreign(foreign.command(line.at())).into());
                 }
                 Happening::Notice(notice) => events.push(notice.notice(line.at()).into()),
+                Happening::Desk(order) => {
+                    let notice = Notice::general(line.at(), Severity::Notice, order.text());
+                    events.push(notice.into());
+                }
                 Happening::Mission { ms } => {
                     let elapsed = Duration::from_millis(*ms);
                     events.extend(self.fly(elapsed, line.at()));

@@ -31,6 +31,17 @@ pub fn workload_question(elapsed: Duration) -> Option<u64> {
     (number > 0 && since < ASK_FOR.as_secs()).then_some(number)
 }
 
+/// The share of the last minute in which an operator was busy with commands that were given at these times, oldest
+/// first.
+pub fn utilisation(commands: &[Duration], now: Duration) -> f64 {
+    busy_share(&BusyTime::of(commands), now)
+}
+
+fn busy_share(busy: &BusyTime, to: Duration) -> f64 {
+    let spent = busy.between(to.saturating_sub(WINDOW), to);
+    rounded(spent.as_secs_f64() / WINDOW.as_secs_f64(), 2)
+}
+
 /// The vehicles' load on their operator at one time.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct VehicleLoad {
@@ -132,10 +143,7 @@ impl WorkloadCourse {
     pub fn report(&self, commands: &[Duration]) -> WorkloadReport {
         let busy = BusyTime::of(commands);
         let times = (0..self.loads.len() as u32).map(|point| POINT_EVERY * point);
-        let share = |to: Duration| {
-            let spent = busy.between(to.saturating_sub(WINDOW), to);
-            rounded(spent.as_secs_f64() / WINDOW.as_secs_f64(), 2)
-        };
+        let share = |to: Duration| busy_share(&busy, to);
         let seconds = |time: Duration| rounded(time.as_secs_f64(), 1);
         let utilisation: Vec<f64> = times.clone().map(share).collect();
         WorkloadReport {

@@ -69,6 +69,19 @@ enum Part {
     Documents(MetadataKind),
 }
 
+/// The end of the reading of a file.
+enum Heard {
+    Whole(WholeFile),
+    Fault(Part, Text),
+}
+
+/// A file as the vehicle has it.
+struct WholeFile {
+    part: Part,
+    checksum: Option<u32>,
+    bytes: Vec<u8>,
+}
+
 impl MetadataReader {
     /// Keeps files through `desk`.
     pub fn use_desk(&mut self, desk: Arc<dyn FileDesk>) {
@@ -187,52 +200,10 @@ impl MetadataReader {
         let Some(job) = &mut self.job else {
             return;
         };
-        let Stage::Reading {
-            part,
-            checksum,
-            ticket: own,
-            bytes,
-            size,
-        } = &mut job.stage
-        else {
-            return;
-        };
-        if *own != ticket {
-            return;
-        }
-        let (part, checksum) = (*part, *checksum);
-        let is_too_large = match event {
-            FtpEvent::Opened(opened) => {
-                *size = *opened;
-                bytes.clear();
-                *opened > LARGEST_PACKED
-            }
-            FtpEvent::Bytes(piece) => piece.range().end > LARGEST_PACKED,
-            _ => false,
-        };
-        match event {
-            _ if is_too_large => {
-                scene.ftp.cancel(ticket);
-                let most = LARGEST_PACKED / 1024 / 1024;
-                self.leave_out(part, text!("metadata-too-large", most = most), scene);
-            }
-            FtpEvent::Bytes(piece) => {
-                piece.write_to(bytes);
-                let share = bytes.len() as u64 * 100 / u64::from((*size).max(1));
-                job.progress(share.min(100) as u8, scene);
-            }
-            FtpEvent::Complete(whole) => {
-                bytes.truncate(*whole as usize);
-                let bytes = std::mem::take(bytes);
-                self.take(part, checksum, bytes, scene);
-            }
-            FtpEvent::Failed(fault) => self.leave_out(part, Text::from(*fault), scene),
-            FtpEvent::Opened(_)
-            | FtpEvent::Listed(_)
-            | FtpEvent::Checksum(_)
-            | FtpEvent::Wrote(_)
-            | FtpEvent::Written
-            | FtpEvent::Done => {}
+        match job.hear(ticket, event, scene) {
+            None => {}
+            Some(Heard::Whole(whole)) => self.take(whole, scene),
+            Some(Heard::Fault(part, fault)) => self.leave_out(part, fault, scene),
         }
     }
 
@@ -264,13 +235,12 @@ impl MetadataReader {
     }
 
     /// Takes in a whole file, and keeps it if it can be used.
-    fn take(
-        &mut self,
-        part: Part,
-        checksum: Option<u32>,
-        bytes: Vec<u8>,
-        scene: &mut FilesScene<'_>,
-    ) {
+    fn take(&mut self, whole: WholeFile, scene: &mut FilesScene<'_>) {
+        let WholeFile {
+            part,
+            checksum,
+            bytes,
+        } = whole;
         let text = unpacked(bytes.clone());
         match text.and_then(|text| self.understand(part, &text)) {
             Ok(()) => {
@@ -376,11 +346,82 @@ impl MetadataJob {
         });
     }
 
+    /// Handles an event of the file client; returns the end of the file that is being read.
+    fn hear(
+        &mut self,
+        ticket: FtpTicket,
+        event: &FtpEvent,
+        scene: &mut FilesScene<'_>,
+    ) -> Option<Heard> {
+        let Stage::Reading {
+            part,
+            checksum,
+            ticket: own,
+            bytes,
+            size,
+        } = &mut self.stage
+        else {
+            return None;
+        };
+        if *own != ticket {
+            return None;
+        }
+        if needs(event) > LARGEST_PACKED {
+            scene.ftp.cancel(ticket);
+            let most = LARGEST_PACKED / 1024 / 1024;
+            return Some(Heard::Fault(
+                *part,
+                text!("metadata-too-large", most = most),
+            ));
+        }
+        match event {
+            FtpEvent::Opened(opened) => {
+                *size = *opened;
+                bytes.clear();
+            }
+            FtpEvent::Bytes(piece) => {
+                piece.write_to(bytes);
+                let share = bytes.len() as u64 * 100 / u64::from((*size).max(1));
+                self.progress(share.min(100) as u8, scene);
+            }
+            FtpEvent::Complete(length) => {
+                bytes.truncate(*length as usize);
+                return Some(Heard::Whole(WholeFile {
+                    part: *part,
+                    checksum: *checksum,
+                    bytes: std::mem::take(bytes),
+                }));
+            }
+            FtpEvent::Failed(fault) => return Some(Heard::Fault(*part, Text::from(*fault))),
+            FtpEvent::Listed(_)
+            | FtpEvent::Checksum(_)
+            | FtpEvent::Wrote(_)
+            | FtpEvent::Written
+            | FtpEvent::Done => {}
+        }
+        None
+    }
+
     fn progress(&mut self, percent: u8, scene: &mut FilesScene<'_>) {
         if self.percent != Some(percent) {
             self.percent = Some(percent);
             self.row(RowState::InProgress(percent), None, scene);
         }
+    }
+}
+
+/// The size that a file has at least, according to an event.
+fn needs(event: &FtpEvent) -> u32 {
+    match event {
+        FtpEvent::Opened(size) => *size,
+        FtpEvent::Bytes(piece) => piece.range().end,
+        FtpEvent::Complete(_)
+        | FtpEvent::Failed(_)
+        | FtpEvent::Listed(_)
+        | FtpEvent::Checksum(_)
+        | FtpEvent::Wrote(_)
+        | FtpEvent::Written
+        | FtpEvent::Done => 0,
     }
 }
 

@@ -59,14 +59,20 @@ impl Timesync {
             );
             return (Some(reply), None);
         }
-        let asked_at = u64::try_from(sync.ts1).map(Duration::from_nanos).ok();
-        let latest = asked_at.filter(|&asked_at| {
-            asked_at <= now && now - asked_at < EVERY && self.asked_at <= Some(asked_at)
-        });
-        if let Some(asked_at) = latest {
-            self.ask_after(asked_at, system);
+        let round_trip = self.round_trip(sync.ts1, now);
+        if let Some(round_trip) = round_trip {
+            self.ask_after(now.saturating_sub(round_trip), system);
         }
-        (None, latest.map(|asked_at| now - asked_at))
+        (None, round_trip)
+    }
+
+    /// The time since a request, which may be that of another session; `None` if a newer one was sent, or if the
+    /// request is of another clock.
+    fn round_trip(&self, asked_ns: i64, now: Duration) -> Option<Duration> {
+        let asked_at = Duration::from_nanos(u64::try_from(asked_ns).ok()?);
+        let is_latest = self.asked_at <= Some(asked_at);
+        now.checked_sub(asked_at)
+            .filter(|age| is_latest && *age < EVERY)
     }
 }
 

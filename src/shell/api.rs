@@ -9,7 +9,7 @@ use std::collections::{BTreeMap, VecDeque};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use tokio::io::{AsyncBufReadExt as _, AsyncReadExt as _, AsyncWriteExt as _, BufReader};
+use tokio::io::{AsyncWriteExt as _, BufReader};
 use tokio::sync::mpsc;
 use tokio::sync::mpsc::error::TrySendError;
 use tokio_util::sync::CancellationToken;
@@ -22,6 +22,7 @@ use crate::api::{
 use crate::app::State;
 use crate::app::effect::{ProgramAnswer, ProgramFault};
 use crate::app::event::{Event, ProgramLine};
+use crate::carrier::lines::{ReadLine, read_line};
 use crate::notice::Notice;
 use crate::store::{RecordFiles, Records};
 use crate::text;
@@ -390,18 +391,12 @@ async fn pass_in(
 ) {
     let mut read = BufReader::new(read);
     loop {
-        let mut bytes = Vec::new();
-        let most = LONGEST_LINE as u64 + 1;
-        match (&mut read).take(most).read_until(b'\n', &mut bytes).await {
-            Ok(0) | Err(_) => return,
-            Ok(_) => {}
-        }
-        let is_too_long = bytes.len() > LONGEST_LINE;
-        let line = if is_too_long {
-            Err(LineFault::TooLong)
-        } else {
-            String::from_utf8(bytes).map_err(|_| LineFault::NotUtf8)
+        let line = match read_line(&mut read, LONGEST_LINE).await {
+            None => return,
+            Some(ReadLine::TooLong) => Err(LineFault::TooLong),
+            Some(ReadLine::Line(bytes)) => String::from_utf8(bytes).map_err(|_| LineFault::NotUtf8),
         };
+        let is_too_long = line == Err(LineFault::TooLong);
         if line.as_ref().is_ok_and(|line| line.trim().is_empty()) {
             continue;
         }

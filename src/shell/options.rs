@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::api::ApiOptions;
+use super::class::ClassOptions;
 use crate::app::keymap::Keymap;
 use crate::config::Config;
 use crate::forward::ForwardSpec;
@@ -47,6 +48,8 @@ pub struct ConsoleOptions {
     pub typed_by: FlownBy,
     /// The interface for programs, if one is wanted.
     pub api: Option<ApiOptions>,
+    /// The console's part in a class, if it has one.
+    pub class: Option<ClassOptions>,
     /// The forwards to other ground stations, in every session.
     pub forwards: Vec<ForwardSpec>,
     /// The look of the screen.
@@ -73,6 +76,7 @@ impl ConsoleOptions {
         Self {
             typed_by: FlownBy::Hand,
             api: None,
+            class: None,
             opening,
             backend: VehicleBackend::default(),
             ardupilot: None,

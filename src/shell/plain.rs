@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use super::api::Programs;
 use super::signals::{Happened, Signals};
-use super::{Console, ConsoleOptions, Opening, Pace, key};
+use super::{Console, ConsoleOptions, Opening, Pace, key, open_class};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
@@ -55,6 +55,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     let is_person = options.typed_by == FlownBy::Hand;
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
+    let mut class = open_class(&options)?;
     let mut plain = Plain {
         beginning: Beginning::of(&options, is_person),
         console: Console::new(options, false),
@@ -94,12 +95,14 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
             },
             () = pace.tick() => plain.tick().await?,
             arrival = programs.next() => plain.console.serve(&mut programs, arrival).await,
+            arrival = class.next() => plain.console.attend(&mut class, arrival).await,
             line = lines.recv(), if takes_lines => match line {
                 Some(line) => plain.take(&line).await?,
                 None => plain.end_of_input().await,
             },
         }
         programs.tell(plain.console.app.state());
+        class.tell(plain.console.app.state());
     }
     plain.console.close().await;
     programs.close(plain.console.app.state()).await;

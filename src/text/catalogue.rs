@@ -20,6 +20,7 @@ catalogue! {
     "bench",
     "campaign",
     "career",
+    "class",
     "common",
     "config",
     "console",

@@ -5,6 +5,7 @@
 //!   `standing`, `workshop`.
 //! - In flight: `fly` (table, telemetry, ledger, notices), `map`, `vehicle`, `ledger`, `plans`, `parameters`,
 //!   `files`.
+//! - Around it: `class`.
 //! - Behind it: `links`, `messages`, `hangar`. `small` is shown instead of any room if the terminal is too small.
 //!
 //! The behaviour of a room is in the file of the same name in `app::room`.
@@ -15,6 +16,7 @@ use crate::app::State;
 use crate::app::room_list::{Room, for_each_room};
 use crate::ui::panel::Panel;
 
+pub mod class;
 pub mod debrief;
 pub mod files;
 pub mod fly;

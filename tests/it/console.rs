@@ -12,6 +12,7 @@ use crate::harness::Console;
 
 mod alerts;
 mod career;
+pub mod class;
 mod command_line;
 mod commands;
 mod forget;

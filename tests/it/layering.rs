@@ -9,10 +9,11 @@ use sources::{ModuleSource, blanked, modules, paths, uses, without_tests};
 mod sources;
 
 /// Libraries of the workspace: pure, and below every module of the program.
-const LIBRARIES: &[&[&str]] = &[&["geo", "plan", "wire", "sim", "rehearsal"]];
+const LIBRARIES: &[&[&str]] = &[&["class", "geo", "plan", "wire", "sim", "rehearsal"]];
 /// Pure modules of the program, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
     &["hash", "text", "verb"],
+    &["class_text"],
     &["vehicle_id"],
     &["diagnostic", "alert", "config"],
     &["preflight", "draft"],
@@ -33,7 +34,7 @@ const PURE: &[&[&str]] = &[
     &["exercise"],
 ];
 /// Modules with input and output: they may use pure ones, and those before them.
-const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar"]];
+const IO: &[&[&str]] = &[&["store"], &["link"], &["fleet", "hangar", "carrier"]];
 /// The shell, lowest first.
 const SHELL: &[&[&str]] = &[
     &["app"],

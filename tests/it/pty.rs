@@ -285,3 +285,26 @@ fn the_log_tells_of_links_and_a_missing_recording_is_refused() {
     terminal.see("cannot read the recording nowhere.tlog");
     assert_eq!(terminal.end(), 2);
 }
+
+#[test]
+fn an_instructor_sees_a_trainee_and_sends_a_message() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let class = folder.path().join("9-A").display().to_string();
+    let mut desk = Terminal::start(&["class", "open", &class], 120, 40);
+    desk.see("CLASS").see("No trainee has joined yet");
+    let mut seat = Terminal::start(&["fly", "00", "--class", &class], 80, 24);
+    seat.see("desk");
+    desk.see("00-first-flight").see("reading");
+    seat.press("F");
+    desk.see("flying");
+    desk.press("m")
+        .see("class message")
+        .press("look at the battery\r");
+    seat.see("look at the battery");
+    desk.see("done");
+    desk.press("f").see("frozen");
+    seat.see("FROZEN");
+    desk.press("q");
+    assert_eq!(desk.end(), 0);
+    seat.command("continue").see_no_more("FROZEN");
+}

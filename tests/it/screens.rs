@@ -13,6 +13,7 @@ use crate::fixtures;
 use crate::harness::Console;
 
 mod career;
+mod class;
 mod crowded;
 mod debrief;
 mod files;

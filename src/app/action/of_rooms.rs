@@ -204,6 +204,15 @@ pub enum HangarAction {
     StopProcess,
 }
 
+/// Actions of the Class room.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
+#[strum(serialize_all = "kebab-case")]
+pub enum ClassAction {
+    /// Mark the seat under the cursor, or remove its mark.
+    MarkSeat,
+    MarkAllSeats,
+}
+
 /// Actions of the Workshop room.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, EnumIter, IntoStaticStr)]
 #[strum(serialize_all = "kebab-case")]

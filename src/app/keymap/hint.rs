@@ -54,10 +54,13 @@ impl Meaning {
         Self::Write(Cow::Borrowed(words))
     }
 
-    /// Whether both meanings are the same, apart from trailing spaces in a line.
+    /// Whether both meanings are the same, apart from trailing spaces in a line, and whether the line is carried out at
+    /// once.
     fn leads_where(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Write(one), Self::Write(other)) => one.trim_end() == other.trim_end(),
+            (Self::Write(one) | Self::Give(one), Self::Write(other) | Self::Give(other)) => {
+                one.trim_end() == other.trim_end()
+            }
             _ => self == other,
         }
     }

@@ -30,7 +30,8 @@ impl Names for Known<'_> {
             | NameList::Mission
             | NameList::Inject
             | NameList::Macro
-            | NameList::PlanFile => self.0.listed(list),
+            | NameList::PlanFile
+            | NameList::Seat => self.0.listed(list),
         }
     }
 

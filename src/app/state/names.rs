@@ -5,6 +5,7 @@ use std::fmt;
 use super::State;
 use crate::app::lines::themes;
 use crate::app::room_list::Room;
+use crate::class::SeatRecord;
 use crate::language::{Listed, NameList, Named, Names};
 use crate::text;
 use crate::text::Text;
@@ -22,6 +23,7 @@ impl<R: fmt::Debug> Names for State<R> {
             // The rooms check these names.
             NameList::Draft | NameList::ItemField => Listed::Anything,
             NameList::PlanFile => Listed::Names(self.typing.plan_files()),
+            NameList::Seat => self.seats(),
             NameList::Macro => {
                 let macros = self.config.macros.iter();
                 let meaning = |lines: &[String]| Text::verbatim(lines.join("; "));
@@ -36,6 +38,20 @@ impl<R: fmt::Debug> Names for State<R> {
 }
 
 impl<R> State<R> {
+    fn seats(&self) -> Listed {
+        let Some(desk) = self.class.desk() else {
+            return Listed::Nothing(text!("class-no-desk"));
+        };
+        let trainee = |seat: &SeatRecord| {
+            let report = seat.report.as_ref();
+            report.map_or_else(String::new, |report| report.trainee.to_string())
+        };
+        let seats = desk.seats().iter();
+        let seats = seats.map(|seat| named(&format!("@{}", seat.name), trainee(seat).into()));
+        let all = named("@all", text!("class-all-seats"));
+        Listed::Names(std::iter::once(all).chain(seats).collect())
+    }
+
     fn injects(&self) -> Listed {
         let Some(mission) = &self.session.task.progress else {
             return Listed::Nothing(text!("console-no-mission"));

@@ -6,6 +6,7 @@ use super::HelpPage;
 use super::sticks::StickMode;
 use crate::app::effect::Effect;
 use crate::app::room_list::Room;
+use crate::class::Deed;
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
@@ -187,6 +188,8 @@ impl Confirm {
             Consequence::Effect(_)
             | Consequence::Parameters(_)
             | Consequence::Design(_)
+            | Consequence::JoinClass
+            | Consequence::Instruct { .. }
             | Consequence::CloseDraft => self.answer.as_str().into(),
         }
     }
@@ -206,6 +209,13 @@ pub enum Consequence {
     Parameters(Vec<ParameterSetting>),
     /// Replace the design on the bench.
     Design(Design),
+    /// Join the class.
+    JoinClass,
+    /// Give an order to these seats of the class.
+    Instruct {
+        seats: Vec<usize>,
+        deed: Deed,
+    },
 }
 
 /// One value for some vehicles.

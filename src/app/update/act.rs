@@ -53,6 +53,7 @@ pub fn act(state: &mut State, action: Action) -> Effects {
         | Action::Draw(_)
         | Action::Messages(_)
         | Action::Hangar(_)
+        | Action::Class(_)
         | Action::Workshop(_) => {}
     }
     Effects::none()

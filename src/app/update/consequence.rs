@@ -1,6 +1,6 @@
 //! Carries out actions that have been confirmed, or that need no confirmation.
 
-use super::{batch, order};
+use super::{batch, class, order};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::room::{Room, plans, workshop};
@@ -22,6 +22,14 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
                 announce(state, session);
             }
             Effects::from(effect)
+        }
+        Consequence::JoinClass => {
+            class::join(state);
+            Effects::none()
+        }
+        Consequence::Instruct { seats, deed } => {
+            class::instruct(state, &seats, &deed);
+            Effects::none()
         }
         Consequence::Parameters(settings) => batch::begin(state, settings),
         Consequence::Design(design) => {

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use super::show::{brief, look_back, show};
 use super::{
-    alert_line, drafts, ending, forget, forwards, ghost, links, macros, mission, pace, radio,
-    replay, review, selection,
+    alert_line, class, drafts, ending, forget, forwards, ghost, links, macros, mission, pace,
+    radio, replay, review, selection,
 };
 use crate::app::State;
 use crate::app::effect::{CareerEffect, Effect, Effects, SessionEffect, TerminalEffect};
@@ -95,6 +95,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Unbookmark => return replay::unbookmark(state),
         ConsoleLine::Review(line) => return review::carry_out(state, line),
         ConsoleLine::Ghost(line) => return ghost::carry_out(state, line),
+        ConsoleLine::Class(line) => return class::carry_out(state, line),
         ConsoleLine::Abandon => return Ok(mission::abandon(state)),
         ConsoleLine::Restart => return Ok(mission::restart(state, false)),
         ConsoleLine::Leave => return Ok(ending::leave(state)),
@@ -112,6 +113,7 @@ fn inform(state: &mut State, report: &Report) {
         Report::Notices => look_back(state, Log::Notices),
         Report::Traffic => look_back(state, Log::Traffic),
         Report::Hangar => show(state, Room::Hangar),
+        Report::Class => show(state, Room::Class),
         Report::Brief => brief(state),
         Report::Objectives => show(state, Room::Mission),
         Report::Status(_) | Report::Contacts => show(state, Room::Fly),

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::ending::{ask, guarded, leave, loss};
-use super::replay;
+use super::{class, replay};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
@@ -57,6 +57,10 @@ pub fn pause(state: &mut State) -> Effects {
 pub fn go_on(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::play(true);
+    }
+    if let Some(reason) = class::keeps_frozen(state) {
+        state.say(Severity::Warning, reason);
+        return Effects::none();
     }
     if state.session.is_paused() {
         return Effects::from(Effect::Session(SessionEffect::Continue));

@@ -171,6 +171,7 @@ fn reason(state: &State, event: &Event) -> Option<Text> {
         | Event::Session(_)
         | Event::Replay(_)
         | Event::Career(_)
+        | Event::Class(_)
         | Event::File(_)
         | Event::Tried(_)
         | Event::NoticesDropped(_)

@@ -55,6 +55,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
     let console = ConsoleOptions {
         typed_by: FlownBy::Hand,
         api: None,
+        class: None,
         backend: crate::hangar::VehicleBackend::default(),
         ardupilot: None,
         opening: Opening::Free,

@@ -65,7 +65,7 @@ pub(in crate::cli) struct Common {
     /// PX4.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     parameter_docs: Option<String>,
-    /// Show the texts of events from FILE: all_events.json of PX4.
+    /// Show the texts of events from FILE, PX4's list of all events.
     #[arg(long, global = true, value_name = "FILE", help_heading = "Settings")]
     event_docs: Option<String>,
     /// Use this MAVLink system id, 1 to 255, instead of 255: two consoles on the same vehicles need two ids.

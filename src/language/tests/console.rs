@@ -26,6 +26,7 @@ impl Names for Known {
             NameList::Draft => &["north", "south"],
             NameList::ItemField => &["hold", "radius"],
             NameList::PlanFile => &["plans/", "survey.plan"],
+            NameList::Seat => &["@all", "@anna"],
             NameList::Inject if self.has_injects => &["gust"],
             NameList::Inject => return Listed::Nothing(text!("console-no-mission")),
         };

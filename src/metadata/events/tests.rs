@@ -18,7 +18,7 @@ fn text(id: u32, arguments: &[u8]) -> Option<String> {
 fn an_event_is_found_by_component_and_number() {
     assert_eq!(documents().len(), 5);
     assert_eq!(
-        text(1 << 24 | 100, &[]).as_deref(),
+        text((1 << 24) + 100, &[]).as_deref(),
         Some("Geofence violation")
     );
     assert_eq!(text(100, &[]), None);
@@ -31,19 +31,19 @@ fn arguments_have_names_decimals_and_units() {
     bytes.extend(1.26f32.to_le_bytes());
     bytes.extend([0; 8]);
     assert_eq!(
-        text(1 << 24 | 101, &bytes).as_deref(),
+        text((1 << 24) + 101, &bytes).as_deref(),
         Some("Battery 2nd, faults low/hot, -12 m at 1.3 m/s, {9} {x} {1")
     );
-    assert_eq!(text(1 << 24 | 101, &bytes[..7]), None, "it is cut off");
+    assert_eq!(text((1 << 24) + 101, &bytes[..7]), None, "it is cut off");
     let unknown = [9, 0b1000, 0, 0, 0, 0, 0, 0];
-    let said = text(1 << 24 | 101, &unknown).expect("it is documented");
+    let said = text((1 << 24) + 101, &unknown).expect("it is documented");
     assert!(said.starts_with("Battery 9, faults 8, 0 m"), "{said}");
 }
 
 #[test]
 fn tags_are_read_and_other_readers_parts_left_out() {
     assert_eq!(
-        text(1 << 24 | 102, &[]).as_deref(),
+        text((1 << 24) + 102, &[]).as_deref(),
         Some("Set COM_ARM_WO_GPS, see the guide for developers <b and {1}")
     );
 }
@@ -81,7 +81,7 @@ proptest! {
             "arguments": [{"name": "d", "type": "float"}]}}}}}}});
         let read = EventDocuments::read(&event.to_string());
         if let Ok(read) = read {
-            drop(read.documents.text(1 << 24 | 7, &arguments));
+            drop(read.documents.text((1 << 24) + 7, &arguments));
         }
     }
 }

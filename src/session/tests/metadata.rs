@@ -126,7 +126,7 @@ fn parameters_and_events_are_documented_by_the_vehicle() {
     assert_eq!(mode.title, "RC input mode");
     vehicle.scene.notices.clear();
     vehicle.scene.hear(MavMessage::EVENT(EVENT_DATA {
-        id: 1 << 24 | 1234,
+        id: (1 << 24) + 1234,
         log_levels: 0x22,
         ..EVENT_DATA::DEFAULT
     }));

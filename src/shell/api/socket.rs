@@ -1,8 +1,6 @@
 //! A Unix socket that only its owner can use.
 
-use std::fs::{self, DirBuilder, Permissions};
-use std::io;
-use std::os::unix::fs::{DirBuilderExt as _, FileTypeExt as _, PermissionsExt as _};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
@@ -14,6 +12,7 @@ use tokio::task::JoinHandle;
 use tokio::time::timeout;
 
 use super::{Arrival, Exchange, MOST_PROGRAMS, ProgramId, converse, shown};
+use crate::carrier::socket::{self, SocketFault};
 use crate::text;
 
 /// The maximum number of programs that are turned away at once.
@@ -33,14 +32,7 @@ impl Listener {
     /// # Errors
     /// The path is taken by another program or another file, or the socket cannot be created there.
     pub fn open(path: &Path, exchange: Exchange) -> anyhow::Result<Self> {
-        clear(path)?;
-        let listener = bind(path).map_err(|error| {
-            fault(&text!(
-                "api-not-open",
-                socket = shown(path),
-                error = error.to_string()
-            ))
-        })?;
+        let listener = socket::open(path, 0o600).map_err(|fault| not_opened(path, &fault))?;
         Ok(Self {
             path: path.to_owned(),
             task: tokio::spawn(accept(listener, exchange)),
@@ -56,45 +48,16 @@ impl Drop for Listener {
     }
 }
 
-/// Removes a socket on which no program answers any more.
-fn clear(path: &Path) -> anyhow::Result<()> {
-    let Ok(found) = fs::symlink_metadata(path) else {
-        return Ok(());
+fn not_opened(path: &Path, fault: &SocketFault) -> anyhow::Error {
+    let socket = shown(path);
+    let text = match fault {
+        SocketFault::NoSocket => text!("api-no-socket", socket = socket),
+        SocketFault::InUse => text!("api-in-use", socket = socket),
+        SocketFault::Io(error) => {
+            text!("api-not-open", socket = socket, error = error.to_string())
+        }
     };
-    if !found.file_type().is_socket() {
-        return Err(fault(&text!("api-no-socket", socket = shown(path))));
-    }
-    if std::os::unix::net::UnixStream::connect(path).is_ok() {
-        return Err(fault(&text!("api-in-use", socket = shown(path))));
-    }
-    fs::remove_file(path).map_err(|error| {
-        fault(&text!(
-            "api-not-open",
-            socket = shown(path),
-            error = error.to_string()
-        ))
-    })
-}
-
-/// Binds within a folder of the owner and moves the socket into place, so that no program can connect
-/// before its permissions are set.
-fn bind(path: &Path) -> io::Result<UnixListener> {
-    let parent = path.parent().filter(|it| !it.as_os_str().is_empty());
-    let name = format!(".sortie-{}", std::process::id());
-    let folder = parent.unwrap_or(Path::new(".")).join(name);
-    DirBuilder::new().mode(0o700).create(&folder)?;
-    let listener = bind_within(&folder, path);
-    // The folder is of no further use; one that remains does no harm.
-    drop(fs::remove_dir_all(&folder));
-    listener
-}
-
-fn bind_within(folder: &Path, path: &Path) -> io::Result<UnixListener> {
-    let first = folder.join("s");
-    let listener = UnixListener::bind(&first)?;
-    fs::set_permissions(&first, Permissions::from_mode(0o600))?;
-    fs::rename(&first, path)?;
-    Ok(listener)
+    anyhow::anyhow!(text.to_string())
 }
 
 async fn accept(listener: UnixListener, exchange: Exchange) {
@@ -153,10 +116,6 @@ async fn turn_away(
 async fn serve(stream: UnixStream, id: ProgramId, exchange: Exchange) {
     let (read, write) = stream.into_split();
     converse(id, read, write, exchange).await;
-}
-
-fn fault(text: &crate::text::Text) -> anyhow::Error {
-    anyhow::anyhow!(text.to_string())
 }
 
 #[cfg(test)]

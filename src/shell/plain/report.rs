@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use super::brief;
 use crate::app::State;
-use crate::app::state::{FlightView, HelpLine, command_help};
+use crate::app::state::{FlightView, HelpLine, SeatPlace, command_help};
+use crate::class_text;
 use crate::language::{Channel, Report};
 use crate::text::{Text, text};
 use crate::vehicle::Severity;
@@ -63,6 +64,9 @@ pub fn texts(report: &Report, state: &State) -> Vec<Text> {
         Report::Notices => notices::newest(state),
         Report::Traffic => traffic::now(state),
         Report::Hangar => processes::now(state),
+        Report::Class => vec![class_text::seat_text(
+            state.class_role().seat().map(SeatPlace::seat),
+        )],
         Report::Brief => brief::lines(state),
     }
 }

@@ -26,6 +26,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let session = state.session();
     let pace = if let Some(view) = state.replay() {
         replay::badge(view, panel.look)
+    } else if session.is_paused() && state.class_role().is_frozen() {
+        format!(" {} ", panel.say("header-frozen"))
     } else if session.is_paused() {
         format!(" {} ", panel.say("header-paused"))
     } else if session.pace().is_fast() {
@@ -104,7 +106,11 @@ fn figures(state: &State, short: bool) -> Vec<Figure> {
     let is_reading = state.session().is_reading();
     if is_reading && short {
         let vehicles = text!("count-vehicles", count = state.session().vehicles().len());
-        return vec![vehicles.into(), text!("header-reading").into()];
+        let watched = watched(state, short).map(Figure::from);
+        return std::iter::once(vehicles.into())
+            .chain(watched)
+            .chain([text!("header-reading").into()])
+            .collect();
     }
     let time = if is_reading {
         text!("header-reading")
@@ -118,6 +124,7 @@ fn figures(state: &State, short: bool) -> Vec<Figure> {
         pressing_alert(state),
         mission_alert(state),
         plain(vehicles(state, short)),
+        plain(watched(state, short)),
         plain(recorded_at(state, short)),
         Some(time.into()),
     ];
@@ -186,6 +193,16 @@ fn vehicles(state: &State, short: bool) -> Option<Text> {
     let links = state.replay().is_none().then(|| links(state, short));
     let shown = std::iter::once(count).chain(links).collect();
     Some(Text::joined("   ", shown))
+}
+
+/// Who watches this seat of a class.
+fn watched(state: &State, short: bool) -> Option<Text> {
+    let instructor = state.class_role().watcher()?;
+    Some(if short {
+        text!("header-watched-short")
+    } else {
+        text!("header-watched", instructor = instructor)
+    })
 }
 
 fn recorded_at(state: &State, short: bool) -> Option<Text> {

@@ -71,6 +71,7 @@ fn action_replayed(action: Action) -> ReplayUse {
         | Action::Plans(_)
         | Action::Draw(_)
         | Action::Messages(_)
+        | Action::Class(_)
         | Action::Workshop(_)
         | Action::Quit => ReplayUse::Same,
     }

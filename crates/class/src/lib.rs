@@ -1,0 +1,46 @@
+//! A class: the consoles of trainees, which are its *seats*, and the console of the instructor, which is its *desk*.
+//!
+//! A seat says twice a second how its flight goes ([`SeatReport`]), and writes what happens into a numbered
+//! [`Journal`]. The desk shows the seats in the order in which they need help ([`Need`]), and gives [`Order`]s. Each
+//! order ends with an [`Outcome`] in the journal of the seat.
+//!
+//! A seat never waits for the desk, and neither loses anything when a connection breaks: reports are replaced by newer
+//! ones, entries of the journal are numbered and asked for again, and an order that arrives twice is carried out once.
+//!
+//! # How the parts fit
+//! - What is said: `report`, `journal`, `order`; `words` is text from the other side, cleaned.
+//! - How it is said: [`protocol`], as lines of JSON.
+//! - Who knows what: [`Seat`] is the state of a seat's side, [`Desk`] that of the desk, with a [`SeatRecord`] for each
+//!   seat; `need` orders them.
+//! - What a connection has said already: [`SeatLine`] and [`DeskLine`]. They compare that with the state of their
+//!   side, so a new connection continues where the last one broke.
+//!
+//! Nothing here reads a clock, a file or a socket: times are arguments, and whoever carries the lines passes them in.
+
+#![warn(missing_docs)]
+
+mod desk;
+mod desk_line;
+mod journal;
+mod need;
+mod order;
+pub mod protocol;
+mod report;
+mod seat;
+mod seat_line;
+mod seat_record;
+mod words;
+
+#[cfg(test)]
+mod tests;
+
+pub use desk::{ConnectionId, Desk, SEATS};
+pub use desk_line::DeskLine;
+pub use journal::{BATCH, Batch, Entry, Happening, Journal, JournalCopy, KEPT};
+pub use need::{Attention, Need};
+pub use order::{Deed, Order, OrderId, Outcome, Refusal};
+pub use report::{Danger, DangerKind, FlightReport, LastCommand, SeatReport, Stage};
+pub use seat::{Consent, Seat};
+pub use seat_line::{REPORT_EVERY, SeatLine};
+pub use seat_record::{GivenOrder, OrderState, Presence, SeatRecord};
+pub use words::Words;

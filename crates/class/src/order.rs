@@ -1,0 +1,92 @@
+//! What a desk asks of a seat.
+
+use serde::{Deserialize, Serialize};
+
+use super::Words;
+
+/// The identity of an order. A seat carries out each order once, however often it arrives.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+pub struct OrderId {
+    /// The opening of the desk that gave it: the numbers of a desk that is opened again start anew.
+    pub desk: u64,
+    /// Its number, counted from 1.
+    pub number: u32,
+}
+
+/// An order to a seat.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Order {
+    /// Its identity.
+    pub id: OrderId,
+    /// What is to be done.
+    pub deed: Deed,
+}
+
+/// What is to be done at a seat.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Deed {
+    /// Show a message to the trainee.
+    Message {
+        /// The message.
+        text: Words,
+    },
+    /// Give the mission's next hint, at its price.
+    Hint,
+    /// Set a bookmark in the record of the flight.
+    Mark {
+        /// Its text; may be empty.
+        text: Words,
+    },
+    /// Stop the time of the flight.
+    Freeze,
+    /// Let the time of a frozen flight pass again.
+    Resume,
+    /// End the mission.
+    End,
+}
+
+impl Deed {
+    /// Whether the deed is permitted in an exam. Of those that change a flight, only its end is: a freeze would give
+    /// the trainee time to think.
+    pub fn is_for_exams(&self) -> bool {
+        matches!(self, Self::Message { .. } | Self::End)
+    }
+
+    /// Whether a flight cannot be as before afterwards.
+    pub fn is_final(&self) -> bool {
+        matches!(self, Self::End)
+    }
+}
+
+/// How an order ended at a seat.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Outcome {
+    /// It was carried out, and its effect was seen.
+    Done,
+    /// It was carried out, but its effect was not seen in time.
+    NoEffect,
+    /// It was not carried out.
+    Refused(Refusal),
+}
+
+/// Why a seat did not carry out an order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Refusal {
+    /// The order is not permitted in exams.
+    Exam,
+    /// The seat flies no mission.
+    NoMission,
+    /// The flight has not begun, or is over.
+    NotFlying,
+    /// The flight cannot be frozen: its vehicles are not simulated by the console.
+    CannotFreeze,
+    /// The flight is not frozen.
+    NotFrozen,
+    /// The mission has no hint for this moment.
+    NoHint,
+    /// The seat does not record the flight.
+    NotRecorded,
+}

@@ -1,0 +1,161 @@
+//! The lines between seats and desk.
+//!
+//! Both sides send JSON objects with one field each, one per line, in UTF-8, at most [`LONGEST_LINE`] bytes long. The
+//! first line of a seat is [`SeatMessage::Hello`]; the desk answers with [`DeskMessage::Welcome`] or
+//! [`DeskMessage::Denied`]. Unknown fields are ignored, so that a version may add some.
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::{Batch, Order, SeatReport, Words};
+
+/// The version of the protocol; it increases with every change that is not an addition.
+pub const VERSION: u32 = 1;
+/// The maximum length of a line, in bytes.
+pub const LONGEST_LINE: usize = 64 * 1024;
+
+/// A line of a seat.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum SeatMessage {
+    /// The first line of a connection.
+    Hello(Hello),
+    /// The state of the seat.
+    Report {
+        /// The number of the newest entry of the journal.
+        last: u64,
+        /// The state; boxed, because it is much longer than the other messages.
+        report: Box<SeatReport>,
+    },
+    /// Entries of the journal.
+    Entries(Batch),
+}
+
+/// Who joins.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Hello {
+    /// The version of the protocol.
+    pub protocol: u32,
+    /// A number that this run of the console has chosen: a journal belongs to one run.
+    pub sitting: u64,
+}
+
+/// A line of the desk.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DeskMessage {
+    /// The seat belongs to the class now.
+    Welcome {
+        /// The version of the protocol.
+        protocol: u32,
+        /// The name of the class.
+        class: Words,
+    },
+    /// The seat cannot join; the connection ends.
+    Denied(Denial),
+    /// Send the entries of the journal from this number on, and all later ones.
+    Ask {
+        /// The number of the first entry.
+        from: u64,
+    },
+    /// Carry this out.
+    Order(Order),
+}
+
+/// Why a seat cannot join.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, Error)]
+#[serde(rename_all = "snake_case")]
+pub enum Denial {
+    /// The desk speaks another version.
+    #[error("the desk speaks version {desk} of the protocol")]
+    Version {
+        /// The version of the desk.
+        desk: u32,
+    },
+    /// The class is full.
+    #[error("the class has no free seat")]
+    Full,
+    /// The seat said something else before its hello, or said hello twice.
+    #[error("a connection begins with one hello")]
+    NoHello,
+}
+
+/// Why a line cannot be read.
+#[derive(Debug, Error)]
+pub enum LineFault {
+    /// The line is longer than [`LONGEST_LINE`].
+    #[error("the line is longer than {LONGEST_LINE} bytes")]
+    TooLong,
+    /// The line is not a message.
+    #[error("not a message: {0}")]
+    NoMessage(#[from] serde_json::Error),
+}
+
+/// Reads a line.
+///
+/// # Errors
+/// The line is too long, or not a message of this kind.
+pub fn read<M: DeserializeOwned>(line: &[u8]) -> Result<M, LineFault> {
+    if line.len() > LONGEST_LINE {
+        return Err(LineFault::TooLong);
+    }
+    Ok(serde_json::from_slice(line)?)
+}
+
+/// A message as a line, with its line end.
+pub fn line(message: &impl Serialize) -> String {
+    // Plain data with text keys can always be written.
+    let mut line = serde_json::to_string(message).unwrap_or_default();
+    line.push('\n');
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Deed, OrderId};
+
+    #[test]
+    fn messages_are_lines_with_one_field() {
+        let hello = SeatMessage::Hello(Hello {
+            protocol: VERSION,
+            sitting: 7,
+        });
+        assert_eq!(line(&hello), "{\"hello\":{\"protocol\":1,\"sitting\":7}}\n");
+        let order = DeskMessage::Order(Order {
+            id: OrderId { desk: 5, number: 1 },
+            deed: Deed::Freeze,
+        });
+        let expected = "{\"order\":{\"id\":{\"desk\":5,\"number\":1},\"deed\":\"freeze\"}}\n";
+        assert_eq!(line(&order), expected);
+        let back: DeskMessage = read(expected.trim_end().as_bytes()).expect("a message");
+        assert_eq!(back, order);
+    }
+
+    #[test]
+    fn what_is_no_message_is_told_apart() {
+        let long = vec![b' '; LONGEST_LINE + 1];
+        assert!(matches!(
+            read::<SeatMessage>(&long),
+            Err(LineFault::TooLong)
+        ));
+        for wrong in [
+            "",
+            "{}",
+            "nonsense",
+            "{\"hello\":{}}",
+            "{\"order\":1}",
+            "[1]",
+        ] {
+            let read = read::<SeatMessage>(wrong.as_bytes());
+            assert!(matches!(read, Err(LineFault::NoMessage(_))), "{wrong}");
+        }
+        assert!(matches!(
+            read::<SeatMessage>(&[0xff, 0xfe]),
+            Err(LineFault::NoMessage(_))
+        ));
+        let more = "{\"hello\":{\"protocol\":1,\"sitting\":7,\"colour\":\"red\"}}";
+        assert!(read::<SeatMessage>(more.as_bytes()).is_ok());
+    }
+}

@@ -1,0 +1,116 @@
+//! The state of a seat's side.
+
+use std::collections::VecDeque;
+
+use super::{Happening, Journal, Order, OrderId, Outcome, Words};
+
+/// How many orders a seat remembers, so that it does not carry one out twice.
+const REMEMBERED: usize = 256;
+
+/// Whether the trainee joins the class.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Consent {
+    /// The trainee has not been asked.
+    Unasked,
+    /// The trainee joins.
+    Given,
+    /// The trainee does not join; nothing is sent.
+    Declined,
+}
+
+/// A console's place in a class.
+#[derive(Debug, Clone)]
+pub struct Seat {
+    sitting: u64,
+    consent: Consent,
+    instructor: Option<String>,
+    class: Option<Words>,
+    journal: Journal,
+    seen: VecDeque<OrderId>,
+}
+
+impl Seat {
+    /// A place that this run of the console may take. The number `sitting` belongs to this run only.
+    pub fn new(sitting: u64, consent: Consent) -> Self {
+        Self {
+            sitting,
+            consent,
+            instructor: None,
+            class: None,
+            journal: Journal::default(),
+            seen: VecDeque::new(),
+        }
+    }
+
+    /// The number of this run of the console.
+    pub fn sitting(&self) -> u64 {
+        self.sitting
+    }
+
+    /// Whether the trainee joins.
+    pub fn consent(&self) -> Consent {
+        self.consent
+    }
+
+    /// Takes in the trainee's answer.
+    pub fn decide(&mut self, joins: bool) {
+        self.consent = if joins {
+            Consent::Given
+        } else {
+            Consent::Declined
+        };
+    }
+
+    /// A desk was found, which belongs to this user of the machine.
+    pub fn find(&mut self, instructor: &str) {
+        self.instructor = Some(instructor.to_owned());
+    }
+
+    /// The desk has taken the seat into its class.
+    pub fn enter(&mut self, class: Words) {
+        self.class = Some(class);
+    }
+
+    /// The connection to the desk has ended.
+    pub fn lose(&mut self) {
+        self.instructor = None;
+        self.class = None;
+    }
+
+    /// Whose desk there is; `None` while there is none.
+    pub fn instructor(&self) -> Option<&str> {
+        self.instructor.as_deref()
+    }
+
+    /// The class, while its desk watches this seat.
+    pub fn class(&self) -> Option<&Words> {
+        self.class.as_ref()
+    }
+
+    /// Whether an order has not been taken in before; from now on it has.
+    pub fn is_new(&mut self, order: &Order) -> bool {
+        if self.seen.contains(&order.id) {
+            return false;
+        }
+        self.seen.push_back(order.id);
+        if self.seen.len() > REMEMBERED {
+            self.seen.pop_front();
+        }
+        true
+    }
+
+    /// Adds what happened to the journal, at a time of the mission.
+    pub fn note(&mut self, clock_s: Option<f64>, what: Happening) {
+        self.journal.note(clock_s, what);
+    }
+
+    /// Notes how an order ended.
+    pub fn settle(&mut self, clock_s: Option<f64>, id: OrderId, outcome: Outcome) {
+        self.note(clock_s, Happening::Order { id, outcome });
+    }
+
+    /// What happened at this seat.
+    pub fn journal(&self) -> &Journal {
+        &self.journal
+    }
+}

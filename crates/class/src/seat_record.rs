@@ -1,0 +1,145 @@
+//! What a desk knows of one seat.
+
+use std::collections::VecDeque;
+use std::time::Duration;
+
+use super::{
+    Attention, ConnectionId, Deed, Entry, Happening, JournalCopy, Order, OrderId, Outcome,
+    SeatReport,
+};
+
+/// How long an order may take. Later it is not sent any more: a freeze that arrives minutes after it was meant would
+/// do harm.
+const ANSWERED_WITHIN: Duration = Duration::from_secs(10);
+/// The maximum number of orders to one seat that a desk remembers.
+const REMEMBERED: usize = 200;
+
+/// Whether a seat is connected.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Presence {
+    /// By this connection.
+    Here(ConnectionId),
+    /// Not since this time.
+    Gone(Duration),
+}
+
+/// How far an order is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrderState {
+    /// The seat has not answered yet.
+    Waiting,
+    /// The seat has answered.
+    Ended(Outcome),
+    /// The seat did not answer in time. If it does so later, because the connection was broken, its answer counts.
+    Unanswered,
+}
+
+/// An order that was given to a seat.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GivenOrder {
+    /// The order.
+    pub order: Order,
+    /// When it was given.
+    pub at: Duration,
+    /// How far it is.
+    pub state: OrderState,
+}
+
+/// A seat as its desk knows it.
+#[derive(Debug, Clone)]
+pub struct SeatRecord {
+    /// The name of the user of the machine, with a number if the user has several seats.
+    pub name: String,
+    pub(super) user: String,
+    pub(super) sitting: u64,
+    /// Whether it is connected.
+    pub presence: Presence,
+    /// Its newest report.
+    pub report: Option<SeatReport>,
+    /// When its newest report came.
+    pub heard_at: Duration,
+    /// Its journal.
+    pub journal: JournalCopy,
+    /// The number of the newest entry that the seat has.
+    pub(super) announced: u64,
+    /// Why it needs the instructor.
+    pub attention: Attention,
+    orders: VecDeque<GivenOrder>,
+}
+
+impl SeatRecord {
+    pub(super) fn new(name: String, user: &str, connection: ConnectionId, now: Duration) -> Self {
+        Self {
+            name,
+            user: user.to_owned(),
+            sitting: 0,
+            presence: Presence::Here(connection),
+            report: None,
+            heard_at: now,
+            journal: JournalCopy::default(),
+            announced: 0,
+            attention: Attention::new(now),
+            orders: VecDeque::new(),
+        }
+    }
+
+    /// The seat is connected by a run of the console. A new run begins a new journal.
+    pub(super) fn sit(&mut self, sitting: u64, connection: ConnectionId, now: Duration) {
+        if self.sitting != sitting {
+            self.sitting = sitting;
+            self.journal = JournalCopy::default();
+            self.announced = 0;
+            self.report = None;
+            self.attention = Attention::new(now);
+        }
+        self.presence = Presence::Here(connection);
+        self.heard_at = now;
+    }
+
+    /// Whether the seat is connected.
+    pub fn is_here(&self) -> bool {
+        matches!(self.presence, Presence::Here(_))
+    }
+
+    /// The orders to this seat, oldest first.
+    pub fn orders(&self) -> impl DoubleEndedIterator<Item = &GivenOrder> {
+        self.orders.iter()
+    }
+
+    pub(super) fn give(&mut self, id: OrderId, deed: Deed, now: Duration) {
+        self.orders.push_back(GivenOrder {
+            order: Order { id, deed },
+            at: now,
+            state: OrderState::Waiting,
+        });
+        if self.orders.len() > REMEMBERED {
+            self.orders.pop_front();
+        }
+    }
+
+    /// Notes the outcomes of orders in new entries.
+    pub(super) fn hear(&mut self, entries: &[Entry]) {
+        for entry in entries {
+            let Happening::Order { id, outcome } = entry.what else {
+                continue;
+            };
+            let given = self.orders.iter_mut().find(|it| it.order.id == id);
+            if let Some(given) = given {
+                given.state = OrderState::Ended(outcome);
+            }
+        }
+    }
+
+    /// Gives up waiting for old orders; returns whether there was one.
+    pub(super) fn expire(&mut self, now: Duration) -> bool {
+        let mut any = false;
+        for given in &mut self.orders {
+            let is_late = now.saturating_sub(given.at) >= ANSWERED_WITHIN;
+            if given.state == OrderState::Waiting && is_late {
+                given.state = OrderState::Unanswered;
+                any = true;
+            }
+        }
+        any
+    }
+}

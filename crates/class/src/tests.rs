@@ -1,0 +1,393 @@
+//! Seats and a desk over connections that lose, repeat and reorder lines, and break.
+
+use std::collections::{BTreeMap, VecDeque};
+use std::time::Duration;
+
+use proptest::prelude::*;
+
+use super::protocol::{Denial, DeskMessage, Hello, SeatMessage, VERSION, line, read};
+use super::*;
+
+const STEP: Duration = Duration::from_millis(100);
+
+fn hello(sitting: u64) -> SeatMessage {
+    SeatMessage::Hello(Hello {
+        protocol: VERSION,
+        sitting,
+    })
+}
+
+fn desk() -> Desk {
+    Desk::new(9, "9-A".into())
+}
+
+fn seconds(count: u64) -> Duration {
+    Duration::from_secs(count)
+}
+
+fn joined(desk: &mut Desk, connection: u64, user: &str, sitting: u64) {
+    let outcome = desk.hear(
+        ConnectionId(connection),
+        user,
+        hello(sitting),
+        Duration::ZERO,
+    );
+    assert_eq!(outcome, Ok(()));
+}
+
+fn report(flight: Option<FlightReport>) -> SeatMessage {
+    let report = Box::new(SeatReport {
+        flight,
+        ..SeatReport::default()
+    });
+    SeatMessage::Report { last: 0, report }
+}
+
+fn names(desk: &Desk) -> Vec<&str> {
+    let board = desk.board().into_iter();
+    board
+        .map(|index| desk.seats()[index].name.as_str())
+        .collect()
+}
+
+#[test]
+fn seats_are_named_after_users_and_keep_their_rows() {
+    let mut desk = desk();
+    joined(&mut desk, 1, "anna", 10);
+    joined(&mut desk, 2, "anna", 11);
+    joined(&mut desk, 3, "bohdan", 12);
+    assert_eq!(names(&desk), ["anna", "anna-2", "bohdan"]);
+    desk.leave(ConnectionId(1), seconds(1));
+    assert_eq!(names(&desk), ["anna-2", "bohdan", "anna"]);
+    // Another run of the console takes the row that is free; the run that sat there gets a new one.
+    joined(&mut desk, 4, "anna", 13);
+    assert_eq!(names(&desk), ["anna", "anna-2", "bohdan"]);
+    joined(&mut desk, 5, "anna", 10);
+    assert_eq!(names(&desk), ["anna", "anna-2", "anna-3", "bohdan"]);
+}
+
+#[test]
+fn a_console_that_is_back_before_its_old_connection_has_ended_keeps_its_seat() {
+    let mut desk = desk();
+    joined(&mut desk, 1, "anna", 10);
+    joined(&mut desk, 2, "anna", 10);
+    desk.leave(ConnectionId(1), seconds(1));
+    assert_eq!(desk.seats().len(), 1);
+    assert_eq!(desk.seats()[0].presence, Presence::Here(ConnectionId(2)));
+}
+
+#[test]
+fn another_user_cannot_take_a_seat_by_its_number() {
+    let mut desk = desk();
+    joined(&mut desk, 1, "anna", 10);
+    joined(&mut desk, 2, "eve", 10);
+    assert_eq!(names(&desk), ["anna", "eve"]);
+}
+
+#[test]
+fn who_does_not_say_hello_or_speaks_another_version_is_denied() {
+    let mut desk = desk();
+    let at = ConnectionId(1);
+    let said = desk.hear(at, "anna", report(None), Duration::ZERO);
+    assert_eq!(said, Err(Denial::NoHello));
+    let old = SeatMessage::Hello(Hello {
+        protocol: 0,
+        sitting: 1,
+    });
+    let said = desk.hear(at, "anna", old, Duration::ZERO);
+    assert_eq!(said, Err(Denial::Version { desk: VERSION }));
+    joined(&mut desk, 1, "anna", 10);
+    let said = desk.hear(at, "anna", hello(10), Duration::ZERO);
+    assert_eq!(said, Err(Denial::NoHello));
+    for number in 2..=SEATS as u64 {
+        joined(&mut desk, number, &format!("u{number}"), 1);
+    }
+    let said = desk.hear(ConnectionId(9999), "late", hello(1), Duration::ZERO);
+    assert_eq!(said, Err(Denial::Full));
+}
+
+#[test]
+fn a_stuck_trainee_is_first_as_soon_as_its_report_comes() {
+    let mut desk = desk();
+    for (number, user) in [(1, "anna"), (2, "bohdan"), (3, "vira")] {
+        joined(&mut desk, number, user, number);
+    }
+    let flight = |clock_s| FlightReport {
+        stage: Stage::Flying,
+        objectives_open: 1,
+        clock_s,
+        ..FlightReport::default()
+    };
+    for (number, user, clock_s) in [(1, "anna", 30.0), (2, "bohdan", 30.0), (3, "vira", 61.0)] {
+        let said = report(Some(flight(clock_s)));
+        assert_eq!(
+            desk.hear(ConnectionId(number), user, said, seconds(1)),
+            Ok(())
+        );
+    }
+    assert_eq!(names(&desk), ["vira", "anna", "bohdan"]);
+    // Who has been stuck longest is first.
+    let said = report(Some(flight(60.5)));
+    assert_eq!(desk.hear(ConnectionId(1), "anna", said, seconds(2)), Ok(()));
+    assert_eq!(names(&desk), ["vira", "anna", "bohdan"]);
+}
+
+#[test]
+fn an_order_to_a_seat_that_is_gone_is_not_sent_after_ten_seconds() {
+    let mut desk = desk();
+    joined(&mut desk, 1, "anna", 10);
+    desk.leave(ConnectionId(1), seconds(1));
+    desk.give(0, Deed::Freeze, seconds(2));
+    assert!(!desk.expire(seconds(11)));
+    assert!(desk.expire(seconds(12)));
+    joined(&mut desk, 2, "anna", 10);
+    let mut line = DeskLine::default();
+    let said: Vec<DeskMessage> =
+        std::iter::from_fn(|| line.next(&desk, ConnectionId(2), seconds(12))).collect();
+    let welcome = matches!(said[0], DeskMessage::Welcome { .. });
+    assert!(
+        welcome && said[1..] == [DeskMessage::Ask { from: 1 }],
+        "{said:?}"
+    );
+}
+
+#[test]
+fn nothing_is_said_before_the_trainee_agrees() {
+    let mut seat = Seat::new(1, Consent::Unasked);
+    let mut line = SeatLine::default();
+    assert_eq!(line.next(&seat, SeatReport::default, seconds(1)), None);
+    seat.decide(false);
+    assert_eq!(line.next(&seat, SeatReport::default, seconds(1)), None);
+    seat.decide(true);
+    let said = line.next(&seat, SeatReport::default, seconds(1));
+    assert_eq!(said, Some(hello(1)));
+    // And nothing but the hello before the desk has welcomed the seat.
+    assert_eq!(line.next(&seat, SeatReport::default, seconds(1)), None);
+}
+
+#[test]
+fn what_a_seat_has_dropped_is_known_to_be_missing() {
+    let mut journal = Journal::default();
+    let what = Happening::Started { mission: None };
+    for _ in 0..KEPT + 10 {
+        journal.note(None, what.clone());
+    }
+    let mut copy = JournalCopy::default();
+    let new = copy.receive(journal.from(1).expect("there are entries"));
+    assert_eq!(copy.missing(), 10);
+    assert_eq!(
+        (new[0].number, new.len(), copy.last()),
+        (11, BATCH, 10 + BATCH as u64)
+    );
+}
+
+#[test]
+fn numbers_beyond_all_reason_do_no_harm() {
+    let what = Happening::Started { mission: None };
+    let entry = |number| Entry {
+        number,
+        clock_s: None,
+        what: what.clone(),
+    };
+    let mut copy = JournalCopy::default();
+    for kept_from in [u64::MAX, u64::MAX - 1, 5] {
+        copy.receive(Batch {
+            kept_from,
+            entries: vec![entry(u64::MAX), entry(0), entry(u64::MAX)],
+        });
+    }
+    assert!(copy.missing() > 0);
+    assert_eq!(copy.next_number(), u64::MAX);
+}
+
+/// What a connection does with a line.
+#[derive(Debug, Clone, Copy)]
+enum Fate {
+    Deliver,
+    Lose,
+    Repeat,
+    /// Deliver it after the next line.
+    Delay,
+    /// Lose it, and end the connection.
+    Break,
+}
+
+fn fates() -> impl Strategy<Value = Vec<Fate>> {
+    let fate = prop_oneof![
+        6 => Just(Fate::Deliver),
+        1 => Just(Fate::Lose),
+        1 => Just(Fate::Repeat),
+        1 => Just(Fate::Delay),
+        1 => Just(Fate::Break),
+    ];
+    prop::collection::vec(fate, 0..200)
+}
+
+/// A desk and a seat, and a connection between them with faults.
+struct Rig {
+    desk: Desk,
+    seat: Seat,
+    seat_line: SeatLine,
+    desk_line: DeskLine,
+    connection: u64,
+    now: Duration,
+    fates: VecDeque<Fate>,
+    delayed: Vec<Vec<u8>>,
+    /// How often each order was carried out.
+    done: BTreeMap<OrderId, u32>,
+}
+
+impl Rig {
+    fn new(fates: Vec<Fate>) -> Self {
+        Self {
+            desk: desk(),
+            seat: Seat::new(77, Consent::Given),
+            seat_line: SeatLine::default(),
+            desk_line: DeskLine::default(),
+            connection: 1,
+            now: Duration::ZERO,
+            fates: fates.into(),
+            delayed: Vec::new(),
+            done: BTreeMap::new(),
+        }
+    }
+
+    fn reconnect(&mut self) {
+        self.desk.leave(ConnectionId(self.connection), self.now);
+        self.connection += 1;
+        self.seat.lose();
+        self.seat_line = SeatLine::default();
+        self.desk_line = DeskLine::default();
+        self.delayed.clear();
+    }
+
+    /// The lines that arrive when this one is sent; `None` if the connection breaks.
+    fn carry(&mut self, line: &str) -> Option<Vec<Vec<u8>>> {
+        let line = line.trim_end().as_bytes().to_vec();
+        let mut arriving = match self.fates.pop_front().unwrap_or(Fate::Deliver) {
+            Fate::Deliver => vec![line],
+            Fate::Lose => Vec::new(),
+            Fate::Repeat => vec![line.clone(), line],
+            Fate::Delay => {
+                self.delayed.push(line);
+                return Some(Vec::new());
+            }
+            Fate::Break => return None,
+        };
+        arriving.append(&mut self.delayed);
+        Some(arriving)
+    }
+
+    fn step(&mut self) {
+        self.now += STEP;
+        while let Some(message) = self
+            .seat_line
+            .next(&self.seat, SeatReport::default, self.now)
+        {
+            let Some(lines) = self.carry(&line(&message)) else {
+                return self.reconnect();
+            };
+            for line in lines {
+                let at = ConnectionId(self.connection);
+                let heard = read::<SeatMessage>(&line);
+                // A delayed line of the other side.
+                let Ok(heard) = heard else { continue };
+                if self.desk.hear(at, "anna", heard, self.now).is_err() {
+                    return self.reconnect();
+                }
+            }
+        }
+        let at = ConnectionId(self.connection);
+        while let Some(message) = self.desk_line.next(&self.desk, at, self.now) {
+            let Some(lines) = self.carry(&line(&message)) else {
+                return self.reconnect();
+            };
+            for line in lines {
+                if let Ok(heard) = read::<DeskMessage>(&line) {
+                    self.obey(heard);
+                }
+            }
+        }
+        // A hello or a welcome that was lost: on a stream that is a break.
+        if self.seat.class().is_none() && self.now.as_millis().is_multiple_of(2000) {
+            self.reconnect();
+        }
+    }
+
+    fn obey(&mut self, message: DeskMessage) {
+        self.seat_line.hear(&message);
+        match message {
+            DeskMessage::Welcome { class, .. } => self.seat.enter(class),
+            DeskMessage::Order(order) if self.seat.is_new(&order) => {
+                *self.done.entry(order.id).or_default() += 1;
+                self.seat.settle(None, order.id, Outcome::Done);
+            }
+            DeskMessage::Order(_) | DeskMessage::Ask { .. } | DeskMessage::Denied(_) => {}
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn nothing_of_the_journal_is_lost_or_comes_twice_and_orders_are_done_once(
+        fates in fates(),
+        notes in prop::collection::vec(0_u8..40, 1..30),
+    ) {
+        let mut rig = Rig::new(fates);
+        let what = Happening::Started { mission: None };
+        for count in notes {
+            for _ in 0..count {
+                rig.seat.note(Some(1.0), what.clone());
+            }
+            if count % 3 == 0 && !rig.desk.seats().is_empty() {
+                let now = rig.now;
+                rig.desk.give(0, Deed::Hint, now);
+            }
+            rig.step();
+        }
+        rig.fates.clear();
+        for _ in 0..200 {
+            rig.step();
+        }
+        let record = &rig.desk.seats()[0];
+        prop_assert_eq!(rig.desk.seats().len(), 1);
+        prop_assert_eq!(record.journal.missing(), 0);
+        prop_assert!(record.journal.entries().eq(rig.seat.journal().entries()));
+        prop_assert!(rig.done.values().all(|count| *count == 1));
+        for given in record.orders() {
+            prop_assert_eq!(given.state, OrderState::Ended(Outcome::Done));
+        }
+    }
+
+    /// Lines of a seat that means harm do no more than be refused.
+    #[test]
+    fn no_line_of_a_seat_stops_the_desk(lines in prop::collection::vec(".{0,80}", 0..20)) {
+        let mut desk = desk();
+        joined(&mut desk, 1, "anna", 10);
+        for line in lines {
+            if let Ok(message) = read::<SeatMessage>(line.as_bytes()) {
+                let _ = desk.hear(ConnectionId(1), "anna", message, seconds(1));
+            }
+        }
+        prop_assert_eq!(desk.seats().len(), 1);
+    }
+
+    #[test]
+    fn entries_in_any_order_make_the_same_journal(order in prop::collection::vec(0_u64..40, 0..300)) {
+        let mut journal = Journal::default();
+        for _ in 0..40 {
+            journal.note(None, Happening::Started { mission: None });
+        }
+        let mut copy = JournalCopy::default();
+        for from in order {
+            if let Some(mut batch) = journal.from(from + 1) {
+                batch.entries.truncate(3);
+                copy.receive(batch);
+            }
+        }
+        let numbers = copy.entries().map(|entry| entry.number);
+        prop_assert!(numbers.eq(1..=copy.last()));
+    }
+}

@@ -1,0 +1,125 @@
+# A class: the instructor's desk and the trainees' seats
+
+room-class = class
+action-class = show the class
+action-mark-seat = mark the seat, or remove its mark
+action-mark-all-seats = mark all seats
+verb-class = show the class, or give orders to its seats
+words-class = instructor desk seats trainees lesson
+argument-seat = @seat or @all; by default the marked seats
+
+# Keys on the last line
+class-key-mark = mark seat
+class-key-message = message
+class-key-hint = hint
+class-key-freeze = freeze
+class-key-resume = resume
+class-key-bookmark = bookmark
+class-key-end = end mission
+
+# The board
+class-title = class { $class }: { $here } of { $count } { $count ->
+        [one] seat
+       *[other] seats
+    } connected{ $marked ->
+        [0] {""}
+       *[other] , { $marked } marked
+    }
+class-empty = No trainee has joined yet. Trainees join with `sortie --class NAME` or `sortie fly MISSION --class NAME`.
+class-column-seat = seat
+class-column-state = state
+class-column-mission = mission
+class-column-clock = time
+class-column-score = score
+class-column-objectives = obj.
+class-column-air = air
+class-column-alerts = alerts
+class-column-separation = sep.
+class-column-failures = fail.
+class-column-workload = load
+class-column-command = last command
+class-home = not flying
+class-reading = reading
+class-flying = flying
+class-exam = exam
+class-paused = paused
+class-frozen-short = frozen
+class-over = over
+class-free = free flight
+class-gone = left { $time } ago
+class-silent = silent { $time }
+class-need-collision = collision in { $time }
+class-need-fence = fence in { $time }
+class-need-alert = alert { $time }
+class-need-stuck = no command { $time }
+
+# The seat under the cursor
+class-order = { $deed }: { $state }
+class-waiting = waiting for the seat
+class-unanswered = not answered
+class-missing = { $count ->
+        [one] { $count } earlier entry is no longer available
+       *[other] { $count } earlier entries are no longer available
+    }
+class-started = mission { $mission } started
+class-started-free = flight started
+class-failed = { $line }: vehicle { $vehicle } did not carry it out
+class-objective = objective met: { $title }
+class-passed = mission passed, score { $score }
+class-not-passed = mission not passed, score { $score }
+
+# Orders
+class-deed-message = message “{ $text }”
+class-deed-hint = hint
+class-deed-mark = bookmark
+class-deed-mark-text = bookmark “{ $text }”
+class-deed-freeze = freeze
+class-deed-resume = resume
+class-deed-end = end mission
+class-done = done
+class-no-effect = no effect seen
+class-refused = refused: { $reason }
+class-refusal-exam = not permitted in exams
+class-refusal-no-mission = no mission is being flown
+class-refusal-not-flying = the flight has not begun, or is over
+class-refusal-cannot-freeze = the vehicles are not simulated by the console
+class-refusal-not-frozen = the flight is not frozen
+class-refusal-no-hint = the mission has no hint for this moment
+class-refusal-not-recorded = the flight is not recorded
+class-desk-line = { $instructor }: { $deed }: { $outcome }
+class-given = { $deed }: sent to { $seats }
+class-seats = { $count ->
+        [one] { $count } seat
+       *[other] { $count } seats
+    }
+class-all-seats = all seats
+class-no-desk = this console is not the desk of a class: open one with `sortie class open`
+class-no-seat = no connected seat is meant: move the cursor to one, mark some, or name one, such as @anna
+class-ask-end = END MISSION for { $seats }
+class-ask-end-reason = the flights of these trainees end now and are scored
+
+# At a seat
+header-watched = desk: { $instructor }
+header-watched-short = desk
+header-frozen = FROZEN
+class-none = no class is configured: start the console with `--class NAME`
+class-waits = waiting for the desk of the class
+class-ask = Join the class of { $instructor }?
+class-ask-reason = the instructor sees your flight, and can freeze and end it
+class-joining = joining the class
+class-joined = in class { $class }: { $instructor } sees your flight
+class-left = not in the class: join with `class join`
+class-lost = the desk is gone; your flight continues
+class-message = { $instructor }: { $text }
+class-frozen = { $instructor } has frozen the flight: wait until it is resumed
+class-denied = not admitted to the class: { $reason }
+class-denial-version = the desk needs version { $desk } of the protocol; update sortie
+class-denial-full = the class is full
+class-denial-hello = the desk did not understand this console
+
+# The socket
+class-no-socket = { $socket } exists and is not a socket: choose another name
+class-in-use = a desk is already open at { $socket }: choose another name, or close it
+class-not-open = cannot open { $socket }: { $error }
+class-folder = { $folder } belongs to another user, or others may change it: choose another name
+class-stranger = not joined: the desk at { $socket } belongs to { $user }, not to { $instructor }

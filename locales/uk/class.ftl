@@ -1,0 +1,126 @@
+# Клас: пульт інструктора і місця учнів
+
+room-class = клас
+action-class = показати клас
+action-mark-seat = позначити місце або зняти позначку
+action-mark-all-seats = позначити всі місця
+verb-class = показати клас або дати вказівки його місцям
+words-class = інструктор пульт місця учні урок
+argument-seat = @місце або @all; без нього — позначені місця
+
+# Клавіші в останньому рядку
+class-key-mark = позначити
+class-key-message = повідомлення
+class-key-hint = підказка
+class-key-freeze = зупинити час
+class-key-resume = продовжити
+class-key-bookmark = закладка
+class-key-end = завершити
+
+# Таблиця
+class-title = клас { $class }: на зв'язку { $here } із { $count } { $count ->
+        [one] місця
+       *[other] місць
+    }{ $marked ->
+        [0] {""}
+       *[other] , позначено { $marked }
+    }
+class-empty = Ще ніхто не приєднався. Учні приєднуються командою `sortie --class НАЗВА` або `sortie fly ЗАВДАННЯ --class НАЗВА`.
+class-column-seat = місце
+class-column-state = стан
+class-column-mission = завдання
+class-column-clock = час
+class-column-score = бали
+class-column-objectives = цілі
+class-column-air = літ.
+class-column-alerts = тривоги
+class-column-separation = відст
+class-column-failures = відм.
+class-column-workload = нав.
+class-column-command = остання команда
+class-home = не літає
+class-reading = читає
+class-flying = політ
+class-exam = іспит
+class-paused = пауза
+class-frozen-short = час зупинено
+class-over = завершено
+class-free = вільний політ
+class-gone = без зв'язку { $time }
+class-silent = мовчить { $time }
+class-need-collision = зіткнення за { $time }
+class-need-fence = межа за { $time }
+class-need-alert = тривога { $time }
+class-need-stuck = без команд { $time }
+
+# Місце під курсором
+class-order = { $deed }: { $state }
+class-waiting = очікується відповідь
+class-unanswered = без відповіді
+class-missing = { $count ->
+        [one] { $count } давній запис уже недоступний
+        [few] { $count } давні записи вже недоступні
+       *[many] { $count } давніх записів уже недоступні
+    }
+class-started = розпочато завдання { $mission }
+class-started-free = розпочато політ
+class-failed = { $line }: апарат { $vehicle } не виконав
+class-objective = досягнуто мету: { $title }
+class-passed = завдання виконано, бали: { $score }
+class-not-passed = завдання не виконано, бали: { $score }
+
+# Вказівки
+class-deed-message = повідомлення «{ $text }»
+class-deed-hint = підказка
+class-deed-mark = закладка
+class-deed-mark-text = закладка «{ $text }»
+class-deed-freeze = зупинка часу
+class-deed-resume = продовження
+class-deed-end = завершення завдання
+class-done = виконано
+class-no-effect = результату не видно
+class-refused = відхилено: { $reason }
+class-refusal-exam = на іспиті це заборонено
+class-refusal-no-mission = завдання не виконується
+class-refusal-not-flying = політ ще не почався або вже завершений
+class-refusal-cannot-freeze = апарати симулює не ця консоль
+class-refusal-not-frozen = час польоту не зупинено
+class-refusal-no-hint = для цього моменту завдання не має підказки
+class-refusal-not-recorded = політ не записується
+class-desk-line = { $instructor }: { $deed }: { $outcome }
+class-given = { $deed }: надіслано { $seats }
+class-seats = { $count ->
+        [one] { $count } місцю
+       *[other] { $count } місцям
+    }
+class-all-seats = усі місця
+class-no-desk = ця консоль не є пультом класу: відкрийте його командою `sortie class open`
+class-no-seat = немає місця на зв'язку: перейдіть до нього курсором, позначте кілька або назвіть одне, наприклад @anna
+class-ask-end = ЗАВЕРШИТИ ЗАВДАННЯ: { $seats }
+class-ask-end-reason = польоти цих учнів завершаться зараз і будуть оцінені
+
+# На місці учня
+header-watched = пульт: { $instructor }
+header-watched-short = пульт
+header-frozen = ЧАС ЗУПИНЕНО
+class-none = клас не налаштовано: запустіть консоль із `--class НАЗВА`
+class-waits = очікується пульт класу
+class-ask = Приєднатися до класу, який веде { $instructor }?
+class-ask-reason = інструктор бачитиме ваш політ і зможе зупинити його час або завершити його
+class-joining = приєднання до класу
+class-joined = у класі { $class }: { $instructor } бачить ваш політ
+class-left = не в класі: приєднатися можна командою `class join`
+class-lost = пульт зник; ваш політ триває
+class-message = { $instructor }: { $text }
+class-frozen = { $instructor } зупиняє час польоту: зачекайте, доки його буде продовжено
+class-denied = до класу не прийнято: { $reason }
+class-denial-version = пульт потребує версії { $desk } протоколу; оновіть sortie
+class-denial-full = у класі немає вільних місць
+class-denial-hello = пульт не зрозумів цю консоль
+
+# Сокет
+class-no-socket = { $socket } уже існує і не є сокетом: виберіть іншу назву
+class-in-use = на { $socket } вже відкрито пульт: виберіть іншу назву або закрийте його
+class-not-open = не вдалося відкрити { $socket }: { $error }
+class-folder = { $folder } належить іншому користувачеві або може бути змінена іншими: виберіть іншу назву
+class-stranger = не приєднано: пульт на { $socket } належить користувачеві { $user }, а не { $instructor }

@@ -1,0 +1,130 @@
+//! The console's part in a class: a seat, or the desk.
+
+use std::time::Duration;
+
+use crate::class::{Consent, Danger, Deed, Desk, Happening, OrderId, Seat};
+use crate::ledger::EntryId;
+
+/// What a console is in a class.
+#[derive(Debug, Clone, Default)]
+pub enum ClassRole {
+    /// Nothing: no class is configured.
+    #[default]
+    None,
+    /// A trainee's place.
+    Seat(Box<SeatPlace>),
+    /// The instructor's desk.
+    Desk(Box<Desk>),
+}
+
+/// A trainee's place in a class, with what the desk is told about the present flight.
+#[derive(Debug, Clone)]
+pub struct SeatPlace {
+    pub(in crate::app) seat: Seat,
+    /// Orders whose effect has not been seen yet.
+    pub(in crate::app) pending: Vec<PendingOrder>,
+    /// Whether the desk has frozen the flight.
+    pub(in crate::app) is_frozen: bool,
+    /// When dangers were last looked for, on the console's clock.
+    pub(in crate::app) looked_at: Duration,
+    /// A collision or a broken fence that is near.
+    pub(in crate::app) danger: Option<Danger>,
+    /// The least distance between two vehicles in the air during this flight, in metres.
+    pub(in crate::app) least_separation_m: Option<f64>,
+    /// How often a vehicle did not carry out a command during this flight.
+    pub(in crate::app) failures: u32,
+}
+
+/// An order of the desk that is being carried out.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct PendingOrder {
+    pub id: OrderId,
+    pub deed: Deed,
+    /// The hint's entry in the ledger.
+    pub entry: Option<EntryId>,
+    /// When the effect must have been seen, by the wall clock.
+    pub due: Duration,
+}
+
+impl SeatPlace {
+    /// A place that is not taken yet.
+    pub fn new(seat: Seat) -> Self {
+        Self {
+            seat,
+            pending: Vec::new(),
+            is_frozen: false,
+            looked_at: Duration::ZERO,
+            danger: None,
+            least_separation_m: None,
+            failures: 0,
+        }
+    }
+
+    /// The seat's journal and connection.
+    pub fn seat(&self) -> &Seat {
+        &self.seat
+    }
+
+    /// Counts what happened, and adds it to the journal if the trainee has joined: what came before is not for the desk.
+    pub(in crate::app) fn note(&mut self, clock_s: Option<f64>, what: Happening) {
+        match what {
+            Happening::Started { .. } => {
+                self.is_frozen = false;
+                self.danger = None;
+                self.least_separation_m = None;
+                self.failures = 0;
+            }
+            Happening::Failed { .. } => self.failures += 1,
+            Happening::Command { .. }
+            | Happening::Objective { .. }
+            | Happening::Ended { .. }
+            | Happening::Order { .. } => {}
+        }
+        if self.seat.consent() == Consent::Given {
+            self.seat.note(clock_s, what);
+        }
+    }
+}
+
+impl ClassRole {
+    /// The trainee's place, if this is one.
+    pub fn seat(&self) -> Option<&SeatPlace> {
+        match self {
+            Self::Seat(place) => Some(place),
+            Self::None | Self::Desk(_) => None,
+        }
+    }
+
+    /// The desk, if this is one.
+    pub fn desk(&self) -> Option<&Desk> {
+        match self {
+            Self::Desk(desk) => Some(desk),
+            Self::None | Self::Seat(_) => None,
+        }
+    }
+
+    pub(in crate::app) fn seat_mut(&mut self) -> Option<&mut SeatPlace> {
+        match self {
+            Self::Seat(place) => Some(place),
+            Self::None | Self::Desk(_) => None,
+        }
+    }
+
+    pub(in crate::app) fn desk_mut(&mut self) -> Option<&mut Desk> {
+        match self {
+            Self::Desk(desk) => Some(desk),
+            Self::None | Self::Seat(_) => None,
+        }
+    }
+
+    /// The instructor whose desk watches this seat; `None` if none does.
+    pub fn watcher(&self) -> Option<&str> {
+        let seat = &self.seat()?.seat;
+        seat.class().and(seat.instructor())
+    }
+
+    /// Whether the desk has frozen the flight.
+    pub fn is_frozen(&self) -> bool {
+        self.seat().is_some_and(|place| place.is_frozen)
+    }
+}

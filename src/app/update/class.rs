@@ -1,0 +1,207 @@
+//! A class: what a seat notes for the desk, the desk's orders to it, and the desk itself.
+//!
+//! # How the parts fit
+//! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
+//! - At the desk: `desk` takes in what seats say, and gives orders.
+
+use crate::app::State;
+use crate::app::effect::{Effect, Effects};
+use crate::app::event::ClassEvent;
+use crate::app::state::{ClassRole, Consequence};
+use crate::class::protocol::DeskMessage;
+use crate::class::{Consent, Happening};
+use crate::language::ClassLine;
+use crate::notice::Notice;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+mod desk;
+mod orders;
+mod witness;
+
+pub use desk::instruct;
+pub use orders::keeps_frozen;
+pub use witness::witnessed;
+
+/// The interval between searches for dangers, in milliseconds.
+const LOOK_MS: u128 = 500;
+
+/// Handles an event of a class.
+pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
+    state.touch();
+    match event {
+        ClassEvent::Found { instructor } => found(state, &instructor),
+        ClassEvent::Said(message) => return said(state, message),
+        ClassEvent::Lost => lost(state),
+        ClassEvent::Refused(text) => tell(state, Severity::Warning, text),
+        ClassEvent::Marked { id, is_set } => return orders::marked(state, id, is_set),
+        ClassEvent::Heard {
+            connection,
+            user,
+            message,
+        } => return desk::heard(state, connection, &user, message),
+        ClassEvent::Left(connection) => desk::left(state, connection),
+    }
+    Effects::none()
+}
+
+fn found(state: &mut State, instructor: &str) {
+    if let Some(place) = state.class.seat_mut() {
+        place.seat.find(instructor);
+    }
+}
+
+fn lost(state: &mut State) {
+    let was_watched = state.class.watcher().is_some();
+    if let Some(place) = state.class.seat_mut() {
+        place.seat.lose();
+    }
+    if was_watched {
+        tell(state, Severity::Notice, text!("class-lost"));
+    }
+}
+
+fn said(state: &mut State, message: DeskMessage) -> Effects {
+    match message {
+        DeskMessage::Welcome { class, .. } => {
+            let Some(place) = state.class.seat_mut() else {
+                return Effects::none();
+            };
+            place.seat.enter(class.clone());
+            let instructor = place.seat.instructor().unwrap_or_default().to_owned();
+            let text = text!(
+                "class-joined",
+                class = class.as_str(),
+                instructor = instructor
+            );
+            tell(state, Severity::Notice, text);
+        }
+        DeskMessage::Denied(denial) => {
+            let text = text!("class-denied", reason = desk::denial_text(denial));
+            tell(state, Severity::Warning, text);
+        }
+        DeskMessage::Order(given) => return orders::given(state, given),
+        // What is to be sent is a matter of the connection.
+        DeskMessage::Ask { .. } => {}
+    }
+    Effects::none()
+}
+
+/// Shows a text on the last line, and keeps it among the notices.
+fn tell(state: &mut State, severity: Severity, text: Text) {
+    state
+        .notices
+        .push(Notice::general(state.now, severity, text.clone()));
+    state.say(severity, text);
+}
+
+/// What follows from an event for a class, after the console has handled it: entries of the journal, the ends of orders,
+/// and the question whether the trainee joins.
+pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: &mut Effects) {
+    match &state.class {
+        ClassRole::None => return,
+        ClassRole::Desk(_) if is_tick => return desk::tick(state),
+        ClassRole::Desk(_) => return,
+        ClassRole::Seat(_) => {}
+    }
+    let commands = effects.iter().filter_map(|effect| match effect {
+        Effect::Order { order, .. } => Some(Happening::Command {
+            line: order.given().line.into(),
+        }),
+        _ => None,
+    });
+    let noted: Vec<Happening> = noted.into_iter().chain(commands).collect();
+    let clock_s = clock_s(state);
+    if let Some(place) = state.class.seat_mut() {
+        for what in noted {
+            place.note(clock_s, what);
+        }
+    }
+    effects.extend(orders::settle(state));
+    if is_tick {
+        look(state);
+        ask(state);
+    }
+}
+
+/// The time of the mission, in seconds.
+fn clock_s(state: &State) -> Option<f64> {
+    let progress = state.session.task.progress.as_ref();
+    progress.map(|it| crate::text::rounded(it.elapsed.as_secs_f64(), 1))
+}
+
+/// Looks for dangers, twice a second while a desk watches.
+fn look(state: &mut State) {
+    let is_due = state.now.as_millis() / LOOK_MS != looked_ms(state) / LOOK_MS;
+    if !is_due || state.replay.is_some() || state.class.watcher().is_none() {
+        return;
+    }
+    let near = state.session.nearness(&state.config.alerts);
+    let now = state.now;
+    if let Some(place) = state.class.seat_mut() {
+        place.looked_at = now;
+        place.danger = near.danger;
+        let both = place
+            .least_separation_m
+            .into_iter()
+            .chain(near.separation_m);
+        place.least_separation_m = both.min_by(f64::total_cmp);
+    }
+}
+
+fn looked_ms(state: &State) -> u128 {
+    let place = state.class.seat();
+    place.map_or(0, |place| place.looked_at.as_millis())
+}
+
+/// Asks the trainee once whether to join a class that the configuration names.
+fn ask(state: &mut State) {
+    let is_free = state.overlay.is_none() && !state.is_deaf();
+    let Some(place) = state.class.seat_mut().filter(|_| is_free) else {
+        return;
+    };
+    if place.seat.consent() != Consent::Unasked {
+        return;
+    }
+    let Some(instructor) = place.seat.instructor().map(str::to_owned) else {
+        return;
+    };
+    // Any answer but yes is no.
+    place.seat.decide(false);
+    let question = text!("class-ask", instructor = instructor);
+    let reason = text!("class-ask-reason");
+    state.ask(question, reason, Consequence::JoinClass);
+}
+
+/// Carries out a line about the class.
+///
+/// # Errors
+/// Why it is not possible.
+pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
+    match line {
+        ClassLine::Join | ClassLine::Leave => {
+            let place = state.class.seat_mut().ok_or_else(|| text!("class-none"))?;
+            let joins = line == ClassLine::Join;
+            place.seat.decide(joins);
+            if !joins {
+                place.seat.lose();
+            }
+            let text = if joins {
+                text!("class-joining")
+            } else {
+                text!("class-left")
+            };
+            state.say(Severity::Notice, text);
+            Ok(Effects::none())
+        }
+        ClassLine::Give { seats, deed } => desk::give(state, seats, deed),
+    }
+}
+
+/// The trainee joins the class.
+pub fn join(state: &mut State) {
+    if let Some(place) = state.class.seat_mut() {
+        place.seat.decide(true);
+    }
+}

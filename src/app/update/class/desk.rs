@@ -1,0 +1,118 @@
+//! The instructor's desk: what seats say, and orders to them.
+
+use crate::app::State;
+use crate::app::effect::{ClassEffect, Effect, Effects};
+use crate::app::room::class;
+use crate::app::state::Consequence;
+use crate::class::protocol::{Denial, SeatMessage};
+use crate::class::{ConnectionId, Deed, Desk, SeatRecord};
+use crate::class_text::deed_text;
+use crate::language::SeatChoice;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// Takes in a line of a seat.
+pub fn heard(
+    state: &mut State,
+    connection: ConnectionId,
+    user: &str,
+    message: SeatMessage,
+) -> Effects {
+    let wall = state.wall;
+    let Some(desk) = state.class.desk_mut() else {
+        return Effects::none();
+    };
+    let outcome = desk.hear(connection, user, message, wall);
+    class::keep_cursor(state);
+    match outcome {
+        Ok(()) => Effects::none(),
+        Err(denial) => Effects::from(Effect::Class(ClassEffect::Deny { connection, denial })),
+    }
+}
+
+/// A seat's connection has ended.
+pub fn left(state: &mut State, connection: ConnectionId) {
+    let wall = state.wall;
+    if let Some(desk) = state.class.desk_mut() {
+        desk.leave(connection, wall);
+    }
+}
+
+/// Gives up waiting for answers to old orders.
+pub fn tick(state: &mut State) {
+    let wall = state.wall;
+    if state.class.desk_mut().is_some_and(|desk| desk.expire(wall)) {
+        state.touch();
+    }
+}
+
+/// Gives an order to seats; asks first before one that ends flights.
+///
+/// # Errors
+/// This console is no desk, or no seat is meant.
+pub fn give(state: &mut State, choice: SeatChoice, deed: Deed) -> Result<Effects, Text> {
+    let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    let seats = match choice {
+        SeatChoice::Addressed => class::addressed(state),
+        SeatChoice::All => (0..desk.seats().len()).collect(),
+        SeatChoice::Named(name) => {
+            let named = |seat: &SeatRecord| seat.name == name;
+            desk.seats().iter().position(named).into_iter().collect()
+        }
+    };
+    let here: Vec<usize> = seats
+        .into_iter()
+        .filter(|&seat| desk.seats().get(seat).is_some_and(SeatRecord::is_here))
+        .collect();
+    if here.is_empty() {
+        return Err(text!("class-no-seat"));
+    }
+    if deed.is_final() {
+        let names = names(state, &here);
+        let question = text!("class-ask-end", seats = names);
+        let then = Consequence::Instruct { seats: here, deed };
+        state.ask(question, text!("class-ask-end-reason"), then);
+        return Ok(Effects::none());
+    }
+    instruct(state, &here, &deed);
+    Ok(Effects::none())
+}
+
+/// Gives an order to these seats.
+pub fn instruct(state: &mut State, seats: &[usize], deed: &Deed) {
+    let wall = state.wall;
+    if let Some(desk) = state.class.desk_mut() {
+        for &seat in seats {
+            desk.give(seat, deed.clone(), wall);
+        }
+    }
+    let text = text!(
+        "class-given",
+        deed = deed_text(deed),
+        seats = names(state, seats)
+    );
+    state.say(Severity::Notice, text);
+    state.touch();
+}
+
+/// The names of seats; their number if there are many.
+fn names(state: &State, seats: &[usize]) -> Text {
+    let known = state.class.desk().map_or(&[][..], Desk::seats);
+    match seats.len() {
+        0..=4 => {
+            let names = seats.iter().filter_map(|&seat| known.get(seat));
+            let names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
+            names.join(", ").into()
+        }
+        count => text!("class-seats", count = count),
+    }
+}
+
+pub(super) fn denial_text(denial: Denial) -> Text {
+    match denial {
+        Denial::Version { desk } => text!("class-denial-version", desk = desk),
+        Denial::Full => text!("class-denial-full"),
+        Denial::NoHello => text!("class-denial-hello"),
+    }
+}

@@ -1,0 +1,278 @@
+//! Carries out what the desk asks of a seat, and reports how it ended.
+
+use std::time::Duration;
+
+use super::super::order::{self, Given};
+use super::{clock_s, tell};
+use crate::app::State;
+use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect, TerminalEffect};
+use crate::app::state::{Activity, PendingOrder};
+use crate::class::{Deed, Order, OrderId, Outcome, Refusal};
+use crate::ledger::{EntryId, RowState};
+use crate::mission::Stake;
+use crate::record::DeskLine;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// How long the effect of an order may take.
+const SEEN_WITHIN: Duration = Duration::from_secs(5);
+
+/// Takes in an order; one that came before is not carried out again.
+pub fn given(state: &mut State, order: Order) -> Effects {
+    let Some(place) = state.class.seat_mut() else {
+        return Effects::none();
+    };
+    if !place.seat.is_new(&order) {
+        return Effects::none();
+    }
+    match carry_out(state, &order) {
+        Ok(begun) => {
+            let pending = PendingOrder {
+                id: order.id,
+                deed: order.deed,
+                entry: begun.entry,
+                due: state.wall + SEEN_WITHIN,
+            };
+            if let Some(place) = state.class.seat_mut() {
+                place.pending.push(pending);
+            }
+            begun.effects
+        }
+        Err(refusal) => end(state, order.id, order.deed, Outcome::Refused(refusal)),
+    }
+}
+
+/// An order that is being carried out.
+#[derive(Default)]
+struct Begun {
+    effects: Effects,
+    /// The entry in the ledger, if there is one.
+    entry: Option<EntryId>,
+}
+
+impl From<Effect> for Begun {
+    fn from(effect: Effect) -> Self {
+        Self {
+            effects: effect.into(),
+            entry: None,
+        }
+    }
+}
+
+impl From<SessionEffect> for Begun {
+    fn from(effect: SessionEffect) -> Self {
+        Effect::Session(effect).into()
+    }
+}
+
+fn carry_out(state: &mut State, order: &Order) -> Result<Begun, Refusal> {
+    if is_exam(state) && !order.deed.is_for_exams() {
+        return Err(Refusal::Exam);
+    }
+    match &order.deed {
+        Deed::Message { text } => Ok(message(state, text.as_str())),
+        Deed::Hint => hint(state),
+        Deed::Mark { text } => {
+            if state.session.activity.is_none() || state.replay.is_some() {
+                return Err(Refusal::NotFlying);
+            }
+            let text = format!("{}: {text}", instructor(state));
+            let text = text.trim_end_matches([':', ' ']).to_owned();
+            Ok(Effect::Class(ClassEffect::Mark { id: order.id, text }).into())
+        }
+        Deed::Freeze => freeze(state),
+        Deed::Resume if state.session.is_paused() => Ok(SessionEffect::Continue.into()),
+        Deed::Resume => Err(Refusal::NotFrozen),
+        Deed::End => abandon(state),
+    }
+}
+
+fn is_exam(state: &State) -> bool {
+    let session = &state.session;
+    let is_exam = matches!(
+        session.activity,
+        Some(Activity::Mission {
+            stake: Stake::Exam,
+            ..
+        })
+    );
+    is_exam && !session.task.over
+}
+
+fn instructor(state: &State) -> String {
+    let place = state.class.seat();
+    let instructor = place.and_then(|place| place.seat.instructor());
+    instructor.unwrap_or_default().to_owned()
+}
+
+fn message(state: &mut State, text: &str) -> Begun {
+    let text = text!("class-message", instructor = instructor(state), text = text);
+    tell(state, Severity::Warning, text);
+    if state.config.alerts.bell {
+        Effect::Terminal(TerminalEffect::Bell).into()
+    } else {
+        Begun::default()
+    }
+}
+
+/// Gives the trainee the mission's next hint, as if the trainee had asked for it.
+fn hint(state: &mut State) -> Result<Begun, Refusal> {
+    let progress = state.session.task.progress.as_ref();
+    let progress = progress.filter(|_| !state.session.task.over && state.replay.is_none());
+    let clues = &progress.ok_or(Refusal::NoMission)?.clues;
+    if clues.next.is_none() {
+        return Err(Refusal::NoHint);
+    }
+    match order::read_for(state, "all hint", &[]) {
+        Ok(Given::Order(asked)) => {
+            let sent = order::send(state, asked);
+            Ok(Begun {
+                effects: sent.effect.into(),
+                entry: Some(sent.entry),
+            })
+        }
+        Ok(Given::Own(_)) | Err(_) => Err(Refusal::NotFlying),
+    }
+}
+
+fn freeze(state: &mut State) -> Result<Begun, Refusal> {
+    let session = &state.session;
+    let is_simulated = session.hangar.is_none()
+        && matches!(
+            session.activity,
+            Some(Activity::Mission { .. } | Activity::Free)
+        );
+    if session.activity.is_none() || state.replay.is_some() || session.task.over {
+        return Err(Refusal::NotFlying);
+    }
+    if !is_simulated {
+        return Err(Refusal::CannotFreeze);
+    }
+    if session.is_reading() {
+        return Err(Refusal::NotFlying);
+    }
+    let is_paused = session.is_paused();
+    if let Some(place) = state.class.seat_mut() {
+        place.is_frozen = true;
+    }
+    Ok(if is_paused {
+        Begun::default()
+    } else {
+        SessionEffect::Pause.into()
+    })
+}
+
+fn abandon(state: &State) -> Result<Begun, Refusal> {
+    let session = &state.session;
+    if state.flown_mission().is_none() || session.task.over || state.replay.is_some() {
+        return Err(Refusal::NoMission);
+    }
+    if !session.has_flight_begun() {
+        return Err(Refusal::NotFlying);
+    }
+    Ok(SessionEffect::Abandon.into())
+}
+
+/// Ends the orders whose effect is seen, or was not seen in time.
+pub fn settle(state: &mut State) -> Effects {
+    let Some(place) = state.class.seat_mut() else {
+        return Effects::none();
+    };
+    if !state.session.is_paused() && !awaits_freeze(&place.pending) {
+        place.is_frozen = false;
+    }
+    let pending = std::mem::take(&mut place.pending);
+    let mut effects = Effects::none();
+    for one in pending {
+        let outcome = match effect_of(state, &one) {
+            Some(outcome) => Some(outcome),
+            None => (state.wall >= one.due).then_some(Outcome::NoEffect),
+        };
+        match outcome {
+            Some(outcome) => effects.extend(end(state, one.id, one.deed, outcome)),
+            None => {
+                if let Some(place) = state.class.seat_mut() {
+                    place.pending.push(one);
+                }
+            }
+        }
+    }
+    effects
+}
+
+fn awaits_freeze(pending: &[PendingOrder]) -> bool {
+    pending.iter().any(|one| one.deed == Deed::Freeze)
+}
+
+/// How an order has ended, if its effect can be seen.
+fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
+    let session = &state.session;
+    let is_done = match pending.deed {
+        Deed::Message { .. } => true,
+        // The shell reports it.
+        Deed::Mark { .. } => false,
+        Deed::Hint => return hint_outcome(state, pending.entry),
+        Deed::Freeze => session.is_paused(),
+        Deed::Resume => !session.is_paused(),
+        Deed::End => session.task.over || session.activity.is_none(),
+    };
+    is_done.then_some(Outcome::Done)
+}
+
+fn hint_outcome(state: &State, entry: Option<EntryId>) -> Option<Outcome> {
+    let entry = state.session.ledger().entry(entry?)?;
+    if !entry.is_final() {
+        return None;
+    }
+    let is_given = entry.rows.iter().any(|row| row.state == RowState::Done);
+    Some(if is_given {
+        Outcome::Done
+    } else {
+        Outcome::Refused(Refusal::NoHint)
+    })
+}
+
+/// The shell has set a bookmark, or could not.
+pub fn marked(state: &mut State, id: OrderId, is_set: bool) -> Effects {
+    let Some(place) = state.class.seat_mut() else {
+        return Effects::none();
+    };
+    let Some(at) = place.pending.iter().position(|one| one.id == id) else {
+        return Effects::none();
+    };
+    let pending = place.pending.swap_remove(at);
+    let outcome = if is_set {
+        Outcome::Done
+    } else {
+        Outcome::Refused(Refusal::NotRecorded)
+    };
+    end(state, id, pending.deed, outcome)
+}
+
+/// Notes the end of an order: in the journal for the desk, in the record of the flight, and for the trainee.
+fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects {
+    let line = DeskLine {
+        by: instructor(state),
+        deed,
+        outcome,
+    };
+    let clock_s = clock_s(state);
+    if let Some(place) = state.class.seat_mut() {
+        place.seat.settle(clock_s, id, outcome);
+    }
+    // The trainee has just read a message.
+    if !matches!(line.deed, Deed::Message { .. }) {
+        tell(state, Severity::Notice, line.text());
+    }
+    Effects::from(Effect::Class(ClassEffect::Note(line)))
+}
+
+/// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, the trainee can.
+pub fn keeps_frozen(state: &State) -> Option<Text> {
+    let place = state.class.seat()?;
+    let instructor = state.class.watcher()?;
+    place
+        .is_frozen
+        .then(|| text!("class-frozen", instructor = instructor))
+}

@@ -1,0 +1,148 @@
+//! Where a class is on this host, and whose it must be.
+
+use std::fs::{self, DirBuilder, Permissions};
+use std::io;
+use std::os::unix::fs::{DirBuilderExt as _, MetadataExt as _, PermissionsExt as _};
+use std::path::{Path, PathBuf};
+
+use nix::unistd::{Uid, User, geteuid};
+
+use super::socket::SocketFault;
+use crate::text;
+use crate::text::Text;
+
+/// The permissions of a class's folder: everybody may reach the socket, and only the instructor changes the folder.
+const FOLDER_MODE: u32 = 0o711;
+/// The name of the socket in the folder.
+const SOCKET: &str = "desk";
+
+/// A class on this host: a folder of the instructor with the socket of the desk.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ClassPlace {
+    /// The path of the socket.
+    pub socket: PathBuf,
+    /// The user to whom the desk must belong; `None` for the owner of the folder.
+    pub instructor: Option<String>,
+}
+
+/// Why a class cannot be opened or joined.
+#[derive(Debug)]
+pub enum ClassFault {
+    /// The path leads to something else.
+    Socket { socket: PathBuf, fault: SocketFault },
+    /// The folder belongs to another user, or others may change it.
+    Folder(PathBuf),
+    /// The desk does not belong to the instructor.
+    Stranger {
+        socket: PathBuf,
+        /// To whom it belongs.
+        user: String,
+        /// To whom it must belong.
+        instructor: String,
+    },
+}
+
+impl From<&ClassFault> for Text {
+    fn from(fault: &ClassFault) -> Self {
+        let shown = |path: &Path| path.display().to_string();
+        match fault {
+            ClassFault::Socket { socket, fault } => {
+                let socket = shown(socket);
+                match fault {
+                    SocketFault::NoSocket => text!("class-no-socket", socket = socket),
+                    SocketFault::InUse => text!("class-in-use", socket = socket),
+                    SocketFault::Io(error) => {
+                        text!("class-not-open", socket = socket, error = error.to_string())
+                    }
+                }
+            }
+            ClassFault::Folder(folder) => text!("class-folder", folder = shown(folder)),
+            ClassFault::Stranger {
+                socket,
+                user,
+                instructor,
+            } => text!(
+                "class-stranger",
+                socket = shown(socket),
+                user = user,
+                instructor = instructor
+            ),
+        }
+    }
+}
+
+impl ClassPlace {
+    /// The class with a name, or at a path: its folder, or its socket.
+    pub fn named(name: &str, instructor: Option<String>) -> Self {
+        let path = if name.contains('/') {
+            PathBuf::from(name)
+        } else {
+            Path::new("/tmp").join(format!("sortie-class-{name}"))
+        };
+        let is_socket = fs::metadata(&path).is_ok_and(|found| !found.is_dir());
+        let socket = if is_socket { path } else { path.join(SOCKET) };
+        Self { socket, instructor }
+    }
+
+    fn folder(&self) -> &Path {
+        let parent = self.socket.parent();
+        let parent = parent.filter(|it| !it.as_os_str().is_empty());
+        parent.unwrap_or(Path::new("."))
+    }
+
+    /// Makes the folder, or checks the one that is there.
+    ///
+    /// # Errors
+    /// It cannot be made, or somebody else could change it.
+    pub(super) fn prepare(&self) -> Result<(), ClassFault> {
+        let folder = self.folder();
+        let made = DirBuilder::new().mode(FOLDER_MODE).create(folder);
+        let of_system = |error: io::Error| ClassFault::Socket {
+            socket: self.socket.clone(),
+            fault: SocketFault::Io(error),
+        };
+        match made {
+            Ok(()) => {}
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(of_system(error)),
+        }
+        let found = fs::symlink_metadata(folder).map_err(of_system)?;
+        let is_own = found.is_dir() && found.uid() == geteuid().as_raw();
+        if !is_own || found.mode() & 0o022 != 0 {
+            return Err(ClassFault::Folder(folder.to_owned()));
+        }
+        fs::set_permissions(folder, Permissions::from_mode(FOLDER_MODE)).map_err(of_system)
+    }
+
+    /// Checks that the desk belongs to the instructor: to the user who is named, otherwise to the owner of the folder.
+    ///
+    /// # Errors
+    /// It belongs to somebody else.
+    pub(super) fn check(&self, desk_uid: u32) -> Result<(), ClassFault> {
+        let user = user_name(desk_uid);
+        let owner = || fs::metadata(self.folder()).ok().map(|it| it.uid());
+        let instructor = match &self.instructor {
+            Some(name) => name.clone(),
+            None => owner().map_or_else(String::new, user_name),
+        };
+        if user == instructor {
+            return Ok(());
+        }
+        Err(ClassFault::Stranger {
+            socket: self.socket.clone(),
+            user,
+            instructor,
+        })
+    }
+}
+
+/// The name of the user who runs this program.
+pub fn own_user_name() -> String {
+    user_name(geteuid().as_raw())
+}
+
+/// The name of a user, or the number of one without a name.
+pub(super) fn user_name(uid: u32) -> String {
+    let user = User::from_uid(Uid::from_raw(uid)).ok().flatten();
+    user.map_or_else(|| uid.to_string(), |user| user.name)
+}

@@ -1,0 +1,110 @@
+//! The two ends of a class's connections.
+
+use serde::Serialize;
+use tokio::sync::mpsc;
+use tokio::task::JoinHandle;
+
+use super::place::ClassFault;
+use crate::class::ConnectionId;
+use crate::class::protocol::{self, DeskMessage, LineFault, SeatMessage};
+
+/// The maximum number of lines that wait to be written on one connection.
+const OUTBOX: usize = 64;
+
+/// Who is at the other end of a connection.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Peer {
+    /// The name of the user, or the user's number if there is no name.
+    pub user: String,
+}
+
+/// Where lines to one connection wait to be written.
+#[derive(Debug, Clone)]
+pub struct Outbox(mpsc::Sender<String>);
+
+impl Outbox {
+    pub(super) fn new() -> (Self, mpsc::Receiver<String>) {
+        let (sender, lines) = mpsc::channel(OUTBOX);
+        (Self(sender), lines)
+    }
+
+    /// Whether there is room for a message.
+    pub fn has_room(&self) -> bool {
+        self.0.capacity() > 0
+    }
+
+    /// Queues a message; without room, it is dropped. The end of the connection is reported by its port.
+    pub fn send(&self, message: &impl Serialize) {
+        drop(self.0.try_send(protocol::line(message)));
+    }
+}
+
+/// What arrives at a desk.
+#[derive(Debug)]
+pub enum DeskArrival {
+    Opened {
+        connection: ConnectionId,
+        peer: Peer,
+        outbox: Outbox,
+    },
+    Line {
+        from: ConnectionId,
+        line: Result<SeatMessage, LineFault>,
+    },
+    Closed(ConnectionId),
+}
+
+/// The desk's end. Dropping it closes all connections.
+#[derive(Debug)]
+pub struct DeskPort {
+    pub(super) arrivals: mpsc::Receiver<DeskArrival>,
+    pub(super) task: JoinHandle<()>,
+}
+
+impl DeskPort {
+    /// Waits for the next arrival; `None` if the carrier has ended.
+    pub async fn next(&mut self) -> Option<DeskArrival> {
+        self.arrivals.recv().await
+    }
+}
+
+impl Drop for DeskPort {
+    fn drop(&mut self) {
+        self.task.abort();
+    }
+}
+
+/// What arrives at a seat.
+#[derive(Debug)]
+pub enum SeatArrival {
+    /// A desk has been found.
+    Found {
+        desk: Peer,
+        outbox: Outbox,
+    },
+    Line(Result<DeskMessage, LineFault>),
+    /// The connection has ended; another one is tried.
+    Lost,
+    /// There is a desk to which the seat must not connect. Reported once for each reason.
+    Refused(ClassFault),
+}
+
+/// The seat's end. It connects again until it is dropped.
+#[derive(Debug)]
+pub struct SeatPort {
+    pub(super) arrivals: mpsc::Receiver<SeatArrival>,
+    pub(super) task: JoinHandle<()>,
+}
+
+impl SeatPort {
+    /// Waits for the next arrival; `None` if the carrier has ended.
+    pub async fn next(&mut self) -> Option<SeatArrival> {
+        self.arrivals.recv().await
+    }
+}
+
+impl Drop for SeatPort {
+    fn drop(&mut self) {
+        self.task.abort();
+    }
+}

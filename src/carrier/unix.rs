@@ -1,0 +1,209 @@
+//! The carrier on one host: a Unix socket. The kernel says which user is at the other end.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Duration;
+
+use nix::unistd::geteuid;
+use tokio::net::{UnixListener, UnixStream};
+use tokio::sync::mpsc;
+
+use super::exchange::exchange;
+use super::place::{ClassFault, ClassPlace, user_name};
+use super::ports::{DeskArrival, DeskPort, Outbox, Peer, SeatArrival, SeatPort};
+use super::socket;
+use crate::class::{ConnectionId, SEATS};
+use crate::text::Text;
+
+/// The permissions of the socket: every user of the host may connect.
+const SOCKET_MODE: u32 = 0o666;
+/// The maximum number of connections of one user, except for the instructor's own.
+const OF_ONE_USER: usize = 16;
+/// The maximum number of arrivals, from all connections together, that wait for the console.
+const ARRIVALS: usize = 64;
+/// The time between two attempts to connect grows from the first of these to the second.
+const RETRY: std::ops::RangeInclusive<Duration> = Duration::from_secs(1)..=Duration::from_secs(4);
+
+/// Opens the desk of a class.
+///
+/// # Errors
+/// Its folder or its socket cannot be used.
+pub fn open(place: &ClassPlace) -> Result<DeskPort, ClassFault> {
+    place.prepare()?;
+    let listener =
+        socket::open(&place.socket, SOCKET_MODE).map_err(|fault| ClassFault::Socket {
+            socket: place.socket.clone(),
+            fault,
+        })?;
+    let (arrived, arrivals) = mpsc::channel(ARRIVALS);
+    let removed = Removed(place.socket.clone());
+    let task = tokio::spawn(async move {
+        accept(listener, arrived).await;
+        drop(removed);
+    });
+    Ok(DeskPort { arrivals, task })
+}
+
+/// Removes the socket when the desk closes.
+struct Removed(PathBuf);
+
+impl Drop for Removed {
+    fn drop(&mut self) {
+        // It may have been removed already.
+        drop(std::fs::remove_file(&self.0));
+    }
+}
+
+/// How many connections each user has.
+#[derive(Clone, Default)]
+struct Places(Arc<Mutex<BTreeMap<u32, usize>>>);
+
+/// A place that is free again when it is dropped.
+struct TakenPlace {
+    places: Places,
+    uid: u32,
+}
+
+impl Places {
+    fn take(&self, uid: u32) -> Option<TakenPlace> {
+        let mut taken = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let is_own = uid == geteuid().as_raw();
+        let all: usize = taken.values().sum();
+        let count = taken.entry(uid).or_default();
+        if all >= SEATS || (!is_own && *count >= OF_ONE_USER) {
+            return None;
+        }
+        *count += 1;
+        let places = self.clone();
+        Some(TakenPlace { places, uid })
+    }
+}
+
+impl Drop for TakenPlace {
+    fn drop(&mut self) {
+        let mut taken = self.places.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(count) = taken.get_mut(&self.uid) {
+            *count -= 1;
+        }
+    }
+}
+
+async fn accept(listener: UnixListener, arrived: mpsc::Sender<DeskArrival>) {
+    let places = Places::default();
+    // Dropping the set ends the connections.
+    let mut connections = tokio::task::JoinSet::new();
+    for number in 1.. {
+        let Ok((stream, _)) = listener.accept().await else {
+            // No file descriptors are left until a connection ends.
+            tokio::task::yield_now().await;
+            continue;
+        };
+        while connections.try_join_next().is_some() {}
+        let Some((uid, place)) = stream
+            .peer_cred()
+            .ok()
+            .and_then(|cred| Some((cred.uid(), places.take(cred.uid())?)))
+        else {
+            continue;
+        };
+        let arrived = arrived.clone();
+        connections.spawn(async move {
+            serve(stream, ConnectionId(number), uid, &arrived).await;
+            drop(place);
+        });
+    }
+}
+
+async fn serve(
+    stream: UnixStream,
+    connection: ConnectionId,
+    uid: u32,
+    arrived: &mpsc::Sender<DeskArrival>,
+) {
+    let (outbox, lines) = Outbox::new();
+    let user = user_name(uid);
+    let opened = DeskArrival::Opened {
+        connection,
+        peer: Peer { user },
+        outbox,
+    };
+    if arrived.send(opened).await.is_err() {
+        return;
+    }
+    let (read, write) = stream.into_split();
+    let line = |line| DeskArrival::Line {
+        from: connection,
+        line,
+    };
+    exchange(read, write, lines, arrived, line).await;
+    drop(arrived.send(DeskArrival::Closed(connection)).await);
+}
+
+/// Connects to the desk of a class, and again whenever the connection ends.
+pub fn join(place: ClassPlace) -> SeatPort {
+    let (arrived, arrivals) = mpsc::channel(ARRIVALS);
+    let task = tokio::spawn(async move { keep_connected(&place, &arrived).await });
+    SeatPort { arrivals, task }
+}
+
+async fn keep_connected(place: &ClassPlace, arrived: &mpsc::Sender<SeatArrival>) {
+    let mut wait = *RETRY.start();
+    let mut stranger = None;
+    while !arrived.is_closed() {
+        match connect(&place.socket, place).await {
+            Ok(Some((stream, desk))) => {
+                wait = *RETRY.start();
+                stranger = None;
+                if converse(stream, desk, arrived).await.is_none() {
+                    return;
+                }
+            }
+            // There is no desk, which is no fault: it may open later.
+            Ok(None) => {}
+            Err(fault) => {
+                let found = Text::from(&fault);
+                if stranger.as_ref() != Some(&found) {
+                    stranger = Some(found);
+                    if arrived.send(SeatArrival::Refused(fault)).await.is_err() {
+                        return;
+                    }
+                }
+            }
+        }
+        tokio::time::sleep(wait).await;
+        wait = (wait * 2).min(*RETRY.end());
+    }
+}
+
+/// Connects; `None` if no desk answers.
+async fn connect(
+    socket: &Path,
+    place: &ClassPlace,
+) -> Result<Option<(UnixStream, Peer)>, ClassFault> {
+    let Ok(stream) = UnixStream::connect(socket).await else {
+        return Ok(None);
+    };
+    let Ok(cred) = stream.peer_cred() else {
+        return Ok(None);
+    };
+    place.check(cred.uid())?;
+    let user = user_name(cred.uid());
+    Ok(Some((stream, Peer { user })))
+}
+
+/// Passes lines until the connection ends; `None` if the console has ended.
+async fn converse(
+    stream: UnixStream,
+    desk: Peer,
+    arrived: &mpsc::Sender<SeatArrival>,
+) -> Option<()> {
+    let (outbox, lines) = Outbox::new();
+    arrived
+        .send(SeatArrival::Found { desk, outbox })
+        .await
+        .ok()?;
+    let (read, write) = stream.into_split();
+    exchange(read, write, lines, arrived, SeatArrival::Line).await;
+    arrived.send(SeatArrival::Lost).await.ok()
+}

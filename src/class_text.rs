@@ -1,0 +1,55 @@
+//! The orders of an instructor's desk and their outcomes, as text.
+
+use crate::class::{Consent, Deed, Outcome, Refusal, Seat};
+use crate::text;
+use crate::text::Text;
+
+/// What an order asks for.
+pub fn deed_text(deed: &Deed) -> Text {
+    match deed {
+        Deed::Message { text } => text!("class-deed-message", text = text.as_str()),
+        Deed::Hint => text!("class-deed-hint"),
+        Deed::Mark { text } if text.is_empty() => text!("class-deed-mark"),
+        Deed::Mark { text } => text!("class-deed-mark-text", text = text.as_str()),
+        Deed::Freeze => text!("class-deed-freeze"),
+        Deed::Resume => text!("class-deed-resume"),
+        Deed::End => text!("class-deed-end"),
+    }
+}
+
+/// How an order ended.
+pub fn outcome_text(outcome: Outcome) -> Text {
+    match outcome {
+        Outcome::Done => text!("class-done"),
+        Outcome::NoEffect => text!("class-no-effect"),
+        Outcome::Refused(refusal) => text!("class-refused", reason = refusal_text(refusal)),
+    }
+}
+
+fn refusal_text(refusal: Refusal) -> Text {
+    match refusal {
+        Refusal::Exam => text!("class-refusal-exam"),
+        Refusal::NoMission => text!("class-refusal-no-mission"),
+        Refusal::NotFlying => text!("class-refusal-not-flying"),
+        Refusal::CannotFreeze => text!("class-refusal-cannot-freeze"),
+        Refusal::NotFrozen => text!("class-refusal-not-frozen"),
+        Refusal::NoHint => text!("class-refusal-no-hint"),
+        Refusal::NotRecorded => text!("class-refusal-not-recorded"),
+    }
+}
+
+/// A console's place in a class, for its trainee.
+pub fn seat_text(seat: Option<&Seat>) -> Text {
+    let Some(seat) = seat else {
+        return text!("class-none");
+    };
+    match (seat.consent(), seat.instructor(), seat.class()) {
+        (Consent::Given, Some(instructor), Some(class)) => text!(
+            "class-joined",
+            class = class.as_str(),
+            instructor = instructor
+        ),
+        (Consent::Given | Consent::Unasked, ..) => text!("class-waits"),
+        (Consent::Declined, ..) => text!("class-left"),
+    }
+}

@@ -1,0 +1,67 @@
+//! The verb for a class.
+
+use super::{Built, console};
+use crate::class::Deed;
+use crate::language::argument::{Argument, Arguments, Kind};
+use crate::language::console::{ClassLine, ConsoleLine, Report, SeatChoice};
+use crate::language::names::NameList;
+use crate::language::verb::{Form, Scope, VerbRow};
+use crate::verb::Verb;
+
+/// The word for all seats.
+const ALL: &str = "@all";
+
+pub(super) static ROWS: &[VerbRow] = &[VerbRow {
+    verb: Verb::unsent("class"),
+    scope: Scope::Console,
+    aliases: &[],
+    examples: &[
+        "class",
+        "class message @anna land first",
+        "class freeze @all",
+        "class resume",
+        "class join",
+    ],
+    forms: &[
+        Form::new(&[], |_| console(ConsoleLine::Report(Report::Class))),
+        Form::new(&[Argument::flag("message", ""), SEAT, TEXT], |given| {
+            give(given, |text| Deed::Message { text: text.into() })
+        }),
+        Form::new(&[Argument::flag("hint", ""), SEAT], |given| {
+            give(given, |_| Deed::Hint)
+        }),
+        Form::new(
+            &[Argument::flag("mark", ""), SEAT, TEXT.optional()],
+            |given| give(given, |text| Deed::Mark { text: text.into() }),
+        ),
+        Form::new(&[Argument::flag("freeze", ""), SEAT], |given| {
+            give(given, |_| Deed::Freeze)
+        }),
+        Form::new(&[Argument::flag("resume", ""), SEAT], |given| {
+            give(given, |_| Deed::Resume)
+        }),
+        Form::new(&[Argument::flag("end", ""), SEAT], |given| {
+            give(given, |_| Deed::End)
+        }),
+        Form::new(&[Argument::flag("join", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::Join))
+        }),
+        Form::new(&[Argument::flag("leave", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::Leave))
+        }),
+    ],
+}];
+
+const SEAT: Argument =
+    Argument::value("@seat", Kind::Name(NameList::Seat), "argument-seat").optional();
+const TEXT: Argument = Argument::value("text", Kind::Rest, "");
+
+fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
+    let seats = match given.word("@seat") {
+        None => SeatChoice::Addressed,
+        Some(ALL) => SeatChoice::All,
+        Some(name) => SeatChoice::Named(name.trim_start_matches('@').to_owned()),
+    };
+    let deed = deed(given.word("text").unwrap_or_default());
+    console(ConsoleLine::Class(ClassLine::Give { seats, deed }))
+}

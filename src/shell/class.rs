@@ -1,0 +1,314 @@
+//! A console in a class: as a seat, or as the desk.
+//!
+//! The console never waits for the other side. What arrives becomes an event like any other. What is to be said is
+//! found by comparing the state with what the connection has said already, and only as far as its queue has room.
+
+use std::collections::BTreeMap;
+
+use rand::TryRng as _;
+use rand::rngs::SysRng;
+
+use super::Console;
+use crate::app::State;
+use crate::app::effect::ClassEffect;
+use crate::app::event::ClassEvent;
+use crate::app::state::{ClassRole, SeatPlace};
+use crate::carrier::{
+    ClassFault, ClassPlace, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort, unix,
+};
+use crate::class::protocol::{Denial, DeskMessage};
+use crate::class::{ConnectionId, Consent, Desk, DeskLine, Seat, SeatLine};
+use crate::record::Happening;
+use crate::scoring::FlownBy;
+use crate::text::Text;
+
+/// The console's part in a class.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ClassOptions {
+    pub place: ClassPlace,
+    pub part: ClassPart,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ClassPart {
+    /// A trainee's place.
+    Seat {
+        /// Whether the trainee is asked before the console joins.
+        asks: bool,
+    },
+    /// The instructor's desk.
+    Desk {
+        /// The name of the class.
+        name: String,
+    },
+}
+
+impl ClassOptions {
+    /// The console's part before anything has happened.
+    pub(super) fn role(&self) -> ClassRole {
+        // Numbers that another run of the program has only by a rare accident, which would hide a seat or an order.
+        let number = SysRng.try_next_u64().unwrap_or_default();
+        match &self.part {
+            ClassPart::Seat { asks } => {
+                let consent = if *asks {
+                    Consent::Unasked
+                } else {
+                    Consent::Given
+                };
+                ClassRole::Seat(Box::new(SeatPlace::new(Seat::new(number, consent))))
+            }
+            ClassPart::Desk { name } => {
+                ClassRole::Desk(Box::new(Desk::new(number, name.as_str().into())))
+            }
+        }
+    }
+}
+
+/// The console's connections in a class.
+pub(super) enum ClassEnd {
+    None,
+    Seat(SeatEnd),
+    Desk(DeskEnd),
+}
+
+/// The connection of a seat.
+pub(super) struct SeatEnd {
+    place: ClassPlace,
+    /// Whether a script or a program gives the commands.
+    by_script: bool,
+    /// `None` while the trainee does not want to join.
+    port: Option<SeatPort>,
+    open: Option<OpenLine<SeatLine>>,
+}
+
+/// The connections of a desk.
+pub(super) struct DeskEnd {
+    port: DeskPort,
+    open: BTreeMap<ConnectionId, DeskConnection>,
+}
+
+/// A connection, and what has been said on it.
+struct OpenLine<L> {
+    outbox: Outbox,
+    line: L,
+}
+
+impl<L: Default> OpenLine<L> {
+    fn new(outbox: Outbox) -> Self {
+        Self {
+            outbox,
+            line: L::default(),
+        }
+    }
+}
+
+/// A connection to a seat.
+struct DeskConnection {
+    /// The user at the other end.
+    user: String,
+    open: OpenLine<DeskLine>,
+}
+
+/// What arrives from the other side.
+pub(super) enum ClassArrival {
+    AtSeat(SeatArrival),
+    AtDesk(DeskArrival),
+}
+
+impl ClassEnd {
+    /// Opens the desk, or begins to look for one.
+    ///
+    /// # Errors
+    /// The desk cannot be opened.
+    pub fn open(options: Option<&ClassOptions>, flown_by: FlownBy) -> Result<Self, ClassFault> {
+        let Some(ClassOptions { place, part }) = options else {
+            return Ok(Self::None);
+        };
+        Ok(match part {
+            ClassPart::Seat { .. } => Self::Seat(SeatEnd {
+                place: place.clone(),
+                by_script: flown_by != FlownBy::Hand,
+                port: None,
+                open: None,
+            }),
+            ClassPart::Desk { .. } => Self::Desk(DeskEnd {
+                port: unix::open(place)?,
+                open: BTreeMap::new(),
+            }),
+        })
+    }
+
+    /// Waits for the next arrival; without a class, it waits forever.
+    pub async fn next(&mut self) -> ClassArrival {
+        let arrival = match self {
+            Self::Seat(SeatEnd {
+                port: Some(port), ..
+            }) => port.next().await.map(ClassArrival::AtSeat),
+            Self::Desk(desk) => desk.port.next().await.map(ClassArrival::AtDesk),
+            Self::None | Self::Seat(_) => None,
+        };
+        match arrival {
+            Some(arrival) => arrival,
+            None => std::future::pending().await,
+        }
+    }
+
+    /// Says what the other side does not know yet.
+    pub fn tell(&mut self, state: &State) {
+        match (self, state.class_role()) {
+            (Self::Seat(end), ClassRole::Seat(place)) => end.tell(place.seat(), state),
+            (Self::Desk(end), ClassRole::Desk(desk)) => end.tell(desk, state),
+            _ => {}
+        }
+    }
+}
+
+impl SeatEnd {
+    fn tell(&mut self, seat: &Seat, state: &State) {
+        if seat.consent() == Consent::Declined {
+            (self.port, self.open) = (None, None);
+            return;
+        }
+        if self.port.is_none() {
+            self.port = Some(unix::join(self.place.clone()));
+        }
+        let Some(OpenLine { outbox, line }) = &mut self.open else {
+            return;
+        };
+        while outbox.has_room() {
+            let report = || state.seat_report(self.by_script);
+            match line.next(seat, report, state.wall()) {
+                Some(message) => outbox.send(&message),
+                None => return,
+            }
+        }
+    }
+}
+
+impl DeskEnd {
+    fn tell(&mut self, desk: &Desk, state: &State) {
+        for (&connection, DeskConnection { open, .. }) in &mut self.open {
+            while open.outbox.has_room() {
+                match open.line.next(desk, connection, state.wall()) {
+                    Some(message) => open.outbox.send(&message),
+                    None => break,
+                }
+            }
+        }
+    }
+
+    /// Ends connections, with the reason.
+    fn deny(&mut self, denials: impl IntoIterator<Item = (ConnectionId, Denial)>) {
+        for (connection, denial) in denials {
+            if let Some(denied) = self.open.remove(&connection) {
+                denied.open.outbox.send(&DeskMessage::Denied(denial));
+            }
+        }
+    }
+}
+
+impl Console {
+    /// Takes in what has arrived from the other side of a class.
+    pub(super) async fn attend(&mut self, end: &mut ClassEnd, arrival: ClassArrival) {
+        match (end, arrival) {
+            (ClassEnd::Seat(end), ClassArrival::AtSeat(arrival)) => {
+                self.attend_seat(end, arrival).await;
+            }
+            (ClassEnd::Desk(end), ClassArrival::AtDesk(arrival)) => {
+                self.attend_desk(end, arrival).await;
+                end.deny(std::mem::take(&mut self.denials));
+            }
+            _ => {}
+        }
+    }
+
+    async fn attend_seat(&mut self, end: &mut SeatEnd, arrival: SeatArrival) {
+        match arrival {
+            SeatArrival::Found { desk, outbox } => {
+                end.open = Some(OpenLine::new(outbox));
+                let instructor = desk.user;
+                self.feed(ClassEvent::Found { instructor }).await;
+            }
+            SeatArrival::Line(Ok(message)) => {
+                if let Some(open) = &mut end.open {
+                    open.line.hear(&message);
+                }
+                self.feed(ClassEvent::Said(message)).await;
+            }
+            // The carrier ends the connection.
+            SeatArrival::Line(Err(fault)) => tracing::warn!("a line of the desk: {fault}"),
+            SeatArrival::Lost => {
+                end.open = None;
+                self.feed(ClassEvent::Lost).await;
+            }
+            SeatArrival::Refused(fault) => {
+                self.feed(ClassEvent::Refused(Text::from(&fault))).await;
+            }
+        }
+    }
+
+    async fn attend_desk(&mut self, end: &mut DeskEnd, arrival: DeskArrival) {
+        match arrival {
+            DeskArrival::Opened {
+                connection,
+                peer,
+                outbox,
+            } => {
+                let opened = DeskConnection {
+                    user: peer.user,
+                    open: OpenLine::new(outbox),
+                };
+                end.open.insert(connection, opened);
+            }
+            DeskArrival::Line {
+                from,
+                line: Ok(message),
+            } => {
+                // One that was denied may have sent more.
+                let Some(known) = end.open.get(&from) else {
+                    return;
+                };
+                let event = ClassEvent::Heard {
+                    connection: from,
+                    user: known.user.clone(),
+                    message,
+                };
+                self.feed(event).await;
+            }
+            // The carrier ends the connection.
+            DeskArrival::Line {
+                line: Err(fault), ..
+            } => {
+                tracing::warn!("a line of a seat: {fault}");
+            }
+            DeskArrival::Closed(connection) => {
+                end.open.remove(&connection);
+                self.feed(ClassEvent::Left(connection)).await;
+            }
+        }
+    }
+
+    /// Does something for the class.
+    pub(super) fn serve_class(&mut self, effect: ClassEffect) {
+        let now = self.clock.now();
+        match effect {
+            ClassEffect::Mark { id, text } => {
+                let running = self.running.as_ref().filter(|it| it.is_recording());
+                if let Some(running) = running {
+                    running.note_down(now, Happening::Bookmark { text });
+                }
+                let is_set = running.is_some();
+                self.post(ClassEvent::Marked { id, is_set });
+            }
+            ClassEffect::Note(line) => {
+                if let Some(running) = &self.running {
+                    running.note_down(now, Happening::Desk(line));
+                }
+            }
+            ClassEffect::Deny { connection, denial } => self.denials.push((connection, denial)),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,150 @@
+//! Two seats and a desk over a real socket.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::Duration;
+
+use crossterm::event::KeyCode;
+
+use super::*;
+use crate::app::event::TerminalEvent;
+use crate::class::{Deed, Happening as Noted, OrderState, Outcome, SeatRecord};
+use crate::mission::Mission;
+use crate::shell::pace::TICK;
+use crate::shell::{ConsoleOptions, Opening, key};
+
+const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
+
+/// A console with its end of the class.
+struct Member {
+    console: Console,
+    end: ClassEnd,
+}
+
+impl Member {
+    async fn new(opening: Opening, class: ClassOptions) -> Self {
+        let options = ConsoleOptions {
+            class: Some(class),
+            ..ConsoleOptions::for_test(opening)
+        };
+        let end = ClassEnd::open(options.class.as_ref(), options.flown_by());
+        let mut console = Console::new(options, true);
+        let (columns, rows) = (120, 40);
+        console.feed(TerminalEvent::Resize { columns, rows }).await;
+        Box::pin(console.begin()).await;
+        let end = end.expect("the desk opens");
+        Self { console, end }
+    }
+
+    /// What the run loop does in one tick.
+    async fn turn(&mut self) {
+        self.console.tick().await;
+        let moment = Duration::from_millis(2);
+        while let Ok(arrival) = tokio::time::timeout(moment, self.end.next()).await {
+            self.console.attend(&mut self.end, arrival).await;
+            self.end.tell(self.console.app.state());
+        }
+        self.end.tell(self.console.app.state());
+    }
+
+    async fn say(&mut self, line: &str) {
+        self.console
+            .feed(TerminalEvent::Line(line.to_owned()))
+            .await;
+    }
+
+    fn seats(&self) -> &[SeatRecord] {
+        let role = self.console.app.state().class_role();
+        role.desk().expect("a desk").seats()
+    }
+
+    fn place(&self) -> &SeatPlace {
+        let role = self.console.app.state().class_role();
+        role.seat().expect("a seat")
+    }
+}
+
+fn class(folder: &Path, part: ClassPart) -> ClassOptions {
+    let path = folder.join("class").display().to_string();
+    ClassOptions {
+        place: ClassPlace::named(&path, None),
+        part,
+    }
+}
+
+async fn desk(folder: &Path) -> Member {
+    let name = "9-A".to_owned();
+    Member::new(Opening::Home, class(folder, ClassPart::Desk { name })).await
+}
+
+async fn seat(folder: &Path) -> Member {
+    let mission = Mission::parse(FIRST).expect("it is good");
+    let opening = Opening::Mission(Arc::new(mission));
+    Member::new(opening, class(folder, ClassPart::Seat { asks: false })).await
+}
+
+async fn run(members: &mut [&mut Member], seconds: u32) {
+    for _ in 0..seconds * 10 {
+        tokio::time::sleep(TICK).await;
+        for member in &mut *members {
+            Box::pin(member.turn()).await;
+        }
+    }
+}
+
+#[tokio::test(start_paused = true)]
+async fn orders_reach_two_seats_and_a_new_desk_gets_the_whole_journal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut desk = Box::pin(self::desk(folder.path())).await;
+    let mut anna = Box::pin(seat(folder.path())).await;
+    let mut bohdan = Box::pin(seat(folder.path())).await;
+    run(&mut [&mut desk, &mut anna, &mut bohdan], 4).await;
+    assert_eq!(desk.seats().len(), 2);
+    assert!(anna.place().seat().class().is_some());
+
+    for seat in [&mut anna, &mut bohdan] {
+        seat.console.feed(key(KeyCode::Enter)).await;
+    }
+    anna.say("all guided").await;
+    run(&mut [&mut desk, &mut anna, &mut bohdan], 2).await;
+    let flights = desk.seats().iter().map(|seat| {
+        let report = seat.report.as_ref().expect("it reports");
+        report.flight.clone().expect("it flies")
+    });
+    assert!(
+        flights
+            .into_iter()
+            .all(|it| it.clock_s > 0.5 && it.vehicles == 1)
+    );
+
+    desk.say("class freeze @all").await;
+    run(&mut [&mut desk, &mut anna, &mut bohdan], 1).await;
+    for seat in [&anna, &bohdan] {
+        assert!(seat.console.app.state().session().is_paused());
+    }
+    desk.say("class resume @all").await;
+    run(&mut [&mut desk, &mut anna, &mut bohdan], 1).await;
+    for seat in desk.seats() {
+        let orders = seat.orders().map(|it| (it.order.deed.clone(), it.state));
+        let done = OrderState::Ended(Outcome::Done);
+        assert!(orders.eq([(Deed::Freeze, done), (Deed::Resume, done)]));
+    }
+    assert!(!anna.console.app.state().session().is_paused());
+
+    // The desk is killed; a flight goes on without it.
+    drop(desk);
+    anna.say("all arm").await;
+    run(&mut [&mut anna, &mut bohdan], 3).await;
+    assert_eq!(anna.console.app.state().class_role().watcher(), None);
+    let mut desk = Box::pin(self::desk(folder.path())).await;
+    run(&mut [&mut desk, &mut anna, &mut bohdan], 6).await;
+    for seat in [&anna, &bohdan] {
+        let own = seat.place().seat();
+        let mut known = desk.seats().iter();
+        let copied = known.any(|it| it.journal.entries().eq(own.journal().entries()));
+        assert!(copied, "{:?}", own.journal());
+    }
+    let commands = anna.place().seat().journal().entries();
+    let commands = commands.filter(|it| matches!(it.what, Noted::Command { .. }));
+    assert_eq!(commands.count(), 2);
+}

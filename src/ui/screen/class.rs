@@ -1,0 +1,365 @@
+//! The class: a row per seat, and what happened lately at the seat under the cursor.
+
+use std::time::Duration;
+
+use ratatui::buffer::Buffer;
+use ratatui::text::{Line, Span};
+
+use crate::app::State;
+use crate::app::state::SeatPlace;
+use crate::class::{Danger, DangerKind, Desk, FlightReport, Need, Presence, SeatRecord, Stage};
+use crate::class_text::seat_text;
+use crate::text;
+use crate::text::Text;
+use crate::ui::look::Look;
+use crate::ui::panel::Panel;
+use crate::ui::theme::Role;
+use crate::ui::widget::{aligned, below, put, row_of, short_clock, width, wrap};
+
+mod detail;
+
+/// The least height of the part about one seat.
+const DETAIL: u16 = 6;
+/// The width from which all columns fit.
+const WIDE: u16 = 110;
+/// How long a connected seat may be silent before the board says so.
+const SILENT: Duration = Duration::from_secs(3);
+
+pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    match state.class_role().desk() {
+        Some(desk) => draw_desk(state, desk, panel, buffer),
+        None => draw_seat(state, panel, buffer),
+    }
+}
+
+/// Draws the trainee's place, or that there is no class.
+fn draw_seat(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
+    let inner = panel.titled(&panel.say("room-class"), buffer);
+    let seat = state.class_role().seat().map(SeatPlace::seat);
+    let text = panel.text(&seat_text(seat));
+    for (row, line) in (0..).zip(wrap(&text, usize::from(inner.width))) {
+        put(
+            buffer,
+            inner,
+            row,
+            &Line::styled(line, panel.style(Role::Text)),
+        );
+    }
+}
+
+fn draw_desk(state: &State, desk: &Desk, panel: Panel<'_>, buffer: &mut Buffer) {
+    let board = desk.board();
+    let most = panel.area.height.saturating_sub(DETAIL);
+    let rows = (board.len().max(1) as u16 + 2).min(most);
+    draw_board(state, desk, &board, panel.upper(rows), buffer);
+    let cursor = state.rooms().class().cursor();
+    if let Some(seat) = cursor.and_then(|seat| desk.seats().get(seat)) {
+        detail::draw(seat, panel.below(rows), buffer);
+    }
+}
+
+fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buffer: &mut Buffer) {
+    let here = desk.seats().iter().filter(|seat| seat.is_here()).count();
+    let room = state.rooms().class();
+    let title = text!(
+        "class-title",
+        class = desk.class().as_str(),
+        here = here,
+        count = board.len(),
+        marked = room.marked()
+    );
+    let inner = panel.focused(&panel.text(&title), true, buffer);
+    let columns = Column::fitting(inner.width);
+    put(buffer, inner, 0, &heading(&columns, panel));
+    let inner = below(inner, 1);
+    if board.is_empty() {
+        let text = panel.say("class-empty");
+        for (row, line) in (0..).zip(wrap(&text, usize::from(inner.width))) {
+            put(
+                buffer,
+                inner,
+                row,
+                &Line::styled(line, panel.style(Role::Muted)),
+            );
+        }
+        return;
+    }
+    let height = usize::from(inner.height);
+    let cursor = board.iter().position(|&seat| Some(seat) == room.cursor());
+    let first = cursor
+        .unwrap_or_default()
+        .saturating_sub(height / 2)
+        .min(board.len().saturating_sub(height));
+    let shown = board.iter().enumerate().skip(first).take(height);
+    for (row, (at, &seat)) in (0..).zip(shown) {
+        let place = row_of(inner, row);
+        let view = RowView {
+            seat: &desk.seats()[seat],
+            now: state.wall(),
+            look: panel.look,
+        };
+        let mark = if room.is_marked(seat) { "*" } else { " " };
+        put(buffer, place, 0, &view.line(&columns, mark));
+        if Some(at) == cursor {
+            panel.at(place).mark_cursor(buffer);
+        }
+    }
+    panel.at(inner).mark_list(first, board.len(), true, buffer);
+}
+
+/// A column of the board.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Column {
+    Seat,
+    State,
+    Mission,
+    Clock,
+    Score,
+    Objectives,
+    Air,
+    Alerts,
+    Separation,
+    Failures,
+    Workload,
+    Command,
+}
+
+impl Column {
+    const NARROW: &[(Self, usize)] = &[
+        (Self::Seat, 10),
+        (Self::State, 16),
+        (Self::Mission, 8),
+        (Self::Clock, 5),
+        (Self::Score, 5),
+        (Self::Objectives, 4),
+        (Self::Air, 4),
+        (Self::Command, 17),
+    ];
+    const WIDE: &[(Self, usize)] = &[
+        (Self::Seat, 14),
+        (Self::State, 17),
+        (Self::Mission, 13),
+        (Self::Clock, 5),
+        (Self::Score, 5),
+        (Self::Objectives, 4),
+        (Self::Air, 5),
+        (Self::Alerts, 8),
+        (Self::Separation, 5),
+        (Self::Failures, 5),
+        (Self::Workload, 5),
+        (Self::Command, 18),
+    ];
+
+    /// The columns with their widths; the last one takes the rest of the row.
+    fn fitting(columns: u16) -> Vec<(Self, usize)> {
+        let known = if columns >= WIDE {
+            Self::WIDE
+        } else {
+            Self::NARROW
+        };
+        let mut fitting = known.to_vec();
+        let used: usize = known.iter().map(|(_, width)| width + 1).sum();
+        if let Some((_, last)) = fitting.last_mut() {
+            *last += usize::from(columns).saturating_sub(used + 2);
+        }
+        fitting
+    }
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::Seat => "class-column-seat",
+            Self::State => "class-column-state",
+            Self::Mission => "class-column-mission",
+            Self::Clock => "class-column-clock",
+            Self::Score => "class-column-score",
+            Self::Objectives => "class-column-objectives",
+            Self::Air => "class-column-air",
+            Self::Alerts => "class-column-alerts",
+            Self::Separation => "class-column-separation",
+            Self::Failures => "class-column-failures",
+            Self::Workload => "class-column-workload",
+            Self::Command => "class-column-command",
+        }
+    }
+
+    /// Whether the column has figures.
+    fn is_right(self) -> bool {
+        !matches!(
+            self,
+            Self::Seat | Self::State | Self::Mission | Self::Command
+        )
+    }
+}
+
+fn heading(columns: &[(Column, usize)], panel: Panel<'_>) -> Line<'static> {
+    let titles = columns.iter().map(|&(column, width)| {
+        let title = panel.say(column.title());
+        aligned(&title, width, column.is_right()) + " "
+    });
+    let text = format!("  {}", titles.collect::<String>());
+    Line::styled(text, panel.style(Role::Muted))
+}
+
+/// A seat as it is drawn.
+struct RowView<'a> {
+    seat: &'a SeatRecord,
+    now: Duration,
+    look: &'a Look,
+}
+
+impl RowView<'_> {
+    fn line(&self, columns: &[(Column, usize)], mark: &str) -> Line<'static> {
+        let base = if self.seat.is_here() {
+            Role::Text
+        } else {
+            Role::Muted
+        };
+        let mut line = Line::from(Span::styled(
+            format!("{mark} "),
+            self.look.style(Role::Selected),
+        ));
+        for &(column, columns) in columns {
+            let (text, role) = match column {
+                Column::State => self.state(),
+                _ => (self.cell(column, columns), base),
+            };
+            let text = aligned(&text, columns, column.is_right());
+            line.push_span(Span::styled(text, self.look.style(role)));
+            line.push_span(" ");
+        }
+        line
+    }
+
+    fn flight(&self) -> Option<&FlightReport> {
+        self.seat.report.as_ref()?.flight.as_ref()
+    }
+
+    fn say(&self, text: &Text) -> String {
+        self.look.text(text)
+    }
+
+    /// Why the seat needs the instructor, otherwise what it does.
+    fn state(&self) -> (String, Role) {
+        if let Presence::Gone(since) = self.seat.presence {
+            let time = age(self.now.saturating_sub(since).as_secs_f64());
+            return (self.say(&text!("class-gone", time = time)), Role::Muted);
+        }
+        let silent = self.now.saturating_sub(self.seat.heard_at);
+        if silent >= SILENT {
+            let time = age(silent.as_secs_f64());
+            return (self.say(&text!("class-silent", time = time)), Role::Warning);
+        }
+        let Some(flight) = self.flight() else {
+            return (self.look.say("class-home"), Role::Muted);
+        };
+        let need = self.seat.attention.need();
+        match (need, need_text(need, flight)) {
+            (Need::Danger, Some(text)) => (self.say(&text), Role::Alert),
+            (Need::Alert, Some(text)) => (self.say(&text), Role::Danger),
+            (Need::Stuck, Some(text)) => (self.say(&text), Role::Warning),
+            _ => self.stage(flight),
+        }
+    }
+
+    fn stage(&self, flight: &FlightReport) -> (String, Role) {
+        let (id, role) = match flight.stage {
+            Stage::Reading => ("class-reading", Role::Muted),
+            Stage::Flying if flight.exam => ("class-exam", Role::Ok),
+            Stage::Flying => ("class-flying", Role::Ok),
+            Stage::Paused => ("class-paused", Role::Muted),
+            Stage::Frozen => ("class-frozen-short", Role::Accent),
+            Stage::Over => ("class-over", Role::Muted),
+        };
+        (self.look.say(id), role)
+    }
+
+    fn cell(&self, column: Column, columns: usize) -> String {
+        if column == Column::Seat {
+            return self.name(columns);
+        }
+        let Some(flight) = self.flight() else {
+            return String::new();
+        };
+        let whole = |value: Option<f64>| value.map_or_else(dash, |it| format!("{it:.0}"));
+        match column {
+            Column::Seat | Column::State => String::new(),
+            Column::Mission => match &flight.mission {
+                Some(mission) => mission.to_string(),
+                None => self.look.say("class-free"),
+            },
+            Column::Clock => short_clock(seconds(flight.clock_s)),
+            Column::Score => whole(flight.score.map(f64::from)),
+            Column::Objectives => format!("{}/{}", flight.objectives_done, flight.objectives),
+            Column::Air => format!("{}/{}", flight.airborne, flight.vehicles),
+            Column::Alerts => match flight.oldest_alert_s {
+                Some(oldest_s) => format!("{} {}", flight.alerts, age(oldest_s)),
+                None => dash(),
+            },
+            Column::Separation => match flight.least_separation_m {
+                Some(metres) if metres < 100.0 => format!("{metres:.1}"),
+                Some(metres) => format!("{metres:.0}"),
+                None => dash(),
+            },
+            Column::Failures => flight.failures.to_string(),
+            Column::Workload => whole(flight.workload_percent.map(f64::from)),
+            Column::Command => last_command(flight, columns),
+        }
+    }
+
+    /// The name of the seat, and that of the trainee if there is room.
+    fn name(&self, columns: usize) -> String {
+        let trainee = self.seat.report.as_ref().map(|it| it.trainee.as_str());
+        let trainee = trainee.filter(|it| !it.is_empty() && *it != self.seat.name);
+        let both = trainee.map(|trainee| format!("{} {trainee}", self.seat.name));
+        let name = self.seat.name.clone();
+        both.filter(|both| width(both) <= columns).unwrap_or(name)
+    }
+}
+
+/// The newest command with its age; the command is cut, and the age is not.
+fn last_command(flight: &FlightReport, columns: usize) -> String {
+    let Some(command) = &flight.last_command else {
+        return dash();
+    };
+    let age = age(command.age_s);
+    let room = columns.saturating_sub(width(&age) + 1);
+    format!("{} {age}", aligned(command.line.as_str(), room, false))
+}
+
+fn need_text(need: Need, flight: &FlightReport) -> Option<Text> {
+    let idle_s = flight
+        .last_command
+        .as_ref()
+        .map_or(flight.clock_s, |it| it.age_s);
+    Some(match need {
+        Need::Danger => {
+            let Danger { kind, in_s } = flight.danger?;
+            let time = age(in_s);
+            match kind {
+                DangerKind::Collision => text!("class-need-collision", time = time),
+                DangerKind::Fence => text!("class-need-fence", time = time),
+            }
+        }
+        Need::Alert => text!("class-need-alert", time = age(flight.oldest_alert_s?)),
+        Need::Stuck => text!("class-need-stuck", time = age(idle_s)),
+        Need::Nothing => return None,
+    })
+}
+
+fn dash() -> String {
+    "-".to_owned()
+}
+
+fn seconds(seconds: f64) -> Duration {
+    Duration::try_from_secs_f64(seconds).unwrap_or_default()
+}
+
+/// An age: `34 s`, or `2:05` from two minutes on.
+fn age(age_s: f64) -> String {
+    let seconds = seconds(age_s).as_secs();
+    if seconds < 120 {
+        format!("{seconds} s")
+    } else {
+        format!("{}:{:02}", seconds / 60, seconds % 60)
+    }
+}
