@@ -8,7 +8,8 @@ use sortie::app::effect::FileKind;
 use sortie::app::event::{FileEvent, VehicleEvent};
 use sortie::ledger::RowState;
 use sortie::parameters::{
-    Fetching, HeardParameter, ParameterDocuments, ParameterList, ParameterSnapshot, ParameterType,
+    Fetching, HeardParameter, ParameterDocuments, ParameterEncoding, ParameterList,
+    ParameterSnapshot, ParameterType,
 };
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look};
@@ -45,6 +46,7 @@ fn edited() -> Console {
                 name: "WPNAV_SPEED",
                 value,
                 kind: ParameterType::Real32,
+                encoding: ParameterEncoding::Converted,
                 index: None,
                 count: 10,
             });
@@ -156,8 +158,9 @@ fn a_list_that_is_coming() {
     for index in 0..500_u16 {
         half.note(&HeardParameter {
             name: &format!("P{index:04}"),
-            value: f32::from(index) / 3.0,
+            value: (f32::from(index) / 3.0).into(),
             kind: ParameterType::Real32,
+            encoding: ParameterEncoding::Converted,
             index: Some(index),
             count: 1382,
         });
