@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use utoipa::ToSchema;
 
+use crate::diagnostic::serde_words;
 use crate::text;
 use crate::text::{Locale, Text};
 use crate::vehicle::VehicleId;
@@ -27,8 +28,9 @@ pub use foreign::ForeignView;
 pub use schema::schema;
 pub use traffic::{AircraftView, ApproachView};
 pub use view::{
-    ContactView, EntryView, LinkView, MissionView, NamedPlaceView, NoticeView, ObjectiveView,
-    ParameterView, PlanItemView, PlanView, ReadingView, RecordView, RowView, VehicleView,
+    ContactView, EntryView, ForwardView, LinkView, LinksState, MissionView, NamedPlaceView,
+    NoticeView, ObjectiveView, ParameterView, PlanItemView, PlanView, ReadingView, RecordView,
+    RowView, VehicleView,
 };
 
 /// The version of this interface; it increases with every change that is not an addition.
@@ -156,8 +158,12 @@ impl Call {
                     .ok_or_else(|| fault(None, &text!("api-bad-id")))?,
             ),
         };
-        let request: Request = serde_json::from_value(value)
-            .map_err(|error| fault(id, &text!("api-bad-request", error = error.to_string())))?;
+        let request: Request = serde_json::from_value(value).map_err(|error| {
+            fault(
+                id,
+                &text!("api-bad-request", error = serde_words(&error.to_string())),
+            )
+        })?;
         if let Request::Watch {
             every_s: Some(every_s),
             ..
@@ -197,7 +203,7 @@ pub enum Message {
     Notices(StateList<NoticeView>),
     Notice(NoticeView),
     Mission(MissionState),
-    Links(StateList<LinkView>),
+    Links(LinksState),
     Traffic(StateList<AircraftView>),
     Parameters(StateList<ParameterView>),
     Plan(PlanView),

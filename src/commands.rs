@@ -78,7 +78,9 @@ pub use raw::{RawCommand, RawMessage};
 pub use request::{Answer, Offboard, Repeat, Request};
 pub use setpoint::{Setpoint, ready_for};
 pub use speeds::{CHANGE_SPEED, asked_again};
-pub use sticks::{CENTRE_US, StickChange, hold_message, release_message};
+pub use sticks::{
+    CENTRE_US, StickChange, hold_message, may_ignore_sticks, release_message, stick_obstacle,
+};
 pub use suits::suits;
 pub use task::PlanTask;
 

@@ -10,8 +10,8 @@ use crate::text::{Locale, Text};
 
 mod toml_words;
 
-pub use toml_words::toml_value;
 use toml_words::toml_words;
+pub use toml_words::{serde_words, toml_value};
 
 /// The longest line shown below a fault, in characters.
 const LONGEST_EXCERPT: usize = 200;

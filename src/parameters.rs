@@ -8,6 +8,7 @@ mod file;
 mod kind;
 mod list;
 mod packed;
+mod station;
 
 pub use difference::{
     ParameterDifference, ParameterFinding, differences, is_same, is_the_vehicles_own,
@@ -21,6 +22,7 @@ pub use kind::{ParameterEncoding, ParameterType, ParameterUnfit};
 pub use list::{HeardParameter, ListedParameter, ParameterList};
 pub use packed::{DEFAULTS_FILE, read_defaults};
 pub use sortie_sim::{AliasSense, other_name};
+pub use station::{StationRight, own_system, right_of};
 
 /// The state of the download of a vehicle's list.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

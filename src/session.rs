@@ -22,9 +22,11 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crate::messages::Inbox;
-use crate::parameters::ParameterSnapshot;
+use crate::notice::Notice;
+use crate::parameters::{ParameterSnapshot, own_system};
+use crate::text;
 use crate::text::Text;
-use crate::vehicle::{HeldChannels, Vehicle};
+use crate::vehicle::{HeldChannels, Severity, Vehicle};
 use crate::wire::{ComponentId, Content, Frame, Outgoing, SystemId};
 
 mod acknowledgement;
@@ -255,6 +257,20 @@ impl Session {
         self.inbox.restarted(&mut self.vehicle, now, &mut notices);
         self.output.say(notices);
         self.begin_anew(now);
+    }
+
+    /// Notes that a vehicle with this system id has appeared on the link of this one: it is the same vehicle if its id was
+    /// changed to this one, which takes effect with a reboot.
+    pub fn hear_new_vehicle(&mut self, system: SystemId, now: Duration) {
+        if own_system(self.inbox.parameters()) != Some(system) {
+            return;
+        }
+        self.vehicle.link.renumbered = Some(system);
+        let id = self.vehicle.id;
+        let text = text!("heard-renumbered", system = system, before = id);
+        let notice = Notice::about(id, now, Severity::Notice, text);
+        self.output.say([notice]);
+        self.poll(now);
     }
 
     /// Repeats all requests to the autopilot after a reboot.

@@ -310,7 +310,8 @@ impl Console {
         let Some(running) = &mut self.running else {
             return;
         };
-        for event in running.collect(now) {
+        let expected = self.app.state().session().expected();
+        for event in running.collect(expected, now) {
             self.log(&event);
             self.feed(event).await;
         }

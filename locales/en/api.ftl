@@ -9,6 +9,7 @@ api-which-vehicle = name the vehicle: `"vehicle": 1`
 api-too-long = the line is longer than { $most } bytes
 api-not-utf8 = the line is not UTF-8
 api-read-only = this socket is read-only: start the console with `--api` to give commands
+api-crowded = { $most } programs are connected, and there is no place for another: close one of them
 api-exam = programs cannot give commands in an exam
 api-screen = only a user at the console can give this command
 api-no-macro = macros are not available to programs: send their lines one by one

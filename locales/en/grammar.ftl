@@ -23,6 +23,7 @@ grammar-range-in-unit = { $least } to { $most } { $unit }
 
 grammar-none-selected = no vehicle is selected: select some, or name targets such as `all` or `1-3`
 grammar-no-vehicles-yet = no vehicles yet
+grammar-none-expected = expected, but never heard: { $expected }; heard, but not expected: { $heard }. `all` means only expected vehicles (`--expect`, `connect.expect`)
 grammar-no-group = no group `@{ $group }`
 grammar-group-empty = the group `@{ $group }` is empty
 grammar-no-groups = no groups are defined

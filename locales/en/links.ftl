@@ -50,6 +50,7 @@ forwards-sent = sent
 forwards-dropped = dropped
 forwards-left-out = left out
 forward-down = forward { $address }: { $reason }
+forward-loop = forward { $address }: sortie's own frames come back: forwards form a loop, and one of them can be removed
 forward-listens = forward { $address }: in a mission, other stations can only listen; their messages do not reach the vehicles
 forward-opened = links shared with { $forward }
 forward-closed = links no longer shared with { $address }

@@ -86,9 +86,11 @@ effect-servo = output { $output } at { $pulse } us
 effect-control = this console in control
 effect-no-control = no station in control
 effect-rebooted = rebooted
+outcome-renumbered = it is heard as vehicle { $system } now
 
 # The logs of a vehicle.
 outcome-sticks-held = channels held: { $channels }; `rc release` gives them back
+outcome-sticks-unsure = whether the vehicle obeys station { $own } is unknown: read its SYSID_MYGCS (MAV_GCS_SYSID from ArduPilot 4.7)
 outcome-sticks-released = all channels given back to the transmitter
 outcome-logs-none = the vehicle has no logs
 outcome-logs-listed = { $count ->

@@ -111,6 +111,7 @@ refused-files-idle = no command about files is under way
 refused-file-large = the file has more than { $most } MiB
 refused-protected-sticks = the sticks can be taken only in a practice flight
 refused-sticks-here = channels cannot be held this way: use `rc`
+refused-sticks-station = it ignores channels held by station { $own }: it obeys only station { $station } ({ $parameter }). Set { $parameter } to { $own }, or start the console without `--station`
 refused-protected-raw = raw commands and messages are allowed only in a practice flight; use the verb for what you want to do
 refused-protected-item = item { $item } ({ $command }) changes home or the fence, which are fixed by the mission: a plan with it can be uploaded only in a practice flight
 refused-value = { $name } stayed { $value }: { $wanted } was not accepted

@@ -15,6 +15,7 @@ refused-signing-busy = another change of its key is under way
 refused-signing-foreign = it signs with a key that sortie does not have: copy its key into `signing.toml`, or run `signing setup` over USB
 refused-signing-has-key = it signs already: `signing rotate` gives it a new key
 refused-signing-without-key = it does not sign: `signing setup` gives it a key
+refused-signing-required = with `--require-signing` (`connect.require_signing`), sortie ignores vehicles that do not sign, so this one would be lost: restart sortie without it, then remove the key
 
 outcome-signing-set-up = signs now, proved by a signed answer
 outcome-signing-rotated = signs with a new key, proved by a signed answer; the old key is deleted

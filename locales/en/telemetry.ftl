@@ -61,6 +61,7 @@ heard-control-theirs = ground station { $station } has taken control
 heard-control-request = ground station { $station } asks for control: `{ $allow }` lets it take over within 10 s, `{ $release }` gives control up
 heard-control-closed = control can no longer be taken over without asking
 heard-rebooted = rebooted
+heard-renumbered = this vehicle is heard as vehicle { $system } now; `forget { $before }` removes the old number
 heard-link-lost = link lost
 heard-link-back = link back after { $seconds } s
 heard-ekf-lost = EKF position lost

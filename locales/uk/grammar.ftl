@@ -23,6 +23,7 @@ grammar-range-in-unit = від { $least } до { $most } { $unit }
 
 grammar-none-selected = не вибрано жодного апарата: виберіть або назвіть їх, наприклад `all` чи `1-3`
 grammar-no-vehicles-yet = апаратів ще немає
+grammar-none-expected = очікуються, але їх ще не чути: { $expected }; чути, але не очікуються: { $heard }. `all` означає лише очікувані апарати (`--expect`, `connect.expect`)
 grammar-no-group = немає групи `@{ $group }`
 grammar-group-empty = група `@{ $group }` порожня
 grammar-no-groups = груп не визначено

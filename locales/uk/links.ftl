@@ -50,6 +50,7 @@ forwards-sent = передано
 forwards-dropped = відкин.
 forwards-left-out = відсіяно
 forward-down = пересилання { $address }: { $reason }
+forward-loop = пересилання { $address }: повертаються власні кадри sortie: пересилання утворюють петлю, і одне з них можна прибрати
 forward-listens = пересилання { $address }: під час завдання інші станції лише слухають; їхні повідомлення до апаратів не доходять
 forward-opened = відкрито пересилання { $forward }
 forward-closed = закрито пересилання { $address }

@@ -91,9 +91,11 @@ effect-servo = вихід { $output } на { $pulse } us
 effect-control = керує ця консоль
 effect-no-control = не керує жодна станція
 effect-rebooted = перезапуск
+outcome-renumbered = тепер це апарат { $system }
 
 # Журнали польотів апарата.
 outcome-sticks-held = утримуються канали: { $channels }; `rc release` повертає їх
+outcome-sticks-unsure = чи слухає апарат станцію { $own }, невідомо: прочитайте його SYSID_MYGCS (з ArduPilot 4.7 — MAV_GCS_SYSID)
 outcome-sticks-released = усі канали повернено передавачу
 outcome-logs-none = апарат не має журналів
 outcome-logs-listed = { $count ->

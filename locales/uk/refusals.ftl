@@ -114,6 +114,7 @@ refused-files-idle = зараз не виконується жодна кома�
 refused-file-large = файл більший за { $most } MiB
 refused-protected-sticks = брати керування стіками можна лише в тренуванні
 refused-sticks-here = утримувати канали так не можна: скористайтеся `rc`
+refused-sticks-station = апарат не зважає на канали станції { $own }: він слухає лише станцію { $station } ({ $parameter }). Встановіть { $parameter } = { $own } або запустіть консоль без `--station`
 refused-protected-raw = довільні MAV_CMD і повідомлення дозволено лише в тренуванні; скористайтеся дієсловом для цієї дії
 refused-protected-item = пункт { $item } ({ $command }) змінює дім або геозону, які задано завданням: план із цим пунктом можна завантажити на борт лише в тренуванні
 refused-value = значення { $name } лишилося { $value }: { $wanted } не прийнято

@@ -15,6 +15,7 @@ refused-signing-busy = ключ апарата вже змінюється
 refused-signing-foreign = апарат підписує ключем, якого sortie не має: скопіюйте його ключ у `signing.toml` або виконайте `signing setup` через USB
 refused-signing-has-key = апарат уже підписує кадри: новий ключ дає `signing rotate`
 refused-signing-without-key = апарат не підписує кадрів: ключ дає `signing setup`
+refused-signing-required = з `--require-signing` (`connect.require_signing`) sortie не зважає на апарати без підпису, тож зв'язок із цим апаратом зникне: перезапустіть sortie без цього налаштування й тоді видаліть ключ
 
 outcome-signing-set-up = тепер підписує; доведено підписаною відповіддю
 outcome-signing-rotated = підписує новим ключем; доведено підписаною відповіддю; старий ключ видалено

@@ -50,6 +50,7 @@ heard-control-theirs = керування перейняла наземна ст
 heard-control-request = наземна станція { $station } просить керування: `{ $allow }` дозволяє перейняти його протягом 10 s, `{ $release }` звільняє апарат
 heard-control-closed = перейняти керування без запиту вже не можна
 heard-rebooted = автопілот перезапущено
+heard-renumbered = тепер це апарат { $system }; `forget { $before }` прибирає старий номер
 heard-link-lost = зв'язок втрачено
 heard-link-back = зв'язок відновлено через { $seconds } s
 heard-ekf-lost = EKF: позицію втрачено

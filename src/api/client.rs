@@ -5,9 +5,9 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{
-    AircraftView, Ended, EntryView, Fault, ForeignView, LedgerState, LinkView, Message,
-    MissionState, MissionView, NoticeView, ParameterView, PlanView, RecordView, RowView, StateList,
-    Subject, Topic, USUAL_WATCH_S, VehicleView,
+    AircraftView, Ended, EntryView, Fault, ForeignView, ForwardView, LedgerState, LinkView,
+    LinksState, Message, MissionState, MissionView, NoticeView, ParameterView, PlanView,
+    RecordView, RowView, StateList, Subject, Topic, USUAL_WATCH_S, VehicleView,
 };
 use crate::app::State;
 use crate::ledger::{EntryId, ForeignId, LedgerEntry};
@@ -249,11 +249,12 @@ pub fn present(
             mission: mission(state),
         }),
         Subject::Links => {
-            let links = session.links().iter();
-            Message::Links(StateList::new(
+            let (links, forwards) = (session.links().iter(), session.forwards().iter());
+            Message::Links(LinksState {
                 id,
-                links.map(|link| LinkView::new(link, locale)),
-            ))
+                list: links.map(|it| LinkView::new(it, locale)).collect(),
+                forwards: forwards.map(|it| ForwardView::new(it, locale)).collect(),
+            })
         }
         Subject::Traffic => {
             let tracked = session.traffic().tracked().iter();

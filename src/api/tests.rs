@@ -113,11 +113,7 @@ fn a_fault_of_a_request_repeats_its_number_and_says_what_is_wrong() {
         ("all arm", None, "not JSON"),
         ("[1]", None, "not a JSON object"),
         (r#"{"id": -1, "do": "say", "line": "x"}"#, None, "`id`"),
-        (
-            r#"{"id": 5, "do": "fly"}"#,
-            Some(5),
-            "unknown variant `fly`",
-        ),
+        (r#"{"id": 5, "do": "fly"}"#, Some(5), "unknown value `fly`"),
         (
             r#"{"id": 6, "do": "say", "lin": "x"}"#,
             Some(6),
@@ -413,4 +409,27 @@ fn a_parameter_has_its_default_unit_and_meaning_where_they_are_known() {
         view("RTL_ALT", 1500.0, None),
         json!({"name": "RTL_ALT", "value": 1500.0, "default": null, "unit": "cm", "meaning": null})
     );
+}
+
+#[test]
+fn forwards_are_among_the_links() {
+    let mut app = console();
+    let forward = crate::app::state::ForwardSummary {
+        name: "udp:127.0.0.1:14550 read-only".to_owned(),
+        up: true,
+        peers: 1,
+        sent_messages: 40,
+        held_back: 3,
+        ..Default::default()
+    };
+    hear(
+        &mut app,
+        crate::app::event::LinkEvent::Forwards(vec![forward]),
+    );
+    let links = present(app.state(), Some(4), Subject::Links, None, Vec::new).expect("a state");
+    let links: Value = serde_json::from_str(&links.line()).expect("JSON");
+    let forward = &links["links"]["forwards"][0];
+    assert_eq!(forward["name"], "udp:127.0.0.1:14550 read-only");
+    let figures = ["stations", "sent_messages", "held_back"].map(|name| &forward[name]);
+    assert_eq!(figures, [1, 40, 3]);
 }

@@ -15,8 +15,10 @@ use crate::parameters::{ListedParameter, ParameterDocument, decimal};
 use crate::text::Locale;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 
+mod forward;
 mod plan;
 
+pub use forward::{ForwardView, LinksState};
 pub use plan::{PlanItemView, PlanView};
 
 /// A vehicle's latest telemetry.

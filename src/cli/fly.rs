@@ -125,14 +125,17 @@ impl ForwardArguments {
     }
 }
 
+/// The heading of the options that `sortie` takes without a command; a command has its own after it.
+const HOME_OPTIONS: &str = "Options without a command";
+
 /// Options of `sortie` without a command.
 #[derive(Debug, Args)]
 pub(super) struct HomeArguments {
     /// Use this seed for the missions' worlds; by default a new one for each attempt.
-    #[arg(long)]
+    #[arg(long, help_heading = HOME_OPTIONS)]
     seed: Option<u64>,
     /// Run this many times as fast as real time.
-    #[arg(long, value_parser = parse_speedup)]
+    #[arg(long, value_parser = parse_speedup, help_heading = HOME_OPTIONS)]
     speedup: Option<f64>,
     #[command(flatten)]
     seat: SeatArguments,

@@ -178,6 +178,10 @@ fn write_console(lines: &Receiver<String>, mut writer: UnixStream) {
 fn read_console(mut reader: ApiReader, events: &SyncSender<McpEvent>) {
     let end = loop {
         match reader.next() {
+            // No call has this fault: the console gives the reason why it closes the connection.
+            Ok(Some(line)) if line.kind == "fault" && line.content["id"].is_null() => {
+                break reason(line.fault());
+            }
             Ok(Some(line)) => {
                 if events.send(McpEvent::Console(line)).is_err() {
                     return;

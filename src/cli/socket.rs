@@ -31,6 +31,14 @@ impl ConsoleLine {
     }
 }
 
+impl ConsoleLine {
+    /// The text of a `fault`, as a failure.
+    pub fn fault(&self) -> Failure {
+        let text = self.content["message"].as_str().unwrap_or(&self.text);
+        Failure::Failed(anyhow::anyhow!("{text}"))
+    }
+}
+
 /// The receiving half of a connection to a console.
 pub(super) struct ApiReader(BufReader<UnixStream>);
 

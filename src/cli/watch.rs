@@ -55,7 +55,7 @@ pub(super) fn watch(arguments: &WatchArguments) -> Result<ExitCode, Failure> {
     while let Some(message) = connection.next()? {
         match message.kind.as_str() {
             "welcome" | "ok" => {}
-            "fault" => return Err(Failure::Failed(anyhow::anyhow!("{}", message.text))),
+            "fault" => return Err(message.fault()),
             _ => say!("{}", message.text)?,
         }
     }

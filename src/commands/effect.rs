@@ -167,7 +167,9 @@ impl Effect {
                     .and_then(|index| vehicle.servos_us.get(index))
                     == Some(pulse_us)
             }
-            Watched::Rebooted { reboots } => vehicle.link.reboots > *reboots,
+            Watched::Rebooted { reboots } => {
+                vehicle.link.reboots > *reboots || vehicle.link.renumbered.is_some()
+            }
             Watched::Owner(owner) => vehicle
                 .control
                 .is_some_and(|control| control.owner == *owner),
@@ -186,6 +188,13 @@ impl Effect {
     /// How long to wait for the effect after the acceptance.
     pub fn within(&self) -> Duration {
         self.within
+    }
+
+    /// What a user should know about an effect that was seen; `None` if that is nothing.
+    pub fn remark(&self, vehicle: &Vehicle) -> Option<Text> {
+        let is_reboot = matches!(self.watched, Watched::Rebooted { .. });
+        let system = vehicle.link.renumbered.filter(|_| is_reboot)?;
+        Some(text!("outcome-renumbered", system = system))
     }
 
     /// A description of the effect, such as "armed" or "within 1.5 m of the target".

@@ -2,7 +2,11 @@
 
 use mavlink::dialects::ardupilotmega::{MavMessage, RC_CHANNELS_OVERRIDE_DATA};
 
+use crate::parameters::{ParameterList, StationRight, right_of};
+use crate::text;
+use crate::text::Text;
 use crate::vehicle::{HeldChannels, Vehicle};
+use crate::wire::GROUND_STATION_SYSTEM;
 
 /// The pulse width of a centred stick, in microseconds.
 pub const CENTRE_US: u16 = 1500;
@@ -22,6 +26,36 @@ pub enum StickChange {
     },
     /// Give all held channels back to the transmitter.
     Release,
+}
+
+/// Why a vehicle would ignore the channels that this station holds; `None` if it obeys, or if that is unknown.
+pub fn stick_obstacle(vehicle: &Vehicle, list: &ParameterList) -> Option<Text> {
+    match right_here(vehicle, list) {
+        StationRight::Ignored { parameter, station } => Some(text!(
+            "refused-sticks-station",
+            own = vehicle.station,
+            station = station,
+            parameter = parameter
+        )),
+        StationRight::Obeyed | StationRight::Unknown => None,
+    }
+}
+
+/// Whether it is unknown if a vehicle obeys the channels that this station holds. The usual station is obeyed, unless
+/// the vehicle is set otherwise.
+pub fn may_ignore_sticks(vehicle: &Vehicle, list: &ParameterList) -> bool {
+    let is_usual = vehicle.station == GROUND_STATION_SYSTEM;
+    !is_usual && right_here(vehicle, list) == StationRight::Unknown
+}
+
+/// The right of this station, which only `ArduPilot` limits.
+fn right_here(vehicle: &Vehicle, list: &ParameterList) -> StationRight {
+    let limits = vehicle.heartbeat.is_some_and(|it| it.is_ardupilot());
+    if limits {
+        right_of(vehicle.station, list)
+    } else {
+        StationRight::Obeyed
+    }
 }
 
 /// The message that holds channels, and leaves the others to the transmitter.

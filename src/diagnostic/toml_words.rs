@@ -20,6 +20,11 @@ pub fn toml_value<'i, T: Deserialize<'i>>(value: Spanned<DeValue<'i>>) -> Result
     })
 }
 
+/// A message of serde about a value that does not fit its type, as a text of this program.
+pub fn serde_words(message: &str) -> Text {
+    toml_words(message)
+}
+
 /// A message of the TOML reader as a text of this program. The reader's own words remain only in
 /// messages that are not known here.
 pub(super) fn toml_words(message: &str) -> Text {

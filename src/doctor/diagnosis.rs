@@ -4,17 +4,20 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::{Chart, HeartbeatRole, Sender, Way};
+use crate::vehicle_id::VehicleId;
 use crate::wire::{GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM, SystemId};
 
 mod answers;
 mod finding;
+mod missing;
 mod quality;
 mod shared_ids;
 mod signatures;
 
 use answers::{answering, queries_without_doubt};
+use missing::missing;
 use quality::{FOREIGN_ENOUGH, Quality};
-use shared_ids::{SharedIds, boards};
+use shared_ids::{SharedIds, boards, cause_of};
 use signatures::signing;
 
 pub use finding::{Cause, HeardBoard, LinkFinding, Weight};
@@ -27,14 +30,20 @@ const MOST_NAMED: usize = 3;
 /// began before the link was opened.
 const NOISE_ENOUGH: u64 = 40;
 
-/// The findings of each link, worst first; every link has at least one.
-pub fn diagnose(charts: &[Chart]) -> Vec<LinkFinding> {
+/// The findings of each link, worst first; every link has at least one. `expected` are the vehicles of the swarm; empty
+/// if any vehicle is.
+pub fn diagnose(charts: &[Chart], expected: &BTreeSet<VehicleId>) -> Vec<LinkFinding> {
     let shared_ids = SharedIds::of(charts);
+    let missing = missing(charts, expected);
     let mut findings = Vec::new();
     for (link, chart) in charts.iter().enumerate() {
         let shared = shared_ids.on_link(link);
-        let mut causes: Vec<Cause> = shared.map(Cause::DuplicateSystem).collect();
+        let mut causes: Vec<Cause> = shared.map(|system| cause_of(charts, system)).collect();
         causes.extend(examine(chart));
+        // A link without any vehicle has a cause of its own.
+        if autopilots(chart).next().is_some() && chart.up_for() >= PATIENCE {
+            causes.extend(missing.clone());
+        }
         if causes.is_empty() {
             causes = fine(chart);
         }
@@ -66,8 +75,9 @@ fn examine(chart: &Chart) -> Vec<Cause> {
     if !last.up {
         return vec![Cause::NotOpen];
     }
+    let zero = has_system_zero(chart).then_some(Cause::SystemZero);
     if autopilots(chart).next().is_none() {
-        return vec![nobody(chart)];
+        return vec![zero.unwrap_or_else(|| nobody(chart))];
     }
     let quality = Quality::of(chart);
     let queries = queries_without_doubt(quality.lost_share());
@@ -81,6 +91,7 @@ fn examine(chart: &Chart) -> Vec<Cause> {
         causes.retain(|cause| !is_one_way(cause));
         causes.push(Cause::OneWayVehicles(one_way));
     }
+    causes.extend(zero);
     causes.extend(quality.causes());
     causes.extend(other_stations(chart));
     causes.extend(
@@ -164,9 +175,16 @@ fn other_stations(chart: &Chart) -> impl Iterator<Item = Cause> {
         .map(|(system, component)| Cause::OtherStation(system, component))
 }
 
+/// The autopilots that can be addressed.
 fn autopilots(chart: &Chart) -> impl Iterator<Item = &Sender> {
     let senders = chart.senders().iter();
-    senders.filter(|sender| sender.role == HeartbeatRole::Autopilot)
+    let autopilots = senders.filter(|sender| sender.role == HeartbeatRole::Autopilot);
+    autopilots.filter(|sender| sender.source.system != 0)
+}
+
+fn has_system_zero(chart: &Chart) -> bool {
+    let mut senders = chart.senders().iter();
+    senders.any(|it| it.role == HeartbeatRole::Autopilot && it.source.system == 0)
 }
 
 /// Whether bytes are readable text, such as that of a shell, a boot loader or a GPS receiver.

@@ -1,7 +1,10 @@
 //! Tests of the findings about signatures.
 
+use std::collections::BTreeSet;
+
 use super::*;
 use crate::inspector::Direction;
+use crate::vehicle_id::VehicleId;
 use crate::wire::Seal;
 
 /// The chart of a link on which vehicle 3 is heard with these signatures, every second for the window.
@@ -45,7 +48,7 @@ fn chart(seals: &[Seal], keyed: &[SystemId], is_signing_required: bool) -> Chart
 }
 
 fn causes(chart: Chart) -> Vec<Cause> {
-    let findings = diagnose(&[chart]).into_iter();
+    let findings = diagnose(&[chart], &BTreeSet::new()).into_iter();
     findings.map(|finding| finding.cause).collect()
 }
 
@@ -87,4 +90,76 @@ fn frames_from_before_a_key_are_not_a_fault() {
         .for_each(|frames| frames.seals.note(Seal::Right));
     chart.note(last, WINDOW + Duration::from_secs(1));
     assert_eq!(causes(chart), [Cause::Well(1)]);
+}
+
+/// The same chart, with this change to each of its senders.
+fn altered(mut chart: Chart, alter: impl Fn(&mut Sender)) -> Chart {
+    for (_, observation) in &mut chart.seen {
+        observation.senders.iter_mut().for_each(&alter);
+    }
+    chart
+}
+
+#[test]
+fn a_vehicle_with_another_key_that_does_not_answer_has_one_cause() {
+    let silent = |seals: &[Seal]| {
+        altered(chart(seals, &[3], false), |sender| {
+            sender.answered_ago = None;
+        })
+    };
+    assert_eq!(causes(silent(&[Seal::Foreign])), [Cause::WrongKey(3)]);
+    // A forged frame does not hide that the vehicle itself does not answer.
+    assert_eq!(
+        causes(silent(&[Seal::Right, Seal::Foreign])),
+        [Cause::OneWay(3), Cause::WrongKey(3)]
+    );
+}
+
+#[test]
+fn one_board_on_two_links_is_one_vehicle() {
+    let on_board = |number: u64| {
+        let board = BoardId::of(number, &[0; 18]);
+        altered(chart(&[Seal::Unsigned], &[], false), |sender| {
+            sender.board = board;
+        })
+    };
+    let said = |boards: [u64; 2]| {
+        let findings = diagnose(&boards.map(on_board), &BTreeSet::new());
+        let said = findings
+            .iter()
+            .map(|it| (it.cause.clone(), it.boards.len()));
+        said.collect::<Vec<_>>()
+    };
+    assert_eq!(said([7, 7]), vec![(Cause::HeardTwice(3), 2); 2]);
+    assert_eq!(said([7, 8]), vec![(Cause::DuplicateSystem(3), 2); 2]);
+    assert_eq!(said([0, 0]), vec![(Cause::DuplicateSystem(3), 2); 2]);
+}
+
+#[test]
+fn expected_vehicles_that_were_never_heard_are_named() {
+    let said = |expected: &[VehicleId]| {
+        let link = chart(&[Seal::Unsigned], &[], false);
+        let findings = diagnose(&[link], &expected.iter().copied().collect());
+        let said = findings.iter().map(|it| it.says().to_string());
+        said.collect::<Vec<_>>()
+    };
+    assert_eq!(said(&[2, 3, 4]), ["expected, but never heard: 2,4"]);
+    assert_eq!(
+        said(&[1, 2, 4]),
+        ["expected, but never heard: 1-2,4; heard, but not expected: 3"]
+    );
+    for fine in [&[3][..], &[]] {
+        assert_eq!(
+            said(fine),
+            ["all is well: 1 vehicle is in contact and answers"]
+        );
+    }
+}
+
+#[test]
+fn a_vehicle_with_system_id_0_is_named() {
+    let zero = altered(chart(&[Seal::Unsigned], &[], false), |sender| {
+        sender.source.system = 0;
+    });
+    assert_eq!(causes(zero), [Cause::SystemZero]);
 }

@@ -3,6 +3,7 @@
 use super::{Cause, HeardBoard, LinkFinding, SealCounts, Way};
 use crate::text;
 use crate::text::Text;
+use crate::vehicle_id::{VehicleId, ranges};
 
 impl Cause {
     /// The name of the cause, without its figures.
@@ -18,7 +19,10 @@ impl Cause {
             Self::OnlyGroundStations => "only-ground-stations",
             Self::OwnEcho => "own-echo",
             Self::NoAutopilot => "no-autopilot",
+            Self::SystemZero => "system-zero",
             Self::DuplicateSystem(_) => "duplicate-system",
+            Self::HeardTwice(_) => "heard-twice",
+            Self::Missing { .. } => "missing",
             Self::Signed(_) => "signed",
             Self::SignedButAnswers(_) => "signed-but-answers",
             Self::Unsigned(_) => "unsigned",
@@ -50,7 +54,13 @@ impl Cause {
             Self::OnlyGroundStations => text!("doctor-only-ground-stations"),
             Self::OwnEcho => text!("doctor-own-echo"),
             Self::NoAutopilot => text!("doctor-no-autopilot"),
+            Self::SystemZero => text!("doctor-system-zero"),
             Self::DuplicateSystem(system) => text!("doctor-duplicate-system", system = system),
+            Self::HeardTwice(system) => text!("doctor-heard-twice", system = system),
+            Self::Missing {
+                ref never,
+                ref others,
+            } => missing(never, others),
             Self::Signed(system) => text!("doctor-signed", system = system),
             Self::SignedButAnswers(system) => text!("doctor-signed-but-answers", system = system),
             Self::Unsigned(system) => text!("doctor-unsigned", system = system),
@@ -77,6 +87,15 @@ impl Cause {
             Self::Well(count) => text!("doctor-well", count = count),
         }
     }
+}
+
+fn missing(never: &[VehicleId], others: &[VehicleId]) -> Text {
+    let never = ranges(never.iter().copied());
+    if others.is_empty() {
+        return text!("doctor-missing", never = never);
+    }
+    let others = ranges(others.iter().copied());
+    text!("doctor-missing-but", never = never, others = others)
 }
 
 impl HeardBoard {
@@ -122,7 +141,10 @@ impl LinkFinding {
             Cause::OnlyGroundStations => text!("doctor-try-ground-stations"),
             Cause::OwnEcho => text!("doctor-try-echo"),
             Cause::NoAutopilot => text!("doctor-try-autopilot"),
+            Cause::SystemZero => text!("doctor-try-system-zero"),
             Cause::DuplicateSystem(_) => text!("doctor-try-duplicate"),
+            Cause::HeardTwice(_) => text!("doctor-try-heard-twice"),
+            Cause::Missing { .. } => text!("doctor-try-missing"),
             Cause::Signed(_) => text!("doctor-try-signed"),
             Cause::Unsigned(_) => text!("doctor-try-unsigned"),
             Cause::WrongKey(_) => text!("doctor-try-wrong-key"),

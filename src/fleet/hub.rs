@@ -277,11 +277,11 @@ impl Hub {
         }
     }
 
-    /// Tells the vehicles of a link that another ground station is heard there. A vehicle that does not keep up misses it.
-    fn note_station(&self, from: FrameSender) {
+    /// Tells the vehicles of a link what else is heard there. A vehicle that does not keep up misses it.
+    fn tell_neighbours(&self, from: FrameSender, news: impl Fn() -> ToVehicle) {
         for route in self.routes.values() {
             if route.sender.link == from.link {
-                drop(route.inbox.try_send(ToVehicle::StationHeard));
+                drop(route.inbox.try_send(news()));
             }
         }
     }
@@ -289,12 +289,13 @@ impl Hub {
     async fn deliver(&mut self, system: SystemId, from: FrameSender, frames: Vec<Frame>) {
         let now = self.clock.now();
         if system != self.keeping.address().system && frames.iter().any(is_of_a_station) {
-            self.note_station(from);
+            self.tell_neighbours(from, || ToVehicle::StationHeard);
         }
         if !self.routes.contains_key(&system) {
             let Some(component) = frames.iter().find_map(autopilot_of) else {
                 return;
             };
+            self.tell_neighbours(from, || ToVehicle::NewVehicle(system));
             self.appear(system, component, from, now).await;
         }
         let Some(route) = self.routes.get_mut(&system) else {

@@ -95,6 +95,10 @@ impl KeyDesk for BlockingDesk {
         off_the_loop(|| self.0.begin(vehicle, change))
     }
 
+    fn requires_signatures(&self) -> bool {
+        self.0.requires_signatures()
+    }
+
     fn message(&self, vehicle: MavAddress, which: SentKey) -> Option<Outgoing> {
         off_the_loop(|| self.0.message(vehicle, which))
     }

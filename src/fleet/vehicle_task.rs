@@ -17,7 +17,7 @@ use crate::parameters::{Fetching, ParameterSnapshot};
 use crate::session::{Report, Session, Steering, VehicleCommand, Want};
 use crate::text;
 use crate::vehicle::{HeldChannels, Severity, Vehicle};
-use crate::wire::{Frame, MavAddress};
+use crate::wire::{Frame, MavAddress, SystemId};
 
 /// The maximum number of reports that a task keeps while the console does not read.
 const BACKLOG: usize = 1000;
@@ -39,6 +39,8 @@ pub(super) enum ToVehicle {
     Twin,
     /// Its autopilot has been restarted.
     Restarted,
+    /// A vehicle with this system id has appeared on its link.
+    NewVehicle(SystemId),
     /// Another ground station is heard on its link.
     StationHeard,
     /// A change to its simulator or its link.
@@ -144,6 +146,7 @@ impl VehicleTask {
             ToVehicle::Sticks(held) => self.session.steer_by_hand(held, now),
             ToVehicle::Twin => self.session.note_twin(now),
             ToVehicle::Restarted => self.session.restarted(now),
+            ToVehicle::NewVehicle(system) => self.session.hear_new_vehicle(system, now),
             ToVehicle::StationHeard => self.session.station_heard(now),
             ToVehicle::Want(want) => {
                 self.session.carry_out(want);

@@ -142,6 +142,8 @@ pub enum Reach {
 pub enum Route {
     /// It has already been passed on, having arrived on another port or gone round a loop.
     Repeated,
+    /// The console's own frame has come back: it has gone round a loop.
+    Returned,
     /// Its receiver was never heard.
     Unknown,
     To {
@@ -190,7 +192,13 @@ impl Router {
             if origin == Some(None) {
                 self.learn(from, facts, now);
             }
-            return Route::Repeated;
+            // Another station with this address numbers its frames by itself.
+            let is_own = has_gone_round.is_some() && facts.sender == self.own;
+            return if is_own {
+                Route::Returned
+            } else {
+                Route::Repeated
+            };
         }
         self.contents.note(facts.content, Some(from), now);
         self.frames.note((facts.content, facts.sequence), (), now);

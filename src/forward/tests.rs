@@ -224,6 +224,29 @@ fn what_comes_back_on_another_way_is_not_passed_on_again() {
 }
 
 #[test]
+fn an_own_frame_that_comes_back_is_told_from_those_of_a_station_with_the_same_address() {
+    let mut router = learned();
+    let heartbeat = |skipped: usize| {
+        let mut encoder = Encoder::new(OWN.system, OWN.component);
+        let mut bytes = Vec::new();
+        for _ in 0..=skipped {
+            bytes.clear();
+            encoder.encode(&beat(), &mut bytes);
+        }
+        let mut decoder = Decoder::new();
+        decoder.push(&bytes);
+        let frame = decoder.next_frame().expect("a frame");
+        let facts = FrameFacts::of(&frame, &bytes).expect("facts");
+        (bytes, facts)
+    };
+    let (sent, own) = heartbeat(0);
+    router.note_own(&sent, ms(8000));
+    assert_eq!(router.route(OTHER, &own, ms(8100)), Route::Returned);
+    let (_, other) = heartbeat(5);
+    assert_eq!(router.route(OTHER, &other, ms(8100)), Route::Repeated);
+}
+
+#[test]
 fn forged_senders_fill_no_memory_and_unverified_ones_teach_nothing() {
     let mut router = learned();
     for system in 1..=255 {

@@ -68,6 +68,7 @@ impl Targets {
         if ids.is_empty() {
             return Err(match self {
                 Self::Group(name) => text!("grammar-group-empty", group = name),
+                Self::All if !context.vehicles.is_empty() => none_expected(context),
                 Self::Selection | Self::All | Self::Ids(_) => text!("grammar-no-vehicles-yet"),
             });
         }
@@ -97,6 +98,15 @@ impl Targets {
         ids.dedup();
         Ok(Self::Ids(ids))
     }
+}
+
+/// Why `all` means no vehicle, although vehicles are heard.
+fn none_expected(context: &Context) -> Text {
+    text!(
+        "grammar-none-expected",
+        expected = ranges(context.expected.iter().copied()),
+        heard = ranges(context.vehicles.iter().copied())
+    )
 }
 
 fn unknown_group(name: &str, word: &Word, context: &Context) -> Diagnostic {

@@ -354,6 +354,27 @@ fn targets_resolve_to_vehicles_or_say_why_not() {
 }
 
 #[test]
+fn all_names_the_expected_vehicles_if_only_others_are_heard() {
+    let expected = std::collections::BTreeSet::from([2, 3, 4]);
+    let among = |vehicles| {
+        let context = Context {
+            vehicles,
+            expected: &expected,
+            ..Context::default()
+        };
+        Targets::All.resolve(&[], &context)
+    };
+    assert_eq!(among(&[1, 2]), Ok(vec![2]));
+    let fault = among(&[1]).expect_err("nobody");
+    assert!(
+        fault.contains("never heard: 2-4; heard, but not expected: 1"),
+        "{fault}"
+    );
+    let fault = among(&[]).expect_err("nobody");
+    assert!(fault.contains("no vehicles yet"), "{fault}");
+}
+
+#[test]
 fn the_manual_tells_about_every_verb() {
     let manual = manual();
     for row in rows() {

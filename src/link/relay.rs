@@ -44,6 +44,8 @@ pub struct ForwardCounts {
     pub unknown: u64,
     /// Frames of the stations that arrived a second time, by another path.
     pub repeated: u64,
+    /// The console's own frames among those: they have gone round a loop.
+    pub returned: u64,
 }
 
 /// Shares links with other ground stations. All clones are one relay.
@@ -242,6 +244,10 @@ impl RelayCore {
         };
         match route {
             Route::Repeated => forward.counts.repeated += 1,
+            Route::Returned => {
+                forward.counts.repeated += 1;
+                forward.counts.returned += 1;
+            }
             _ if forward.spec.read_only => forward.counts.held_back += 1,
             Route::Unknown => forward.counts.unknown += 1,
             Route::To { vehicles, stations } => {

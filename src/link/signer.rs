@@ -214,6 +214,10 @@ impl KeyDesk for SignedLink {
         self.signer.save(|_| true)
     }
 
+    fn requires_signatures(&self) -> bool {
+        self.is_required()
+    }
+
     fn message(&self, vehicle: MavAddress, which: SentKey) -> Option<Outgoing> {
         let now = (self.signer.0.clock)();
         let message = self

@@ -60,8 +60,7 @@ impl Orders {
             return true;
         }
         if let Command::Device(DeviceCommand::Sticks(change)) = order.command {
-            self.sticks
-                .order(&order, change, moment.vehicle, now, moment.output);
+            self.sticks.order(&order, change, moment);
             return true;
         }
         self.control.note(&order.command, now);

@@ -39,6 +39,9 @@ pub trait KeyDesk: Debug + Send + Sync {
     /// The key cannot be made or written; nothing must be sent then.
     fn begin(&self, vehicle: SystemId, change: SigningChange) -> Result<(), Text>;
 
+    /// Whether frames without a valid signature are ignored.
+    fn requires_signatures(&self) -> bool;
+
     /// The message that gives a vehicle a key or removes its key; `None` if there is no such key.
     fn message(&self, vehicle: MavAddress, which: SentKey) -> Option<Outgoing>;
 
@@ -122,8 +125,12 @@ impl VehicleSigning {
         let signs = self.shown.is_some_and(Seal::is_right);
         // A port that takes unsigned frames, such as USB, takes a new key instead of an unknown one.
         let needs_its_key = change != SigningChange::SetUp;
-        if self.desk.is_none() {
-            Some(text!("refused-signing-here"))
+        let Some(desk) = &self.desk else {
+            return Some(text!("refused-signing-here"));
+        };
+        if change == SigningChange::Remove && desk.requires_signatures() {
+            // Its unsigned frames would be ignored, and with them the proof that the key is gone.
+            Some(text!("refused-signing-required"))
         } else if vehicle.armed() {
             Some(text!("refused-signing-armed"))
         } else if self.job.is_some() {

@@ -3,10 +3,15 @@
 
 use std::time::Duration;
 
+use super::line::Moment;
 use super::{Output, VehicleCommand};
-use crate::commands::{StickChange, hold_message, release_message};
+use crate::commands::{
+    StickChange, hold_message, may_ignore_sticks, release_message, stick_obstacle,
+};
 use crate::ledger::RowState;
+use crate::parameters::ParameterList;
 use crate::text;
+use crate::text::Text;
 use crate::vehicle::{HeldChannels, Vehicle};
 
 /// The interval of the messages. One that is lost does no harm.
@@ -29,26 +34,32 @@ pub(super) struct Sticks {
 
 impl Sticks {
     /// Carries out an order, and ends its row.
-    pub fn order(
-        &mut self,
-        order: &VehicleCommand,
-        change: StickChange,
-        vehicle: &mut Vehicle,
-        now: Duration,
-        output: &mut Output,
-    ) {
+    pub fn order(&mut self, order: &VehicleCommand, change: StickChange, moment: Moment<'_>) {
+        let Moment {
+            vehicle,
+            parameters,
+            now,
+            output,
+        } = moment;
+        if matches!(change, StickChange::Hold { .. })
+            && let Some(reason) = obstacle(vehicle, parameters)
+        {
+            return output.row(order.unsent(vehicle.id, RowState::Refused, reason, now));
+        }
         let text = match change {
-            StickChange::Hold { .. } if vehicle.barred_by().is_some() => {
-                let reason = vehicle.not_in_control().unwrap_or_default();
-                return output.row(order.unsent(vehicle.id, RowState::Refused, reason, now));
-            }
             StickChange::Hold { channel, pulse_us } => {
                 let mut held = vehicle.held.unwrap_or_default();
                 held.hold(usize::from(channel).saturating_sub(1), pulse_us);
                 vehicle.held = Some(held);
                 self.steered_until = None;
                 self.due = now;
-                text!("outcome-sticks-held", channels = held.text())
+                let outcome = text!("outcome-sticks-held", channels = held.text());
+                if may_ignore_sticks(vehicle, parameters) {
+                    let remark = text!("outcome-sticks-unsure", own = vehicle.station);
+                    Text::joined("; ", vec![outcome, remark])
+                } else {
+                    outcome
+                }
             }
             StickChange::Release => {
                 self.release(vehicle, now);
@@ -100,4 +111,11 @@ impl Sticks {
     pub fn is_busy(&self, vehicle: &Vehicle) -> bool {
         vehicle.held.is_some() || self.releases > 0
     }
+}
+
+/// Why the vehicle would ignore held channels.
+fn obstacle(vehicle: &Vehicle, list: &ParameterList) -> Option<Text> {
+    let is_barred = vehicle.barred_by().is_some();
+    let by_control = is_barred.then(|| vehicle.not_in_control().unwrap_or_default());
+    by_control.or_else(|| stick_obstacle(vehicle, list))
 }

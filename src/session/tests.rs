@@ -26,6 +26,7 @@ mod naming;
 mod orders;
 mod overtaken;
 mod speeds;
+mod stations;
 mod targets;
 
 const GUIDED: u32 = 4;

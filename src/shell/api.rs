@@ -34,7 +34,7 @@ mod socket;
 #[cfg(test)]
 mod tests;
 
-/// The maximum number of programs at once; further connections are closed.
+/// The maximum number of programs at once; further ones are turned away.
 const MOST_PROGRAMS: usize = 64;
 /// The length of a program's queue of answers.
 const OUTBOX: usize = 256;
@@ -87,6 +87,8 @@ pub(super) enum Arrival {
         reply: mpsc::OwnedPermit<String>,
     },
     Closed(ProgramId),
+    /// A program for which there is no place; it is sent the reason.
+    Crowded(mpsc::Sender<String>),
 }
 
 /// Why a line cannot be read.
@@ -229,6 +231,11 @@ impl Console {
         match arrival {
             Arrival::Opened(id, outbox) => programs.opened(id, outbox),
             Arrival::Closed(id) => drop(programs.connected.remove(&id)),
+            Arrival::Crowded(outbox) => {
+                let reason = text!("api-crowded", most = MOST_PROGRAMS);
+                let fault = Fault::new(None, self.app.state().locale().text(&reason));
+                drop(outbox.try_send(Message::Fault(fault).line()));
+            }
             Arrival::Line { from, line, reply } => {
                 let locale = self.app.state().locale().clone();
                 let call = line

@@ -9,6 +9,7 @@
 //!   room.
 //! - What is kept: `recorder` (frames and journal), `logbook` (the record of the mission).
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -173,8 +174,9 @@ impl RunningSession {
         self.inspection.rest(now);
     }
 
-    /// The events since the last tick. Telemetry is merged: one event per vehicle that changed.
-    pub fn collect(&mut self, now: Duration) -> Vec<Event> {
+    /// The events since the last tick. Telemetry is merged: one event per vehicle that changed. `expected` are the
+    /// vehicles of the swarm; empty if any vehicle is.
+    pub fn collect(&mut self, expected: &BTreeSet<VehicleId>, now: Duration) -> Vec<Event> {
         let mut collected = self.hear_processes(now);
         for _ in 0..EVENTS_PER_TICK {
             match self.events.try_recv() {
@@ -226,7 +228,7 @@ impl RunningSession {
         collected.extend(self.hear_recorder(now));
         collected.extend(self.links.changed(&self.vehicles));
         collected.extend(self.forwards.changed());
-        collected.extend(self.inspection.examine(self.links.all(), now));
+        collected.extend(self.inspection.examine(self.links.all(), expected, now));
         collected
     }
 

@@ -8,6 +8,7 @@ use super::radio_test::TestedRadio;
 use super::{BoardId, EkfFlags, FixType, Mode, PlanPause, Severity, SystemStatus, VehicleClass};
 use crate::geo::LatLon;
 use crate::geo::maths;
+use crate::wire::SystemId;
 
 /// HEARTBEAT of the autopilot.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -354,6 +355,8 @@ pub struct LinkQuality {
     pub round_trip: Option<Duration>,
     /// The number of reboots observed.
     pub reboots: u32,
+    /// The system id under which the vehicle is heard since it was given another one and rebooted.
+    pub renumbered: Option<SystemId>,
     /// The number of the link on which it is heard.
     pub via: Option<u16>,
     /// When it was last heard from another sender than before, which may be another vehicle with its system id.

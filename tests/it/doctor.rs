@@ -2,6 +2,7 @@
 //!
 //! The clock is paused: a test advances it by a second once the link has read everything that was sent.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use mavlink::MavlinkVersion;
@@ -94,7 +95,7 @@ impl Patient {
 
     /// The doctor's findings, worst first.
     fn causes(&self) -> Vec<Cause> {
-        let findings = diagnose(std::slice::from_ref(&self.chart));
+        let findings = diagnose(std::slice::from_ref(&self.chart), &BTreeSet::new());
         findings.into_iter().map(|finding| finding.cause).collect()
     }
 

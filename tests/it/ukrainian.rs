@@ -39,7 +39,7 @@ const NAMES: &[&str] = &[
     // Placeholders in a line to type.
     "BAUD DEVICE FILE HOST NAME PATH PLACE PORT TARGETS TERM _",
     // Parts of MAVLink's names and of parameters' names.
-    "COMMAND_INT COMMAND_LONG COMPONENT_METADATA MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS SYSID_THISMAV MAV_SYSID CONTROL_STATUS RC_CHANNELS_OVERRIDE",
+    "COMMAND_INT COMMAND_LONG COMPONENT_METADATA MAV_CMD MAV_FRAME SERIALn_BAUD SERIALn_PROTOCOL SYSID_ENFORCE SYSID_MYGCS MAV_GCS_SYSID SYSID_THISMAV MAV_SYSID CONTROL_STATUS RC_CHANNELS_OVERRIDE",
     // Addresses, options and files.
     "api data docs event features file hangar-token parameter token serial tcp tcpin udp udpbcast udpin plain run xFD xFE xterm",
     // Words of filters, and of the plain console.

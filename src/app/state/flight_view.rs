@@ -240,6 +240,11 @@ impl FlightView {
         ids.filter(|id| self.expects(*id))
     }
 
+    /// The vehicles that belong to the session; empty if any vehicle does.
+    pub fn expected(&self) -> &BTreeSet<VehicleId> {
+        &self.expected
+    }
+
     /// Whether a vehicle belongs to the session.
     pub fn expects(&self, vehicle: VehicleId) -> bool {
         self.expected.is_empty() || self.expected.contains(&vehicle)

@@ -34,7 +34,8 @@ impl Connections {
     /// its own error.
     pub(super) fn worst_finding(&self) -> Option<&LinkFinding> {
         let worst = self.findings.first()?;
-        let is_reported = worst.cause.weight() == Weight::Fatal && worst.cause != Cause::NotOpen;
+        let leaves_none = worst.cause.weight() == Weight::Fatal || worst.cause == Cause::SystemZero;
+        let is_reported = leaves_none && worst.cause != Cause::NotOpen;
         is_reported.then_some(worst)
     }
 }

@@ -107,8 +107,9 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         && state.now.saturating_sub(state.session.timing.began_at) >= PATIENCE;
     let is_news = match finding.cause {
         // A closed link shows its own error, and the fleet reports a duplicate system id.
-        Cause::NotOpen | Cause::DuplicateSystem(_) => false,
-        Cause::OneWay(_)
+        Cause::NotOpen | Cause::DuplicateSystem(_) | Cause::HeardTwice(_) => false,
+        Cause::SystemZero
+        | Cause::OneWay(_)
         | Cause::OneWayVehicles(_)
         | Cause::Signed(_)
         | Cause::Unsigned(_)
@@ -123,6 +124,7 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         | Cause::OnlyGroundStations
         | Cause::OwnEcho
         | Cause::NoAutopilot
+        | Cause::Missing { .. }
         | Cause::SignedButAnswers(_)
         | Cause::Noise(_)
         | Cause::Version1(_)

@@ -11,6 +11,7 @@ use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::keymap::Place;
 use crate::app::state::{Activity, Overlay, StickAxis, StickMode};
 use crate::campaign::Stake;
+use crate::commands::stick_obstacle;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -42,7 +43,10 @@ fn obstacle(state: &State) -> Option<Text> {
     let vehicle = vehicle.and_then(|id| state.session.vehicles.get(&id));
     match vehicle {
         None => Some(text!("sticks-none")),
-        Some(vehicle) => vehicle.not_in_control(),
+        Some(vehicle) => vehicle.not_in_control().or_else(|| {
+            let known = state.rooms.parameters.lists.get(&vehicle.id)?;
+            stick_obstacle(vehicle, &known.list)
+        }),
     }
 }
 

@@ -4,7 +4,7 @@
 use std::time::Duration;
 
 use super::finding::Cause;
-use super::signatures::last_keyed;
+use super::signatures::{has_only_a_wrong_key, last_keyed};
 use crate::doctor::{Chart, Sender, Way};
 use crate::geo::maths;
 
@@ -47,11 +47,12 @@ pub(super) fn answering(chart: &Chart, sender: &Sender, queries: u32) -> Option<
     if sender.known_for < patience.max(ANSWER_WITHIN) || sender.asked < asked_enough {
         return is_foreign.then_some(Cause::Signed(system));
     }
-    Some(if is_foreign {
-        Cause::Signed(system)
+    if is_foreign {
+        Some(Cause::Signed(system))
     } else {
-        Cause::OneWay(system)
-    })
+        // A vehicle with another key ignores the frames of this one, although it receives them.
+        (!has_only_a_wrong_key(chart, sender)).then_some(Cause::OneWay(system))
+    }
 }
 
 #[cfg(test)]

@@ -3,6 +3,7 @@
 //! They are apart from the examination because screens, the API and the texts of findings use them without it.
 
 use crate::doctor::Way;
+use crate::vehicle_id::VehicleId;
 use crate::wire::{BoardId, ComponentId, SystemId};
 
 /// A finding about a link.
@@ -13,11 +14,11 @@ pub struct LinkFinding {
     /// Its kind of connection, on which the advice depends.
     pub way: Way,
     pub cause: Cause,
-    /// The boards that share a system id, and their places; empty for other causes.
+    /// The places at which a system id is heard, if there are several, and their boards; empty for other causes.
     pub boards: Vec<HeardBoard>,
 }
 
-/// A vehicle among several with one system id.
+/// One of several places at which a system id is heard.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct HeardBoard {
     /// The id of its board, if known.
@@ -61,8 +62,18 @@ pub enum Cause {
     OwnEcho,
     /// Components such as cameras are heard, but no autopilot.
     NoAutopilot,
+    /// A vehicle uses system id 0, which stands for all vehicles.
+    SystemZero,
     /// Two vehicles have this system id.
     DuplicateSystem(SystemId),
+    /// One vehicle is heard at two places.
+    HeardTwice(SystemId),
+    /// Expected vehicles were never heard.
+    Missing {
+        never: Vec<VehicleId>,
+        /// The vehicles that are heard, although they are not expected.
+        others: Vec<VehicleId>,
+    },
     /// The vehicle signs with a key that the console does not have, and does not answer the console's unsigned frames.
     Signed(SystemId),
     /// The vehicle signs with a key that the console does not have, but accepts unsigned frames.
@@ -110,7 +121,10 @@ impl Cause {
             | Self::OnlyGroundStations
             | Self::OwnEcho
             | Self::NoAutopilot => Weight::Fatal,
-            Self::DuplicateSystem(_)
+            Self::SystemZero
+            | Self::DuplicateSystem(_)
+            | Self::HeardTwice(_)
+            | Self::Missing { .. }
             | Self::Signed(_)
             | Self::Unsigned(_)
             | Self::WrongKey(_)

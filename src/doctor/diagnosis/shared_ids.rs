@@ -66,13 +66,31 @@ impl SharedIds {
     }
 }
 
-/// The vehicles that share the system id of a finding.
-pub(super) fn boards(charts: &[Chart], cause: &Cause) -> Vec<HeardBoard> {
-    let Cause::DuplicateSystem(system) = cause else {
-        return Vec::new();
+/// Why a system id is heard at several places: equal boards are one vehicle.
+pub(super) fn cause_of(charts: &[Chart], system: SystemId) -> Cause {
+    let heard = heard_boards(charts, system);
+    let (first, others) = match heard.split_first() {
+        Some((first, others)) if !others.is_empty() => (first.board, others),
+        _ => return Cause::DuplicateSystem(system),
     };
+    if first.is_some() && others.iter().all(|other| other.board == first) {
+        Cause::HeardTwice(system)
+    } else {
+        Cause::DuplicateSystem(system)
+    }
+}
+
+/// The places at which the system id of a finding is heard.
+pub(super) fn boards(charts: &[Chart], cause: &Cause) -> Vec<HeardBoard> {
+    match cause {
+        Cause::DuplicateSystem(system) | Cause::HeardTwice(system) => heard_boards(charts, *system),
+        _ => Vec::new(),
+    }
+}
+
+fn heard_boards(charts: &[Chart], system: SystemId) -> Vec<HeardBoard> {
     let heard = charts.iter().enumerate().flat_map(|(link, chart)| {
-        let mine = autopilots(chart).filter(|sender| sender.source.system == *system);
+        let mine = autopilots(chart).filter(|sender| sender.source.system == system);
         mine.map(move |sender| HeardBoard {
             board: sender.board,
             link,

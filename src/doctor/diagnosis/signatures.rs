@@ -10,6 +10,13 @@ pub(super) fn last_keyed(chart: &Chart) -> &[SystemId] {
     chart.last().map_or(&[], |last| &last.keyed)
 }
 
+/// Whether a vehicle signs, but never with the key that the console has for it.
+pub(super) fn has_only_a_wrong_key(chart: &Chart, sender: &Sender) -> bool {
+    let seals = chart.numbered(sender).seals;
+    let is_keyed = last_keyed(chart).contains(&sender.source.system);
+    is_keyed && seals.foreign > 0 && seals.right == 0
+}
+
 /// The findings about a vehicle's signatures.
 pub(super) fn signing(chart: &Chart, sender: &Sender) -> Vec<Cause> {
     let system = sender.source.system;

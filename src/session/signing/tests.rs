@@ -24,6 +24,7 @@ enum Call {
 struct Desk {
     calls: Mutex<Vec<Call>>,
     fails: bool,
+    requires: bool,
 }
 
 impl Desk {
@@ -44,6 +45,10 @@ impl KeyDesk for Desk {
         } else {
             Ok(())
         }
+    }
+
+    fn requires_signatures(&self) -> bool {
+        self.requires
     }
 
     fn message(&self, vehicle: MavAddress, which: SentKey) -> Option<Outgoing> {
@@ -306,6 +311,26 @@ fn a_change_that_does_not_fit_is_refused_before_anything_is_sent() {
     scene.signing.use_desk(None);
     scene.order(SetUp);
     assert_eq!(scene.end().map(|(state, _)| state), Some(RowState::Refused));
+}
+
+#[test]
+fn a_key_is_not_removed_while_unsigned_frames_are_ignored() {
+    for (change, is_refused) in [
+        (SigningChange::Remove, true),
+        (SigningChange::Rotate, false),
+    ] {
+        let desk = Desk {
+            requires: true,
+            ..Desk::default()
+        };
+        let mut scene = Scene::with(desk, Seal::Right);
+        scene.order(change);
+        let refused = scene.end().filter(|(state, _)| *state == RowState::Refused);
+        assert_eq!(refused.is_some(), is_refused, "{change:?} {refused:?}");
+        let words = refused.map(|(_, words)| words).unwrap_or_default();
+        assert_eq!(words.contains("--require-signing"), is_refused, "{words}");
+        assert_eq!(scene.desk.calls().is_empty(), is_refused);
+    }
 }
 
 #[test]

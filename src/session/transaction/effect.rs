@@ -28,7 +28,10 @@ impl Transaction {
         output: &mut Output,
     ) {
         match self.effect_shows(vehicle) {
-            None | Some(true) => self.end(RowState::Done, None, now, output),
+            None | Some(true) => {
+                let remark = self.effect.remark(vehicle);
+                self.end(RowState::Done, remark, now, output);
+            }
             Some(false) if !self.has_begun(vehicle) && now >= since + BEGINS_WITHIN => {
                 let text = not_seen(&self.claim.describe(vehicle), BEGINS_WITHIN);
                 self.end(RowState::NoEffect, Some(text), now, output);

@@ -20,7 +20,7 @@ fn connected() -> (DuplexStream, mpsc::Receiver<Arrival>) {
 async fn next_line(arrivals: &mut mpsc::Receiver<Arrival>) -> Option<Result<String, LineFault>> {
     loop {
         match arrivals.recv().await? {
-            Arrival::Opened(..) => {}
+            Arrival::Opened(..) | Arrival::Crowded(_) => {}
             Arrival::Closed(_) => return None,
             Arrival::Line { line, reply, .. } => {
                 reply.send("{}".to_owned());

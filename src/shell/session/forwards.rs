@@ -15,21 +15,50 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
+/// The time for which own frames that come back are counted, and the number that shows a loop: heartbeats alone are one
+/// a second, and a single frame may come back when a station is restarted.
+const COUNTED_FOR: Duration = Duration::from_secs(10);
+const RETURNS_ENOUGH: u64 = 5;
+
 /// The open forwards of a session, and the state last shown.
 #[derive(Default)]
 pub(super) struct SessionForwards {
-    open: Vec<(ForwardFeed, LinkHeard)>,
+    open: Vec<(ForwardFeed, LinkHeard, Returns)>,
     shown: Vec<ForwardSummary>,
+}
+
+/// The console's own frames that come back over a forward.
+#[derive(Debug, Clone, Copy, Default)]
+struct Returns {
+    since: Duration,
+    before: u64,
+    is_told: bool,
+}
+
+impl Returns {
+    /// Whether so many have come back that the forward is part of a loop; true only once.
+    fn show_a_loop(&mut self, returned: u64, now: Duration) -> bool {
+        if now < self.since + COUNTED_FOR {
+            return false;
+        }
+        let is_loop = returned >= self.before + RETURNS_ENOUGH;
+        (self.since, self.before) = (now, returned);
+        is_loop && !std::mem::replace(&mut self.is_told, true)
+    }
 }
 
 impl SessionForwards {
     pub fn add(&mut self, feed: ForwardFeed) {
-        self.open.push((feed, LinkHeard::new()));
+        self.open.push((feed, LinkHeard::new(), Returns::default()));
     }
 
-    /// Notices of forwards that carry no data.
+    /// Notices of forwards that carry no data, or that are part of a loop.
     pub fn hear(&mut self, now: Duration) -> Vec<Notice> {
-        let notice = |(feed, heard): &mut (ForwardFeed, LinkHeard)| {
+        let notice = |(feed, heard, returns): &mut (ForwardFeed, LinkHeard, Returns)| {
+            if returns.show_a_loop(feed.counts().returned, now) {
+                let text = text!("forward-loop", address = &feed.spec.address);
+                return Some(Notice::general(now, Severity::Notice, text));
+            }
             let news = LinkNews::of(&feed.status.borrow());
             let LinkNews::Down(reason) = heard.note(news, now)? else {
                 return None;
@@ -43,11 +72,11 @@ impl SessionForwards {
 
     /// The state of the forwards, if it has changed. Closed ones are left out.
     pub fn changed(&mut self) -> Option<Event> {
-        self.open.retain(|(feed, _)| {
+        self.open.retain(|(feed, ..)| {
             let is_over = feed.status.borrow().state == LinkState::Ended;
             !is_over
         });
-        let summaries: Vec<_> = self.open.iter().map(|(feed, _)| summary(feed)).collect();
+        let summaries: Vec<_> = self.open.iter().map(|(feed, ..)| summary(feed)).collect();
         if summaries == self.shown {
             return None;
         }
@@ -99,5 +128,19 @@ impl RunningSession {
             .parse()
             .map_err(|error: AddressError| Text::from(&error))?;
         Ok(self.fleet.forward(spec, address)?)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn own_frames_that_keep_coming_back_are_a_loop_once() {
+        let mut returns = Returns::default();
+        let at = |second| Duration::from_secs(second);
+        let counts = [(9, 9), (10, 3), (20, 7), (29, 20), (30, 20), (40, 60)];
+        let told = counts.map(|(second, count)| returns.show_a_loop(count, at(second)));
+        assert_eq!(told, [false, false, false, false, true, false]);
     }
 }

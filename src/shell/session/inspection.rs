@@ -10,6 +10,7 @@ use crate::app::room::messages::{LinkTraffic, TrafficRequest};
 use crate::doctor::{Chart, Way, diagnose};
 use crate::inspector::TallyKey;
 use crate::link::{LinkStatus, Tap};
+use crate::vehicle_id::VehicleId;
 
 const EXAMINE_EVERY: Duration = Duration::from_secs(1);
 /// The time between counts of the messages.
@@ -42,10 +43,11 @@ impl Inspection {
         self.next_exam = now + EXAMINE_EVERY;
     }
 
-    /// The doctor's findings, if due.
+    /// The doctor's findings, if due. `expected` are the vehicles of the swarm; empty if any vehicle is.
     pub fn examine(
         &mut self,
         links: &[watch::Receiver<LinkStatus>],
+        expected: &BTreeSet<VehicleId>,
         now: Duration,
     ) -> Option<Event> {
         if now < self.next_exam {
@@ -56,7 +58,7 @@ impl Inspection {
             let status = link.borrow().clone();
             chart.note(tap.observe(&status), now);
         }
-        Some(LinkEvent::Findings(diagnose(&self.charts)).into())
+        Some(LinkEvent::Findings(diagnose(&self.charts, expected)).into())
     }
 
     /// A count of the messages, if due.
