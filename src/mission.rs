@@ -252,6 +252,7 @@ impl Mission {
         WorldConfig {
             starts: self.starts(),
             airframes: self.airframes(),
+            kinds: Vec::new(),
             seed,
             obstacles: Vec::new(),
             realistic_boot: false,

@@ -12,10 +12,10 @@ use crate::sitl::{Recipe, SerialEndpoint, SitlKind};
 #[derive(Debug, Clone, Args)]
 #[command(next_help_heading = "Free flight")]
 pub(super) struct FreeOptions {
-    /// Start this kind of vehicle; all but copters need ArduPilot's SITL.
+    /// Start this kind of vehicle; planes and submarines need ArduPilot's SITL.
     #[arg(long, value_enum, default_value = "copter", conflicts_with_all = ["mission", "connect"])]
     kind: KindWord,
-    /// Use this SITL model: motorboat, rover-skid, hexa, ..; by default the one that suits the kind.
+    /// Use this model of SITL: motorboat, rover-skid, hexa, ..; by default the one that suits the kind.
     #[arg(long, value_name = "NAME", conflicts_with_all = ["mission", "connect"])]
     model: Option<String>,
     /// Start SITL with this parameter; repeat the option for each one.
@@ -57,21 +57,21 @@ impl FreeOptions {
         if is_ardupilot {
             check(&flight)?;
         } else {
-            self.check_embedded()?;
+            self.check_embedded(&flight)?;
         }
         Ok(flight)
     }
 
     /// Refuses the options that the embedded simulator does not have.
-    fn check_embedded(&self) -> Result<(), Failure> {
-        let kind = self.kind();
-        let fault = if kind != SitlKind::Copter {
-            let name = kind.name();
-            format!(
-                "the embedded simulator has copters only: for a {name}, use --backend ardupilot"
-            )
-        } else if self.model.is_some() {
+    fn check_embedded(&self, flight: &FreeFlight) -> Result<(), Failure> {
+        let fault = if flight.kind == SitlKind::Copter && flight.model.is_some() {
             "--model is for ArduPilot's SITL: use --backend ardupilot".to_owned()
+        } else if flight.embedded().is_none() {
+            let name = flight.model.as_deref().unwrap_or(flight.kind.name());
+            format!(
+                "the embedded simulator has copters, rovers (rover, rover-skid) and boats (motorboat): \
+                 for {name}, use --backend ardupilot"
+            )
         } else if !self.parameters.is_empty() {
             "--param is for ArduPilot's SITL: use --backend ardupilot, or `param set` in the console".to_owned()
         } else {

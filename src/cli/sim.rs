@@ -13,7 +13,7 @@ use super::home::StartPlace;
 use super::{Failure, parse_speedup, runtime};
 use crate::hash::fnv1a;
 use crate::link::{Endpoint, Simulator, StartedSimulator};
-use crate::sim::{SYSTEMS, World, WorldConfig};
+use crate::sim::{SYSTEMS, VehicleKind, World, WorldConfig};
 
 /// Options of `sortie sim`.
 #[derive(Debug, Args)]
@@ -58,6 +58,10 @@ pub(super) struct SimArguments {
     /// each; the last one applies to all further vehicles.
     #[arg(long = "frame", value_name = "FILE")]
     frames: Vec<PathBuf>,
+    /// Simulate this kind of vehicle: copter, rover (steered wheels), rover-skid (turns on the spot) or motorboat. Repeat
+    /// the option for several vehicles: one kind for each; the last one applies to all further vehicles.
+    #[arg(long = "kind", value_name = "KIND", value_parser = parse_kind)]
+    kinds: Vec<VehicleKind>,
 }
 
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -83,6 +87,14 @@ impl FromStr for HostPort {
     }
 }
 
+/// Parses a kind of vehicle.
+fn parse_kind(text: &str) -> Result<VehicleKind, String> {
+    VehicleKind::named(text).ok_or_else(|| {
+        let names = VehicleKind::ALL.map(VehicleKind::name);
+        format!("there is no such kind: use {}", names.join(", "))
+    })
+}
+
 /// Parses an address to send to; its port must not be 0.
 fn parse_target(text: &str) -> Result<HostPort, String> {
     match text.parse()? {
@@ -99,6 +111,7 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
     let config = WorldConfig {
         seed: options.seed,
         airframes: airframes?,
+        kinds: options.kinds.clone(),
         realistic_boot: options.realistic_boot,
         ..WorldConfig::row(usize::from(options.vehicles), options.home.0)
     };

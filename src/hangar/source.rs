@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::client::RemoteHangar;
 use super::{HangarSetup, Hangars, Launch};
 use crate::scoring::FlightBackend;
-use crate::sim::{Airframe, Start, WorldConfig};
+use crate::sim::{Airframe, Chassis, Start, VehicleKind, WorldConfig};
 use crate::sitl::SitlKind;
 use crate::text;
 use crate::text::Text;
@@ -45,7 +45,7 @@ impl SitlSource {
 /// What flies in free flight, apart from the number of vehicles.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct FreeFlight {
-    /// The kind of vehicle; all but copters need ArduPilot's SITL.
+    /// The kind of vehicle; planes and submarines need ArduPilot's SITL.
     pub kind: SitlKind,
     /// SITL's name for the model; by default, the one that suits the kind and the parameters.
     pub model: Option<String>,
@@ -56,6 +56,16 @@ pub struct FreeFlight {
 }
 
 impl FreeFlight {
+    /// The kind of vehicle in the embedded simulator; `None` if it does not have it.
+    pub fn embedded(&self) -> Option<VehicleKind> {
+        match (self.kind, self.model.as_deref()) {
+            (SitlKind::Copter, None) => Some(VehicleKind::Copter),
+            (SitlKind::Rover, None) => Some(VehicleKind::Rover(Chassis::Ackermann)),
+            (SitlKind::Rover, Some(model)) => VehicleKind::named(model),
+            (SitlKind::Copter | SitlKind::Plane | SitlKind::Sub, _) => None,
+        }
+    }
+
     /// A launch with the kind, the model and the parameters of this flight.
     pub fn of(&self, launch: Launch) -> Launch {
         let mut parameters = launch.parameters;

@@ -11,7 +11,9 @@ use serde::{Deserialize, Serialize};
 
 use super::line::written;
 use crate::geo::LatLon;
-use crate::sim::{Airframe, Input, InputKind, PortId, STEP, Serial, Start, World, WorldConfig};
+use crate::sim::{
+    Airframe, Input, InputKind, PortId, STEP, Serial, Start, VehicleKind, World, WorldConfig,
+};
 use crate::text;
 use crate::text::Text;
 use crate::wire::{Decoder, SystemId, is_secret};
@@ -34,6 +36,9 @@ pub struct InputsHead {
     /// The start of each vehicle: latitude and longitude in degrees, altitude in metres above sea level, heading in
     /// degrees; as text, which keeps all digits.
     pub starts: Vec<[String; 4]>,
+    /// The kinds of the vehicles, if any is not a copter: one for each; the last one applies to all further vehicles.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub kinds: Vec<String>,
     /// The frame files of airframes that the mission does not define, as JSON.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub airframes: Vec<serde_json::Value>,
@@ -48,6 +53,11 @@ impl InputsHead {
             program: env!("SORTIE_VERSION").to_owned(),
             seed: world.seed,
             starts: world.starts.iter().map(numbers).collect(),
+            kinds: world
+                .kinds
+                .iter()
+                .map(|kind| kind.name().to_owned())
+                .collect(),
             airframes: files.flatten().cloned().collect(),
         }
     }
@@ -65,6 +75,11 @@ impl InputsHead {
         WorldConfig {
             starts: self.starts.iter().map(start).collect(),
             airframes: Vec::new(),
+            kinds: self
+                .kinds
+                .iter()
+                .filter_map(|name| VehicleKind::named(name))
+                .collect(),
             seed: self.seed,
             obstacles: Vec::new(),
             realistic_boot: false,

@@ -247,18 +247,25 @@ fn the_example_of_a_design_is_valid_and_its_table_complete() {
 
 #[test]
 fn the_table_of_the_simulator_lists_what_it_has() {
+    use sortie_sim::{Chassis, Inventory, VehicleKind};
     let text = fs::read_to_string(root().join("docs/simulator.md")).expect("the document");
-    let (_, table) = text
-        .split_once("| what | names |\n| --- | --- |\n")
-        .expect("the table");
-    let rows: Vec<_> = table
-        .lines()
-        .take_while(|line| line.starts_with('|'))
-        .collect();
-    let inventory = sortie_sim::Inventory::read().to_string();
-    let expected: Vec<_> = inventory.lines().collect();
-    assert_eq!(
-        rows, expected,
-        "take the rows of `cargo run -p sortie-sim --example inventory`"
-    );
+    let rover = Inventory::of(VehicleKind::Rover(Chassis::Ackermann));
+    for (head, inventory) in [
+        (
+            "| what | names |\n| --- | --- |\n",
+            Inventory::read().to_string(),
+        ),
+        ("| of a rover | names |\n| --- | --- |\n", rover.conduct()),
+    ] {
+        let (_, table) = text.split_once(head).expect("the table");
+        let rows: Vec<_> = table
+            .lines()
+            .take_while(|line| line.starts_with('|'))
+            .collect();
+        let expected: Vec<_> = inventory.lines().collect();
+        assert_eq!(
+            rows, expected,
+            "take the rows of `cargo run -p sortie-sim --example inventory`"
+        );
+    }
 }

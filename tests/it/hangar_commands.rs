@@ -161,8 +161,8 @@ fn another_kind_flies_with_its_own_program_only() {
         (&["--kind", "rover"], "name it with --ardurover FILE"),
         (&["--kind", "plane"], "./waf plane"),
         (
-            &["--kind", "boat", "--backend", "embedded"],
-            "the embedded simulator has copters only",
+            &["--kind", "plane", "--backend", "embedded"],
+            "the embedded simulator has copters, rovers",
         ),
         (&["--param", "WP_SPEED=3"], "`param set` in the console"),
         (&["--model", "hexa"], "--model is for ArduPilot's SITL"),

@@ -38,6 +38,7 @@ impl Stage {
         let mut world = World::new(&WorldConfig {
             starts: starts.iter().map(|place| place.start).collect(),
             airframes: participants.iter().map(airframe).collect(),
+            kinds: Vec::new(),
             seed: conditions.seed,
             obstacles: Vec::new(),
             realistic_boot: false,

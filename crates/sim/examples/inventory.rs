@@ -1,9 +1,14 @@
-//! Prints the simulator's inventory as the rows of the table in `docs/simulator.md`.
+//! Prints the simulator's inventory as the rows of the tables in `docs/simulator.md`: what a copter has, then the modes
+//! and commands of a rover.
 //!
 //! `cargo run -p sortie-sim --example inventory`
 
-use sortie_sim::Inventory;
+use sortie_sim::{Chassis, Inventory, VehicleKind};
 
 fn main() {
-    print!("{}", Inventory::read());
+    println!("{}", Inventory::read());
+    print!(
+        "{}",
+        Inventory::of(VehicleKind::Rover(Chassis::Ackermann)).conduct()
+    );
 }

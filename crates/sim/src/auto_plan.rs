@@ -7,6 +7,7 @@
 
 mod advance;
 mod command;
+mod driving;
 mod place;
 mod sequence;
 mod start;
@@ -22,7 +23,7 @@ use mavlink::dialects::ardupilotmega::{
 };
 
 use self::sequence::Jumps;
-use super::mode;
+use super::mode::ModeId;
 use super::plan::Item;
 use super::task::{Orbit, Task};
 use super::vehicle::Vehicle;
@@ -150,7 +151,7 @@ impl AutoPlan {
 
     /// Resumes at the current item: in AUTO at once, otherwise when AUTO is entered.
     pub(super) fn go_on(&mut self, vehicle: &mut Vehicle) {
-        if vehicle.flight.mode.number != mode::AUTO {
+        if vehicle.flight.mode.id != ModeId::Auto {
             self.resumes = true;
         } else if self.state == PlanState::Stopped {
             self.resume(vehicle);
@@ -258,7 +259,7 @@ impl AutoPlan {
             self.state = PlanState::Stopped;
         }
         if !runs
-            || vehicle.flight.mode.number != mode::AUTO
+            || vehicle.flight.mode.id != ModeId::Auto
             || !matches!(vehicle.flight.task, Task::Route(_))
         {
             return;

@@ -3,6 +3,7 @@
 
 mod arming;
 pub(super) mod auxiliary;
+mod driving;
 mod modes;
 mod reactions;
 pub(super) mod telemetry;
@@ -21,16 +22,20 @@ use super::boot::{Boot, BootEvent};
 use super::counters::{CounterInputs, Counters};
 use super::crash::{CrashInputs, CrashWatch};
 use super::failsafe::{self, Failsafe};
+use super::kind::VehicleKind;
+use super::mode::ModeId;
 use super::operator::OperatorControl;
 use super::parameters::Parameters;
 use super::plan::ListKind;
 use super::vehicle::{Build, Vehicle};
 use super::wind::Wind;
 use super::workbench::Workbench;
-use super::{adsb, fence, mode, trail};
+use super::{adsb, fence, trail};
 
 /// The delay between the acknowledgement of a reboot and the loss of the links.
 const REBOOT_AFTER: Duration = Duration::from_millis(200);
+/// The drop of the voltage of a rover's battery at full throttle.
+const ROVER_SAG_V: f64 = 0.7;
 const TIMESYNC_EVERY_STEPS: u64 = 1000;
 
 /// The autopilot of one vehicle, together with that vehicle.
@@ -50,10 +55,17 @@ pub(super) struct Autopilot {
 
 impl Autopilot {
     /// A vehicle that has just been switched on.
-    pub(super) fn new(system: u8, start: Start, airframe: Arc<Airframe>, mut wind: Wind) -> Self {
+    pub(super) fn new(
+        kind: VehicleKind,
+        system: u8,
+        start: Start,
+        airframe: Arc<Airframe>,
+        mut wind: Wind,
+    ) -> Self {
         let board_id = wind.board_id();
-        let parameters = factory_parameters(system, &airframe);
+        let parameters = factory_parameters(kind, system, &airframe);
         let build = Build {
+            kind,
             system,
             board_id,
             airframe,
@@ -99,7 +111,7 @@ impl Autopilot {
 
     /// The vehicle with a realistic boot time.
     pub(super) fn booting_realistically(mut self) -> Self {
-        self.vehicle.boot = Boot::new(true);
+        self.vehicle.boot = Boot::new(self.vehicle.kind, true);
         self.vehicle.radio.forget_switches();
         self
     }
@@ -123,20 +135,21 @@ impl Autopilot {
     fn reboot(&mut self) {
         let before = &mut self.vehicle;
         let mut parameters = if self.workbench.erased {
-            factory_parameters(before.system, &before.plant.airframe)
+            factory_parameters(before.kind, before.system, &before.plant.airframe)
         } else {
             before.parameters.clone().rebooted()
         };
         let boots = parameters.value("STAT_BOOTCNT") as f32 + 1.0;
         parameters.set("STAT_BOOTCNT", boots);
         let build = Build {
+            kind: before.kind,
             system: before.parameters.value("SYSID_THISMAV").clamp(1.0, 255.0) as u8,
             board_id: before.board_id,
             airframe: Arc::clone(&before.plant.airframe),
             start: before.datum.start,
         };
         let mut vehicle = Vehicle::booted(build, parameters, before.plant.wind.clone());
-        vehicle.boot = Boot::new(before.boot.realistic);
+        vehicle.boot = Boot::new(before.kind, before.boot.realistic);
         vehicle.plans = std::mem::take(&mut before.plans);
         vehicle.log = std::mem::take(&mut before.log).rebooted();
         vehicle.fence_changed();
@@ -154,22 +167,21 @@ impl Autopilot {
         self.vehicle.steps += 1;
         let steps = self.vehicle.steps;
         self.step_boot();
-        if self.vehicle.flight.mode.number == mode::AUTO {
+        if self.vehicle.flight.mode.id == ModeId::Auto {
             self.auto_plan.step(&mut self.vehicle);
         }
-        self.fly();
-        self.watch_crash();
-        self.watch_ground();
-        self.vehicle.watch_alignment();
+        self.move_body();
+        self.power();
+        if self.vehicle.kind == VehicleKind::Copter {
+            self.watch_flight();
+        }
         self.watch_radio();
         self.report_obstacles();
         if steps.is_multiple_of(failsafe::EVERY_STEPS) {
             self.watch_failsafes();
             self.watch_workbench();
-            self.watch_brake();
             self.count();
             self.watch_sticks();
-            self.watch_zigzag();
         }
         if steps.is_multiple_of(fence::EVERY_STEPS) {
             self.watch_fence();
@@ -224,7 +236,26 @@ impl Autopilot {
         }
     }
 
-    /// Flies, unless the vehicle is parked with its motors off, and updates the estimator and the battery.
+    /// Moves the vehicle for one step, by air or on the surface.
+    fn move_body(&mut self) {
+        match self.vehicle.kind {
+            VehicleKind::Copter => self.fly(),
+            VehicleKind::Rover(_) => self.drive(),
+        }
+    }
+
+    /// Checks what only a vehicle that flies has: crashes, landings, modes that end by themselves.
+    fn watch_flight(&mut self) {
+        self.watch_crash();
+        self.watch_ground();
+        self.vehicle.watch_alignment();
+        if self.vehicle.steps.is_multiple_of(failsafe::EVERY_STEPS) {
+            self.watch_brake();
+            self.watch_zigzag();
+        }
+    }
+
+    /// Flies, unless the vehicle is parked with its motors off.
     fn fly(&mut self) {
         let vehicle = &mut self.vehicle;
         let is_asleep = vehicle.plant.body.on_ground && !vehicle.safety.armed;
@@ -233,12 +264,20 @@ impl Autopilot {
             let reaction = self.crash.touch(impact_m_s);
             self.react(reaction);
         }
+    }
+
+    /// Updates the estimator and the battery.
+    fn power(&mut self) {
         let vehicle = &mut self.vehicle;
-        let power_w = vehicle.plant.power_w();
+        let power_w = vehicle.power_w();
         vehicle.estimate();
         let plant = &mut vehicle.plant;
         let set_v = vehicle.tuning.battery_set_v;
         plant.battery.step(power_w, set_v, &plant.airframe);
+        if vehicle.kind != VehicleKind::Copter {
+            let drop_v = ROVER_SAG_V * plant.body.throttle.abs();
+            plant.battery.sag(drop_v, &plant.airframe);
+        }
     }
 
     fn watch_crash(&mut self) {
@@ -247,7 +286,7 @@ impl Autopilot {
             body: &vehicle.plant.body,
             is_flying: vehicle.safety.armed && !vehicle.safety.landed,
             checks_crash: vehicle.tuning.crash_check,
-            mode: vehicle.flight.mode.number,
+            mode: vehicle.flight.mode.id,
         });
         if !reactions.is_empty() {
             self.react(reactions);
@@ -315,8 +354,14 @@ impl Autopilot {
 }
 
 /// The factory parameters: the defaults, with the vehicle's system id and its airframe's values.
-pub(super) fn factory_parameters(system: u8, airframe: &Airframe) -> Parameters {
-    let mut parameters = Parameters::new(system);
+pub(super) fn factory_parameters(kind: VehicleKind, system: u8, airframe: &Airframe) -> Parameters {
+    let mut parameters = Parameters::new(kind, system);
+    if let Some(chassis) = kind.chassis() {
+        for &(name, value) in chassis.parameters() {
+            parameters.set(name, value);
+        }
+        return parameters;
+    }
     let capacity_ah = airframe.battery_capacity_ah() as f32;
     parameters.set("FRAME_CLASS", airframe.frame_class());
     parameters.set("SIM_BATT_VOLTAGE", airframe.full_voltage_v() as f32);

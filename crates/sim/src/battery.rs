@@ -81,6 +81,13 @@ impl Battery {
 
     /// Draws `power_w` for one step. A change of `set_v` (`SIM_BATT_VOLTAGE`) charges or drains the
     /// battery at once.
+    /// The voltage of a battery with unlimited charge under a load that costs `drop_v`.
+    pub(super) fn sag(&mut self, drop_v: f64, airframe: &Airframe) {
+        if airframe.battery_capacity_ah() <= 0.0 {
+            self.voltage_v = self.set_v - drop_v;
+        }
+    }
+
     pub(super) fn step(&mut self, power_w: f64, set_v: f64, airframe: &Airframe) {
         if (set_v - self.set_v).abs() > 1e-6 {
             self.charge(airframe, set_v);

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 use super::airframe::{Airframe, axes};
 use super::kinematics::{GRAVITY_M_S2, STEP_S};
 use super::upset::{Drive, Upset, WantedTurn};
+use super::wheels::Rolling;
 use sortie_geo::maths;
 
 /// Lag of the lean behind its demand (`ArduPilot`'s `ATC_INPUT_TC`), in seconds.
@@ -106,6 +107,28 @@ impl Body {
     /// Height above the start, in metres.
     pub(super) fn height_m(&self) -> f64 {
         -self.position_m.z
+    }
+
+    /// The heading as a unit vector, north and east.
+    pub(super) fn heading(&self) -> DVec2 {
+        self.heading
+    }
+
+    /// Rolls along the heading for one step, as a rover on the ground or a boat.
+    pub(super) fn roll(&mut self, rolling: Rolling, throttle: f64) {
+        let before = self.velocity_m_s;
+        let speed_m_s = before.truncate().dot(self.heading) + rolling.accel_m_s2 * STEP_S;
+        self.turn(rolling.turn_deg_s);
+        self.throttle = throttle;
+        self.velocity_m_s = (self.heading * speed_m_s).extend(0.0);
+        self.accel_m_s2 = (self.velocity_m_s - before) / STEP_S;
+        self.position_m += self.velocity_m_s * STEP_S;
+    }
+
+    /// Stands still, with the motors off.
+    pub(super) fn park(&mut self) {
+        self.rest();
+        self.yaw_rate_deg_s = 0.0;
     }
 
     /// Roll and pitch in radians.

@@ -3,11 +3,10 @@
 use mavlink::dialects::ardupilotmega::{EkfStatusFlags, GpsFixType};
 
 use super::estimator::{FLAGS_GIVEN_UP, FLAGS_GOOD};
+use super::kind::VehicleKind;
 use super::mode::Mode;
 
-/// The firmware's version, as in its banner: the behaviour is that of this commit of `ArduPilot`.
-pub(super) const VERSION: &str = "ArduCopter V4.6.0-dev (fbb78585)";
-/// The hash of that commit in `AUTOPILOT_VERSION`.
+/// The hash of the commit of `ArduPilot` whose behaviour this is, in `AUTOPILOT_VERSION`.
 pub(super) const COMMIT: [u8; 8] = *b"fbb78585";
 
 /// The time of an event in hundredths of a second, whether the event waits for a GPS position, and
@@ -81,6 +80,50 @@ const REALISTIC: &[Entry] = &[
     (4161, true, Ready),
 ];
 
+/// The boot of an `ArduRover` in SITL.
+const REALISTIC_ROVER: &[Entry] = &[
+    (
+        2,
+        false,
+        Print("\n\nInit ArduRover V4.6.0-dev (fbb78585)\n\nFree RAM: 131072\n"),
+    ),
+    (14, false, Say("Calibrating barometer")),
+    (174, false, Say("Barometer 1 calibration complete")),
+    (174, false, Say("Barometer 2 calibration complete")),
+    (
+        175,
+        false,
+        Say("Beginning INS calibration. Do not move vehicle"),
+    ),
+    (237, false, Initialised),
+    (237, false, Say("ArduPilot Ready")),
+    (237, false, Say("AHRS: DCM active")),
+    (439, false, Say("EKF3 IMU0 initialised")),
+    (439, false, Say("EKF3 IMU1 initialised")),
+    (599, false, Say("EKF3 IMU0 tilt alignment complete")),
+    (599, false, Say("EKF3 IMU1 tilt alignment complete")),
+    (
+        607,
+        false,
+        Say("EKF3 IMU0 MAG0 initial yaw alignment complete"),
+    ),
+    (
+        607,
+        false,
+        Say("EKF3 IMU1 MAG0 initial yaw alignment complete"),
+    ),
+    (967, false, Say("GPS 1: probing for u-blox at 230400 baud")),
+    (970, false, Say("GPS 1: detected u-blox")),
+    (1988, true, Origin),
+    (1988, true, Say("EKF3 IMU0 origin set")),
+    (1988, true, Say("EKF3 IMU1 origin set")),
+    (1995, true, Elevation),
+    (4210, true, Say("EKF3 IMU0 is using GPS")),
+    (4210, true, Say("EKF3 IMU1 is using GPS")),
+    (4210, true, Say("AHRS: EKF3 active")),
+    (4210, true, Ready),
+];
+
 /// Times of states without an event, in hundredths of a second.
 mod at {
     /// Only in the quick boot.
@@ -103,6 +146,7 @@ mod at {
 /// The progress of the boot.
 #[derive(Debug, Clone)]
 pub(super) struct Boot {
+    kind: VehicleKind,
     pub(super) realistic: bool,
     /// Hundredths of a second; stopped while an event waits for the GPS.
     clock: u32,
@@ -113,8 +157,9 @@ pub(super) struct Boot {
 }
 
 impl Boot {
-    pub(super) fn new(realistic: bool) -> Self {
+    pub(super) fn new(kind: VehicleKind, realistic: bool) -> Self {
         Self {
+            kind,
             realistic,
             clock: 0,
             next: 0,
@@ -304,6 +349,10 @@ impl Boot {
     }
 
     fn table(&self) -> &'static [Entry] {
-        if self.realistic { REALISTIC } else { QUICK }
+        match self.kind {
+            _ if !self.realistic => QUICK,
+            VehicleKind::Copter => REALISTIC,
+            VehicleKind::Rover(_) => REALISTIC_ROVER,
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 mod auxiliary;
 mod calibration;
+mod driving;
 mod fence;
 mod flight;
 mod motion;
@@ -16,6 +17,7 @@ use mavlink::dialects::ardupilotmega::MavResult::{
 
 use super::autopilot::Autopilot;
 use super::cmd;
+use super::kind::VehicleKind;
 use super::link::Link;
 use sortie_geo::LatLon;
 
@@ -83,40 +85,24 @@ const WITH_PLACE: &[u16] = &[
 
 type Handler = fn(&mut Autopilot, &mut Link, &Command) -> MavResult;
 
-/// The supported commands, by number.
-const TABLE: &[(u16, Handler)] = &[
-    (cmd::NAV_LOITER_UNLIM, flight::loiter),
+/// The supported commands of every vehicle, by number.
+const SHARED: &[(u16, Handler)] = &[
     (cmd::NAV_RETURN_TO_LAUNCH, flight::return_to_launch),
-    (cmd::NAV_LAND, flight::land),
-    (cmd::NAV_VTOL_LAND, flight::land),
-    (cmd::NAV_TAKEOFF, flight::takeoff),
-    (cmd::NAV_VTOL_TAKEOFF, flight::takeoff),
-    (cmd::DO_FOLLOW, setup::follow),
-    (cmd::CONDITION_YAW, motion::yaw),
     (cmd::DO_SET_MODE, flight::set_mode),
-    (cmd::DO_CHANGE_SPEED, motion::change_speed),
     (cmd::DO_SET_HOME, setup::set_home),
     (cmd::DO_SET_RELAY, outputs::relay),
     (cmd::DO_REPEAT_RELAY, outputs::relay),
     (cmd::DO_SET_SERVO, outputs::servo),
     (cmd::DO_REPEAT_SERVO, outputs::servo),
-    (cmd::DO_FLIGHTTERMINATION, flight::terminate),
-    (cmd::DO_RETURN_PATH_START, flight::start_return_path),
-    (cmd::DO_LAND_START, plan::start_landing_sequence),
-    (cmd::DO_REPOSITION, motion::reposition),
-    (cmd::DO_PAUSE_CONTINUE, motion::pause_or_continue),
     (cmd::DO_SET_ROI_LOCATION, motion::look_at),
     (cmd::DO_SET_ROI_NONE, motion::look_ahead),
     (cmd::DO_SET_ROI, motion::look_at),
     (cmd::DO_FENCE_ENABLE, fence::enable),
-    (cmd::DO_PARACHUTE, outputs::parachute),
-    (cmd::DO_MOTOR_TEST, outputs::motor_test),
     (cmd::DO_AUX_FUNCTION, auxiliary::switch),
     (cmd::DO_SET_MISSION_CURRENT, plan::set_current),
     (cmd::PREFLIGHT_CALIBRATION, calibration::preflight),
     (cmd::PREFLIGHT_STORAGE, setup::storage),
     (cmd::PREFLIGHT_REBOOT_SHUTDOWN, setup::reboot),
-    (cmd::MISSION_START, plan::start),
     (cmd::COMPONENT_ARM_DISARM, flight::arm_or_disarm),
     (cmd::RUN_PREARM_CHECKS, setup::run_checks),
     (cmd::GET_HOME_POSITION, streams::home_position),
@@ -127,9 +113,6 @@ const TABLE: &[(u16, Handler)] = &[
     (cmd::DO_JUMP_TAG, plan::jump_to_tag),
     (cmd::CONTROL_HIGH_LATENCY, setup::high_latency),
     (cmd::DO_SET_SAFETY_SWITCH_STATE, outputs::safety_switch),
-    (cmd::SOLO_BTN_FLY_CLICK, flight::fly_button),
-    (cmd::SOLO_BTN_FLY_HOLD, flight::fly_button_held),
-    (cmd::SOLO_BTN_PAUSE_CLICK, flight::pause_button),
     (cmd::SET_EKF_SOURCE_SET, setup::estimator_source),
     (cmd::EXTERNAL_POSITION_ESTIMATE, setup::external_position),
     (cmd::DO_START_MAG_CAL, calibration::start_compass),
@@ -137,6 +120,37 @@ const TABLE: &[(u16, Handler)] = &[
     (cmd::DO_CANCEL_MAG_CAL, calibration::cancel_compass),
     (cmd::DO_SEND_BANNER, setup::banner),
     (cmd::BATTERY_RESET, outputs::battery_reset),
+];
+
+/// The commands that only copters have, or carry out in their own way.
+const COPTER: &[(u16, Handler)] = &[
+    (cmd::DO_MOTOR_TEST, outputs::motor_test),
+    (cmd::DO_FOLLOW, setup::follow),
+    (cmd::DO_FLIGHTTERMINATION, flight::terminate),
+    (cmd::NAV_LOITER_UNLIM, flight::loiter),
+    (cmd::NAV_LAND, flight::land),
+    (cmd::NAV_VTOL_LAND, flight::land),
+    (cmd::NAV_TAKEOFF, flight::takeoff),
+    (cmd::NAV_VTOL_TAKEOFF, flight::takeoff),
+    (cmd::CONDITION_YAW, motion::yaw),
+    (cmd::DO_CHANGE_SPEED, motion::change_speed),
+    (cmd::DO_RETURN_PATH_START, flight::start_return_path),
+    (cmd::DO_LAND_START, plan::start_landing_sequence),
+    (cmd::DO_REPOSITION, motion::reposition),
+    (cmd::DO_PAUSE_CONTINUE, motion::pause_or_continue),
+    (cmd::DO_PARACHUTE, outputs::parachute),
+    (cmd::MISSION_START, plan::start),
+    (cmd::SOLO_BTN_FLY_CLICK, flight::fly_button),
+    (cmd::SOLO_BTN_FLY_HOLD, flight::fly_button_held),
+    (cmd::SOLO_BTN_PAUSE_CLICK, flight::pause_button),
+];
+
+/// The commands that only rovers have, or carry out in their own way.
+const ROVER: &[(u16, Handler)] = &[
+    (cmd::DO_CHANGE_SPEED, driving::change_speed),
+    (cmd::DO_REPOSITION, driving::reposition),
+    (cmd::MISSION_START, driving::start_mission),
+    (cmd::NAV_SET_YAW_SPEED, driving::set_yaw_and_speed),
 ];
 
 /// Commands to devices that a plain SITL copter lacks or does not use (camera, gimbal, gripper, winch, sprayer,
@@ -169,9 +183,19 @@ const FIXED: &[(u16, MavResult)] = &[
     (cmd::SCRIPTING, ACCEPTED),
 ];
 
-/// The commands that are carried out.
-pub(super) fn carried_out() -> impl Iterator<Item = u16> {
-    TABLE.iter().map(|(number, _)| *number)
+fn own(kind: VehicleKind) -> &'static [(u16, Handler)] {
+    match kind {
+        VehicleKind::Copter => COPTER,
+        VehicleKind::Rover(_) => ROVER,
+    }
+}
+
+/// The commands that a kind of vehicle carries out, in ascending order.
+pub(super) fn carried_out(kind: VehicleKind) -> Vec<u16> {
+    let all = own(kind).iter().chain(SHARED);
+    let mut numbers: Vec<u16> = all.map(|(number, _)| *number).collect();
+    numbers.sort_unstable();
+    numbers
 }
 
 /// The commands with a fixed answer.
@@ -181,7 +205,8 @@ pub(super) fn answered() -> impl Iterator<Item = u16> {
 
 /// Carries out a command and returns the result.
 pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
-    if let Some((_, handler)) = TABLE.iter().find(|(known, _)| *known == command.number) {
+    let mut all = own(autopilot.vehicle.kind).iter().chain(SHARED);
+    if let Some((_, handler)) = all.find(|(known, _)| *known == command.number) {
         return handler(autopilot, link, command);
     }
     FIXED

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::airframe::Airframe;
 use super::collision::Obstacle;
+use super::kind::VehicleKind;
 use sortie_geo::LatLon;
 
 const ROW_SPACING_M: f64 = 5.0;
@@ -16,6 +17,9 @@ pub struct WorldConfig {
     /// The airframe of each vehicle, in the order of the starts; the last one applies to all further vehicles; if there
     /// are none, the vehicles are [`Airframe::standard`] quadcopters.
     pub airframes: Vec<Arc<Airframe>>,
+    /// The kind of each vehicle, in the order of the starts; the last one applies to all further vehicles; if there are
+    /// none, the vehicles are copters.
+    pub kinds: Vec<VehicleKind>,
     /// Seed of everything random (gusts).
     pub seed: u64,
     /// The obstacles that vehicles can hit.
@@ -37,10 +41,17 @@ impl WorldConfig {
         Self {
             starts,
             airframes: Vec::new(),
+            kinds: Vec::new(),
             seed: 0,
             realistic_boot: false,
             obstacles: Vec::new(),
         }
+    }
+
+    /// The kind of a vehicle.
+    pub(super) fn kind(&self, vehicle: usize) -> VehicleKind {
+        let own = self.kinds.get(vehicle).or(self.kinds.last());
+        own.copied().unwrap_or_default()
     }
 
     /// The airframe of a vehicle; `usual` if none was configured.

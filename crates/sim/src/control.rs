@@ -218,6 +218,15 @@ impl PositionControl {
         self.accel_m_s2.z + climb * CLIMB_P
     }
 
+    /// The horizontal motion of the path.
+    pub(super) fn flat_motion(&self) -> FlatMotion {
+        FlatMotion {
+            place_m: self.path_m.truncate(),
+            velocity_m_s: self.velocity_m_s.truncate(),
+            accel_m_s2: self.accel_m_s2.truncate(),
+        }
+    }
+
     /// Puts the path, with its motion, onto a planned one.
     pub(super) fn follow(&mut self, at_m: DVec3, velocity_m_s: DVec3, accel_m_s2: DVec3) {
         self.path_m = at_m;

@@ -5,7 +5,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::body::Body;
 use super::kinematics::{GRAVITY_M_S2, STEP_S};
-use super::mode;
+use super::mode::ModeId;
 use super::reaction::Reaction;
 use sortie_geo::maths;
 
@@ -43,7 +43,7 @@ pub(super) struct CrashInputs<'a> {
     pub(super) is_flying: bool,
     /// Whether `FS_CRASH_CHECK` is set.
     pub(super) checks_crash: bool,
-    pub(super) mode: u8,
+    pub(super) mode: ModeId,
 }
 
 impl CrashWatch {
@@ -96,7 +96,7 @@ impl CrashWatch {
         let lean_deg =
             maths::acos((maths::cos(roll) * maths::cos(pitch)).clamp(-1.0, 1.0)).to_degrees();
         let crashing = inputs.checks_crash
-            && inputs.mode != mode::ACRO
+            && inputs.mode != ModeId::Acro
             && accel < CRASH_ACCEL_M_S2
             && lean_deg > CRASH_LEAN_DEG
             && error_deg > CRASH_ERROR_DEG

@@ -5,6 +5,7 @@
 mod battery;
 mod ekf;
 mod links;
+mod surface;
 
 use std::time::Duration;
 
@@ -15,9 +16,10 @@ use self::battery::BatteryWatch;
 use self::ekf::EkfWatch;
 pub(super) use self::ekf::is_over;
 use self::links::LinkWatch;
+use self::surface::{SurfaceRules, SurfaceWatch};
 use super::battery::Battery;
 use super::estimator::{Estimator, RadioFault};
-use super::mode::{self, Mode};
+use super::mode::{Mode, ModeId};
 use super::parameters::Parameters;
 use super::reaction::Reaction;
 
@@ -56,6 +58,7 @@ pub(super) struct FailsafeRules {
     pub(super) ekf_threshold: f64,
     ekf_action: i32,
     pub(super) battery: BatteryRules,
+    surface: SurfaceRules,
 }
 
 impl FailsafeRules {
@@ -71,6 +74,7 @@ impl FailsafeRules {
             ekf_threshold: all.value("FS_EKF_THRESH"),
             ekf_action: all.value("FS_EKF_ACTION") as i32,
             battery: BatteryRules::read(all),
+            surface: SurfaceRules::read(all),
         }
     }
 }
@@ -86,6 +90,7 @@ pub(super) struct FailsafeInputs<'a> {
     pub(super) armed: bool,
     pub(super) landed: bool,
     pub(super) mode: Mode,
+    pub(super) is_rover: bool,
     pub(super) is_landing: bool,
     pub(super) throttle_is_low: bool,
     pub(super) is_booted: bool,
@@ -109,8 +114,8 @@ pub(super) struct RadioInputs {
 impl FailsafeInputs<'_> {
     /// Whether to disarm a vehicle on the ground instead of changing its mode.
     fn should_disarm(&self) -> bool {
-        match self.mode.number {
-            mode::STABILIZE | mode::ACRO => self.throttle_is_low || self.landed,
+        match self.mode.id {
+            ModeId::Stabilize | ModeId::Acro => self.throttle_is_low || self.landed,
             _ => self.landed,
         }
     }
@@ -129,6 +134,8 @@ pub(super) struct Failsafe {
     links: LinkWatch,
     ekf: EkfWatch,
     battery: BatteryWatch,
+    /// The links of a rover.
+    surface: SurfaceWatch,
 }
 
 impl Failsafe {
@@ -138,6 +145,11 @@ impl Failsafe {
             || self.links.radio_is_lost()
             || self.ekf.is_bad()
             || self.battery.has_triggered()
+    }
+
+    /// Whether a lost link has triggered a rover's failsafe, which alone counts as an emergency there.
+    pub(super) fn has_lost_a_link(&self) -> bool {
+        self.surface.triggered
     }
 
     /// Whether the battery has triggered its failsafe. Only a reboot resets that.
@@ -156,7 +168,7 @@ impl Failsafe {
 
     /// Whether the remote control is lost.
     pub(super) fn radio_is_lost(&self) -> bool {
-        self.links.radio_is_lost()
+        self.links.radio_is_lost() || self.surface.radio_lost
     }
 }
 

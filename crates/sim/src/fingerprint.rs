@@ -63,6 +63,7 @@ impl Autopilot {
 impl Vehicle {
     fn add_to(&self, add: &mut dyn FnMut(&dyn Debug)) {
         let Self {
+            kind,
             system,
             board_id,
             parameters,
@@ -83,9 +84,9 @@ impl Vehicle {
             steps,
         } = self;
         plant.add_to(add);
-        let parts: [&dyn Debug; 14] = [
-            system, board_id, parameters, estimator, datum, flight, safety, fence, plans, radio,
-            servos_us, boot, outbox, steps,
+        let parts: [&dyn Debug; 15] = [
+            kind, system, board_id, parameters, estimator, datum, flight, safety, fence, plans,
+            radio, servos_us, boot, outbox, steps,
         ];
         for part in parts {
             add(part);

@@ -1,12 +1,17 @@
 //! `SET_POSITION_TARGET_LOCAL_NED`, `SET_POSITION_TARGET_GLOBAL_INT` and `SET_ATTITUDE_TARGET`, in GUIDED.
 
+mod driving;
+
+pub(super) use driving::drive_along;
+
 use glam::{DQuat, DVec2, DVec3, EulerRot};
 use mavlink::dialects::ardupilotmega::AttitudeTargetTypemask;
 
 use super::autopilot::Autopilot;
 use super::frame::{self, HeightOrigin};
+use super::kind::VehicleKind;
 use super::mask::{ACCELERATION, FORCE, POSITION, VELOCITY, YAW, YAW_RATE};
-use super::mode;
+use super::mode::{self, ModeId};
 use super::place::Place;
 use super::task::{Attitude, Lift, Task};
 use super::vehicle::{AskedSpeeds, Vehicle};
@@ -67,11 +72,18 @@ pub(super) struct AttitudeTarget {
 /// silently ignored; so are forces and points outside the fence. An invalid setpoint (an unknown
 /// frame, no field in use, a value that is not a number) stops the vehicle where it is.
 pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
+    match autopilot.vehicle.kind {
+        VehicleKind::Copter => fly_by_setpoint(autopilot, setpoint),
+        VehicleKind::Rover(_) => driving::take_setpoint(autopilot, setpoint),
+    }
+}
+
+fn fly_by_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
     let plan_is_guided = autopilot.auto_plan.is_guided();
     let vehicle = &mut autopilot.vehicle;
     let flying = vehicle.safety.armed && !vehicle.safety.landed;
     let lifting = matches!(vehicle.flight.task, Task::Takeoff(_)) && vehicle.plant.body.on_ground;
-    let guided = vehicle.flight.mode.number == mode::GUIDED || plan_is_guided;
+    let guided = vehicle.flight.mode.id == ModeId::Guided || plan_is_guided;
     if !guided || !flying || lifting {
         return;
     }
@@ -98,10 +110,17 @@ pub(super) fn take_setpoint(autopilot: &mut Autopilot, setpoint: &Setpoint) {
 
 /// Carries out an attitude target. It is ignored without a thrust or with an invalid quaternion; on
 /// the ground a climb starts a takeoff.
-pub(super) fn take_attitude(vehicle: &mut Vehicle, asked: &AttitudeTarget) {
+pub(super) fn take_attitude(autopilot: &mut Autopilot, asked: &AttitudeTarget) {
+    match autopilot.vehicle.kind {
+        VehicleKind::Copter => fly_by_attitude(&mut autopilot.vehicle, asked),
+        VehicleKind::Rover(_) => driving::take_attitude(autopilot, asked),
+    }
+}
+
+fn fly_by_attitude(vehicle: &mut Vehicle, asked: &AttitudeTarget) {
     let rates = asked.rates_rad_s.map(f64::from);
     let finite = asked.thrust.is_finite() && rates.iter().all(|rate| rate.is_finite());
-    if !mode::is_guided(vehicle.flight.mode.number) || !vehicle.safety.armed || !finite {
+    if !mode::is_guided(vehicle.flight.mode.id) || !vehicle.safety.armed || !finite {
         return;
     }
     let q = quaternion(asked.q);

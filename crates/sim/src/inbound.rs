@@ -112,10 +112,10 @@ fn carry_out(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, request:
         StationRequest::Setpoint(setpoint) => guided::take_setpoint(autopilot, setpoint),
         StationRequest::SetMode { base, custom } if base & CUSTOM_MODE != 0 => {
             // Only the lowest byte counts, as on the real vehicle.
-            autopilot.set_mode(*custom as u8);
+            autopilot.set_mode_numbered(*custom as u8);
         }
         StationRequest::SetMode { .. } => {}
-        StationRequest::Attitude(asked) => guided::take_attitude(&mut autopilot.vehicle, asked),
+        StationRequest::Attitude(asked) => guided::take_attitude(autopilot, asked),
         StationRequest::SetParameter { name, value } => {
             // Reading all parameters again is expensive, and many ground stations write whole files.
             let of_name = |autopilot: &Autopilot| autopilot.vehicle.parameters.named(name);

@@ -7,6 +7,7 @@ use mavlink::dialects::ardupilotmega::{COMMAND_LONG_DATA, MavMessage};
 use mavlink::{MavlinkVersion, Message as _, MessageData as _};
 
 use super::autopilot::{auxiliary, telemetry};
+use super::kind::VehicleKind;
 use super::parameters::Parameters;
 use super::{commands, mode};
 
@@ -37,13 +38,20 @@ pub struct Inventory {
 }
 
 impl Inventory {
-    /// The contents of this version.
+    /// What a copter has.
     pub fn read() -> Self {
+        Self::of(VehicleKind::Copter)
+    }
+
+    /// What a kind of vehicle has.
+    pub fn of(kind: VehicleKind) -> Self {
         let modes = |refused: bool| {
-            let of_kind = mode::all().filter(|mode| mode.is_always_refused() == refused);
+            let of_kind = mode::all(kind)
+                .iter()
+                .filter(|mode| mode.is_always_refused() == refused);
             of_kind.map(|mode| mode.name.to_owned()).collect()
         };
-        let parameters = Parameters::new(1);
+        let parameters = Parameters::new(kind, 1);
         let listed = (0..parameters.count()).filter_map(|index| parameters.at(index));
         let groups: BTreeSet<_> = listed
             .filter_map(|parameter| parameter.name.split('_').next())
@@ -52,15 +60,26 @@ impl Inventory {
         Self {
             modes: modes(false),
             refused_modes: modes(true),
-            commands: commands::carried_out().map(command_name).collect(),
+            commands: commands::carried_out(kind)
+                .into_iter()
+                .map(command_name)
+                .collect(),
             answered_commands: commands::answered().map(command_name).collect(),
             messages: telemetry::sent().map(message_name).collect(),
             silent_messages: telemetry::silent().map(message_name).collect(),
             switches: auxiliary::acting().map(str::to_owned).collect(),
             idle_switches: auxiliary::idle().map(|number| number.to_string()).collect(),
             parameters: groups.into_iter().map(str::to_owned).collect(),
-            sub_trees: Parameters::switches().map(str::to_owned).collect(),
+            sub_trees: parameters.switches().map(str::to_owned).collect(),
         }
+    }
+}
+
+impl Inventory {
+    /// The rows of modes and commands alone.
+    pub fn conduct(&self) -> String {
+        let rows = self.to_string();
+        rows.split_inclusive('\n').take(3).collect()
     }
 }
 

@@ -1,11 +1,11 @@
-//! Simulated `ArduCopters` with `MAVLink`, stepped by the caller: for tests of ground stations and
+//! Simulated `ArduCopters` and `ArduRovers` with `MAVLink`, stepped by the caller: for tests of ground stations and
 //! of other programs.
 //!
 //! A [`World`] holds vehicles. Ground stations [`connect`](World::connect) to one of them, push
 //! bytes in and take bytes out; nothing else goes in or out, so a program cannot tell the simulator
 //! from a SITL behind a socket. There is no clock, no thread, no file and no socket: the world is a
 //! function of its configuration, the bytes it received and the [steps](World::step) of 10 ms
-//! between them. Behaviour and figures follow an `ArduCopter` 4.6 SITL: modes, arming checks,
+//! between them. Behaviour and figures follow `ArduPilot` 4.6 SITLs: modes, arming checks,
 //! failsafes, fences, plans, parameters, files, logs, signing, faults of sensors and motors, wind.
 //!
 //! ```
@@ -44,14 +44,14 @@
 //! The modules in order from the bottom up. A module uses only those before it, and no two modules
 //! use each other.
 //!
-//! - The physics: `kinematics`, `airframe`, `battery`, `wind`, `body`; `upset` and `mixer` after
-//!   the loss of a motor.
+//! - `kind` (copter or rover). The physics: `kinematics`, `airframe`, `battery`, `wind`, `wheels` (of rovers),
+//!   `body`; `upset` and `mixer` after the loss of a motor.
 //! - Facts: `config` (the content of a world), `parameters`, `mode`, `cmd`, `frame` and `mask` (the
 //!   numbers of MAVLink), `plan` (lists of items), `place` (points and places on the earth),
 //!   `radio` (sticks), `texts`, `payload`.
 //! - Parts that own their state, get the state of others as arguments, and return their requests
 //!   (`reaction`): `estimator` (the estimated motion), `control` and `yaw` (the path and the
-//!   heading), `task` (the current task, with a cockpit lent to it), `trail`, `rally`, `fence`,
+//!   heading), `helm` (the steering of rovers), `task` (the current task, with a cockpit lent to it), `trail`, `rally`, `fence`,
 //!   `boot`, `arming`, `failsafe`, `crash`, `counters`, `workbench` (tests on the ground),
 //!   `flight_log`. `tuning` holds their parameters in SI units.
 //! - `vehicle` combines all that flies; `auto_plan` flies the mission of AUTO with it; `autopilot`
@@ -87,9 +87,11 @@ mod fingerprint;
 mod flight_log;
 mod frame;
 mod guided;
+mod helm;
 mod inbound;
 mod input;
 mod inventory;
+mod kind;
 mod kinematics;
 mod link;
 mod mask;
@@ -115,6 +117,7 @@ mod truth;
 mod tuning;
 mod upset;
 mod vehicle;
+mod wheels;
 mod wind;
 mod workbench;
 mod yaw;
@@ -136,6 +139,7 @@ pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
 pub use self::config::{Serial, Start, WorldConfig};
 pub use self::input::{Input, InputKind};
 pub use self::inventory::Inventory;
+pub use self::kind::{Chassis, VehicleKind};
 pub use self::kinematics::GRAVITY_M_S2;
 pub use self::parameters::{AliasSense, other_name};
 use self::plan::{Item, ListKind};
@@ -194,7 +198,8 @@ impl World {
             let system = (vehicle % SYSTEMS) as u8 + 1;
             let airframe = config.airframe(vehicle, &usual);
             let wind = Wind::new(config.seed, vehicle as u64);
-            let mut autopilot = Autopilot::new(system, *start, airframe, wind);
+            let mut autopilot =
+                Autopilot::new(config.kind(vehicle), system, *start, airframe, wind);
             if config.realistic_boot {
                 autopilot = autopilot.booting_realistically();
             }

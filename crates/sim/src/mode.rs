@@ -1,6 +1,43 @@
-//! The flight modes and their properties.
+//! The flight modes and their properties, one table for each firmware.
+
+pub(super) mod rover;
 
 use mavlink::dialects::ardupilotmega::CopterMode;
+
+use super::kind::VehicleKind;
+
+/// A mode by what it does. Each firmware has its own numbers for its modes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ModeId {
+    Acro,
+    AltHold,
+    Auto,
+    AutoRtl,
+    AutoTune,
+    Brake,
+    Circle,
+    Dock,
+    Drift,
+    Flip,
+    FlowHold,
+    Follow,
+    Guided,
+    GuidedNoGps,
+    Hold,
+    Initialising,
+    Land,
+    Loiter,
+    Manual,
+    PosHold,
+    Rtl,
+    Simple,
+    SmartRtl,
+    Stabilize,
+    Steering,
+    Throw,
+    Turtle,
+    ZigZag,
+}
 
 /// The conditions for entering a mode.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -18,9 +55,10 @@ pub(super) enum ModeEntry {
 /// One row of the mode table.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Mode {
+    pub(super) id: ModeId,
     /// `custom_mode` on the wire.
     pub(super) number: u8,
-    /// The mode's name in `ArduCopter`'s texts.
+    /// The mode's name in the firmware's texts.
     pub(super) name: &'static str,
     pub(super) entry: ModeEntry,
     /// Whether the autopilot holds or flies to positions, which sets the GUIDED bit of `base_mode`.
@@ -29,9 +67,10 @@ pub(super) struct Mode {
     pub(super) armable: bool,
 }
 
-const fn mode(number: u8, name: &'static str, entry: ModeEntry, facts: [bool; 3]) -> Mode {
+const fn mode(id: ModeId, name: &'static str, entry: ModeEntry, facts: [bool; 3]) -> Mode {
     Mode {
-        number,
+        id,
+        number: copter_number(id),
         name,
         entry,
         autonomous: facts[0],
@@ -40,91 +79,150 @@ const fn mode(number: u8, name: &'static str, entry: ModeEntry, facts: [bool; 3]
     }
 }
 
-const fn refused(number: u8, name: &'static str, texts: &'static [&'static str]) -> Mode {
-    mode(number, name, ModeEntry::Refused(texts), [false; 3])
+const fn refused(id: ModeId, name: &'static str, texts: &'static [&'static str]) -> Mode {
+    mode(id, name, ModeEntry::Refused(texts), [false; 3])
 }
 
-pub(super) const AUTOTUNE: u8 = CopterMode::COPTER_MODE_AUTOTUNE as u8;
-pub(super) const FLOWHOLD: u8 = CopterMode::COPTER_MODE_FLOWHOLD as u8;
-pub(super) const FLIP: u8 = CopterMode::COPTER_MODE_FLIP as u8;
-pub(super) const THROW: u8 = CopterMode::COPTER_MODE_THROW as u8;
-pub(super) const FOLLOW: u8 = CopterMode::COPTER_MODE_FOLLOW as u8;
-pub(super) const TURTLE: u8 = CopterMode::COPTER_MODE_TURTLE as u8;
-pub(super) const STABILIZE: u8 = CopterMode::COPTER_MODE_STABILIZE as u8;
-pub(super) const ACRO: u8 = CopterMode::COPTER_MODE_ACRO as u8;
-pub(super) const ALT_HOLD: u8 = CopterMode::COPTER_MODE_ALT_HOLD as u8;
-pub(super) const AUTO: u8 = CopterMode::COPTER_MODE_AUTO as u8;
-pub(super) const GUIDED: u8 = CopterMode::COPTER_MODE_GUIDED as u8;
-pub(super) const LOITER: u8 = CopterMode::COPTER_MODE_LOITER as u8;
-pub(super) const RTL: u8 = CopterMode::COPTER_MODE_RTL as u8;
-pub(super) const CIRCLE: u8 = CopterMode::COPTER_MODE_CIRCLE as u8;
-pub(super) const LAND: u8 = CopterMode::COPTER_MODE_LAND as u8;
-pub(super) const DRIFT: u8 = CopterMode::COPTER_MODE_DRIFT as u8;
-pub(super) const POSHOLD: u8 = CopterMode::COPTER_MODE_POSHOLD as u8;
-pub(super) const BRAKE: u8 = CopterMode::COPTER_MODE_BRAKE as u8;
-pub(super) const GUIDED_NOGPS: u8 = CopterMode::COPTER_MODE_GUIDED_NOGPS as u8;
-pub(super) const SMART_RTL: u8 = CopterMode::COPTER_MODE_SMART_RTL as u8;
-pub(super) const ZIGZAG: u8 = CopterMode::COPTER_MODE_ZIGZAG as u8;
+/// The number of AUTO while it flies a landing sequence.
 pub(super) const AUTO_RTL: u8 = CopterMode::COPTER_MODE_AUTO_RTL as u8;
 
+/// `ArduCopter`'s number of a mode.
+const fn copter_number(id: ModeId) -> u8 {
+    let number = match id {
+        ModeId::Acro => CopterMode::COPTER_MODE_ACRO,
+        ModeId::AltHold => CopterMode::COPTER_MODE_ALT_HOLD,
+        ModeId::Auto => CopterMode::COPTER_MODE_AUTO,
+        ModeId::AutoTune => CopterMode::COPTER_MODE_AUTOTUNE,
+        ModeId::AutoRtl => CopterMode::COPTER_MODE_AUTO_RTL,
+        ModeId::Brake => CopterMode::COPTER_MODE_BRAKE,
+        ModeId::Circle => CopterMode::COPTER_MODE_CIRCLE,
+        ModeId::Drift => CopterMode::COPTER_MODE_DRIFT,
+        ModeId::Flip => CopterMode::COPTER_MODE_FLIP,
+        ModeId::FlowHold => CopterMode::COPTER_MODE_FLOWHOLD,
+        ModeId::Follow => CopterMode::COPTER_MODE_FOLLOW,
+        ModeId::Guided => CopterMode::COPTER_MODE_GUIDED,
+        ModeId::GuidedNoGps => CopterMode::COPTER_MODE_GUIDED_NOGPS,
+        ModeId::Land => CopterMode::COPTER_MODE_LAND,
+        ModeId::Loiter => CopterMode::COPTER_MODE_LOITER,
+        ModeId::PosHold => CopterMode::COPTER_MODE_POSHOLD,
+        ModeId::Rtl => CopterMode::COPTER_MODE_RTL,
+        ModeId::SmartRtl => CopterMode::COPTER_MODE_SMART_RTL,
+        ModeId::Stabilize => CopterMode::COPTER_MODE_STABILIZE,
+        ModeId::Throw => CopterMode::COPTER_MODE_THROW,
+        ModeId::Turtle => CopterMode::COPTER_MODE_TURTLE,
+        ModeId::ZigZag => CopterMode::COPTER_MODE_ZIGZAG,
+        ModeId::Dock
+        | ModeId::Hold
+        | ModeId::Initialising
+        | ModeId::Manual
+        | ModeId::Simple
+        | ModeId::Steering => panic!("a mode of another firmware"),
+    };
+    number as u8
+}
+
 /// All modes. The flags of a row are, in this order: autonomous, controls the height, armable.
-const MODES: &[Mode] = &[
+const COPTER: &[Mode] = &[
     mode(
-        STABILIZE,
+        ModeId::Stabilize,
         "STABILIZE",
         ModeEntry::Free,
         [false, false, true],
     ),
-    mode(ACRO, "ACRO", ModeEntry::Free, [false, false, true]),
-    mode(ALT_HOLD, "ALT_HOLD", ModeEntry::Free, [false, true, true]),
-    mode(AUTO, "AUTO", ModeEntry::Plan, [true, true, false]),
-    mode(GUIDED, "GUIDED", ModeEntry::Position, [true, true, true]),
-    mode(LOITER, "LOITER", ModeEntry::Position, [true, true, true]),
-    mode(RTL, "RTL", ModeEntry::Position, [true, true, false]),
-    mode(CIRCLE, "CIRCLE", ModeEntry::Position, [true, true, false]),
-    mode(LAND, "LAND", ModeEntry::Free, [false, true, false]),
-    mode(DRIFT, "DRIFT", ModeEntry::Position, [false, false, true]),
-    refused(FLIP, "FLIP", &["Mode change to FLIP failed: init failed"]),
+    mode(ModeId::Acro, "ACRO", ModeEntry::Free, [false, false, true]),
+    mode(
+        ModeId::AltHold,
+        "ALT_HOLD",
+        ModeEntry::Free,
+        [false, true, true],
+    ),
+    mode(ModeId::Auto, "AUTO", ModeEntry::Plan, [true, true, false]),
+    mode(
+        ModeId::Guided,
+        "GUIDED",
+        ModeEntry::Position,
+        [true, true, true],
+    ),
+    mode(
+        ModeId::Loiter,
+        "LOITER",
+        ModeEntry::Position,
+        [true, true, true],
+    ),
+    mode(ModeId::Rtl, "RTL", ModeEntry::Position, [true, true, false]),
+    mode(
+        ModeId::Circle,
+        "CIRCLE",
+        ModeEntry::Position,
+        [true, true, false],
+    ),
+    mode(ModeId::Land, "LAND", ModeEntry::Free, [false, true, false]),
+    mode(
+        ModeId::Drift,
+        "DRIFT",
+        ModeEntry::Position,
+        [false, false, true],
+    ),
     refused(
-        AUTOTUNE,
+        ModeId::Flip,
+        "FLIP",
+        &["Mode change to FLIP failed: init failed"],
+    ),
+    refused(
+        ModeId::AutoTune,
         "AUTOTUNE",
         &["Mode change to AUTOTUNE failed: init failed"],
     ),
-    mode(POSHOLD, "POSHOLD", ModeEntry::Position, [true, true, true]),
-    mode(BRAKE, "BRAKE", ModeEntry::Position, [true, true, false]),
+    mode(
+        ModeId::PosHold,
+        "POSHOLD",
+        ModeEntry::Position,
+        [true, true, true],
+    ),
+    mode(
+        ModeId::Brake,
+        "BRAKE",
+        ModeEntry::Position,
+        [true, true, false],
+    ),
     refused(
-        THROW,
+        ModeId::Throw,
         "THROW",
         &["Mode change to THROW failed: init failed"],
     ),
     mode(
-        GUIDED_NOGPS,
+        ModeId::GuidedNoGps,
         "GUIDED_NOGPS",
         ModeEntry::Free,
         [false, true, true],
     ),
     mode(
-        SMART_RTL,
+        ModeId::SmartRtl,
         "SMARTRTL",
         ModeEntry::Position,
         [true, true, false],
     ),
     refused(
-        FLOWHOLD,
+        ModeId::FlowHold,
         "FLOWHOLD",
         &["Mode change to FLOWHOLD failed: init failed"],
     ),
     refused(
-        FOLLOW,
+        ModeId::Follow,
         "FOLLOW",
         &[
             "Set FOLL_ENABLE = 1",
             "Mode change to FOLLOW failed: init failed",
         ],
     ),
-    mode(ZIGZAG, "ZIGZAG", ModeEntry::Position, [false, true, true]),
+    mode(
+        ModeId::ZigZag,
+        "ZIGZAG",
+        ModeEntry::Position,
+        [false, true, true],
+    ),
     refused(
-        AUTO_RTL,
+        ModeId::AutoRtl,
         "AUTO_RTL",
         &[
             "Unable to start landing sequence",
@@ -132,54 +230,73 @@ const MODES: &[Mode] = &[
         ],
     ),
     refused(
-        TURTLE,
+        ModeId::Turtle,
         "TURTLE",
         &["Mode change to TURTLE failed: init failed"],
     ),
 ];
 
-/// Every mode of the firmware, by number.
-pub(super) fn all() -> impl Iterator<Item = &'static Mode> {
-    MODES.iter()
+/// Every mode of a firmware, by number.
+pub(super) fn all(kind: VehicleKind) -> &'static [Mode] {
+    match kind {
+        VehicleKind::Copter => COPTER,
+        VehicleKind::Rover(_) => rover::MODES,
+    }
 }
 
 /// Whether the mode takes setpoints from a ground station.
-pub(super) fn is_guided(number: u8) -> bool {
-    matches!(number, GUIDED | GUIDED_NOGPS)
+pub(super) fn is_guided(id: ModeId) -> bool {
+    matches!(id, ModeId::Guided | ModeId::GuidedNoGps)
 }
 
 /// Whether a speed command takes effect in the mode.
-pub(super) fn changes_speed(number: u8) -> bool {
-    matches!(number, AUTO | GUIDED | RTL | GUIDED_NOGPS | SMART_RTL)
+pub(super) fn changes_speed(id: ModeId) -> bool {
+    is_guided(id) || follows_waypoints(id)
 }
 
-/// Whether the mode flies along waypoints, at the speeds of the parameters.
-pub(super) fn follows_waypoints(number: u8) -> bool {
-    matches!(number, AUTO | RTL | SMART_RTL)
+/// Whether the mode moves along waypoints, at the speeds of the parameters.
+pub(super) fn follows_waypoints(id: ModeId) -> bool {
+    matches!(id, ModeId::Auto | ModeId::Rtl | ModeId::SmartRtl)
 }
 
 /// Whether the mode takes off by command; `ALT_HOLD` does only if the vehicle need not hold its
 /// place.
-pub(super) fn takes_off(number: u8, navigates: bool) -> bool {
-    matches!(number, GUIDED | LOITER | POSHOLD | ZIGZAG) || (number == ALT_HOLD && !navigates)
+pub(super) fn takes_off(id: ModeId, navigates: bool) -> bool {
+    use ModeId::{AltHold, Guided, Loiter, PosHold, ZigZag};
+    matches!(id, Guided | Loiter | PosHold | ZigZag) || (id == AltHold && !navigates)
 }
 
 impl Mode {
-    /// The mode in which the vehicle boots.
-    pub(super) const BOOT: Self = MODES[0];
+    /// The mode in which a vehicle boots.
+    pub(super) fn boot(kind: VehicleKind) -> Self {
+        match kind {
+            VehicleKind::Copter => COPTER[0],
+            VehicleKind::Rover(_) => rover::MODES[0],
+        }
+    }
 
     /// Whether the mode can never be entered; `AUTO_RTL` can, with a mission that has a landing.
     pub(super) fn is_always_refused(&self) -> bool {
-        matches!(self.entry, ModeEntry::Refused(_)) && self.number != AUTO_RTL
+        matches!(self.entry, ModeEntry::Refused(_)) && self.id != ModeId::AutoRtl
     }
 
-    /// Whether the mode flies by the horizontal position.
+    /// Whether a rover reports that a pilot's sticks steer it; SIMPLE, where they also do, does not.
+    pub(super) fn is_steered(&self) -> bool {
+        matches!(self.id, ModeId::Manual | ModeId::Acro | ModeId::Steering)
+    }
+
+    /// Whether the mode moves by the horizontal position.
     pub(super) fn needs_position(&self) -> bool {
         matches!(self.entry, ModeEntry::Position | ModeEntry::Plan)
     }
 
-    /// The mode with a number, if the firmware has it.
-    pub(super) fn numbered(number: u8) -> Option<Self> {
-        MODES.iter().copied().find(|mode| mode.number == number)
+    /// The mode of a firmware with a number.
+    pub(super) fn numbered(kind: VehicleKind, number: u8) -> Option<Self> {
+        all(kind).iter().copied().find(|mode| mode.number == number)
+    }
+
+    /// The mode of a firmware that does something.
+    pub(super) fn of(kind: VehicleKind, id: ModeId) -> Option<Self> {
+        all(kind).iter().copied().find(|mode| mode.id == id)
     }
 }

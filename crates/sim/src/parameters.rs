@@ -6,7 +6,8 @@ mod table;
 use mavlink::dialects::ardupilotmega::{MavMessage, MavParamType, PARAM_VALUE_DATA};
 use mavlink::types::CharArray;
 
-use self::table::{SubTree, TABLE};
+use self::table::{ParameterTable, SubTree};
+use super::kind::VehicleKind;
 pub use aliases::{AliasSense, other_name};
 
 /// The index in the answer to a parameter that was requested or set by name.
@@ -62,6 +63,7 @@ pub(super) struct Parameter {
 /// stores only the values that differ.
 #[derive(Debug, Clone)]
 pub(super) struct Parameters {
+    kind: VehicleKind,
     /// Places in the table with values other than those of the first boot, in ascending order.
     changed: Vec<(u16, f32)>,
     /// Values that return at the next boot, since the present ones are not stored.
@@ -70,8 +72,9 @@ pub(super) struct Parameters {
 
 impl Parameters {
     /// All parameters at their defaults, with the vehicle's own system id.
-    pub(super) fn new(system: u8) -> Self {
+    pub(super) fn new(kind: VehicleKind, system: u8) -> Self {
         let mut all = Self {
+            kind,
             changed: Vec::new(),
             stored: Vec::new(),
         };
@@ -79,16 +82,26 @@ impl Parameters {
         all
     }
 
+    fn table(&self) -> &'static ParameterTable {
+        ParameterTable::of(self.kind)
+    }
+
+    /// The kind of vehicle whose parameters these are.
+    pub(super) fn kind(&self) -> VehicleKind {
+        self.kind
+    }
+
     /// The switches of sub-trees.
-    pub(super) fn switches() -> impl Iterator<Item = &'static str> {
-        let trees = TABLE.sub_trees.iter();
-        trees.filter_map(|tree| TABLE.rows.get(usize::from(tree.switch)).map(|row| row.name))
+    pub(super) fn switches(&self) -> impl Iterator<Item = &'static str> {
+        let table = self.table();
+        let trees = table.sub_trees.iter();
+        trees.filter_map(|tree| table.rows.get(usize::from(tree.switch)).map(|row| row.name))
     }
 
     /// The number of parameters in the list, which changes with the switches of sub-trees.
     pub(super) fn count(&self) -> u16 {
         let hidden: u16 = self.hidden().map(|tree| tree.count).sum();
-        TABLE.rows.len() as u16 - hidden
+        self.table().rows.len() as u16 - hidden
     }
 
     /// The parameter at an index of the list; `None` beyond its end.
@@ -105,12 +118,12 @@ impl Parameters {
 
     /// The sub-trees that are not listed, in ascending order.
     fn hidden(&self) -> impl Iterator<Item = &'static SubTree> {
-        let trees = TABLE.sub_trees.iter();
+        let trees = self.table().sub_trees.iter();
         trees.filter(|tree| self.value_in_place(tree.switch) == 0.0)
     }
 
     fn in_place(&self, place: u16) -> Option<Parameter> {
-        let row = TABLE.rows.get(usize::from(place))?;
+        let row = self.table().rows.get(usize::from(place))?;
         Some(Parameter {
             name: row.name,
             kind: row.kind,
@@ -125,7 +138,7 @@ impl Parameters {
         let at = self.changed_place(place).ok();
         let changed = at.and_then(|at| self.changed.get(at));
         let first = || {
-            TABLE
+            self.table()
                 .rows
                 .get(usize::from(place))
                 .map_or(0.0, |row| row.first)
@@ -148,7 +161,7 @@ impl Parameters {
     /// The parameter with a name of either firmware; `None` for an unknown name. Case does not
     /// matter.
     pub(super) fn named(&self, name: &str) -> Option<Parameter> {
-        if let Some(index) = TABLE.place(name) {
+        if let Some(index) = self.table().place(name) {
             return self.in_place(index as u16);
         }
         let (alias, own, sense) = aliases::older(name)?;
@@ -229,13 +242,16 @@ impl Parameters {
         self.changed.binary_search_by_key(&place, |(own, _)| *own)
     }
 
-    /// The value of a parameter of the table.
+    /// The value of a parameter; 0 for one that only another kind of vehicle has.
     pub(super) fn value(&self, name: &str) -> f64 {
-        if let Some(place) = TABLE.place(name) {
+        if let Some(place) = self.table().place(name) {
             return f64::from(self.value_in_place(place as u16));
         }
         let found = self.named(name);
-        debug_assert!(found.is_some(), "no parameter {name}");
+        debug_assert!(
+            found.is_some() || ParameterTable::is_known(name),
+            "no parameter {name}"
+        );
         found.map_or(0.0, |parameter| f64::from(parameter.value))
     }
 
@@ -251,7 +267,7 @@ mod tests {
 
     #[test]
     fn integers_are_truncated_and_names_ignore_case() {
-        let mut all = Parameters::new(3);
+        let mut all = Parameters::new(VehicleKind::Copter, 3);
         let stored = all.set("rtl_alt", 1500.7).expect("known");
         assert!((stored.value - 1500.0).abs() < f32::EPSILON);
         assert_eq!(all.value("SYSID_THISMAV") as u8, 3);
@@ -261,7 +277,7 @@ mod tests {
 
     #[test]
     fn a_value_that_is_not_stored_lasts_until_the_next_boot() {
-        let mut all = Parameters::new(1);
+        let mut all = Parameters::new(VehicleKind::Copter, 1);
         all.set("SR0_POSITION", 2.0);
         all.set_until_boot("SR0_POSITION", 4.0);
         all.set_until_boot("SR0_POSITION", 5.0);
@@ -275,7 +291,7 @@ mod tests {
 
     #[test]
     fn a_sub_tree_is_listed_after_its_switch_while_that_is_on() {
-        let mut all = Parameters::new(1);
+        let mut all = Parameters::new(VehicleKind::Copter, 1);
         let before = all.count();
         let names = |all: &Parameters| -> Vec<_> {
             let listed = (0..all.count()).filter_map(|index| all.at(index));
@@ -335,15 +351,15 @@ mod tests {
 
     #[test]
     fn every_newer_name_sets_and_reads_an_old_parameter() {
-        let old_names = (0..Parameters::new(1).count()).filter_map(|index| {
-            let own = Parameters::new(1).at(index)?.name;
+        let old_names = (0..Parameters::new(VehicleKind::Copter, 1).count()).filter_map(|index| {
+            let own = Parameters::new(VehicleKind::Copter, 1).at(index)?.name;
             let (newer, sense) = aliases::other_name(own)?;
             Some((newer, own, sense))
         });
         let old_names: Vec<_> = old_names.collect();
         assert!(old_names.len() > 20, "{old_names:?}");
         for (newer, own, sense) in old_names {
-            let mut all = Parameters::new(1);
+            let mut all = Parameters::new(VehicleKind::Copter, 1);
             for value in [0.0, 1.0] {
                 let set = all.set(&newer.to_lowercase(), value).expect("known");
                 assert_eq!((set.name, set.value.to_bits()), (newer, value.to_bits()));

@@ -13,6 +13,7 @@ pub(super) use self::switches::{
     ARM_OR_EMERGENCY_STOP, MOTOR_EMERGENCY_STOP, MOTOR_INTERLOCK, SwitchMove, SwitchPosition,
 };
 use super::estimator::RadioFault;
+use super::kind::VehicleKind;
 use super::parameters::Parameters;
 
 /// Channels that can be overridden.
@@ -101,7 +102,7 @@ impl RadioRules {
             } else {
                 Some(Duration::from_secs_f64(lasts_s.min(1e6)))
             },
-            mode_channel: all.value("FLTMODE_CH") as usize,
+            mode_channel: all.value(all.kind().mode_channel()) as usize,
             rudder_arms: all.value("ARMING_RUDDER") > 0.0,
             functions: std::array::from_fn(|channel| {
                 all.value(&format!("RC{}_OPTION", channel + 1)) as u16
@@ -169,6 +170,7 @@ impl Sticks {
 /// The latest input of the transmitter, or of ground stations that override it.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Radio {
+    kind: VehicleKind,
     overrides: [(u16, Duration); CHANNELS],
     /// The latest time at which overrides end.
     pub(super) until: Duration,
@@ -183,10 +185,11 @@ pub(super) struct Radio {
     overrides_off: bool,
 }
 
-impl Default for Radio {
-    fn default() -> Self {
+impl Radio {
+    pub(super) fn new(kind: VehicleKind) -> Self {
         let rest = switch_position(Sticks::RELEASED.channels_us[4]);
         Self {
+            kind,
             overrides: [(0, Duration::ZERO); CHANNELS],
             until: Duration::ZERO,
             switch: (rest, 0),
@@ -206,12 +209,21 @@ impl Radio {
         if now < self.until {
             self.overridden(now)
         } else {
-            Sticks::RELEASED
+            self.released()
         }
     }
 
-    fn overridden(&self, now: Duration) -> Sticks {
+    /// The sticks without a transmitter: a rover's throttle is centred.
+    fn released(&self) -> Sticks {
         let mut sticks = Sticks::RELEASED;
+        if self.kind != VehicleKind::Copter {
+            sticks.channels_us[2] = sticks.channels_us[0];
+        }
+        sticks
+    }
+
+    fn overridden(&self, now: Duration) -> Sticks {
+        let mut sticks = self.released();
         for (channel, (pulse_us, until)) in sticks.channels_us.iter_mut().zip(&self.overrides) {
             if now < *until && *pulse_us != 0 {
                 *channel = *pulse_us;
@@ -354,9 +366,10 @@ impl Radio {
         moved
     }
 
-    /// The parameter with the mode of the switch's position: `FLTMODE1` to 6; `None` before it was read.
+    /// The parameter with the mode of the switch's position: `FLTMODE1` to 6, or `MODE1` to 6; `None` before it was read.
     pub(super) fn mode_parameter(&self) -> Option<String> {
-        Some(format!("FLTMODE{}", self.obeyed? + 1))
+        let parameters = self.kind.mode_parameters();
+        Some(format!("{parameters}{}", self.obeyed? + 1))
     }
 
     /// The position of the mode switch, from 0; `None` before it was read.
@@ -393,7 +406,7 @@ mod tests {
 
     #[test]
     fn sticks_are_read_with_their_dead_zones() {
-        let rules = RadioRules::read(&Parameters::new(1));
+        let rules = RadioRules::read(&Parameters::new(crate::VehicleKind::Copter, 1));
         let [roll, _, throttle, _] = rules.sticks;
         // A stick at 1300 leans by 0.375 of the maximum: 11.25 of 30 degrees.
         assert!((roll.off_centre(1300) + 0.375).abs() < 1e-9);

@@ -2,6 +2,8 @@
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
+use super::mode::ModeId;
+
 /// One request; a part lists them in the order in which they must be carried out.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Reaction {
@@ -19,7 +21,7 @@ pub(super) enum Reaction {
     /// Compensates for a lost motor with more thrust than usual.
     BoostThrust,
     /// Enters the first of these modes that can be entered.
-    EnterFirst(&'static [u8]),
+    EnterFirst(&'static [ModeId]),
 }
 
 impl Reaction {
@@ -40,6 +42,10 @@ pub(super) enum FailsafeAction {
     Terminate,
     PlannedLanding,
     BrakeOrLand,
+    /// Only rovers: stops.
+    Hold,
+    /// Only rovers: back along the path, or stops.
+    PathBackOrHold,
 }
 
 impl FailsafeAction {
@@ -57,14 +63,26 @@ impl FailsafeAction {
         }
     }
 
+    /// `ArduRover`'s action with a number, in `FS_ACTION`, `BATT_FS_*_ACT` and `FENCE_ACTION`.
+    pub(super) fn of_rover(number: i32) -> Self {
+        match number {
+            1 => Self::Return,
+            2 => Self::Hold,
+            3 => Self::PathBackOrReturn,
+            4 => Self::PathBackOrHold,
+            5 => Self::Terminate,
+            _ => Self::Nothing,
+        }
+    }
+
     /// The urgency of the action: 0 is the most urgent. The action of the battery's second level
     /// must not undo that of the first.
     pub(super) fn priority(self) -> u8 {
         match self {
             Self::Terminate => 0,
-            Self::Land => 1,
+            Self::Land | Self::Hold => 1,
             Self::Return => 2,
-            Self::PathBackOrLand => 3,
+            Self::PathBackOrLand | Self::PathBackOrHold => 3,
             Self::PathBackOrReturn => 4,
             Self::Nothing => 5,
             Self::PlannedLanding | Self::BrakeOrLand => 6,

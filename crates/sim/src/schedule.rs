@@ -354,7 +354,7 @@ mod tests {
         schedule.set_stream(0, 0, Duration::ZERO);
         assert_eq!(schedule.interval_us(GLOBAL_POSITION_INT_DATA::ID), -1);
         schedule.set(HEARTBEAT, 500_000, Duration::ZERO);
-        let mut parameters = Parameters::new(1);
+        let mut parameters = Parameters::new(crate::VehicleKind::Copter, 1);
         parameters.set("SR1_EXTRA1", 4.0);
         for id in [HEARTBEAT, ATTITUDE_DATA::ID, VFR_HUD_DATA::ID] {
             schedule.set_default(id, Serial::One, &parameters, Duration::ZERO);

@@ -2,6 +2,7 @@
 
 mod attitude;
 mod auto;
+mod drive;
 mod landing;
 mod piloted;
 mod returning;
@@ -14,6 +15,7 @@ use glam::{DVec2, DVec3};
 
 pub(super) use attitude::{Attitude, Lift};
 pub(super) use auto::{AutoRules, Orbit, Route, stopping_point};
+pub(super) use drive::{Drive, DriveNews, DriveSetpoint, Loiter, SetpointCourse, on_surface};
 pub(super) use landing::Landing;
 pub(super) use piloted::{LineEnd, Pilot, PilotRules};
 pub(super) use returning::Returning;
@@ -112,6 +114,8 @@ pub(super) enum Task {
     Piloted,
     /// A pilot's throttle drives the motors directly.
     Manual,
+    /// What only rovers do.
+    Drive(Drive),
 }
 
 /// A circle that is being flown.
@@ -159,7 +163,8 @@ impl Task {
             | Self::Route(_)
             | Self::Orbit(_)
             | Self::Piloted
-            | Self::Manual => 0,
+            | Self::Manual
+            | Self::Drive(_) => 0,
         }
     }
 
@@ -179,7 +184,8 @@ impl Task {
             | Self::Route(_)
             | Self::Orbit(_)
             | Self::Piloted
-            | Self::Manual => None,
+            | Self::Manual
+            | Self::Drive(_) => None,
         }
     }
 
@@ -197,7 +203,8 @@ impl Task {
             | Self::Return(_)
             | Self::Land(_)
             | Self::Circle(_)
-            | Self::Orbit(_) => false,
+            | Self::Orbit(_)
+            | Self::Drive(_) => false,
         }
     }
 
@@ -217,7 +224,7 @@ impl Task {
 
     pub(super) fn step(&mut self, cockpit: &mut Cockpit<'_>) -> Act {
         match self {
-            Self::Wait => return Act::Idle,
+            Self::Wait | Self::Drive(_) => return Act::Idle,
             Self::Takeoff(takeoff) => return takeoff.step(cockpit),
             Self::Land(landing) => return landing.step(cockpit),
             Self::Return(returning) => return returning.step(cockpit),

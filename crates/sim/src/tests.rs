@@ -5,6 +5,8 @@ mod answers;
 mod arming;
 mod batteries;
 mod booting;
+mod driven;
+mod driving;
 mod failsafes;
 mod faults;
 mod files;
@@ -30,6 +32,13 @@ use super::*;
 use sortie_geo::LatLon;
 
 pub(super) use ground::Ground;
+
+/// A rover that has just been switched on.
+pub(super) fn rover() -> autopilot::Autopilot {
+    let airframe = Airframe::shared_default();
+    let kind = VehicleKind::Rover(Chassis::Ackermann);
+    autopilot::Autopilot::new(kind, 1, start(), airframe, wind::Wind::new(0, 0))
+}
 
 /// The field at Canberra where the real vehicle was measured.
 pub(super) fn start() -> Start {

@@ -4,6 +4,7 @@
 mod flight;
 mod fly;
 mod plant;
+mod roll;
 mod traffic;
 
 use std::sync::Arc;
@@ -18,12 +19,13 @@ use super::adsb::Adsb;
 use super::airframe::Airframe;
 use super::arming::Safety;
 use super::body::Body;
-use super::boot::{self, Boot};
+use super::boot::Boot;
 use super::estimator::Estimator;
 use super::failsafe::RadioInputs;
 use super::fence::{Geofence, severity};
 use super::flight_log::{self, FlightLog, LogInputs, LogSample};
-use super::mode;
+use super::kind::VehicleKind;
+use super::mode::ModeId;
 use super::parameters::{BY_NAME, Parameters};
 use super::place::{LocalDatum, Place};
 use super::plan::Plans;
@@ -35,9 +37,13 @@ use super::wind::Wind;
 use super::yaw::YawDemand;
 use super::{STEP, Start, texts};
 
+/// The current of a rover at full throttle.
+const ROVER_FULL_CURRENT_A: f64 = 50.0;
+
 /// The properties that survive a reboot.
 #[derive(Debug)]
 pub(super) struct Build {
+    pub(super) kind: VehicleKind,
     pub(super) system: u8,
     pub(super) board_id: u64,
     pub(super) airframe: Arc<Airframe>,
@@ -46,6 +52,7 @@ pub(super) struct Build {
 
 #[derive(Debug, Clone)]
 pub(super) struct Vehicle {
+    pub(super) kind: VehicleKind,
     pub(super) system: u8,
     pub(super) board_id: u64,
     pub(super) parameters: Parameters,
@@ -77,20 +84,21 @@ impl Vehicle {
         let adsb = Adsb::booted(parameters.value("SIM_ADSB_COUNT"), build.board_id);
         let plant = Plant::resting(build.airframe, wind, &build.start, tuning.battery_set_v);
         Self {
+            kind: build.kind,
             system: build.system,
             board_id: build.board_id,
             parameters,
             estimator: Estimator::new(build.board_id),
             datum: LocalDatum::at(build.start),
-            flight: FlightState::resting(&plant.body),
+            flight: FlightState::resting(build.kind, &plant.body),
             tuning: Arc::new(tuning),
             plant,
             safety: Safety::default(),
             fence: Geofence::default(),
             plans: Plans::default(),
-            radio: Radio::default(),
+            radio: Radio::new(build.kind),
             servos_us: [0; 16],
-            boot: Boot::new(false),
+            boot: Boot::new(build.kind, false),
             log: FlightLog::default(),
             adsb,
             outbox: Vec::new(),
@@ -137,10 +145,15 @@ impl Vehicle {
         self.log.note(text, now);
     }
 
-    /// Version, board and frame, as three texts.
+    /// Version, board and frame, each as a text.
     pub(super) fn say_banner(&mut self) {
         let board = format!("{:016x}{:016x}", self.board_id, u64::from(self.system));
-        for text in [boot::VERSION, board.as_str(), "Frame: QUAD/PLUS"] {
+        let texts = [
+            Some(self.kind.version()),
+            Some(board.as_str()),
+            self.kind.frame_text(),
+        ];
+        for text in texts.into_iter().flatten() {
             self.say(MavSeverity::MAV_SEVERITY_INFO, text);
         }
     }
@@ -264,7 +277,7 @@ impl Vehicle {
             return false;
         }
         self.safety.disarm();
-        self.say(MavSeverity::MAV_SEVERITY_INFO, "Disarming motors");
+        self.say(MavSeverity::MAV_SEVERITY_INFO, self.kind.disarmed_text());
         if self.plant.body.on_ground {
             self.safety.landed = true;
             self.plant.body.throttle = 0.0;
@@ -285,6 +298,16 @@ impl Vehicle {
         let boot_us = self.uptime().as_micros() as u64;
         self.outbox.extend(self.datum.global_origin(boot_us));
         self.outbox.extend(self.datum.home_position(boot_us));
+    }
+
+    /// Reports a home that was set by a command, as a rover does.
+    pub(super) fn tell_home(&mut self) {
+        if let (VehicleKind::Rover(_), Some(home)) = (self.kind, self.datum.home()) {
+            let (lat, lon) = (home.at.lat_deg, home.at.lon_deg);
+            let altitude_m = home.altitude_amsl_m;
+            let text = format!("Set HOME to {lat:.5} {lon:.4} at {altitude_m:.2}m");
+            self.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        }
     }
 
     /// Sets home to the current place, also for `SMART_RTL`.
@@ -311,7 +334,7 @@ impl Vehicle {
 
     /// Drops a breadcrumb when one is due.
     pub(super) fn watch_trail(&mut self) {
-        if !self.safety.armed || self.flight.mode.number == mode::SMART_RTL {
+        if !self.safety.armed || self.flight.mode.id == ModeId::SmartRtl {
             return;
         }
         let here_m = self.is_ready().then(|| self.believed().position_m);
@@ -346,6 +369,17 @@ impl Vehicle {
     pub(super) fn may_fly_to(&self, point_m: DVec3) -> bool {
         let rules = &self.tuning.flight.fence;
         self.fence.allows(rules, point_m, self.datum.home_point())
+    }
+
+    /// The power that the motors draw, in watts.
+    pub(super) fn power_w(&self) -> f64 {
+        match self.kind {
+            VehicleKind::Copter => self.plant.power_w(),
+            VehicleKind::Rover(_) => {
+                let throttle = self.plant.body.throttle.abs();
+                throttle * ROVER_FULL_CURRENT_A * self.plant.battery.voltage_v
+            }
+        }
     }
 
     /// The remaining charge of the battery, in milliampere hours.

@@ -200,6 +200,7 @@ impl RunningSession {
                 let start = backend.simulation.free.start.unwrap_or(FREE_FLIGHT_START);
                 let row = WorldConfig {
                     seed: backend.seed,
+                    kinds: backend.simulation.free.embedded().into_iter().collect(),
                     ..WorldConfig::row(usize::from(backend.vehicles), start)
                 };
                 self.simulate(row, backend, before).await?;

@@ -10,7 +10,8 @@ use crate::boot::Boot;
 use crate::cmd;
 use crate::estimator::{Estimator, Faults, GpsUnused};
 use crate::failsafe::{Failsafe, FailsafeRules, is_over};
-use crate::mode::{self, Mode};
+use crate::kind::VehicleKind;
+use crate::mode::{Mode, ModeId};
 use crate::parameters::Parameters;
 use crate::plan::Item;
 
@@ -58,6 +59,8 @@ enum Check {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct ArmingRules {
     checks: u32,
+    /// A rover's `WP_SPEED`, its only parameter that is checked; `None` for a copter.
+    rover_speed_m_s: Option<f64>,
     throttle_min_us: f64,
     angle_max_cdeg: f64,
     pilot_up_cm_s: f64,
@@ -76,6 +79,7 @@ impl ArmingRules {
     pub(crate) fn read(all: &Parameters) -> Self {
         Self {
             checks: all.value("ARMING_CHECK") as i64 as u32,
+            rover_speed_m_s: (all.kind() != VehicleKind::Copter).then(|| all.value("WP_SPEED")),
             throttle_min_us: all.value("RC3_MIN"),
             angle_max_cdeg: all.value("ANGLE_MAX"),
             pilot_up_cm_s: all.value("PILOT_SPEED_UP"),
@@ -88,7 +92,11 @@ impl ArmingRules {
             .any(|(balance, gain)| all.value(balance) > all.value(gain)),
             return_above_terrain: all.value("RTL_ALT_TYPE") as i32 == 1,
             has_terrain: all.value("TERRAIN_ENABLE") > 0.0,
-            hdop_max: all.value("GPS_HDOP_GOOD"),
+            // A rover does not check the precision.
+            hdop_max: match all.kind() {
+                VehicleKind::Copter => all.value("GPS_HDOP_GOOD"),
+                VehicleKind::Rover(_) => f64::INFINITY,
+            },
             mission_items: all.value("ARMING_MIS_ITEMS") as i32,
             values: ValueChecks::read(all),
         }
@@ -208,12 +216,14 @@ impl ArmingChecks<'_> {
     pub(crate) fn last_obstacle(&self, method: ArmingMethod) -> Option<Reason> {
         let by_itself = method == ArmingMethod::Command
             && matches!(
-                self.mode.number,
-                mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO
+                self.mode.id,
+                ModeId::Guided | ModeId::GuidedNoGps | ModeId::Auto
             );
         let drives_motors = !self.mode.controls_height;
         let high = self.throttle_us > CLIMB_US || (drives_motors && !self.throttle_is_down);
-        (self.rules.has(Check::Radio) && high && !by_itself).then(|| "Throttle too high".into())
+        let flies = self.rules.rover_speed_m_s.is_none();
+        (flies && self.rules.has(Check::Radio) && high && !by_itself)
+            .then(|| "Throttle too high".into())
     }
 
     /// Whether the positions of sticks and switches are checked: a lost remote control has none.
@@ -226,6 +236,11 @@ impl ArmingChecks<'_> {
         let rules = self.rules;
         let failsafes = self.failsafe_rules;
         let mut reasons = Vec::new();
+        if let Some(speed_m_s) = rules.rover_speed_m_s {
+            let is_low = rules.has(Check::Parameters) && speed_m_s <= 0.0;
+            reasons.extend(is_low.then(|| "WP_SPEED too low".into()));
+            return reasons;
+        }
         if rules.has(Check::Parameters) {
             let low_us = failsafes.radio_low_us;
             let margin = rules.throttle_min_us <= low_us + THROTTLE_MARGIN_US;
@@ -287,7 +302,7 @@ impl ArmingChecks<'_> {
                 return Some("No sufficiently close rally point located".into());
             }
         }
-        (self.mode.number == mode::AUTO && self.mission.len() < 2)
+        (self.mode.id == ModeId::Auto && self.mission.len() < 2)
             .then(|| "Mode requires mission".into())
     }
 
@@ -398,7 +413,8 @@ impl ArmingChecks<'_> {
             }
         }
         reasons.extend(self.calibration_obstacle());
-        if rules.has(Check::Voltage) && self.failsafe.battery_is_down() {
+        let flies = rules.rover_speed_m_s.is_none();
+        if flies && rules.has(Check::Voltage) && self.failsafe.battery_is_down() {
             reasons.push("Battery failsafe".into());
         }
     }

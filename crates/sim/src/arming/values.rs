@@ -2,6 +2,7 @@
 //! when one changes.
 
 use super::reason::Reason;
+use crate::kind::VehicleKind;
 use crate::parameters::Parameters;
 
 /// Frames of a multicopter (`FRAME_CLASS`): quad, hexa, octa, octa quad, Y6, tri, dodecahexa, deca.
@@ -33,9 +34,11 @@ pub(super) struct ValueChecks {
 
 impl ValueChecks {
     pub(super) fn read(all: &Parameters) -> Self {
+        let flies = all.kind() == VehicleKind::Copter;
+        let motors = flies.then(|| motors(all)).flatten();
         Self {
-            motors: motors(all).map(|reason| format!("Motors: {reason}").into()),
-            controllers: controllers(all),
+            motors: motors.map(|reason| format!("Motors: {reason}").into()),
+            controllers: flies.then(|| controllers(all)).flatten(),
             sticks: sticks(all),
             servos: servos(all),
             sources: [true, false].map(|with_position| source(all, with_position)),
@@ -113,12 +116,15 @@ fn controllers(all: &Parameters) -> Option<Reason> {
 fn sticks(all: &Parameters) -> Vec<Reason> {
     let mut reasons = Vec::new();
     let of = |channel: usize, what: &str| all.value(&format!("RC{channel}_{what}"));
-    let names = [
-        ("Roll", "RCMAP_ROLL"),
-        ("Pitch", "RCMAP_PITCH"),
-        ("Throttle", "RCMAP_THROTTLE"),
-        ("Yaw", "RCMAP_YAW"),
-    ];
+    let names: &[_] = match all.kind() {
+        VehicleKind::Copter => &[
+            ("Roll", "RCMAP_ROLL"),
+            ("Pitch", "RCMAP_PITCH"),
+            ("Throttle", "RCMAP_THROTTLE"),
+            ("Yaw", "RCMAP_YAW"),
+        ],
+        VehicleKind::Rover(_) => &[("Steer", "RCMAP_ROLL"), ("Throttle", "RCMAP_THROTTLE")],
+    };
     for (stick, map) in names {
         let channel = (all.value(map) as usize).clamp(1, SERVOS);
         if of(channel, "MIN") > STICK_MIN_US {

@@ -3,6 +3,7 @@
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{AutoPlan, FIRST, PlanAction, PlanState, PlanWait, sequence};
+use crate::kind::VehicleKind;
 use crate::task::{Route, Task};
 use crate::vehicle::Vehicle;
 
@@ -168,7 +169,9 @@ impl AutoPlan {
     pub(super) fn complete(&mut self, vehicle: &mut Vehicle) {
         self.state = PlanState::Complete;
         self.wait = PlanWait::Nothing;
-        if vehicle.safety.landed || vehicle.landing_is_over() {
+        if vehicle.kind != VehicleKind::Copter {
+            self.park(vehicle);
+        } else if vehicle.safety.landed || vehicle.landing_is_over() {
             self.disarm(vehicle);
         } else {
             let route = vehicle.with_cockpit(|_, cockpit| Route::standing(cockpit));

@@ -9,6 +9,7 @@ use super::place::{item_down_m, item_place, item_point, reference_point};
 use super::{AutoPlan, PlanWait, command, sequence};
 use crate::cmd;
 use crate::flight_log::EPOCH_US;
+use crate::kind::VehicleKind;
 use crate::place::Place;
 use crate::plan::Item;
 use crate::task::{Landing, Orbit, Returning, Route, Takeoff, Task};
@@ -29,19 +30,26 @@ impl AutoPlan {
             return false;
         };
         self.nav_item = item;
+        match vehicle.kind {
+            VehicleKind::Copter => self.start_flying(vehicle, at, &item),
+            VehicleKind::Rover(_) => self.start_driving(vehicle, at, &item),
+        }
+    }
+
+    fn start_flying(&mut self, vehicle: &mut Vehicle, at: u16, item: &Item) -> bool {
         match item.command {
-            cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => self.begin_takeoff(vehicle, &item),
-            cmd::NAV_WAYPOINT | cmd::NAV_SPLINE_WAYPOINT => self.begin_waypoint(vehicle, at, &item),
-            cmd::NAV_LAND | cmd::NAV_VTOL_LAND => self.begin_landing(vehicle, &item),
-            cmd::NAV_LOITER_UNLIM => self.begin_loiter(vehicle, &item, PlanWait::Nothing),
-            cmd::NAV_LOITER_TIME => self.begin_loiter(vehicle, &item, PlanWait::Stay(None)),
-            cmd::NAV_LOITER_TURNS => self.begin_circle(vehicle, &item),
+            cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => self.begin_takeoff(vehicle, item),
+            cmd::NAV_WAYPOINT | cmd::NAV_SPLINE_WAYPOINT => self.begin_waypoint(vehicle, at, item),
+            cmd::NAV_LAND | cmd::NAV_VTOL_LAND => self.begin_landing(vehicle, item),
+            cmd::NAV_LOITER_UNLIM => self.begin_loiter(vehicle, item, PlanWait::Nothing),
+            cmd::NAV_LOITER_TIME => self.begin_loiter(vehicle, item, PlanWait::Stay(None)),
+            cmd::NAV_LOITER_TURNS => self.begin_circle(vehicle, item),
             cmd::NAV_LOITER_TO_ALT => {
                 let wait = PlanWait::Height {
-                    down_m: item_down_m(vehicle, &item),
+                    down_m: item_down_m(vehicle, item),
                     left_m: None,
                 };
-                self.begin_loiter(vehicle, &item, wait);
+                self.begin_loiter(vehicle, item, wait);
             }
             cmd::NAV_RETURN_TO_LAUNCH => {
                 let returning = vehicle.with_cockpit(|_, cockpit| Returning::new(cockpit));
@@ -53,7 +61,7 @@ impl AutoPlan {
                     self.fly_task(vehicle, Task::STOP, PlanWait::Guided);
                 }
             }
-            cmd::NAV_DELAY => self.begin_delay(vehicle, &item),
+            cmd::NAV_DELAY => self.begin_delay(vehicle, item),
             _ => return false,
         }
         true
@@ -228,7 +236,7 @@ impl AutoPlan {
         self.wait = PlanWait::Nothing;
     }
 
-    fn begin_delay(&mut self, vehicle: &mut Vehicle, item: &Item) {
+    pub(super) fn begin_delay(&mut self, vehicle: &mut Vehicle, item: &Item) {
         let seconds = if item.params[0] > 0.0 {
             f64::from(item.params[0]).min(1e6)
         } else {
@@ -302,6 +310,10 @@ fn change_mission_speed(vehicle: &mut Vehicle, item: &Item) {
         CLIMB => vehicle.flight.speeds.up_m_s = Some(speed),
         DESCENT => vehicle.flight.speeds.down_m_s = Some(speed),
         _ => vehicle.flight.speeds.ground_m_s = Some(speed.max(0.2)),
+    }
+    if vehicle.kind != VehicleKind::Copter {
+        let text = format!("speed: {speed:.1} m/s");
+        vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
     }
 }
 

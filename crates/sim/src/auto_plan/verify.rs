@@ -7,6 +7,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{AutoPlan, PlanWait, command, sequence};
 use crate::cmd;
+use crate::kind::VehicleKind;
 use crate::kinematics::square_root;
 use crate::plan::Item;
 use crate::task::{Landing, Task};
@@ -19,8 +20,20 @@ const HEIGHT_REACHED_M: f64 = 0.05;
 impl AutoPlan {
     /// Whether the navigation command is over; if so, fills the slot of reached items.
     pub(super) fn navigation_is_over(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
+        let over = match vehicle.kind {
+            VehicleKind::Copter => self.flight_is_over(vehicle, at),
+            VehicleKind::Rover(_) => self.drive_is_over(vehicle, at),
+        };
+        // The end of a climb or descent at a place is not reported.
+        if over && self.nav_item.command != cmd::NAV_LOITER_TO_ALT {
+            self.reached = Some(at);
+        }
+        over
+    }
+
+    fn flight_is_over(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
         let item = self.nav_item;
-        let over = match item.command {
+        match item.command {
             cmd::NAV_TAKEOFF | cmd::NAV_VTOL_TAKEOFF => {
                 matches!(&vehicle.flight.task, Task::Takeoff(takeoff) if takeoff.reached)
             }
@@ -29,18 +42,14 @@ impl AutoPlan {
             }
             cmd::NAV_LAND | cmd::NAV_VTOL_LAND => self.has_landed(vehicle, at),
             cmd::NAV_LOITER_TURNS => self.has_turned(vehicle, &item),
-            cmd::NAV_LOITER_TO_ALT => return self.has_height(vehicle),
+            cmd::NAV_LOITER_TO_ALT => self.has_height(vehicle),
             cmd::NAV_RETURN_TO_LAUNCH => vehicle.landing_is_over(),
             cmd::NAV_GUIDED_ENABLE => item.params[0] as u16 == 0,
             cmd::NAV_DELAY => {
                 matches!(self.wait, PlanWait::Until(until) if vehicle.uptime() >= until)
             }
             _ => false,
-        };
-        if over {
-            self.reached = Some(at);
         }
-        over
     }
 
     /// Whether the action or condition is complete.
@@ -59,7 +68,9 @@ impl AutoPlan {
             cmd::CONDITION_DISTANCE => {
                 distance_to_goal_m(vehicle) < f64::from(item.params[0]).max(0.0)
             }
-            cmd::CONDITION_YAW => vehicle.flight.yaw.has_turned(vehicle.plant.body.yaw_deg),
+            cmd::CONDITION_YAW if vehicle.kind == VehicleKind::Copter => {
+                vehicle.flight.yaw.has_turned(vehicle.plant.body.yaw_deg)
+            }
             known if command::acts_at_once(known) => true,
             unknown => {
                 vehicle.say(
@@ -164,6 +175,7 @@ fn distance_to_goal_m(vehicle: &Vehicle) -> f64 {
         Task::Takeoff(takeoff) => takeoff.goal_m,
         Task::Goto { goal_m, .. } => *goal_m,
         Task::Return(_) => vehicle.datum.home_point(),
+        Task::Drive(drive) => drive.goal_m().unwrap_or(here_m),
         Task::Wait
         | Task::Velocity { .. }
         | Task::Accelerate { .. }

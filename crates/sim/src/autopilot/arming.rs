@@ -4,7 +4,8 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::Autopilot;
 use crate::arming::{ArmingChecks, ArmingMethod, LOOK_STEPS, Reason, Safety};
-use crate::mode;
+use crate::kind::VehicleKind;
+use crate::mode::ModeId;
 use crate::vehicle::Vehicle;
 
 impl Autopilot {
@@ -55,13 +56,19 @@ impl Autopilot {
 
     fn mode_obstacle(&self) -> Option<Reason> {
         let mode = self.vehicle.flight.mode;
-        let may_arm = mode.number == mode::AUTO && self.vehicle.tuning.flight.auto.may_arm;
-        (!mode.armable && !may_arm).then(|| format!("{} mode not armable", mode.name).into())
+        let may_arm = mode.id == ModeId::Auto && self.vehicle.tuning.flight.auto.may_arm;
+        let reason = || match self.vehicle.kind {
+            VehicleKind::Copter => format!("{} mode not armable", mode.name),
+            VehicleKind::Rover(_) => "Mode not armable".to_owned(),
+        };
+        (!mode.armable && !may_arm).then(|| reason().into())
     }
 
     /// Disarms, even in the air.
     pub(crate) fn disarm(&mut self) {
-        if self.vehicle.disarm() {
+        let keeps_place =
+            self.vehicle.kind != VehicleKind::Copter && self.vehicle.flight.mode.id == ModeId::Auto;
+        if self.vehicle.disarm() && !keeps_place {
             self.auto_plan.reset();
         }
     }
@@ -132,21 +139,22 @@ fn refuse(vehicle: &mut Vehicle, what: &str, reasons: &[Reason]) {
 }
 
 fn start_motors(vehicle: &mut Vehicle, forced: bool) {
-    let on_ground = vehicle.plant.body.on_ground;
+    // A rover with its motors armed is under way, even while it stands.
+    let on_ground = vehicle.plant.body.on_ground && vehicle.kind == VehicleKind::Copter;
     let height_m = vehicle.believed().height_m();
     let interlock = vehicle.safety.interlock;
     vehicle.safety = Safety::armed(on_ground, height_m, vehicle.uptime());
     vehicle.safety.interlock = interlock;
     vehicle.flight.simple.reset(vehicle.believed().yaw_deg);
     vehicle.begin_trail(vehicle.is_ready());
-    if vehicle.datum.arming_moves_home() {
+    if vehicle.kind == VehicleKind::Copter && vehicle.datum.arming_moves_home() {
         vehicle.set_home(vehicle.here());
     }
     if !forced && vehicle.tuning.arming.is_off() {
         let text = "Warning: Arming Checks Disabled";
         vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, text);
     }
-    vehicle.say(MavSeverity::MAV_SEVERITY_INFO, "Arming motors");
+    vehicle.say(MavSeverity::MAV_SEVERITY_INFO, vehicle.kind.armed_text());
     let believed = vehicle.estimator.belief(&vehicle.plant.body);
     vehicle.flight.control.take_over(believed);
     vehicle.flight.yaw.settle(vehicle.plant.body.yaw_deg);

@@ -7,33 +7,34 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::Autopilot;
 use crate::arming::ArmingMethod;
-use crate::mode::{self, Mode};
+use crate::kind::VehicleKind;
+use crate::mode::{Mode, ModeId};
 use crate::radio::SwitchPosition::{self, High, Low, Middle};
 use crate::radio::{ARM_OR_EMERGENCY_STOP, MOTOR_EMERGENCY_STOP, MOTOR_INTERLOCK};
 
-/// Functions that enter a mode, with its number.
-const MODES: &[(u16, u8)] = &[
-    (2, mode::FLIP),
-    (4, mode::RTL),
-    (16, mode::AUTO),
-    (17, mode::AUTOTUNE),
-    (18, mode::LAND),
-    (33, mode::BRAKE),
-    (37, mode::THROW),
-    (42, mode::SMART_RTL),
-    (52, mode::ACRO),
-    (55, mode::GUIDED),
-    (56, mode::LOITER),
-    (57, mode::FOLLOW),
-    (60, mode::ZIGZAG),
-    (68, mode::STABILIZE),
-    (69, mode::POSHOLD),
-    (70, mode::ALT_HOLD),
-    (71, mode::FLOWHOLD),
-    (72, mode::CIRCLE),
-    (73, mode::DRIFT),
-    (99, mode::AUTO_RTL),
-    (151, mode::TURTLE),
+/// Functions that enter a mode.
+const MODES: &[(u16, ModeId)] = &[
+    (2, ModeId::Flip),
+    (4, ModeId::Rtl),
+    (16, ModeId::Auto),
+    (17, ModeId::AutoTune),
+    (18, ModeId::Land),
+    (33, ModeId::Brake),
+    (37, ModeId::Throw),
+    (42, ModeId::SmartRtl),
+    (52, ModeId::Acro),
+    (55, ModeId::Guided),
+    (56, ModeId::Loiter),
+    (57, ModeId::Follow),
+    (60, ModeId::ZigZag),
+    (68, ModeId::Stabilize),
+    (69, ModeId::PosHold),
+    (70, ModeId::AltHold),
+    (71, ModeId::FlowHold),
+    (72, ModeId::Circle),
+    (73, ModeId::Drift),
+    (99, ModeId::AutoRtl),
+    (151, ModeId::Turtle),
 ];
 const SIMPLE: u16 = 3;
 const SAVE_TRIM: u16 = 5;
@@ -148,8 +149,8 @@ const ANNOUNCED: &[(u16, &str)] = &[
 
 /// The names of functions that act.
 pub(crate) fn acting() -> impl Iterator<Item = &'static str> {
-    let modes = MODES.iter().filter_map(|(_, number)| {
-        let mode = Mode::numbered(*number)?;
+    let modes = MODES.iter().filter_map(|(_, id)| {
+        let mode = Mode::of(VehicleKind::Copter, *id)?;
         (!mode.is_always_refused()).then_some(mode.name)
     });
     modes.chain(ACTING.iter().map(|(_, name)| *name))
@@ -157,8 +158,8 @@ pub(crate) fn acting() -> impl Iterator<Item = &'static str> {
 
 /// The numbers of functions without an effect, in ascending order.
 pub(crate) fn idle() -> impl Iterator<Item = u16> {
-    let refused = MODES.iter().filter_map(|(function, number)| {
-        let mode = Mode::numbered(*number)?;
+    let refused = MODES.iter().filter_map(|(function, id)| {
+        let mode = Mode::of(VehicleKind::Copter, *id)?;
         mode.is_always_refused().then_some(*function)
     });
     let mut all: Vec<u16> = refused
@@ -202,8 +203,8 @@ impl Autopilot {
 
     /// Runs a function for a position of its switch; `false` for one that does not exist or fails.
     pub(crate) fn run_function(&mut self, function: u16, position: SwitchPosition) -> bool {
-        if let Some((_, number)) = MODES.iter().find(|(known, _)| *known == function) {
-            self.switch_mode(*number, position);
+        if let Some((_, mode)) = MODES.iter().find(|(known, _)| *known == function) {
+            self.switch_mode(*mode, position);
             return true;
         }
         match function {
@@ -261,10 +262,10 @@ impl Autopilot {
 
     /// The high position enters a mode; any other position leaves it for the mode of the mode
     /// switch.
-    fn switch_mode(&mut self, number: u8, position: SwitchPosition) {
+    fn switch_mode(&mut self, mode: ModeId, position: SwitchPosition) {
         if position == High {
-            self.set_mode(number);
-        } else if self.vehicle.flight.mode.number == number {
+            self.set_mode(mode);
+        } else if self.vehicle.flight.mode.id == mode {
             self.obey_mode_switch();
         }
     }
@@ -278,6 +279,7 @@ mod tests {
     #[test]
     fn every_function_that_acts_is_known_and_no_other_is_idle() {
         let mut autopilot = Autopilot::new(
+            VehicleKind::Copter,
             1,
             crate::tests::start(),
             crate::Airframe::shared_default(),

@@ -6,7 +6,8 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Autopilot, telemetry};
 use crate::failsafe::{Failsafe, FailsafeInputs};
-use crate::mode;
+use crate::kind::VehicleKind;
+use crate::mode::ModeId;
 use crate::reaction::{FailsafeAction, Reaction};
 use crate::task::Task;
 
@@ -33,7 +34,7 @@ impl Autopilot {
                     }
                 }
                 Reaction::EnterFirst(modes) => {
-                    modes.iter().any(|&number| self.set_mode(number));
+                    modes.iter().any(|&mode| self.set_mode(mode));
                 }
             }
         }
@@ -42,19 +43,25 @@ impl Autopilot {
     /// Checks the links, the estimate and the battery, in order; each check takes account of the
     /// effects of the previous one.
     pub(super) fn watch_failsafes(&mut self) {
-        const WATCHES: [Watch; 3] = [
+        const COPTER: &[Watch] = &[
             Failsafe::watch_station,
             Failsafe::watch_estimate,
             Failsafe::watch_battery,
         ];
-        for watch in WATCHES {
+        const ROVER: &[Watch] = &[Failsafe::watch_surface_links, Failsafe::watch_battery];
+        let watches = match self.vehicle.kind {
+            VehicleKind::Copter => COPTER,
+            VehicleKind::Rover(_) => ROVER,
+        };
+        for &watch in watches {
             self.watch_failsafe(watch);
         }
     }
 
     /// Checks the remote control.
     pub(super) fn watch_radio(&mut self) {
-        if self.failsafe.doubts_radio(self.vehicle.tuning.faults.radio) {
+        let is_copter = self.vehicle.kind == VehicleKind::Copter;
+        if is_copter && self.failsafe.doubts_radio(self.vehicle.tuning.faults.radio) {
             self.watch_failsafe(Failsafe::watch_radio);
         }
     }
@@ -67,6 +74,7 @@ impl Autopilot {
             armed: vehicle.safety.armed,
             landed: vehicle.safety.landed,
             mode: vehicle.flight.mode,
+            is_rover: vehicle.kind != VehicleKind::Copter,
             is_landing: vehicle.flight.is_landing(),
             throttle_is_low: vehicle.sticks().throttle_is_low(),
             is_booted: vehicle.boot.is_over(),
@@ -80,31 +88,34 @@ impl Autopilot {
     }
 
     fn act(&mut self, action: FailsafeAction) {
+        if self.vehicle.kind != VehicleKind::Copter {
+            return self.act_on_the_ground(action);
+        }
         match action {
-            FailsafeAction::Nothing => {}
+            FailsafeAction::Nothing | FailsafeAction::Hold | FailsafeAction::PathBackOrHold => {}
             FailsafeAction::Land => self.land_after_pause(),
             FailsafeAction::Return => self.return_or_land(),
             FailsafeAction::PathBackOrReturn => {
-                if !self.set_mode(mode::SMART_RTL) {
+                if !self.set_mode(ModeId::SmartRtl) {
                     self.warn("SmartRTL Unavailable, Trying RTL Mode");
                     self.return_or_land();
                 }
             }
             FailsafeAction::PathBackOrLand => {
-                if !self.set_mode(mode::SMART_RTL) {
+                if !self.set_mode(ModeId::SmartRtl) {
                     self.warn("SmartRTL Unavailable, Using Land Mode");
                     self.land_after_pause();
                 }
             }
             FailsafeAction::Terminate => self.disarm(),
             FailsafeAction::PlannedLanding => {
-                if !self.set_mode(mode::AUTO_RTL) {
+                if !self.set_mode(ModeId::AutoRtl) {
                     self.warn("Trying RTL Mode");
                     self.return_or_land();
                 }
             }
             FailsafeAction::BrakeOrLand => {
-                if !self.set_mode(mode::BRAKE) {
+                if !self.set_mode(ModeId::Brake) {
                     self.warn("Trying Land Mode");
                     self.land_after_pause();
                 }
@@ -113,7 +124,7 @@ impl Autopilot {
     }
 
     fn leave_position(&mut self, holds_height: bool) {
-        if !(holds_height && self.set_mode(mode::ALT_HOLD)) {
+        if !(holds_height && self.set_mode(ModeId::AltHold)) {
             self.land_after_pause();
         }
         let name = self.vehicle.flight.mode.name;
@@ -122,8 +133,8 @@ impl Autopilot {
     }
 
     fn land_after_pause(&mut self) {
-        let already = self.vehicle.flight.mode.number == mode::LAND;
-        if self.set_mode(mode::LAND) && !already {
+        let already = self.vehicle.flight.mode.id == ModeId::Land;
+        if self.set_mode(ModeId::Land) && !already {
             let until = self.vehicle.uptime() + PAUSE;
             if let Task::Land(landing) = &mut self.vehicle.flight.task {
                 landing.waits_until = Some(until);
@@ -132,7 +143,7 @@ impl Autopilot {
     }
 
     fn return_or_land(&mut self) {
-        if !self.set_mode(mode::RTL) {
+        if !self.set_mode(ModeId::Rtl) {
             self.land_after_pause();
         }
     }
@@ -152,7 +163,10 @@ impl Autopilot {
             return;
         };
         let (armed, landed) = (vehicle.safety.armed, vehicle.safety.landed);
-        if armed {
+        if armed && vehicle.kind != VehicleKind::Copter {
+            let action = vehicle.fence.action_on_the_ground(breach, rules);
+            self.act_on_the_ground(action);
+        } else if armed {
             let throttle_is_low = vehicle.sticks().throttle_is_low();
             let idles = !vehicle.flight.mode.controls_height && throttle_is_low;
             let rules = &vehicle.tuning.flight.fence;
@@ -163,7 +177,7 @@ impl Autopilot {
             let status = telemetry::message(FENCE_STATUS, self);
             self.vehicle.outbox.extend(status);
         }
-        if armed && !landed {
+        if armed && !landed && self.vehicle.kind == VehicleKind::Copter {
             self.vehicle
                 .say(MavSeverity::MAV_SEVERITY_NOTICE, "Fence Breached");
         }

@@ -127,7 +127,7 @@ const TABLE: &[(u32, Builder)] = &[
     ),
     (
         NAV_CONTROLLER_OUTPUT_DATA::ID,
-        Always(navigation::nav_controller_output),
+        Sometimes(navigation::nav_controller_output),
     ),
     (RC_CHANNELS_DATA::ID, Always(extra::rc_channels)),
     (VFR_HUD_DATA::ID, Always(motion::vfr_hud)),
@@ -221,6 +221,7 @@ mod tests {
     fn the_table_is_sorted_and_each_builder_makes_its_own_message() {
         assert!(TABLE.windows(2).all(|pair| pair[0].0 < pair[1].0));
         let mut autopilot = Autopilot::new(
+            crate::VehicleKind::Copter,
             1,
             crate::tests::start(),
             crate::Airframe::shared_default(),

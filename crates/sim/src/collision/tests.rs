@@ -14,6 +14,7 @@ const SIZE_M: f64 = 0.5;
 
 fn autopilot(at: [f64; 3], velocity: [f64; 3], in_air: bool) -> Autopilot {
     let mut autopilot = Autopilot::new(
+        crate::VehicleKind::Copter,
         1,
         start(),
         crate::Airframe::shared_default(),
@@ -98,7 +99,7 @@ fn two_in_the_air() -> Ground {
         .iter_mut()
         .map(|slot| &mut slot.autopilot)
     {
-        autopilot.set_mode(4);
+        autopilot.set_mode_numbered(4);
         assert!(autopilot.arm(ArmingMethod::Command));
     }
     ground.takeoff(10.0);

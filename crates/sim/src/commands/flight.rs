@@ -11,7 +11,7 @@ use crate::arming::ArmingMethod;
 use crate::autopilot::Autopilot;
 use crate::frame::GLOBAL_RELATIVE_ALT;
 use crate::link::Link;
-use crate::mode;
+use crate::mode::{self, ModeId};
 use crate::task::{Takeoff, Task};
 
 /// The value of the second parameter with which disarming works in the air.
@@ -68,7 +68,7 @@ pub(super) fn set_mode(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
     };
     if base & CUSTOM_MODE != 0 {
         // Fractions are truncated, and -1 wraps to 255.
-        return done(autopilot.set_mode(custom as u8));
+        return done(autopilot.set_mode_numbered(custom as u8));
     }
     if base == SAFETY_SWITCH && (custom == 0 || custom == 1) {
         autopilot.workbench.safety_on = custom == 1;
@@ -78,15 +78,15 @@ pub(super) fn set_mode(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
 }
 
 pub(super) fn loiter(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    done(autopilot.set_mode(mode::LOITER))
+    done(autopilot.set_mode(ModeId::Loiter))
 }
 
 pub(super) fn return_to_launch(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    done(autopilot.set_mode(mode::RTL))
+    done(autopilot.set_mode(ModeId::Rtl))
 }
 
 pub(super) fn land(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    done(autopilot.set_mode(mode::LAND))
+    done(autopilot.set_mode(ModeId::Land))
 }
 
 /// Continues at the nearest leg of a return path.
@@ -115,8 +115,8 @@ pub(super) fn takeoff(autopilot: &mut Autopilot, _: &mut Link, command: &Command
 
 /// Solo's fly button: LOITER, or `ALT_HOLD` if that is impossible.
 pub(super) fn fly_button(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
-    if !autopilot.set_mode(mode::LOITER) {
-        autopilot.set_mode(mode::ALT_HOLD);
+    if !autopilot.set_mode(ModeId::Loiter) {
+        autopilot.set_mode(ModeId::AltHold);
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
@@ -130,11 +130,11 @@ pub(super) fn fly_button_held(
     if !autopilot.vehicle.safety.armed {
         autopilot.arm(ArmingMethod::Command);
     } else if autopilot.vehicle.safety.landed {
-        if autopilot.set_mode(mode::LOITER) {
+        if autopilot.set_mode(ModeId::Loiter) {
             take_off(autopilot, f64::from(command.p[0]), true);
         }
     } else {
-        autopilot.set_mode(mode::LAND);
+        autopilot.set_mode(ModeId::Land);
     }
     MavResult::MAV_RESULT_ACCEPTED
 }
@@ -148,16 +148,15 @@ pub(super) fn pause_button(
     if !autopilot.vehicle.safety.armed {
         return MavResult::MAV_RESULT_ACCEPTED;
     }
-    let takes_pictures =
-        command.p[0] != 0.0 && mode::is_guided(autopilot.vehicle.flight.mode.number);
+    let takes_pictures = command.p[0] != 0.0 && mode::is_guided(autopilot.vehicle.flight.mode.id);
     if autopilot.vehicle.safety.landed {
         autopilot.disarm();
     } else if !takes_pictures {
-        if autopilot.set_mode(mode::BRAKE) {
+        if autopilot.set_mode(ModeId::Brake) {
             autopilot.vehicle.flight.brake_until =
                 Some(autopilot.vehicle.uptime() + PAUSE_BUTTON_BRAKE);
         } else {
-            autopilot.set_mode(mode::ALT_HOLD);
+            autopilot.set_mode(ModeId::AltHold);
         }
     }
     MavResult::MAV_RESULT_ACCEPTED
@@ -169,13 +168,13 @@ fn take_off(autopilot: &mut Autopilot, above_home_m: f64, navigates: bool) -> bo
     let asked_m = above_home_m - vehicle.datum.home_point().z;
     let climb_m = asked_m - vehicle.believed().height_m();
     let sensible = climb_m > 0.0 && climb_m < ALTITUDE_MAX_M;
-    let able = mode::takes_off(vehicle.flight.mode.number, navigates);
+    let able = mode::takes_off(vehicle.flight.mode.id, navigates);
     if !vehicle.safety.armed || !vehicle.safety.landed || !able || !sensible {
         return false;
     }
     // From here on, AUTO can be entered without a raised throttle.
     autopilot.auto_plan.allow_lifting();
-    let guided = vehicle.flight.mode.number == mode::GUIDED;
+    let guided = vehicle.flight.mode.id == ModeId::Guided;
     let height_m = if !guided && vehicle.sticks().throttle_is_low() {
         vehicle.believed().height_m() + climb_m.min(PILOTED_TAKEOFF_M)
     } else {

@@ -8,7 +8,7 @@ use crate::autopilot::Autopilot;
 use crate::frame::GLOBAL_RELATIVE_ALT;
 use crate::guided;
 use crate::link::Link;
-use crate::mode;
+use crate::mode::{self, ModeId};
 use crate::place::Place;
 use crate::vehicle::AskedSpeeds;
 use crate::yaw::YawDemand;
@@ -16,7 +16,8 @@ use crate::yaw::YawDemand;
 /// Heights beyond this, in metres, cannot be stored in a location.
 const HEIGHT_MAX_M: f64 = 83_000.0;
 /// The flag of `DO_REPOSITION` that allows it to enter GUIDED.
-const CHANGE_MODE: i32 = MavDoRepositionFlags::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE.bits() as i32;
+pub(super) const CHANGE_MODE: i32 =
+    MavDoRepositionFlags::MAV_DO_REPOSITION_FLAGS_CHANGE_MODE.bits() as i32;
 
 pub(super) fn yaw(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
     let [angle, rate, direction, relative] = command.p.map(f64::from);
@@ -39,7 +40,7 @@ pub(super) fn change_speed(
     command: &Command,
 ) -> MavResult {
     let [kind, speed, ..] = command.p.map(f64::from);
-    let able = mode::changes_speed(autopilot.vehicle.flight.mode.number);
+    let able = mode::changes_speed(autopilot.vehicle.flight.mode.id);
     if !(able && speed > 0.0 && speed.is_finite()) {
         return MavResult::MAV_RESULT_FAILED;
     }
@@ -91,7 +92,7 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
     let may_change_mode = command
         .whole(1)
         .is_some_and(|flags| flags & CHANGE_MODE != 0);
-    let guided = mode::is_guided(autopilot.vehicle.flight.mode.number);
+    let guided = mode::is_guided(autopilot.vehicle.flight.mode.id);
     let somewhere = command.at().is_valid() && (command.x, command.y) != (0, 0);
     if !somewhere || !(guided || may_change_mode) {
         return MavResult::MAV_RESULT_DENIED;
@@ -103,7 +104,7 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
     if !autopilot.vehicle.safety.landed && !autopilot.vehicle.may_fly_to(goal) {
         return MavResult::MAV_RESULT_FAILED;
     }
-    if !guided && !autopilot.set_mode(mode::GUIDED) {
+    if !guided && !autopilot.set_mode(ModeId::Guided) {
         return MavResult::MAV_RESULT_FAILED;
     }
     if !autopilot.vehicle.safety.landed {

@@ -25,6 +25,7 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
     if command.is(0, 1.0) || (command.x, command.y) == (0, 0) {
         autopilot.vehicle.set_home_here();
         autopilot.vehicle.datum.lock_home();
+        autopilot.vehicle.tell_home();
         return MavResult::MAV_RESULT_ACCEPTED;
     }
     if command.p[0] != 0.0 {
@@ -38,6 +39,7 @@ pub(super) fn set_home(autopilot: &mut Autopilot, _: &mut Link, command: &Comman
         autopilot.vehicle.datum.may_be_home(place) && {
             autopilot.vehicle.set_home(place);
             autopilot.vehicle.datum.lock_home();
+            autopilot.vehicle.tell_home();
             true
         },
     )

@@ -14,6 +14,7 @@ use std::time::Duration;
 use mavlink::dialects::ardupilotmega::{MavBatteryChargeState, MavSeverity};
 
 use super::{Failsafe, FailsafeInputs, announce};
+use crate::kind::VehicleKind;
 use crate::parameters::Parameters;
 use crate::reaction::{FailsafeAction, Reaction};
 
@@ -22,7 +23,7 @@ use crate::reaction::{FailsafeAction, Reaction};
 struct BatteryLevel {
     voltage_v: f64,
     remaining_mah: f64,
-    action: i32,
+    action: FailsafeAction,
 }
 
 /// The rules from the `BATT_*` parameters.
@@ -79,7 +80,10 @@ impl BatteryLevel {
         Self {
             voltage_v: all.value(volts),
             remaining_mah: all.value(charge),
-            action: all.value(action) as i32,
+            action: match all.kind() {
+                VehicleKind::Copter => FailsafeAction::numbered(all.value(action) as i32),
+                VehicleKind::Rover(_) => FailsafeAction::of_rover(all.value(action) as i32),
+            },
         }
     }
 
@@ -197,12 +201,16 @@ impl BatteryWatch {
             inputs.battery.voltage_v, inputs.battery.consumed_mah
         );
         let mut reactions = vec![Reaction::Say(MavSeverity::MAV_SEVERITY_WARNING, text)];
-        let action = FailsafeAction::numbered(level.action);
+        let action = level.action;
         let before = self.acted;
         if before.is_some_and(|before| before.priority() < action.priority()) {
             return reactions;
         }
         self.acted = Some(action);
+        if inputs.is_rover {
+            reactions.push(Reaction::Act(action));
+            return reactions;
+        }
         reactions.extend(if inputs.should_disarm() {
             [Reaction::Disarm, announce("Battery", Some("Disarming"))]
         } else if inputs.goes_on_landing() && action != FailsafeAction::Nothing {

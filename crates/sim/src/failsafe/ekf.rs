@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Failsafe, FailsafeInputs};
 use crate::estimator::Estimator;
-use crate::mode;
+use crate::mode::ModeId;
 use crate::reaction::Reaction;
 
 /// The number of bad checks (at 10 Hz) that trigger the failsafe, and of good ones that end it.
@@ -72,7 +72,7 @@ impl Failsafe {
     fn begin_ekf_failsafe(&mut self, inputs: &FailsafeInputs<'_>) -> Option<Reaction> {
         let action = inputs.rules.ekf_action;
         let concerned = inputs.mode.needs_position() || action == 3;
-        if !inputs.armed || inputs.mode.number == mode::LAND || !concerned {
+        if !inputs.armed || inputs.mode.id == ModeId::Land || !concerned {
             return None;
         }
         self.ekf.acted = true;

@@ -6,7 +6,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Failsafe, FailsafeInputs, Options, RadioInputs, announce};
 use crate::estimator::RadioFault;
-use crate::mode;
+use crate::mode::ModeId;
 use crate::radio::Sticks;
 use crate::reaction::{FailsafeAction, Reaction};
 
@@ -97,7 +97,7 @@ impl Failsafe {
             _ => FailsafeAction::Return,
         };
         let continues_piloted = !inputs.mode.autonomous
-            && inputs.mode.number != mode::LAND
+            && inputs.mode.id != ModeId::Land
             && options.has(Options::STATION_CONTINUES_PILOTED);
         if !inputs.armed {
             vec![announce("GCS", None)]
@@ -107,7 +107,7 @@ impl Failsafe {
             go_on_landing("GCS + Battery")
         } else if inputs.goes_on_landing() {
             go_on_landing("GCS")
-        } else if inputs.mode.number == mode::AUTO && options.has(Options::STATION_CONTINUES_AUTO) {
+        } else if inputs.mode.id == ModeId::Auto && options.has(Options::STATION_CONTINUES_AUTO) {
             vec![announce("GCS", Some("Continuing Auto Mode"))]
         } else if continues_piloted {
             vec![announce("GCS", Some("Continuing Pilot Control"))]
@@ -158,8 +158,8 @@ impl Failsafe {
             7 => FailsafeAction::BrakeOrLand,
             _ => FailsafeAction::Land,
         };
-        let in_auto = inputs.mode.number == mode::AUTO;
-        let in_guided = inputs.mode.number == mode::GUIDED;
+        let in_auto = inputs.mode.id == ModeId::Auto;
+        let in_guided = inputs.mode.id == ModeId::Guided;
         if inputs.should_disarm() {
             vec![announce("Radio", Some("Disarming")), Reaction::Disarm]
         } else if inputs.is_landing && self.battery.wants_to_land() {

@@ -405,7 +405,7 @@ fn each_action_does_what_it_says() {
 fn a_limit_is_broken_anew_20_m_further_out_and_the_vehicle_gives_up_100_m_outside() {
     let rules = FenceRules {
         is_enabled: true,
-        ..FenceRules::read(&Parameters::new(1))
+        ..FenceRules::read(&Parameters::new(crate::VehicleKind::Copter, 1))
     };
     let mut fence = Geofence::default();
     let mut check = |distance_m: f64, seconds: u64| {

@@ -10,9 +10,9 @@ use super::{
     AREAS, CEILING, CIRCLE, FLOOR, Fence, FenceError, FencePosition, FenceRules, Geofence,
 };
 use crate::control::Limits;
-use crate::mode;
+use crate::mode::ModeId;
 use crate::plan::Item;
-use crate::reaction::Reaction;
+use crate::reaction::{FailsafeAction, Reaction};
 use sortie_geo::LatLon;
 
 /// A vehicle this far outside, in metres, lands where it is.
@@ -122,17 +122,30 @@ impl Geofence {
         }
         Some(Reaction::EnterFirst(
             if self.farthest_m(breach.kinds) > GIVE_UP_M {
-                &[mode::LAND]
+                &[ModeId::Land]
             } else {
                 match rules.action {
-                    2 => &[mode::LAND],
-                    3 => &[mode::SMART_RTL, mode::RTL, mode::LAND],
-                    4 => &[mode::BRAKE, mode::LAND],
-                    5 => &[mode::SMART_RTL, mode::LAND],
-                    _ => &[mode::RTL, mode::LAND],
+                    2 => &[ModeId::Land],
+                    3 => &[ModeId::SmartRtl, ModeId::Rtl, ModeId::Land],
+                    4 => &[ModeId::Brake, ModeId::Land],
+                    5 => &[ModeId::SmartRtl, ModeId::Land],
+                    _ => &[ModeId::Rtl, ModeId::Land],
                 }
             },
         ))
+    }
+
+    /// A rover's reaction to a breach.
+    pub(crate) fn action_on_the_ground(
+        &self,
+        breach: NewBreach,
+        rules: &FenceRules,
+    ) -> FailsafeAction {
+        if rules.action != 0 && self.farthest_m(breach.kinds) > GIVE_UP_M {
+            FailsafeAction::Hold
+        } else {
+            FailsafeAction::of_rover(i32::from(rules.action))
+        }
     }
 
     /// The reason why the fence forbids arming now.

@@ -296,7 +296,7 @@ mod tests {
                 gps: true,
                 battery: true,
             },
-            parameters: Parameters::new(1),
+            parameters: Parameters::new(crate::VehicleKind::Copter, 1),
             boot_utc_ms: 1_767_225_600_000,
             samples: vec![LogSample::default(); 3],
             modes: vec![(0, 4)],

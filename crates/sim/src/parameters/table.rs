@@ -9,10 +9,13 @@ use std::collections::HashMap;
 use std::sync::LazyLock;
 
 use super::Kind;
+use crate::kind::VehicleKind;
 
 /// Comments, and one line per parameter: name, type, value at the first boot, and the default if it differs. An
 /// indented line belongs to the switch above it.
-const LINES: &str = include_str!("arducopter.txt");
+const COPTER: &str = include_str!("arducopter.txt");
+/// The same for rovers.
+const ROVER: &str = include_str!("ardurover.txt");
 
 /// The fixed properties of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +38,7 @@ pub(super) struct SubTree {
 }
 
 /// Every parameter, in the order of the list and by name.
+#[derive(Debug)]
 pub(super) struct ParameterTable {
     pub(super) rows: Vec<ParameterRow>,
     /// The sub-trees, in ascending order.
@@ -43,13 +47,29 @@ pub(super) struct ParameterTable {
     by_name: HashMap<&'static str, u16>,
 }
 
-/// The table is the same for every vehicle; it is read once.
-pub(super) static TABLE: LazyLock<ParameterTable> = LazyLock::new(ParameterTable::read);
+/// The tables are the same for every vehicle of a kind; they are read once.
+static COPTERS: LazyLock<ParameterTable> = LazyLock::new(|| ParameterTable::read(COPTER));
+static ROVERS: LazyLock<ParameterTable> = LazyLock::new(|| ParameterTable::read(ROVER));
 
 impl ParameterTable {
-    fn read() -> Self {
-        let rows: Vec<ParameterRow> = lines().filter_map(row).collect();
-        let sub_trees = sub_trees();
+    /// The parameters of a kind of vehicle.
+    pub(super) fn of(kind: VehicleKind) -> &'static Self {
+        match kind {
+            VehicleKind::Copter => &COPTERS,
+            VehicleKind::Rover(_) => &ROVERS,
+        }
+    }
+
+    /// Whether any kind of vehicle has a parameter.
+    pub(super) fn is_known(name: &str) -> bool {
+        [&COPTERS, &ROVERS]
+            .iter()
+            .any(|table| table.place(name).is_some())
+    }
+
+    fn read(text: &'static str) -> Self {
+        let rows: Vec<ParameterRow> = lines(text).filter_map(row).collect();
+        let sub_trees = sub_trees(text);
         let by_name = rows.iter().map(|row| row.name).zip(0..).collect();
         Self {
             rows,
@@ -72,13 +92,13 @@ impl ParameterTable {
     }
 }
 
-fn lines() -> impl Iterator<Item = &'static str> {
-    LINES.lines().filter(|line| !line.starts_with('#'))
+fn lines(text: &'static str) -> impl Iterator<Item = &'static str> {
+    text.lines().filter(|line| !line.starts_with('#'))
 }
 
-fn sub_trees() -> Vec<SubTree> {
+fn sub_trees(text: &'static str) -> Vec<SubTree> {
     let mut all: Vec<SubTree> = Vec::new();
-    for (place, line) in lines().enumerate() {
+    for (place, line) in lines(text).enumerate() {
         if !line.starts_with(' ') {
             continue;
         }
@@ -118,19 +138,20 @@ fn row(line: &'static str) -> Option<ParameterRow> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::kind::Chassis;
 
     #[test]
     fn every_line_is_a_parameter_whose_name_fits_its_field_and_occurs_once() {
-        assert_eq!(TABLE.rows.len(), lines().count());
-        assert!(TABLE.rows.iter().all(|row| row.name.len() <= 16));
-        let mut names: Vec<_> = TABLE.rows.iter().map(|row| row.name).collect();
-        names.sort_unstable();
-        names.dedup();
-        assert_eq!(names.len(), TABLE.rows.len());
-        for (place, row) in TABLE.rows.iter().enumerate() {
-            assert_eq!(TABLE.place(row.name), Some(place));
-            for value in [row.first, row.default] {
-                assert!((row.kind.stored(value) - value).abs() < f32::EPSILON);
+        let rover = VehicleKind::Rover(Chassis::Ackermann);
+        for (kind, text) in [(VehicleKind::Copter, COPTER), (rover, ROVER)] {
+            let table = ParameterTable::of(kind);
+            assert_eq!(table.rows.len(), lines(text).count());
+            assert!(table.rows.iter().all(|row| row.name.len() <= 16));
+            for (place, row) in table.rows.iter().enumerate() {
+                assert_eq!(table.place(row.name), Some(place), "once");
+                for value in [row.first, row.default] {
+                    assert!((row.kind.stored(value) - value).abs() < f32::EPSILON);
+                }
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Sticks and switches at the moment of arming.
 
 use super::{RadioRules, Sticks};
+use crate::kind::VehicleKind;
 use crate::parameters::Parameters;
 
 /// Bits of `RC_OPTIONS`: the throttle has to be down, and the other sticks need not be neutral.
@@ -11,6 +12,7 @@ const SPRUNG_THROTTLE: i64 = 1;
 /// Only functions with this number or a higher one may be assigned to several switches.
 const UNIQUE_BELOW: u16 = 256;
 const NAMES: [&str; 4] = ["Roll", "Pitch", "Throttle", "Yaw"];
+const PITCH: usize = 1;
 const THROTTLE: usize = 2;
 const YAW: usize = 3;
 
@@ -19,6 +21,8 @@ const YAW: usize = 3;
 pub(super) struct NeutralRules {
     /// The channels of roll, pitch, throttle and yaw, from 1; `None` for one that is not checked.
     channels: [Option<usize>; 4],
+    /// Whether the throttle of this kind of vehicle rests in its middle.
+    centres_throttle: bool,
 }
 
 impl NeutralRules {
@@ -36,7 +40,16 @@ impl NeutralRules {
                 *channel = None;
             }
         }
-        Self { channels: checked }
+        let is_rover = all.kind() != VehicleKind::Copter;
+        if is_rover {
+            // It has steering and throttle only.
+            checked[PITCH] = None;
+            checked[YAW] = None;
+        }
+        Self {
+            channels: checked,
+            centres_throttle: is_rover,
+        }
     }
 }
 
@@ -53,10 +66,10 @@ impl RadioRules {
             reasons.push(format!("Mode channel and RC{mode_channel}_OPTION conflict"));
         }
         // The throttle is checked last.
-        for stick in [0, 1, YAW, THROTTLE] {
+        for stick in [0, PITCH, YAW, THROTTLE] {
             let range = &self.sticks[stick];
             let pulse_us = sticks.channels_us[stick];
-            let is_neutral = if stick == THROTTLE {
+            let is_neutral = if stick == THROTTLE && !self.neutral.centres_throttle {
                 range.pushed(pulse_us) == 0.0
             } else {
                 range.off_centre(pulse_us) == 0.0 || (by_yaw_stick && stick == YAW)
@@ -84,7 +97,7 @@ mod tests {
 
     #[test]
     fn sticks_have_to_be_neutral_and_switches_different() {
-        let mut all = Parameters::new(1);
+        let mut all = Parameters::new(crate::VehicleKind::Copter, 1);
         let mut sticks = Sticks::RELEASED;
         let reasons = |all: &Parameters, sticks: &Sticks, by_yaw_stick: bool| {
             RadioRules::read(all).arming_obstacles(sticks, by_yaw_stick)

@@ -10,6 +10,7 @@ use self::curve::{CurveBounds, SpeedCurve};
 pub(crate) use self::orbit::Orbit;
 use super::{Act, Cockpit};
 use crate::control::Limits;
+use crate::helm::HelmRules;
 use crate::kinematics::STEP_S;
 use crate::kinematics::square_root;
 use crate::parameters::Parameters;
@@ -19,6 +20,9 @@ const SPEED_MARGIN: f64 = 0.05;
 /// A turn begins only after this share of the leg.
 const CORNER_FROM_SHARE: f64 = 0.5;
 
+/// The snap of a rover's path.
+const ROVER_SNAP_M_S4: f64 = 15.0;
+
 /// The parameters of AUTO.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[expect(
@@ -26,10 +30,14 @@ const CORNER_FROM_SHARE: f64 = 0.5;
     reason = "parameters are switched one by one"
 )]
 pub(crate) struct AutoRules {
-    radius_m: f64,
+    pub(crate) radius_m: f64,
     corner_accel_m_s2: f64,
     jerk_m_s3: f64,
     snap_m_s4: f64,
+    /// The gain with which the vehicle follows the path.
+    position_p: f64,
+    /// Whether a waypoint also counts as reached beyond its line.
+    passes: bool,
     /// `MIS_RESTART`: AUTO always begins at the first item.
     pub(crate) restarts: bool,
     /// `MIS_OPTIONS` bit 2: a takeoff may follow a landing.
@@ -54,10 +62,27 @@ impl AutoRules {
             jerk_m_s3: jerk,
             // Half of the snap that the time constant of the attitude allows.
             snap_m_s4: 0.5 * jerk * std::f64::consts::PI / (2.0 * smoothing_s),
+            position_p: 1.0,
+            passes: false,
             restarts: all.value("MIS_RESTART") as i32 == 1,
             continues_after_landing: bit("MIS_OPTIONS", 4),
             may_arm: bit("AUTO_OPTIONS", 1),
             lifts_unasked: bit("AUTO_OPTIONS", 2),
+        }
+    }
+}
+
+impl AutoRules {
+    /// The rules of a rover, with the limits of its helm.
+    pub(super) fn of_rover(all: &Parameters, helm: &HelmRules, jerk_m_s3: f64) -> Self {
+        Self {
+            radius_m: all.value("WP_RADIUS").clamp(0.05, 1000.0),
+            corner_accel_m_s2: helm.lateral_m_s2,
+            jerk_m_s3,
+            snap_m_s4: ROVER_SNAP_M_S4,
+            position_p: helm.position_p,
+            passes: true,
+            ..Self::read(all)
         }
     }
 }
@@ -157,6 +182,8 @@ pub(crate) struct Route {
     pace: f64,
     pace_per_s: f64,
     pub(crate) paused: bool,
+    /// Whether a rover turns on the spot before it drives on.
+    pub(super) pivots: bool,
 }
 
 impl Route {
@@ -180,6 +207,7 @@ impl Route {
             pace: 1.0,
             pace_per_s: 0.0,
             paused: false,
+            pivots: false,
         }
     }
 
@@ -227,6 +255,22 @@ impl Route {
         if cockpit.body.on_ground {
             return Act::Idle;
         }
+        self.advance_path(cockpit);
+        Act::Fly
+    }
+
+    /// Whether the current leg has not begun.
+    pub(super) fn is_at_start(&self) -> bool {
+        !self.reached && self.this.time_s == 0.0
+    }
+
+    /// Whether the route continues beyond the goal without a stop.
+    pub(super) fn goes_on(&self) -> bool {
+        self.after.is_some()
+    }
+
+    /// Moves the path along the route by one step.
+    pub(super) fn advance_path(&mut self, cockpit: &mut Cockpit<'_>) {
         if self.planned_for != cockpit.limits {
             self.take_limits(cockpit);
         }
@@ -252,10 +296,11 @@ impl Route {
             accel * (self.pace * self.pace) + slowing,
         );
         if over && !self.reached {
-            let off_m = cockpit.body.position_m.distance(self.this.to_m);
-            self.reached = self.after.is_some() || off_m <= cockpit.tuning.auto.radius_m;
+            let way = cockpit.body.position_m - self.this.to_m;
+            let rules = &cockpit.tuning.auto;
+            let is_past = rules.passes && way.dot(self.this.direction) > 0.0;
+            self.reached = self.after.is_some() || is_past || way.length() <= rules.radius_m;
         }
-        Act::Fly
     }
 
     fn take_limits(&mut self, cockpit: &Cockpit<'_>) {
@@ -277,7 +322,9 @@ impl Route {
             let along = wanted / speed;
             let behind_m = (cockpit.control.path_m - cockpit.body.position_m).dot(along);
             let moving_m_s = cockpit.body.velocity_m_s.dot(along);
-            possible = (SPEED_MARGIN + (moving_m_s - behind_m) / speed).clamp(0.0, 1.0);
+            possible = (SPEED_MARGIN
+                + (moving_m_s - cockpit.tuning.auto.position_p * behind_m) / speed)
+                .clamp(0.0, 1.0);
         }
         let lag_s = cockpit.limits.accel_m_s2 / cockpit.tuning.auto.jerk_m_s3;
         self.keeping_up += (possible - self.keeping_up) * (STEP_S / lag_s).min(1.0);

@@ -18,7 +18,7 @@ use super::{Act, Cockpit};
 use crate::control::{FlatMotion, Limits};
 use crate::kinematics::square_root;
 use crate::kinematics::{GRAVITY_M_S2, STEP_S};
-use crate::mode;
+use crate::mode::ModeId;
 use sortie_geo::maths;
 
 /// The lag of the pilot's lean behind the stick in LOITER (`ATC_INPUT_TC`), in seconds.
@@ -76,14 +76,14 @@ pub(crate) struct Pilot {
 
 impl Pilot {
     /// The state at the beginning of a mode.
-    pub(crate) fn begin(number: u8, lean_ne_m_s2: DVec2) -> Self {
+    pub(crate) fn begin(mode: ModeId, lean_ne_m_s2: DVec2) -> Self {
         Self {
-            style: match number {
-                mode::ACRO => Style::Acro,
-                mode::DRIFT => Style::Drift,
-                mode::ALT_HOLD => Style::HoldHeight,
-                mode::POSHOLD => Style::HoldPlace,
-                mode::STABILIZE => Style::Stabilize,
+            style: match mode {
+                ModeId::Acro => Style::Acro,
+                ModeId::Drift => Style::Drift,
+                ModeId::AltHold => Style::HoldHeight,
+                ModeId::PosHold => Style::HoldPlace,
+                ModeId::Stabilize => Style::Stabilize,
                 _ => Style::Loiter,
             },
             lean_m_s2: lean_ne_m_s2,

@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use super::{AutoRules, PilotRules};
 use crate::fence::FenceRules;
+use crate::helm::HelmRules;
+use crate::kind::VehicleKind;
 use crate::kinematics::GRAVITY_M_S2;
 use crate::parameters::Parameters;
 use crate::radio::RadioRules;
@@ -40,6 +42,8 @@ pub(crate) struct FlightTuning {
     pub(crate) rally: RallyRules,
     pub(crate) trail: TrailRules,
     pub(crate) auto: AutoRules,
+    /// How a rover steers; `None` for a vehicle that flies.
+    pub(crate) helm: Option<Box<HelmRules>>,
 }
 
 impl FlightTuning {
@@ -84,6 +88,36 @@ impl FlightTuning {
             rally: RallyRules::read(all),
             trail: TrailRules::read(all),
             auto: AutoRules::read(all),
+            helm: None,
+        }
+        .with_helm(all)
+    }
+
+    /// The speeds and limits of a rover, if the parameters are those of one.
+    fn with_helm(self, all: &Parameters) -> Self {
+        if all.kind() == VehicleKind::Copter {
+            return self;
+        }
+        let helm = HelmRules::read(all);
+        let asked_jerk = all.value("WP_JERK");
+        let jerk_m_s3 = if asked_jerk > 0.0 {
+            asked_jerk
+        } else {
+            helm.accel_m_s2
+        };
+        let return_speed = all.value("RTL_SPEED");
+        Self {
+            speed_m_s: helm.speed_max_m_s,
+            accel_m_s2: helm.accel_m_s2,
+            jerk_m_s3,
+            return_speed_m_s: if return_speed > 0.0 {
+                return_speed
+            } else {
+                helm.speed_max_m_s
+            },
+            auto: AutoRules::of_rover(all, &helm, jerk_m_s3),
+            helm: Some(Box::new(helm)),
+            ..self
         }
     }
 }

@@ -231,7 +231,7 @@ proptest! {
         values in prop::collection::vec((0u16..1382, prop::num::f32::ANY), 1..40),
     ) {
         let mut ground = Ground::hovering(10.0);
-        let names = crate::parameters::Parameters::new(1);
+        let names = crate::parameters::Parameters::new(crate::VehicleKind::Copter, 1);
         for (index, value) in values {
             let name = names.at(index).map_or("", |parameter| parameter.name);
             // This parameter makes the vehicle ignore the test's ground station, as it should.

@@ -16,7 +16,7 @@ use crate::parameters::Parameters;
 
 /// Any parameter with a value of any size; half of the draws concern the simulation itself.
 fn any_setting() -> impl Strategy<Value = (&'static str, f32)> {
-    let all = Parameters::new(1);
+    let all = Parameters::new(crate::VehicleKind::Copter, 1);
     let names: Vec<&'static str> = (0..all.count())
         .filter_map(|index| all.at(index))
         .map(|parameter| parameter.name)
@@ -83,7 +83,7 @@ proptest! {
         }
         ground.run(2.0);
         let slot = &mut ground.world.slots[0].autopilot;
-        slot.set_mode(4);
+        slot.set_mode_numbered(4);
         slot.vehicle.safety.armed = true;
         let mut climb = [0.0; 7];
         climb[6] = 20.0;

@@ -28,7 +28,7 @@ use self::layout::{Travelling, float_place, read_floats};
 pub(super) use self::layout::{item_at, laid_out, whole_place};
 use self::upload::{Upload, UploadDue};
 use super::{Peer, Talk, items};
-use crate::mode;
+use crate::mode::ModeId;
 use crate::payload::{Payload, Writer};
 use crate::plan::{Item, ListKind};
 use sortie_plan::board;
@@ -228,7 +228,7 @@ impl Talk<'_> {
         // A mission that is being flown cannot be cleared.
         let flown = kind == ListKind::Plan
             && autopilot.vehicle.safety.armed
-            && autopilot.vehicle.flight.mode.number == mode::AUTO;
+            && autopilot.vehicle.flight.mode.id == ModeId::Auto;
         let cleared = self.state(kind).upload.is_none() && !flown;
         if !cleared {
             self.ack(kind.number(), MAV_MISSION_ERROR);

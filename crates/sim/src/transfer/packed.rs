@@ -213,7 +213,7 @@ mod tests {
 
     #[test]
     fn what_is_packed_reads_back_in_blocks_of_any_size() {
-        let parameters = Parameters::new(14);
+        let parameters = Parameters::new(crate::VehicleKind::Copter, 14);
         for block in [110, 239, 80] {
             let file = PackRequest::default()
                 .pack(&parameters, block)
@@ -234,7 +234,7 @@ mod tests {
         let real = b"\x1bgf\x05f\x05\x02\xd0FORMAT_VERSIONx\x00\x02\xc0SYSID_THISMAV\x0e\x00\x02FMYGCS\xff\x00\
             \x04\xd0PILOT_THR_FILT\x00\x00\x00\x00\x04wKOFF_ALT\x00\x00\x00\x00\x02WHR_BHV\x00\x00\x01\xa0TELEM_DELAY\x00";
         let file = PackRequest::default()
-            .pack(&Parameters::new(14), 239)
+            .pack(&Parameters::new(crate::VehicleKind::Copter, 14), 239)
             .expect("some");
         assert_eq!(&file[..real.len()], real);
         // Device ids and calibrations differ from one boot to the next, but not in length.
@@ -243,7 +243,7 @@ mod tests {
 
     #[test]
     fn a_query_chooses_what_is_packed() {
-        let mut parameters = Parameters::new(1);
+        let mut parameters = Parameters::new(crate::VehicleKind::Copter, 1);
         let wanted = PackRequest::read("param.pck?start=2&count=3").expect("sense");
         let file = wanted.pack(&parameters, 239).expect("some");
         assert_eq!(read(&file, 239).len(), 3);

@@ -6,9 +6,11 @@ use glam::{DVec2, DVec3};
 
 use crate::body::{Body, Demand};
 use crate::control::{Limits, PositionControl};
-use crate::mode::{self, Mode};
+use crate::helm::Helm;
+use crate::kind::VehicleKind;
+use crate::mode::{self, Mode, ModeId};
 use crate::radio::SimpleSticks;
-use crate::task::{Act, FlightTuning, Pilot, Task};
+use crate::task::{Act, Drive, FlightTuning, Pilot, Task};
 use crate::trail::Trail;
 use crate::yaw::{Turning, YawControl, YawDemand};
 
@@ -29,6 +31,8 @@ pub(crate) struct FlightState {
     pub(crate) paused: Option<Task>,
     pub(crate) speeds: AskedSpeeds,
     pub(crate) control: PositionControl,
+    /// The steering of a rover; `None` for a vehicle that flies.
+    pub(crate) helm: Option<Box<Helm>>,
     pub(crate) yaw: YawControl,
     /// The state of the piloted modes.
     pub(crate) pilot: Pilot,
@@ -45,13 +49,17 @@ pub(crate) struct FlightState {
 }
 
 impl FlightState {
-    pub(super) fn resting(body: &Body) -> Self {
+    pub(super) fn resting(kind: VehicleKind, body: &Body) -> Self {
         Self {
-            mode: Mode::BOOT,
-            task: Task::Manual,
+            mode: Mode::boot(kind),
+            task: match kind {
+                VehicleKind::Copter => Task::Manual,
+                VehicleKind::Rover(_) => Task::Drive(Drive::Manual),
+            },
             paused: None,
             speeds: AskedSpeeds::default(),
             control: PositionControl::at(body),
+            helm: kind.chassis().map(|_| Box::default()),
             yaw: YawControl::holding(body.yaw_deg),
             pilot: Pilot::default(),
             simple: SimpleSticks::default(),
@@ -64,7 +72,7 @@ impl FlightState {
 
     /// Whether the vehicle is landing.
     pub(crate) fn is_landing(&self) -> bool {
-        self.mode.number == mode::LAND
+        self.mode.id == ModeId::Land
             || matches!(&self.task, Task::Return(way) if way.landing().is_some())
     }
 
@@ -75,12 +83,18 @@ impl FlightState {
 
     /// The task of the mode for a vehicle on the ground.
     pub(crate) fn wait_on_ground(&mut self) {
-        self.task = match self.mode.number {
-            mode::STABILIZE | mode::ACRO | mode::DRIFT => Task::Manual,
-            mode::GUIDED | mode::GUIDED_NOGPS | mode::AUTO | mode::BRAKE | mode::CIRCLE => {
-                Task::Wait
-            }
-            mode::RTL | mode::SMART_RTL | mode::LAND => self.task.clone(),
+        if self.helm.is_some() {
+            // A rover keeps its task.
+            return;
+        }
+        self.task = match self.mode.id {
+            ModeId::Stabilize | ModeId::Acro | ModeId::Drift => Task::Manual,
+            ModeId::Guided
+            | ModeId::GuidedNoGps
+            | ModeId::Auto
+            | ModeId::Brake
+            | ModeId::Circle => Task::Wait,
+            ModeId::Rtl | ModeId::SmartRtl | ModeId::Land => self.task.clone(),
             _ => Task::Piloted,
         };
     }
@@ -91,7 +105,7 @@ impl FlightState {
     pub(super) fn speeds_changed(&mut self, before: [f64; 3], now: [f64; 3]) {
         let changed = |place: usize| before[place].to_bits() != now[place].to_bits();
         let asked = &mut self.speeds;
-        if mode::follows_waypoints(self.mode.number) {
+        if mode::follows_waypoints(self.mode.id) {
             let speeds = [
                 &mut asked.ground_m_s,
                 &mut asked.up_m_s,
@@ -161,7 +175,8 @@ impl FlightState {
             | Task::Route(_)
             | Task::Orbit(_)
             | Task::Piloted
-            | Task::Manual => return,
+            | Task::Manual
+            | Task::Drive(_) => return,
         };
         if now >= until && matches!(self.yaw.demand, YawDemand::Rate(_)) {
             self.yaw.demand = YawDemand::Hold;
@@ -187,10 +202,10 @@ impl FlightState {
     /// Ends a takeoff to a point, where the vehicle then waits with the task of its mode.
     pub(super) fn end_takeoff(&mut self, goal_m: DVec3) {
         self.takeoff_m = Some(goal_m);
-        self.task = match self.mode.number {
-            mode::GUIDED => Task::goto(goal_m),
+        self.task = match self.mode.id {
+            ModeId::Guided => Task::goto(goal_m),
             // In AUTO, the mission continues on its own.
-            mode::AUTO => return,
+            ModeId::Auto => return,
             _ => Task::Piloted,
         };
     }

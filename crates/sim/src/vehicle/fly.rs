@@ -3,7 +3,7 @@
 use super::Vehicle;
 use crate::body::Demand;
 use crate::estimator::Surroundings;
-use crate::mode;
+use crate::mode::ModeId;
 use crate::task::{Act, Task};
 use crate::yaw::Turning;
 
@@ -64,8 +64,7 @@ impl Vehicle {
     fn turn_by_stick(&mut self) {
         let steered = matches!(self.flight.task, Task::Piloted | Task::Manual);
         let overridden = self.uptime() < self.radio.until;
-        if !self.safety.armed || !(steered || overridden) || self.flight.mode.number == mode::BRAKE
-        {
+        if !self.safety.armed || !(steered || overridden) || self.flight.mode.id == ModeId::Brake {
             return;
         }
         let pilot = self.flight.pilot.clone();

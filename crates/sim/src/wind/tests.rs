@@ -1,7 +1,7 @@
 use super::*;
 
 fn rules(set: &[(&str, f32)]) -> WindRules {
-    let mut all = Parameters::new(1);
+    let mut all = Parameters::new(crate::VehicleKind::Copter, 1);
     for (name, value) in set {
         all.set(name, *value).expect("known");
     }

@@ -11,7 +11,7 @@ use super::{
 };
 use crate::autopilot::Autopilot;
 use crate::cmd;
-use crate::mode;
+use crate::mode::ModeId;
 use crate::plan::{Item, ListKind, frame};
 use crate::radio::SimpleMode;
 use crate::radio::SwitchPosition::{self, High, Low, Middle};
@@ -55,7 +55,7 @@ impl Autopilot {
     /// Empties the mission, except while it is being flown.
     fn clear_mission(&mut self) {
         let vehicle = &mut self.vehicle;
-        if vehicle.safety.armed && vehicle.flight.mode.number == mode::AUTO {
+        if vehicle.safety.armed && vehicle.flight.mode.id == ModeId::Auto {
             return;
         }
         vehicle.plans.mission.clear();
@@ -69,7 +69,7 @@ impl Autopilot {
         let vehicle = &mut self.vehicle;
         let low = vehicle.sticks().throttle_is_low();
         let is_empty = vehicle.plans.mission.is_empty();
-        let refuses = !vehicle.safety.armed || vehicle.flight.mode.number == mode::AUTO;
+        let refuses = !vehicle.safety.armed || vehicle.flight.mode.id == ModeId::Auto;
         if refuses || (is_empty && low) {
             return;
         }
@@ -162,7 +162,7 @@ impl Autopilot {
             Middle => return self.end_zigzag(false),
         };
         let vehicle = &mut self.vehicle;
-        if vehicle.flight.mode.number != mode::ZIGZAG {
+        if vehicle.flight.mode.id != ModeId::ZigZag {
             return;
         }
         let here_m = vehicle.believed().position_m.truncate();
@@ -201,7 +201,7 @@ impl Autopilot {
     /// `keeps_target` is false, stops where it is.
     fn end_zigzag(&mut self, keeps_target: bool) {
         let vehicle = &mut self.vehicle;
-        let is_zigzag = vehicle.flight.mode.number == mode::ZIGZAG;
+        let is_zigzag = vehicle.flight.mode.id == ModeId::ZigZag;
         if !is_zigzag || !matches!(vehicle.flight.task, Task::Route(_)) {
             return;
         }
@@ -296,7 +296,7 @@ impl Autopilot {
     /// Reports that the trim was saved, as in STABILIZE and ACRO with the throttle down; the sensors are level anyway.
     fn save_trim(&mut self) {
         let vehicle = &self.vehicle;
-        let allows = matches!(vehicle.flight.mode.number, mode::STABILIZE | mode::ACRO);
+        let allows = matches!(vehicle.flight.mode.id, ModeId::Stabilize | ModeId::Acro);
         if allows && vehicle.sticks().throttle_is_low() {
             self.inform(MAV_SEVERITY_INFO, "Trim saved");
         }

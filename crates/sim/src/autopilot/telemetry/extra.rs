@@ -3,7 +3,7 @@
 use mavlink::dialects::ardupilotmega::{
     ATTITUDE_TARGET_DATA, AUTOPILOT_STATE_FOR_GIMBAL_DEVICE_DATA, AttitudeTargetTypemask,
     ESC_TELEMETRY_1_TO_4_DATA, EstimatorStatusFlags, HIGH_LATENCY2_DATA, HlFailureFlag,
-    MISSION_ITEM_REACHED_DATA, MavAutopilot, MavLandedState, MavMessage, MavType, RC_CHANNELS_DATA,
+    MISSION_ITEM_REACHED_DATA, MavAutopilot, MavLandedState, MavMessage, RC_CHANNELS_DATA,
     RELAY_STATUS_DATA, SCALED_IMU_DATA, SCALED_IMU3_DATA, SCALED_PRESSURE2_DATA,
     SERVO_OUTPUT_RAW_DATA, SIM_STATE_DATA, TERRAIN_REPORT_DATA, TERRAIN_REQUEST_DATA,
 };
@@ -29,7 +29,15 @@ const FULL_RPM: f64 = 7000.0;
 
 pub(super) fn servo_output_raw(autopilot: &Autopilot) -> MavMessage {
     let mut servos = autopilot.vehicle.servos_us;
-    let count = autopilot.vehicle.plant.airframe.motors();
+    let count = match &autopilot.vehicle.flight.helm {
+        None => autopilot.vehicle.plant.airframe.motors(),
+        Some(helm) => {
+            let outputs = helm.pulses_us(autopilot.vehicle.kind);
+            servos[0] = outputs[0];
+            servos[2] = outputs[1];
+            0
+        }
+    };
     for (motor, servo) in servos.iter_mut().enumerate().take(count) {
         *servo = autopilot.vehicle.plant.motor_pulse_us(motor);
     }
@@ -253,7 +261,7 @@ pub(super) fn high_latency2(autopilot: &Autopilot) -> MavMessage {
         target_distance: (way.truncate().length() / 10.0) as u16,
         // A copter has no airspeed sensor.
         failure_flags: HlFailureFlag::HL_FAILURE_FLAG_DIFFERENTIAL_PRESSURE,
-        mavtype: MavType::MAV_TYPE_QUADROTOR,
+        mavtype: health::vehicle_type(autopilot),
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         heading,
         target_heading: (wrap_360(maths::atan2(way.y, way.x).to_degrees()) / 2.0) as u8,

@@ -4,15 +4,16 @@ use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, BATTERY_STATUS_DATA, EKF_STATUS_REPORT_DATA, EXTENDED_SYS_STATE_DATA,
     GpsFixType, HEARTBEAT_DATA, MEMINFO_DATA, MavAutopilot, MavBatteryFault, MavBatteryFunction,
     MavBatteryType, MavLandedState, MavMessage, MavModeFlag, MavPowerStatus, MavProtocolCapability,
-    MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavVtolState, POWER_STATUS_DATA,
-    SYS_STATUS_DATA, SYSTEM_TIME_DATA,
+    MavState, MavSysStatusSensor, MavSysStatusSensorExtended, MavType, MavVtolState,
+    POWER_STATUS_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
 };
 
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
 use crate::boot::COMMIT;
 use crate::flight_log::EPOCH_US;
-use crate::mode;
+use crate::kind::VehicleKind;
+use crate::mode::ModeId;
 use crate::task::Task;
 
 /// Gyro, accelerometer, compass, barometer, GPS, rate, attitude and yaw control, motors, RC, AHRS, battery, pre-arm
@@ -63,10 +64,24 @@ const CAPABILITIES: MavProtocolCapability =
         .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_FENCE)
         .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_MISSION_RALLY);
 
+/// What a rover cannot do.
+const ONLY_IN_FLIGHT: MavProtocolCapability =
+    MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_TERRAIN
+        .union(MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FLIGHT_TERMINATION);
+
 pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
-    let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED
-        | MavModeFlag::MAV_MODE_FLAG_STABILIZE_ENABLED
-        | MavModeFlag::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED;
+    let vehicle = &autopilot.vehicle;
+    let mut base_mode = MavModeFlag::MAV_MODE_FLAG_CUSTOM_MODE_ENABLED;
+    base_mode |= match vehicle.kind {
+        VehicleKind::Copter => {
+            MavModeFlag::MAV_MODE_FLAG_STABILIZE_ENABLED
+                | MavModeFlag::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED
+        }
+        VehicleKind::Rover(_) if vehicle.flight.mode.is_steered() => {
+            MavModeFlag::MAV_MODE_FLAG_MANUAL_INPUT_ENABLED
+        }
+        VehicleKind::Rover(_) => MavModeFlag::empty(),
+    };
     if autopilot.vehicle.flight.mode.autonomous {
         base_mode |= MavModeFlag::MAV_MODE_FLAG_GUIDED_ENABLED;
     }
@@ -75,24 +90,49 @@ pub(super) fn heartbeat(autopilot: &Autopilot) -> MavMessage {
     }
     MavMessage::HEARTBEAT(HEARTBEAT_DATA {
         custom_mode: u32::from(autopilot.reported_mode()),
-        mavtype: autopilot.vehicle.plant.airframe.vehicle_type(),
+        mavtype: vehicle_type(autopilot),
         autopilot: MavAutopilot::MAV_AUTOPILOT_ARDUPILOTMEGA,
         base_mode,
-        system_status: if autopilot.failsafe.is_active() {
-            MavState::MAV_STATE_CRITICAL
-        } else if autopilot.vehicle.safety.landed && !autopilot.vehicle.boot.is_initialising() {
-            MavState::MAV_STATE_STANDBY
-        } else {
-            MavState::MAV_STATE_ACTIVE
-        },
+        system_status: system_status(autopilot),
         mavlink_version: 3,
     })
 }
 
+/// The type of the vehicle: a rover is a boat by a parameter.
+pub(super) fn vehicle_type(autopilot: &Autopilot) -> MavType {
+    let vehicle = &autopilot.vehicle;
+    match &vehicle.tuning.flight.helm {
+        None => vehicle.plant.airframe.vehicle_type(),
+        Some(helm) if helm.is_boat => MavType::MAV_TYPE_SURFACE_BOAT,
+        Some(_) => MavType::MAV_TYPE_GROUND_ROVER,
+    }
+}
+
+fn system_status(autopilot: &Autopilot) -> MavState {
+    let vehicle = &autopilot.vehicle;
+    let is_idle = match vehicle.kind {
+        VehicleKind::Copter => vehicle.safety.landed && !vehicle.boot.is_initialising(),
+        VehicleKind::Rover(_) => vehicle.flight.mode.id == ModeId::Hold,
+    };
+    let is_in_emergency = match vehicle.kind {
+        VehicleKind::Copter => autopilot.failsafe.is_active(),
+        VehicleKind::Rover(_) => autopilot.failsafe.has_lost_a_link(),
+    };
+    if is_in_emergency {
+        MavState::MAV_STATE_CRITICAL
+    } else if is_idle {
+        MavState::MAV_STATE_STANDBY
+    } else {
+        MavState::MAV_STATE_ACTIVE
+    }
+}
+
 /// The sensors and functions that are present, in use, and healthy.
 fn sensors(autopilot: &Autopilot) -> [MavSysStatusSensor; 3] {
-    let mut present = SENSORS | HEIGHT_CONTROL | POSITION_CONTROL;
-    let mut enabled = SENSORS;
+    let [mut present, mut enabled] = match autopilot.vehicle.kind {
+        VehicleKind::Copter => [SENSORS | HEIGHT_CONTROL | POSITION_CONTROL, SENSORS],
+        VehicleKind::Rover(_) => rover_sensors(autopilot),
+    };
     if autopilot
         .vehicle
         .boot
@@ -128,6 +168,24 @@ fn sensors(autopilot: &Autopilot) -> [MavSysStatusSensor; 3] {
         enabled & !FENCE
     };
     [present, enabled, healthy & !failed(autopilot)]
+}
+
+/// The sensors and functions of a rover that are present and in use: it controls its attitude and its yaw only while it
+/// is not steered by hand.
+fn rover_sensors(autopilot: &Autopilot) -> [MavSysStatusSensor; 2] {
+    let mode = autopilot.vehicle.flight.mode;
+    let control = MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_ANGULAR_RATE_CONTROL
+        | MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_ATTITUDE_STABILIZATION
+        | MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_YAW_POSITION
+        | POSITION_CONTROL;
+    let present = (SENSORS | control) & !MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_PROPULSION;
+    let in_use = match mode.id {
+        ModeId::Manual | ModeId::Hold => MavSysStatusSensor::empty(),
+        ModeId::Acro => MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_ANGULAR_RATE_CONTROL,
+        _ => control,
+    };
+    let out_of_use = control & !in_use;
+    [present, present & !out_of_use]
 }
 
 fn failed(autopilot: &Autopilot) -> MavSysStatusSensor {
@@ -235,11 +293,14 @@ pub(super) fn ekf_status_report(autopilot: &Autopilot) -> MavMessage {
 pub(super) fn extended_sys_state(autopilot: &Autopilot) -> MavMessage {
     let descending = matches!(&autopilot.vehicle.flight.task, Task::Land(_))
         || matches!(&autopilot.vehicle.flight.task, Task::Return(way) if way.landing().is_some());
+    if autopilot.vehicle.kind != VehicleKind::Copter {
+        return MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA::default());
+    }
     let landed_state = if autopilot.vehicle.safety.landed {
         MavLandedState::MAV_LANDED_STATE_ON_GROUND
     } else if matches!(autopilot.vehicle.flight.task, Task::Takeoff(_)) {
         MavLandedState::MAV_LANDED_STATE_TAKEOFF
-    } else if descending || autopilot.vehicle.flight.mode.number == mode::LAND {
+    } else if descending || autopilot.vehicle.flight.mode.id == ModeId::Land {
         MavLandedState::MAV_LANDED_STATE_LANDING
     } else {
         MavLandedState::MAV_LANDED_STATE_IN_AIR
@@ -260,6 +321,9 @@ pub(super) fn autopilot_version(autopilot: &Autopilot) -> MavMessage {
         MavProtocolCapability::MAV_PROTOCOL_CAPABILITY_FTP,
         hands_out_files,
     );
+    if autopilot.vehicle.kind != VehicleKind::Copter {
+        capabilities.remove(ONLY_IN_FLIGHT);
+    }
     MavMessage::AUTOPILOT_VERSION(AUTOPILOT_VERSION_DATA {
         capabilities,
         flight_sw_version: 0x0406_0000,

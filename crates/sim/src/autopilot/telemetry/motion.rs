@@ -111,7 +111,7 @@ pub(super) fn vfr_hud(autopilot: &Autopilot) -> MavMessage {
         alt: reported_place(autopilot).altitude_amsl_m as f32,
         climb: -body.velocity_m_s.z as f32,
         heading: wrap_360(body.yaw_deg) as i16,
-        throttle: (body.throttle * 100.0) as u16,
+        throttle: (body.throttle.abs() * 100.0) as u16,
     })
 }
 

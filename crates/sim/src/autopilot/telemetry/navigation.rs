@@ -8,8 +8,9 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
+use crate::kind::VehicleKind;
 use crate::mask::{POSITION_ONLY, VELOCITY_ONLY};
-use crate::mode;
+use crate::mode::ModeId;
 use crate::task::Task;
 use sortie_geo::maths;
 use sortie_geo::{wrap_180, wrap_360};
@@ -31,7 +32,7 @@ pub(super) fn mission_current(autopilot: &Autopilot) -> MavMessage {
         seq: autopilot.auto_plan.current(),
         total: items.saturating_sub(1) as u16,
         mission_state: autopilot.auto_plan.reported_state(items),
-        mission_mode: u8::from(autopilot.vehicle.flight.mode.number == mode::AUTO),
+        mission_mode: u8::from(autopilot.vehicle.flight.mode.id == ModeId::Auto),
         ..Default::default()
     })
 }
@@ -39,7 +40,7 @@ pub(super) fn mission_current(autopilot: &Autopilot) -> MavMessage {
 /// The target that the vehicle reports in GUIDED: position, velocity and type mask; `None` if there
 /// is none.
 fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
-    if autopilot.vehicle.flight.mode.number != mode::GUIDED || !autopilot.vehicle.safety.armed {
+    if autopilot.vehicle.flight.mode.id != ModeId::Guided || !autopilot.vehicle.safety.armed {
         return None;
     }
     // During a takeoff, and until the next target, the vehicle reports a target that it does not fly to.
@@ -61,7 +62,8 @@ fn target(autopilot: &Autopilot) -> Option<(DVec3, DVec3, u16)> {
         | Task::Route(_)
         | Task::Orbit(_)
         | Task::Piloted
-        | Task::Manual => None,
+        | Task::Manual
+        | Task::Drive(_) => None,
     }
 }
 
@@ -107,6 +109,7 @@ pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
         Task::Goto { goal_m, .. } => Some(*goal_m),
         Task::Return(_) => Some(autopilot.vehicle.datum.home_point()),
         Task::Route(route) => Some(route.goal_m()),
+        Task::Drive(drive) => drive.goal_m(),
         Task::Wait
         | Task::Takeoff(_)
         | Task::Velocity { .. }
@@ -121,7 +124,12 @@ pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     }
 }
 
-pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
+/// A rover does not send it in the modes of a pilot.
+pub(super) fn nav_controller_output(autopilot: &Autopilot) -> Option<MavMessage> {
+    let is_rover = autopilot.vehicle.kind != VehicleKind::Copter;
+    if is_rover && !autopilot.vehicle.flight.mode.autonomous {
+        return None;
+    }
     let body = autopilot.vehicle.believed();
     let (roll, pitch) = body.roll_pitch_rad();
     let way = goal(autopilot).map_or(DVec3::ZERO, |goal| goal - body.position_m);
@@ -135,13 +143,15 @@ pub(super) fn nav_controller_output(autopilot: &Autopilot) -> MavMessage {
     } else {
         body.position_m.z - autopilot.vehicle.flight.control.path_m.z
     };
-    MavMessage::NAV_CONTROLLER_OUTPUT(NAV_CONTROLLER_OUTPUT_DATA {
-        nav_roll: roll.to_degrees() as f32,
-        nav_pitch: pitch.to_degrees() as f32,
-        alt_error: alt_error as f32,
-        nav_bearing: bearing as i16,
-        target_bearing: wrap_360(bearing) as i16,
-        wp_dist: way.truncate().length() as u16,
-        ..Default::default()
-    })
+    Some(MavMessage::NAV_CONTROLLER_OUTPUT(
+        NAV_CONTROLLER_OUTPUT_DATA {
+            nav_roll: roll.to_degrees() as f32,
+            nav_pitch: pitch.to_degrees() as f32,
+            alt_error: alt_error as f32,
+            nav_bearing: bearing as i16,
+            target_bearing: wrap_360(bearing) as i16,
+            wp_dist: way.truncate().length() as u16,
+            ..Default::default()
+        },
+    ))
 }

@@ -158,8 +158,12 @@ pub(super) fn scaled_pressure(autopilot: &Autopilot) -> MavMessage {
     })
 }
 
-/// An empty message: a copter without an airspeed sensor has no estimate of the wind.
+/// An empty message: a copter without an airspeed sensor has no estimate of the wind. A rover needs a wind vane to
+/// send it at all.
 pub(super) fn wind(autopilot: &Autopilot) -> Option<MavMessage> {
+    if autopilot.vehicle.kind != crate::VehicleKind::Copter {
+        return None;
+    }
     autopilot
         .vehicle
         .boot

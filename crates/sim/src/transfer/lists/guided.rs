@@ -9,7 +9,7 @@ use crate::autopilot::Autopilot;
 use crate::cmd;
 use crate::guided::{self, Setpoint, TargetPoint};
 use crate::mask::POSITION_ONLY;
-use crate::mode;
+use crate::mode::ModeId;
 use crate::plan::{Item, ListKind};
 use crate::transfer::items;
 use sortie_geo::LatLon;
@@ -32,7 +32,7 @@ pub(super) fn go(autopilot: &mut Autopilot, item: &Item, current: u8) -> MavMiss
     if current == CHANGE_HEIGHT {
         return MAV_MISSION_ACCEPTED;
     }
-    if autopilot.vehicle.flight.mode.number != mode::GUIDED || item.command != cmd::NAV_WAYPOINT {
+    if autopilot.vehicle.flight.mode.id != ModeId::Guided || item.command != cmd::NAV_WAYPOINT {
         return MAV_MISSION_ERROR;
     }
     guided::take_setpoint(

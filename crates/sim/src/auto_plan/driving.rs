@@ -1,0 +1,164 @@
+//! The mission of a rover (`ArduRover`'s `mode_auto`): navigation commands that drive or wait, and their ends.
+
+use std::time::Duration;
+
+use mavlink::dialects::ardupilotmega::MavSeverity;
+
+use super::place::{item_place, item_point, reference_point};
+use super::{AutoPlan, PlanWait, sequence};
+use crate::cmd;
+use crate::helm::bearing_deg;
+use crate::plan::Item;
+use crate::task::{Drive, Task, on_surface};
+use crate::vehicle::Vehicle;
+use glam::DVec2;
+use sortie_geo::wrap_180;
+
+impl AutoPlan {
+    /// Starts a navigation command of a rover; `false` if it cannot be driven.
+    pub(super) fn start_driving(&mut self, vehicle: &mut Vehicle, at: u16, item: &Item) -> bool {
+        match item.command {
+            cmd::NAV_WAYPOINT => self.drive_to_waypoint(vehicle, at, item, item.params[0] > 0.0),
+            cmd::NAV_LOITER_UNLIM | cmd::NAV_LOITER_TIME => {
+                self.drive_to_waypoint(vehicle, at, item, true);
+            }
+            cmd::NAV_RETURN_TO_LAUNCH => {
+                self.begin_drive(vehicle, PlanWait::Nothing, |cockpit, rules| {
+                    Drive::home(cockpit, rules)
+                });
+            }
+            cmd::NAV_GUIDED_ENABLE => {
+                if item.params[0] as u16 > 0 {
+                    self.begin_drive(vehicle, PlanWait::Guided, |cockpit, rules| {
+                        Drive::rest(cockpit, rules)
+                    });
+                }
+            }
+            cmd::NAV_DELAY => {
+                self.begin_drive(vehicle, PlanWait::Nothing, |cockpit, rules| {
+                    Drive::rest(cockpit, rules)
+                });
+                self.begin_delay(vehicle, item);
+            }
+            _ => return false,
+        }
+        true
+    }
+
+    /// Whether the navigation command of a rover is over.
+    pub(super) fn drive_is_over(&mut self, vehicle: &mut Vehicle, at: u16) -> bool {
+        let item = self.nav_item;
+        match item.command {
+            cmd::NAV_WAYPOINT => self.has_waited(vehicle, at, &item),
+            cmd::NAV_LOITER_UNLIM => {
+                self.has_waited(vehicle, at, &item);
+                false
+            }
+            cmd::NAV_LOITER_TIME => {
+                let over = self.has_waited(vehicle, at, &item);
+                if over {
+                    let text = "Finished active loiter";
+                    vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+                }
+                over
+            }
+            cmd::NAV_RETURN_TO_LAUNCH => match &vehicle.flight.task {
+                Task::Drive(Drive::Return(home)) => home.route.reached,
+                _ => true,
+            },
+            cmd::NAV_GUIDED_ENABLE => self.wait != PlanWait::Guided || item.params[0] as u16 == 0,
+            cmd::NAV_DELAY => {
+                matches!(self.wait, PlanWait::Until(until) if vehicle.uptime() > until)
+            }
+            _ => {
+                let text = format!("Skipping invalid cmd #{}", item.command);
+                vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
+                true
+            }
+        }
+    }
+
+    /// The end of the mission: the rover stands, a boat holds its place.
+    pub(super) fn park(&mut self, vehicle: &mut Vehicle) {
+        vehicle.say(MavSeverity::MAV_SEVERITY_NOTICE, "Mission Complete");
+        self.begin_drive(vehicle, PlanWait::Nothing, |cockpit, rules| {
+            Drive::rest(cockpit, rules)
+        });
+    }
+
+    fn begin_drive(
+        &mut self,
+        vehicle: &mut Vehicle,
+        wait: PlanWait,
+        begin: impl FnOnce(&mut crate::task::Cockpit<'_>, &crate::helm::HelmRules) -> Drive,
+    ) {
+        let drive = vehicle.with_cockpit(|_, cockpit| {
+            let rules = cockpit.tuning.helm.as_deref()?;
+            Some(begin(cockpit, rules))
+        });
+        if let Some(drive) = drive {
+            vehicle.flight.task = Task::Drive(drive);
+        }
+        self.wait = wait;
+        self.paused = false;
+    }
+
+    fn drive_to_waypoint(&mut self, vehicle: &mut Vehicle, at: u16, item: &Item, stops: bool) {
+        let from_m = match &vehicle.flight.task {
+            Task::Route(route) => route.goal_m().truncate(),
+            _ => vehicle.believed().position_m.truncate(),
+        };
+        let goal_m = on_surface(item_point(vehicle, item, reference_point(vehicle)));
+        self.fly_to(vehicle, goal_m, PlanWait::Stay(None));
+        let items = &vehicle.plans.mission;
+        let next = sequence::next_navigation(items, at.saturating_add(1), &self.jumps)
+            .and_then(|next| vehicle.plans.item(next))
+            .filter(|_| !stops);
+        let Some(next) = next else {
+            return;
+        };
+        let further_m = item_place(vehicle, &next).unwrap_or(goal_m.truncate());
+        if pivots(vehicle, [from_m, goal_m.truncate(), further_m]) {
+            return;
+        }
+        vehicle.with_cockpit(|task, cockpit| {
+            if let Task::Route(route) = task {
+                route.then_to(further_m.extend(goal_m.z), cockpit);
+            }
+        });
+    }
+
+    fn has_waited(&mut self, vehicle: &mut Vehicle, at: u16, item: &Item) -> bool {
+        if !matches!(&vehicle.flight.task, Task::Route(route) if route.reached) {
+            return false;
+        }
+        let now = vehicle.uptime();
+        let PlanWait::Stay(since) = &mut self.wait else {
+            return false;
+        };
+        let stays = Duration::from_secs(item.params[0].clamp(0.0, 32767.0) as u64);
+        if since.is_none() {
+            *since = Some(now);
+            let text = if stays.is_zero() {
+                format!("Reached waypoint #{at}")
+            } else {
+                format!(
+                    "Reached waypoint #{at}. Loiter for {} seconds",
+                    stays.as_secs()
+                )
+            };
+            vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        }
+        let since = since.unwrap_or(now);
+        now.saturating_sub(since).as_secs() >= stays.as_secs()
+    }
+}
+
+/// Whether the vehicle turns on the spot at the corner of three points.
+fn pivots(vehicle: &Vehicle, [from, corner, to]: [DVec2; 3]) -> bool {
+    let rules = vehicle.tuning.flight.helm.as_deref();
+    let turn_deg = wrap_180(bearing_deg(corner, to) - bearing_deg(from, corner)).abs();
+    rules
+        .and_then(|rules| rules.pivot_from_deg)
+        .is_some_and(|from_deg| turn_deg > from_deg)
+}

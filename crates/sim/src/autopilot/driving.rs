@@ -1,0 +1,101 @@
+//! The autopilot of a rover: its modes, its steps on the ground, and its reactions.
+
+use glam::DVec3;
+use mavlink::dialects::ardupilotmega::{MISSION_ITEM_REACHED_DATA, MavMessage, MavSeverity};
+
+use super::Autopilot;
+use crate::mode::rover::REFUSAL;
+use crate::mode::{Mode, ModeEntry, ModeId};
+use crate::reaction::FailsafeAction;
+use crate::task::{Drive, DriveNews, Loiter, Task, on_surface};
+
+impl Autopilot {
+    /// Whether a rover refuses a mode now; reports the reason.
+    pub(super) fn refuses_to_drive(&mut self, mode: &Mode) -> bool {
+        let vehicle = &mut self.vehicle;
+        let has_mission = vehicle.plans.mission.len() > 1;
+        if mode.id == ModeId::Auto && !has_mission {
+            let text = "No Mission. Can't set AUTO.";
+            vehicle.say(MavSeverity::MAV_SEVERITY_NOTICE, text);
+        }
+        let is_lost = mode.needs_position() && vehicle.safety.armed && !vehicle.is_ready();
+        let refuses = is_lost
+            || match mode.id {
+                ModeId::Auto => !has_mission,
+                ModeId::Rtl => vehicle.datum.home().is_none(),
+                ModeId::SmartRtl => !vehicle.flight.trail.is_active(),
+                _ => false,
+            };
+        if let ModeEntry::Refused(texts) = mode.entry {
+            for text in texts {
+                vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, text);
+            }
+            return true;
+        }
+        if refuses {
+            vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, REFUSAL);
+        }
+        refuses
+    }
+
+    /// The task of the mode.
+    pub(super) fn first_drive(&mut self) -> Task {
+        let mode = self.vehicle.flight.mode.id;
+        Task::Drive(self.vehicle.with_cockpit(|_, cockpit| {
+            let Some(rules) = cockpit.tuning.helm.as_deref() else {
+                return Drive::Hold;
+            };
+            match mode {
+                ModeId::Manual => Drive::Manual,
+                ModeId::Acro => Drive::Acro,
+                ModeId::Steering => Drive::Steering,
+                ModeId::Simple => Drive::Simple {
+                    ahead_deg: cockpit.body.yaw_deg,
+                },
+                ModeId::Guided | ModeId::Auto => Drive::rest(cockpit, rules),
+                ModeId::Loiter => Drive::Loiter(Loiter::here(cockpit, rules)),
+                ModeId::Rtl => Drive::home(cockpit, rules),
+                ModeId::SmartRtl => Drive::retracing(cockpit, rules),
+                _ => Drive::Hold,
+            }
+        }))
+    }
+
+    /// Drives for one step, and reports what happened.
+    pub(super) fn drive(&mut self) {
+        let vehicle = &mut self.vehicle;
+        match vehicle.drive() {
+            Some(DriveNews::Reached) => {
+                let reached = MISSION_ITEM_REACHED_DATA { seq: 0 };
+                vehicle
+                    .outbox
+                    .push(MavMessage::MISSION_ITEM_REACHED(reached));
+            }
+            Some(DriveNews::Say(severity, text)) => vehicle.say(severity, text),
+            None => {}
+        }
+    }
+
+    /// Carries out the action of a failsafe or of the fence: a mode that cannot be entered is followed by a simpler one.
+    pub(super) fn act_on_the_ground(&mut self, action: FailsafeAction) {
+        let modes: &[ModeId] = match action {
+            FailsafeAction::Return => &[ModeId::Rtl, ModeId::Hold],
+            FailsafeAction::PathBackOrReturn => &[ModeId::SmartRtl, ModeId::Rtl, ModeId::Hold],
+            FailsafeAction::PathBackOrHold => &[ModeId::SmartRtl, ModeId::Hold],
+            FailsafeAction::Hold => &[ModeId::Hold],
+            FailsafeAction::Terminate => {
+                self.disarm();
+                &[]
+            }
+            _ => &[],
+        };
+        modes.iter().any(|&mode| self.set_mode(mode));
+    }
+
+    /// Drives to a place in GUIDED.
+    pub(crate) fn drive_to(&mut self, goal_m: DVec3) {
+        let goal_m = on_surface(goal_m);
+        self.vehicle
+            .with_cockpit(|task, cockpit| *task = task.drive_to(goal_m, cockpit));
+    }
+}

@@ -1,0 +1,92 @@
+//! Commands that a rover carries out in its own way.
+
+use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
+
+use super::motion::{self, CHANGE_MODE};
+use super::{Command, done};
+use crate::autopilot::Autopilot;
+use crate::guided;
+use crate::link::Link;
+use crate::mode::{self, ModeId};
+use crate::task::{Drive, Task};
+
+/// The lowest speed that a rover accepts, in m/s.
+const SPEED_MIN_M_S: f64 = 0.05;
+
+/// Changes the speed along a path, until the mode changes.
+pub(super) fn change_speed(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    done(set_speed(autopilot, f64::from(command.p[1])))
+}
+
+/// Sets the speed along a path; `false` while there is none, or for a speed that is too low.
+fn set_speed(autopilot: &mut Autopilot, speed_m_s: f64) -> bool {
+    let flight = &mut autopilot.vehicle.flight;
+    let on_path = match &flight.task {
+        Task::Route(_) | Task::Drive(Drive::Goto(_) | Drive::Return(_)) => true,
+        _ => flight.mode.id == ModeId::Auto,
+    };
+    let able = on_path && speed_m_s >= SPEED_MIN_M_S && speed_m_s.is_finite();
+    if able {
+        flight.speeds.ground_m_s = Some(speed_m_s);
+    }
+    able
+}
+
+pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let Some(frame) = command.frame else {
+        return MavResult::MAV_RESULT_UNSUPPORTED;
+    };
+    let may_change_mode = command
+        .whole(1)
+        .is_some_and(|flags| flags & CHANGE_MODE != 0);
+    let guided = mode::is_guided(autopilot.vehicle.flight.mode.id);
+    let somewhere = command.at().is_valid() && (command.x, command.y) != (0, 0);
+    if !somewhere || !(guided || may_change_mode) {
+        return MavResult::MAV_RESULT_DENIED;
+    }
+    let Some(place) = motion::place(autopilot, command, frame) else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    if !guided && !autopilot.set_mode(ModeId::Guided) {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    let speed_m_s = f64::from(command.p[0]);
+    if speed_m_s > 0.0 && !set_speed(autopilot, speed_m_s) {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    let goal_m = autopilot.vehicle.datum.point_of(place);
+    autopilot.drive_to(goal_m);
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// Drives along a heading at a speed, in GUIDED, as a setpoint does.
+pub(super) fn set_yaw_and_speed(
+    autopilot: &mut Autopilot,
+    _: &mut Link,
+    command: &Command,
+) -> MavResult {
+    if command.frame.is_none() {
+        let text = "Received message (MAV_CMD_NAV_SET_YAW_SPEED) is deprecated";
+        autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
+    }
+    let [heading_deg, speed_m_s, relative, _] = command.p.map(f64::from);
+    let is_sensible = heading_deg.is_finite() && speed_m_s.is_finite();
+    if autopilot.vehicle.flight.mode.id != ModeId::Guided || !is_sensible {
+        return MavResult::MAV_RESULT_FAILED;
+    }
+    let from = if relative > 0.0 {
+        autopilot.vehicle.believed().yaw_deg
+    } else {
+        0.0
+    };
+    guided::drive_along(autopilot, from + heading_deg, speed_m_s);
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+pub(super) fn start_mission(autopilot: &mut Autopilot, _: &mut Link, _: &Command) -> MavResult {
+    done(autopilot.set_mode(ModeId::Auto))
+}

@@ -1,0 +1,33 @@
+//! Driving: from the current task over the helm to the body.
+
+use super::Vehicle;
+use crate::helm::Course;
+use crate::kind::Chassis;
+use crate::task::DriveNews;
+
+impl Vehicle {
+    /// Lets the task drive the body of a rover for one step; returns what happened.
+    pub(crate) fn drive(&mut self) -> Option<DriveNews> {
+        let chassis = self.kind.chassis()?;
+        let (course, news) = if self.safety.armed && !self.is_stopped() {
+            self.with_cockpit(|task, cockpit| {
+                let rules = cockpit.tuning.helm.as_deref()?;
+                Some(task.course(cockpit, rules))
+            })?
+        } else {
+            (Course::Off, None)
+        };
+        let rules = self.tuning.flight.helm.as_deref()?;
+        let believed = self.estimator.belief(&self.plant.body);
+        let helm = self.flight.helm.as_mut()?;
+        let outputs = helm.step(course, believed, chassis, rules);
+        let body = &mut self.plant.body;
+        let speed_m_s = body.velocity_m_s.truncate().dot(body.heading());
+        if outputs.are_off() && Chassis::stands(speed_m_s) {
+            body.park();
+        } else {
+            body.roll(chassis.rolling(outputs, speed_m_s), outputs.throttle);
+        }
+        news
+    }
+}
