@@ -34,8 +34,8 @@ pub(super) enum Course {
     Sticks(Outputs),
     /// Brake, then stand.
     Stop,
-    /// Follow a moving point.
-    Follow(FlatMotion),
+    /// Follow a moving point, no faster than a speed.
+    Follow { point: FlatMotion, fastest_m_s: f64 },
     /// Turn on the spot to a heading, in degrees.
     Pivot(f64),
     /// Drive at a speed while turning to a heading, in degrees.
@@ -112,6 +112,21 @@ impl Helm {
         chassis: Chassis,
         rules: &HelmRules,
     ) -> Outputs {
+        self.count_idle_steps();
+        let motion = Motion::of(body);
+        let asked = self.asked(course, body, &motion, rules);
+        self.is_limited = Limited::default();
+        let slewed = self.slewed(asked, rules);
+        let is_piloted = matches!(course, Course::Sticks(_));
+        self.outputs = match chassis {
+            Chassis::Skid => self.mixed(slewed),
+            Chassis::Ackermann | Chassis::Boat if is_piloted => slewed,
+            Chassis::Ackermann | Chassis::Boat => self.scaled(slewed, motion.speed_m_s, rules),
+        };
+        self.outputs
+    }
+
+    fn count_idle_steps(&mut self) {
         for idle in [
             &mut self.speed_idle,
             &mut self.steering_idle,
@@ -120,49 +135,44 @@ impl Helm {
         ] {
             *idle = idle.saturating_add(1);
         }
-        let motion = Motion::of(body);
-        let is_controlled = !matches!(course, Course::Sticks(_));
-        let asked = match course {
-            Course::Off => Outputs::default(),
-            Course::Sticks(sticks) => sticks,
-            Course::Stop => self.stop(&motion, rules),
-            Course::Follow(point) => self.follow(&point, body, &motion, rules),
-            Course::Pivot(heading_deg) => self.pivot(heading_deg, &motion, rules),
+    }
+
+    fn asked(
+        &mut self,
+        course: Course,
+        body: &Body,
+        motion: &Motion,
+        rules: &HelmRules,
+    ) -> Outputs {
+        let (rate_rad_s, speed_m_s) = match course {
+            Course::Off => return Outputs::default(),
+            Course::Sticks(sticks) => return sticks,
+            Course::Stop => return self.stop(motion, rules),
+            Course::Follow { point, fastest_m_s } => {
+                let wanted = wanted_m_s(&point, body, rules).clamp_length_max(fastest_m_s);
+                return self.follow(&point, wanted, motion, rules);
+            }
+            Course::Pivot(heading_deg) => return self.pivot(heading_deg, motion, rules),
             Course::Heading {
                 heading_deg,
                 speed_m_s,
-            } => {
-                let rate = turn_to(heading_deg, 0.0, &motion, rules);
-                Outputs {
-                    steering: self.steer(rate, &motion, rules),
-                    throttle: self.drive(speed_m_s, &motion, rules),
-                }
-            }
+            } => (turn_to(heading_deg, 0.0, motion, rules), speed_m_s),
             Course::Turn {
                 rate_deg_s,
                 speed_m_s,
-            } => Outputs {
-                steering: self.steer(rate_deg_s.to_radians(), &motion, rules),
-                throttle: self.drive(speed_m_s, &motion, rules),
-            },
+            } => (rate_deg_s.to_radians(), speed_m_s),
         };
-        self.is_limited = Limited::default();
-        let slewed = self.slewed(asked, rules);
-        self.outputs = match chassis {
-            Chassis::Skid => self.mixed(slewed),
-            Chassis::Ackermann | Chassis::Boat if is_controlled => {
-                self.scaled(slewed, motion.speed_m_s, rules)
-            }
-            Chassis::Ackermann | Chassis::Boat => slewed,
-        };
-        self.outputs
+        Outputs {
+            steering: self.steer(rate_rad_s, motion, rules),
+            throttle: self.drive(speed_m_s, motion, rules),
+        }
     }
 
     /// Follows a moving point (`AR_PosControl::update`).
     fn follow(
         &mut self,
         point: &FlatMotion,
-        body: &Body,
+        wanted: DVec2,
         motion: &Motion,
         rules: &HelmRules,
     ) -> Outputs {
@@ -170,11 +180,7 @@ impl Helm {
             self.velocity_error_m_s = DVec2::ZERO;
         }
         self.following_idle = 0;
-        let off_m = point.place_m - body.position_m.truncate();
-        let back = square_root(off_m.length(), rules.position_p, rules.accel_m_s2);
-        let wanted = point.velocity_m_s + off_m.normalize_or_zero() * back;
-        let wanted = wanted.clamp_length_max(rules.speed_max_m_s);
-        let error = wanted - body.velocity_m_s.truncate();
+        let error = wanted - motion.velocity_m_s;
         self.velocity_error_m_s += (error - self.velocity_error_m_s) * VELOCITY_BLEND;
         let is_stopping = point.velocity_m_s == DVec2::ZERO;
         let mut speed = wanted.dot(motion.heading);
@@ -356,6 +362,8 @@ impl Helm {
 struct Motion {
     heading_deg: f64,
     heading: DVec2,
+    velocity_m_s: DVec2,
+    /// The part of the velocity along the heading.
     speed_m_s: f64,
     turn_rad_s: f64,
 }
@@ -363,13 +371,22 @@ struct Motion {
 impl Motion {
     fn of(body: &Body) -> Self {
         let heading = body.heading();
+        let velocity_m_s = body.velocity_m_s.truncate();
         Self {
             heading_deg: body.yaw_deg,
             heading,
-            speed_m_s: body.velocity_m_s.truncate().dot(heading),
+            velocity_m_s,
+            speed_m_s: velocity_m_s.dot(heading),
             turn_rad_s: body.yaw_rate_deg_s.to_radians(),
         }
     }
+}
+
+/// The velocity that brings a body onto a moving point.
+fn wanted_m_s(point: &FlatMotion, body: &Body, rules: &HelmRules) -> DVec2 {
+    let off_m = point.place_m - body.position_m.truncate();
+    let back = square_root(off_m.length(), rules.position_p, rules.accel_m_s2);
+    point.velocity_m_s + off_m.normalize_or_zero() * back
 }
 
 /// The turn rate towards a heading (`get_turn_rate_from_heading`), in radians per second; `most` is 0 for no limit.

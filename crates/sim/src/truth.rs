@@ -24,7 +24,7 @@ pub struct Truth {
     pub armed: bool,
     /// Whether the vehicle touches the ground.
     pub on_ground: bool,
-    /// The flight mode as `ArduCopter`'s `custom_mode` (0 is STABILIZE).
+    /// The mode as the firmware's `custom_mode` (0 is STABILIZE for a copter, MANUAL for a rover).
     pub mode: u8,
     /// The number of the plan item under way or flown last; 0 before the first.
     pub plan_item: u16,

@@ -80,6 +80,20 @@ impl SurfaceWatch {
         inputs.now > since + SILENT_FOR
     }
 
+    /// Notes the state of a link; returns whether any is lost.
+    fn note(&mut self, link: SurfaceLink, lost: bool, now: Duration) -> bool {
+        let was_lost = self.station_lost || self.radio_lost;
+        match link {
+            SurfaceLink::Station => self.station_lost = lost,
+            SurfaceLink::Radio => self.radio_lost = lost,
+        }
+        let is_lost = self.station_lost || self.radio_lost;
+        if is_lost && !was_lost {
+            self.since = now;
+        }
+        is_lost
+    }
+
     fn trigger(
         &mut self,
         link: SurfaceLink,
@@ -90,15 +104,7 @@ impl SurfaceWatch {
             SurfaceLink::Station => ("GCS", inputs.rules.ground_station),
             SurfaceLink::Radio => ("Radio", inputs.rules.radio),
         };
-        let was_lost = self.station_lost || self.radio_lost;
-        match link {
-            SurfaceLink::Station => self.station_lost = lost,
-            SurfaceLink::Radio => self.radio_lost = lost,
-        }
-        let is_lost = self.station_lost || self.radio_lost;
-        if is_lost && !was_lost {
-            self.since = inputs.now;
-        }
+        let is_lost = self.note(link, lost, inputs.now);
         let mut reactions = Vec::new();
         if self.triggered && !is_lost {
             self.triggered = false;

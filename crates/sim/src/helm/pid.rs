@@ -1,6 +1,7 @@
 //! A controller with a filtered error (`AC_PID`).
 
 use crate::kinematics::STEP_S;
+use crate::parameters::Parameters;
 
 /// The gains of a controller.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,6 +12,20 @@ pub(super) struct PidGains {
     pub(super) i_max: f64,
     /// The frequency of the error's filter in hertz; 0 for none.
     pub(super) filter_hz: f64,
+}
+
+impl PidGains {
+    /// The gains in a group of parameters.
+    pub(super) fn read(all: &Parameters, group: &str) -> Self {
+        let of = |end: &str| all.value(&format!("{group}_{end}"));
+        Self {
+            p: of("P"),
+            i: of("I"),
+            d: of("D"),
+            i_max: of("IMAX"),
+            filter_hz: of("FLTE"),
+        }
+    }
 }
 
 /// The state of a controller.

@@ -59,23 +59,9 @@ pub(crate) struct HelmRules {
 impl HelmRules {
     pub(crate) fn read(all: &Parameters) -> Self {
         let rad = |name| all.value(name).to_radians();
-        let gains = |group: &str| {
-            let of = |end: &str| all.value(&format!("{group}_{end}"));
-            PidGains {
-                p: of("P"),
-                i: of("I"),
-                d: of("D"),
-                i_max: of("IMAX"),
-                filter_hz: of("FLTE"),
-            }
-        };
         let [accel, decel] = ["ATC_ACCEL_MAX", "ATC_DECEL_MAX"].map(|name| all.value(name));
-        let turns_on_the_spot = all.kind() == VehicleKind::Rover(Chassis::Skid);
-        let cruise = [
-            all.value("CRUISE_THROTTLE") * 0.01,
-            all.value("CRUISE_SPEED"),
-        ];
-        let has_cruise = cruise.iter().all(|value| *value > 0.0);
+        let pivots = all.kind() == VehicleKind::Rover(Chassis::Skid);
+        let radius_m = all.value("TURN_RADIUS").max(0.0);
         let slew = all.value("MOT_SLEWRATE");
         Self {
             accel_max_m_s2: accel,
@@ -86,26 +72,18 @@ impl HelmRules {
             turn_accel_rad_s2: rad("ATC_STR_ACC_MAX"),
             lateral_m_s2: all.value("ATC_TURN_MAX_G").max(0.1) * GRAVITY_M_S2,
             heading_p: all.value("ATC_STR_ANG_P"),
-            steering: gains("ATC_STR_RAT"),
+            steering: PidGains::read(all, "ATC_STR_RAT"),
             steering_feed_forward: all.value("ATC_STR_RAT_FF"),
-            speed: gains("ATC_SPEED"),
-            throttle_per_m_s: if has_cruise {
-                cruise[0] / cruise[1]
-            } else {
-                0.0
-            },
+            speed: PidGains::read(all, "ATC_SPEED"),
+            throttle_per_m_s: throttle_per_m_s(all),
             brakes: all.value("ATC_BRAKE") > 0.0,
             stop_speed_m_s: all.value("ATC_STOP_SPEED").abs(),
             speed_base_m_s: all.value("MOT_SPD_SCA_BASE"),
             slew_per_s: (slew > 0.0).then_some(slew * 0.01),
             position_p: all.value("PSC_POS_P"),
             velocity_p: all.value("PSC_VEL_P"),
-            turn_radius_m: if turns_on_the_spot {
-                0.0
-            } else {
-                all.value("TURN_RADIUS").max(0.0)
-            },
-            pivot_from_deg: turns_on_the_spot
+            turn_radius_m: if pivots { 0.0 } else { radius_m },
+            pivot_from_deg: pivots
                 .then(|| all.value("WP_PIVOT_ANGLE"))
                 .filter(|angle| *angle > PIVOT_WITHIN_DEG),
             pivot_rad_s: rad("WP_PIVOT_RATE"),
@@ -131,6 +109,17 @@ impl HelmRules {
     /// The speed below which a vehicle that cannot turn on the spot does not turn.
     pub(super) fn turning_speed_m_s(&self) -> f64 {
         (self.lateral_m_s2 * 0.5 * self.turn_radius_m).sqrt()
+    }
+}
+
+/// The throttle for each metre per second: that of the cruise.
+fn throttle_per_m_s(all: &Parameters) -> f64 {
+    let throttle = all.value("CRUISE_THROTTLE") * 0.01;
+    let speed_m_s = all.value("CRUISE_SPEED");
+    if throttle > 0.0 && speed_m_s > 0.0 {
+        throttle / speed_m_s
+    } else {
+        0.0
     }
 }
 

@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
 use super::{Cockpit, Route, Task};
+use crate::control::FlatMotion;
 use crate::helm::{Course, HelmRules, PIVOT_WITHIN_DEG, bearing_deg};
 use crate::wheels::Outputs;
 use sortie_geo::wrap_180;
@@ -255,7 +256,7 @@ impl Goto {
         let is_there = path.place_m.distance(self.goal_m.truncate()) < PATH_ARRIVED_M;
         let off_m = path.place_m.distance(cockpit.body.position_m.truncate());
         self.arrived = is_there && off_m < cockpit.tuning.auto.radius_m;
-        (Course::Follow(path), self.arrived)
+        (following(path, cockpit), self.arrived)
     }
 }
 
@@ -272,7 +273,14 @@ impl Route {
             return Course::Pivot(bearing);
         }
         self.advance_path(cockpit);
-        Course::Follow(cockpit.control.flat_motion())
+        following(cockpit.control.flat_motion(), cockpit)
+    }
+}
+
+fn following(point: FlatMotion, cockpit: &Cockpit<'_>) -> Course {
+    Course::Follow {
+        point,
+        fastest_m_s: cockpit.limits.speed_m_s,
     }
 }
 
@@ -363,6 +371,11 @@ impl DriveHome {
     fn course(&mut self, cockpit: &mut Cockpit<'_>, rules: &HelmRules) -> (Course, bool) {
         if self.arrived {
             return (Course::Stop, false);
+        }
+        let tuning = cockpit.tuning;
+        if (cockpit.limits.speed_m_s - tuning.speed_m_s).abs() < f64::EPSILON {
+            // No other speed was commanded.
+            cockpit.limits.speed_m_s = tuning.return_speed_m_s;
         }
         if self.route.reached {
             let crumb = self.retraces.then(|| cockpit.trail.pop()).flatten();

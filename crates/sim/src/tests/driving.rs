@@ -188,3 +188,35 @@ fn copters_and_rovers_share_a_world() {
         assert!(world.find_parameter(rover, "WPNAV_SPEED").is_none());
     }
 }
+
+#[test]
+fn a_commanded_speed_holds_until_the_mode_changes() {
+    let mut ground = guided(Chassis::Ackermann);
+    ground.goto([300.0, 0.0, 0.0]);
+    ground.run(10.0);
+    for speed_m_s in [2.0, 8.0] {
+        let result = ground.long(MavCmd::MAV_CMD_DO_CHANGE_SPEED, [1.0, speed_m_s, -1.0]);
+        assert_eq!(result, MavResult::MAV_RESULT_ACCEPTED);
+        ground.run(10.0);
+        close("speed", speed(&ground.truth()), f64::from(speed_m_s), 0.05);
+    }
+    let none = ground.long(MavCmd::MAV_CMD_DO_CHANGE_SPEED, [1.0, 0.0, -1.0]);
+    assert_eq!(none, MavResult::MAV_RESULT_FAILED);
+}
+
+#[test]
+fn a_lost_ground_station_stops_the_vehicle_by_the_name_of_the_radio() {
+    let mut ground = guided(Chassis::Ackermann);
+    ground.set("FS_GCS_ENABLE", 1.0);
+    ground.heartbeat();
+    ground.goto([200.0, 0.0, 0.0]);
+    ground.run(6.2);
+    assert_eq!(ground.truth().mode, 15);
+    // 5 s of FS_GCS_TIMEOUT and 1.5 s of FS_TIMEOUT; the radio's check comes first.
+    ground.run(0.6);
+    assert_eq!(ground.truth().mode, 4, "HOLD");
+    assert!(texts(&ground).contains(&"Radio Failsafe".to_owned()));
+    ground.heartbeat();
+    ground.run(0.3);
+    assert!(texts(&ground).contains(&"GCS Failsafe Cleared".to_owned()));
+}
