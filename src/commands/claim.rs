@@ -1,7 +1,6 @@
 //! A command's claim on a vehicle's state.
 
-use super::modes::{holding_mode, mode_named};
-use super::px4;
+use super::modes::{AUTO_LOITER, OFFBOARD, holding_mode, mode_named};
 use super::{ArmingCommand, Command, FlightCommand, MotionCommand};
 use crate::text;
 use crate::text::Text;
@@ -49,12 +48,12 @@ impl Claim {
 
     /// A claim to follow the setpoints of OFFBOARD.
     pub fn in_offboard(vehicle: &Vehicle) -> Self {
-        Self::px4_flight(vehicle, px4::OFFBOARD, None)
+        Self::px4_flight(vehicle, OFFBOARD, None)
     }
 
     /// A claim to hold after the setpoints of OFFBOARD.
     pub fn after_offboard(vehicle: &Vehicle) -> Self {
-        Self::px4_flight(vehicle, px4::LOITER, None)
+        Self::px4_flight(vehicle, AUTO_LOITER, None)
     }
 
     /// Whether the command makes no claim.
@@ -140,7 +139,7 @@ impl FlightCommand {
                 None => flight_in_this_mode(before),
             },
             Self::Takeoff { .. } if before.runs_px4() => {
-                Claim::px4_flight(before, "AUTO.TAKEOFF", Some("AUTO.LOITER"))
+                Claim::px4_flight(before, "AUTO.TAKEOFF", Some(AUTO_LOITER))
             }
             Self::Takeoff { .. } => flight_in_this_mode(before),
             Self::Resume => Claim::default(),
@@ -153,7 +152,7 @@ impl MotionCommand {
         match self {
             // PX4 flies to places in AUTO.LOITER.
             Self::Goto { .. } | Self::Altitude { .. } | Self::Yaw { .. } if before.runs_px4() => {
-                Claim::px4_flight(before, "AUTO.LOITER", None)
+                Claim::px4_flight(before, AUTO_LOITER, None)
             }
             Self::Velocity { .. } if before.runs_px4() => Claim::in_offboard(before),
             Self::Orbit { .. } if before.runs_px4() => {

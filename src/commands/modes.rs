@@ -4,6 +4,11 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Heartbeat, Mode, Vehicle, VehicleClass, is_same_name};
 
+/// The mode in which PX4 takes setpoints.
+pub(super) const OFFBOARD: &str = "OFFBOARD";
+/// The mode in which PX4 holds its position.
+pub(super) const AUTO_LOITER: &str = "AUTO.LOITER";
+
 /// The mode in which the vehicle holds its position; `None` if it pauses in its current mode
 /// instead.
 pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
@@ -16,7 +21,7 @@ pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
         VehicleClass::Rover if vehicle.is_boat() => Some("LOITER"),
         VehicleClass::Rover => Some("HOLD"),
         VehicleClass::Sub => Some("POSHOLD"),
-        VehicleClass::Px4 => Some("AUTO.LOITER"),
+        VehicleClass::Px4 => Some(AUTO_LOITER),
         VehicleClass::Other => None,
     }
 }

@@ -11,6 +11,7 @@ use mavlink::dialects::ardupilotmega::MavCmd;
 use super::destination::{Destination, Heading};
 use super::encode::{self, FRAME_GLOBAL, IntFields, LongFields, finite};
 use super::flight::mode_fields;
+use super::modes::{AUTO_LOITER, OFFBOARD};
 use super::plan_flight::MISSION;
 use super::request::{Offboard, Request};
 use super::setpoint::{above_ground, heading, height, position};
@@ -28,10 +29,6 @@ const CHANGE_MODE: f32 = 1.0;
 const NO_PITCH: f32 = -1.0;
 /// The speed of `DO_REPOSITION` that leaves the vehicle's own.
 const USUAL_SPEED: f32 = -1.0;
-/// The mode in which PX4 takes setpoints.
-pub(super) const OFFBOARD: &str = "OFFBOARD";
-/// The mode in which a velocity ends.
-pub(super) const LOITER: &str = "AUTO.LOITER";
 /// How long setpoints are sent before the change to OFFBOARD: PX4 wants them for more than one second.
 const OFFBOARD_LEAD: Duration = Duration::from_millis(1500);
 
@@ -155,7 +152,7 @@ fn goto(vehicle: &Vehicle, destination: Destination, heading: Heading) -> Result
 fn velocity(vehicle: &Vehicle, ned_m_s: [f64; 3], confirmation: u8) -> Result<Request, Text> {
     flies("velocity", vehicle)?;
     let enter = mode_fields(vehicle, OFFBOARD)?;
-    let leave = mode_fields(vehicle, LOITER)?;
+    let leave = mode_fields(vehicle, AUTO_LOITER)?;
     let mut request = Request::long(vehicle, &enter, confirmation)?;
     let is_there = vehicle.mode().is_some_and(|mode| mode.is(OFFBOARD));
     request.offboard = Some(Box::new(Offboard {
