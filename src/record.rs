@@ -32,7 +32,7 @@ mod line;
 mod mission_clock;
 
 pub use day_clock::DayClock;
-pub use desk_line::DeskLine;
+pub use desk_line::DeskRecord;
 pub use flight_log::{FlightLog, push_frame};
 pub use foreign_line::ForeignLine;
 pub use inputs::{

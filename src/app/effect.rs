@@ -13,7 +13,7 @@ use crate::geo::Square;
 use crate::language::{GhostSource, LoopTarget, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
-use crate::record::DeskLine;
+use crate::record::DeskRecord;
 use crate::review::Review;
 use crate::text::{Language, Text};
 use crate::vehicle::{HeldChannels, RadioTest, VehicleId};
@@ -212,7 +212,7 @@ pub enum ClassEffect {
     /// At a seat: set a bookmark in the record, and report whether it is set.
     Mark { id: OrderId, text: String },
     /// At a seat: note an order of the desk in the record.
-    Note(DeskLine),
+    Note(DeskRecord),
     /// At the desk: end a connection, with the reason.
     Deny {
         connection: ConnectionId,

@@ -13,7 +13,7 @@ const OUTBOX: usize = 64;
 
 /// Who is at the other end of a connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Peer {
+pub struct CarrierPeer {
     /// The name of the user, or the user's number if there is no name.
     pub user: String,
 }
@@ -44,7 +44,7 @@ impl Outbox {
 pub enum DeskArrival {
     Opened {
         connection: ConnectionId,
-        peer: Peer,
+        peer: CarrierPeer,
         outbox: Outbox,
     },
     Line {
@@ -79,7 +79,7 @@ impl Drop for DeskPort {
 pub enum SeatArrival {
     /// A desk has been found.
     Found {
-        desk: Peer,
+        desk: CarrierPeer,
         outbox: Outbox,
     },
     Line(Result<DeskMessage, LineFault>),

@@ -11,7 +11,7 @@ use tokio::sync::mpsc;
 
 use super::exchange::exchange;
 use super::place::{ClassFault, ClassPlace, user_name};
-use super::ports::{DeskArrival, DeskPort, Outbox, Peer, SeatArrival, SeatPort};
+use super::ports::{CarrierPeer, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};
 use super::socket;
 use crate::class::{ConnectionId, SEATS};
 use crate::text::Text;
@@ -125,7 +125,7 @@ async fn serve(
     let user = user_name(uid);
     let opened = DeskArrival::Opened {
         connection,
-        peer: Peer { user },
+        peer: CarrierPeer { user },
         outbox,
     };
     if arrived.send(opened).await.is_err() {
@@ -180,7 +180,7 @@ async fn keep_connected(place: &ClassPlace, arrived: &mpsc::Sender<SeatArrival>)
 async fn connect(
     socket: &Path,
     place: &ClassPlace,
-) -> Result<Option<(UnixStream, Peer)>, ClassFault> {
+) -> Result<Option<(UnixStream, CarrierPeer)>, ClassFault> {
     let Ok(stream) = UnixStream::connect(socket).await else {
         return Ok(None);
     };
@@ -189,13 +189,13 @@ async fn connect(
     };
     place.check(cred.uid())?;
     let user = user_name(cred.uid());
-    Ok(Some((stream, Peer { user })))
+    Ok(Some((stream, CarrierPeer { user })))
 }
 
 /// Passes lines until the connection ends; `None` if the console has ended.
 async fn converse(
     stream: UnixStream,
-    desk: Peer,
+    desk: CarrierPeer,
     arrived: &mpsc::Sender<SeatArrival>,
 ) -> Option<()> {
     let (outbox, lines) = Outbox::new();

@@ -31,7 +31,7 @@ enum ClassTask {
     },
 }
 
-/// Opens the desk.
+/// Opens the desk of a class.
 pub(super) fn class(
     arguments: &ClassArguments,
     settings: CliSettings,

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use serde::Deserialize;
 use serde_json::Value;
 
-use self::message::Message;
+use self::message::EventMessage;
 use crate::text;
 use crate::text::Text;
 
@@ -36,12 +36,12 @@ pub struct ReadEvents {
 #[derive(Debug, Clone, PartialEq)]
 struct EventDocument {
     message: String,
-    arguments: Vec<Argument>,
+    arguments: Vec<EventArgument>,
 }
 
 /// The type of an argument, with the names of its values.
 #[derive(Debug, Clone, PartialEq)]
-struct Argument {
+struct EventArgument {
     kind: NumberType,
     names: Option<ValueNames>,
 }
@@ -63,7 +63,7 @@ enum NumberType {
 
 /// The value of an argument.
 #[derive(Debug, Clone, Copy, PartialEq)]
-enum Number {
+enum EventNumber {
     Unsigned(u64),
     Signed(i64),
     Float(f32),
@@ -73,11 +73,11 @@ enum Number {
 struct File {
     version: u64,
     #[serde(default)]
-    components: BTreeMap<String, Component>,
+    components: BTreeMap<String, EventComponent>,
 }
 
 #[derive(Deserialize)]
-struct Component {
+struct EventComponent {
     #[serde(default)]
     namespace: String,
     #[serde(default)]
@@ -94,11 +94,11 @@ struct Enum {
     is_bitfield: bool,
     separator: Option<String>,
     #[serde(default)]
-    entries: BTreeMap<String, Entry>,
+    entries: BTreeMap<String, ValueName>,
 }
 
 #[derive(Deserialize)]
-struct Entry {
+struct ValueName {
     #[serde(default)]
     description: String,
 }
@@ -111,7 +111,7 @@ struct Group {
 }
 
 #[derive(Deserialize)]
-struct Event {
+struct DocumentedEvent {
     message: String,
     #[serde(default)]
     arguments: Vec<ArgumentEntry>,
@@ -168,7 +168,7 @@ impl EventDocuments {
             values.push((number, argument.names.as_ref()));
             rest = after;
         }
-        Some(Message::new(&document.message, &values).written())
+        Some(EventMessage::new(&document.message, &values).written())
     }
 
     /// The number of documented events.
@@ -186,7 +186,7 @@ impl EventDocuments {
 struct Enums(BTreeMap<String, (NumberType, ValueNames)>);
 
 impl Enums {
-    fn of(components: &BTreeMap<String, Component>) -> Self {
+    fn of(components: &BTreeMap<String, EventComponent>) -> Self {
         let all = components.values().flat_map(|component| {
             component.enums.iter().filter_map(|(name, listed)| {
                 let kind = NumberType::named(&listed.kind)?;
@@ -202,12 +202,13 @@ impl Enums {
         &self,
         own: &str,
         event: &Value,
-        component: &Component,
+        component: &EventComponent,
     ) -> Result<(u32, EventDocument), Text> {
         let fault = |fault: String| text!("events-fault", event = own, fault = fault);
         let id = own.parse::<u32>().ok().filter(|id| *id < 1 << 24);
         let id = id.ok_or_else(|| text!("events-no-number", written = own))?;
-        let event = Event::deserialize(event).map_err(|error| fault(error.to_string()))?;
+        let event =
+            DocumentedEvent::deserialize(event).map_err(|error| fault(error.to_string()))?;
         let mut arguments = Vec::new();
         for entry in &event.arguments {
             let argument = self.argument(&entry.kind, &component.namespace);
@@ -217,13 +218,13 @@ impl Enums {
         Ok((id, EventDocument { message, arguments }))
     }
 
-    fn argument(&self, kind: &str, namespace: &str) -> Option<Argument> {
+    fn argument(&self, kind: &str, namespace: &str) -> Option<EventArgument> {
         if let Some(kind) = NumberType::named(kind) {
-            return Some(Argument { kind, names: None });
+            return Some(EventArgument { kind, names: None });
         }
         let own = || self.0.get(&format!("{namespace}::{kind}"));
         let (kind, names) = self.0.get(kind).or_else(own)?;
-        Some(Argument {
+        Some(EventArgument {
             kind: *kind,
             names: Some(names.clone()),
         })
@@ -288,22 +289,22 @@ impl NumberType {
     }
 
     /// The number in that many bytes.
-    fn number(self, bytes: &[u8]) -> Number {
+    fn number(self, bytes: &[u8]) -> EventNumber {
         let mut all = [0; 8];
         all[..bytes.len()].copy_from_slice(bytes);
         let number = u64::from_le_bytes(all);
         match self {
-            Self::Unsigned(_) => Number::Unsigned(number),
+            Self::Unsigned(_) => EventNumber::Unsigned(number),
             Self::Signed(size) => {
                 let unused = 64 - 8 * size as u32;
-                Number::Signed((number << unused).cast_signed() >> unused)
+                EventNumber::Signed((number << unused).cast_signed() >> unused)
             }
-            Self::Float => Number::Float(f32::from_bits(number as u32)),
+            Self::Float => EventNumber::Float(f32::from_bits(number as u32)),
         }
     }
 }
 
-impl Number {
+impl EventNumber {
     /// As a number of an enum.
     fn code(self) -> u64 {
         match self {

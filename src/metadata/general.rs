@@ -37,11 +37,11 @@ pub enum MetadataPlace {
 #[derive(Deserialize)]
 struct General {
     #[serde(rename = "metadataTypes", default)]
-    types: Vec<Entry>,
+    types: Vec<FileEntry>,
 }
 
 #[derive(Deserialize)]
-struct Entry {
+struct FileEntry {
     #[serde(rename = "type")]
     kind: u32,
     #[serde(default)]
@@ -65,7 +65,7 @@ pub fn general(source: &str) -> Result<Vec<MetadataFile>, Text> {
     Ok(files)
 }
 
-fn file(entry: &Entry) -> Option<MetadataFile> {
+fn file(entry: &FileEntry) -> Option<MetadataFile> {
     let kind = match entry.kind {
         1 => MetadataKind::Parameters,
         4 => MetadataKind::Events,

@@ -9,16 +9,16 @@ use crate::text::Text;
 
 /// An order of a desk that has ended.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct DeskLine {
+pub struct DeskRecord {
     /// The user name of the instructor.
     pub by: String,
     /// What was asked for.
     pub deed: Deed,
-    /// How it ended.
+    /// How the order ended at the seat.
     pub outcome: Outcome,
 }
 
-impl DeskLine {
+impl DeskRecord {
     /// The order in words.
     pub fn text(&self) -> Text {
         text!(

@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde::de::Error as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::desk_line::DeskLine;
+use super::desk_line::DeskRecord;
 use super::foreign_line::ForeignLine;
 use crate::alert::AlertKind;
 use crate::commands::Order;
@@ -106,7 +106,7 @@ pub enum Happening {
     /// The operator set a bookmark.
     Bookmark { text: String },
     /// An order of an instructor's desk has ended.
-    Desk(DeskLine),
+    Desk(DeskRecord),
     /// The session was ended normally.
     End,
 }

@@ -103,7 +103,7 @@ impl MetadataReader {
         self.events.take()
     }
 
-    /// Begins an order.
+    /// Begins to read for an order.
     pub fn order(&mut self, order: VehicleCommand, scene: &mut FilesScene<'_>) {
         // Before the vehicle has told its capabilities, it is simply asked.
         let is_without = scene.vehicle.version.is_some() && !logs::hands_out_files(scene.vehicle);

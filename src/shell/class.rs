@@ -31,12 +31,12 @@ pub struct ClassOptions {
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ClassPart {
-    /// A trainee's place.
+    /// A trainee's place in the class.
     Seat {
         /// Whether the trainee is asked before the console joins.
         asks: bool,
     },
-    /// The instructor's desk.
+    /// The desk of the class, for the instructor.
     Desk {
         /// The name of the class.
         name: String,

@@ -18,7 +18,7 @@ pub struct Entry {
     pub number: u64,
     /// The time of the mission; `None` without a flight.
     pub clock_s: Option<f64>,
-    /// What happened.
+    /// What happened at the seat.
     pub what: Happening,
 }
 
@@ -26,29 +26,29 @@ pub struct Entry {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Happening {
-    /// A flight began.
+    /// A flight began, with a mission or without one.
     Started {
         /// The id of the mission; `None` without one.
         mission: Option<Words>,
     },
     /// The trainee gave a command.
     Command {
-        /// The whole line.
+        /// The line as the trainee gave it.
         line: Words,
     },
     /// A vehicle did not do what was commanded.
     Failed {
-        /// The whole line.
+        /// The line that the vehicle did not carry out.
         line: Words,
         /// The number of the vehicle.
         vehicle: u16,
     },
     /// An objective was met.
     Objective {
-        /// Its title.
+        /// The title of the objective.
         title: Words,
     },
-    /// The mission ended.
+    /// The mission ended, with a final score.
     Ended {
         /// Its score, 0 to 1000.
         score: u16,
@@ -57,9 +57,9 @@ pub enum Happening {
     },
     /// An order of the desk ended.
     Order {
-        /// The order.
+        /// The id that the desk gave the order.
         id: OrderId,
-        /// How it ended.
+        /// How the order ended at the seat.
         outcome: Outcome,
     },
 }
@@ -73,15 +73,15 @@ pub struct Journal {
 
 /// Entries on their way to the desk.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub struct Batch {
+pub struct JournalBatch {
     /// The number of the oldest entry that the seat still keeps.
     pub kept_from: u64,
-    /// Consecutive entries.
+    /// The entries, in the order of their numbers and without gaps.
     pub entries: Vec<Entry>,
 }
 
 impl Journal {
-    /// Adds an entry.
+    /// Adds an entry with the next number.
     pub fn note(&mut self, clock_s: Option<f64>, what: Happening) {
         self.last += 1;
         self.entries.push_back(Entry {
@@ -110,7 +110,7 @@ impl Journal {
     }
 
     /// The next entries from this number on, at most [`BATCH`]; `None` if there are none yet.
-    pub fn from(&self, number: u64) -> Option<Batch> {
+    pub fn from(&self, number: u64) -> Option<JournalBatch> {
         let kept_from = self.kept_from();
         let skipped = usize::try_from(number.max(kept_from) - kept_from).unwrap_or(usize::MAX);
         let entries: Vec<Entry> = self
@@ -120,7 +120,7 @@ impl Journal {
             .take(BATCH)
             .cloned()
             .collect();
-        (!entries.is_empty()).then_some(Batch { kept_from, entries })
+        (!entries.is_empty()).then_some(JournalBatch { kept_from, entries })
     }
 }
 
@@ -155,7 +155,7 @@ impl JournalCopy {
     }
 
     /// Takes in entries, and returns those that are new. Entries after a gap are left out: they are asked for again.
-    pub fn receive(&mut self, batch: Batch) -> Vec<Entry> {
+    pub fn receive(&mut self, batch: JournalBatch) -> Vec<Entry> {
         if batch.kept_from > self.next_number() {
             let dropped = batch.kept_from - self.next_number();
             self.missing = self.missing.saturating_add(dropped);

@@ -36,7 +36,7 @@ mod tests;
 
 pub use desk::{ConnectionId, Desk, SEATS};
 pub use desk_line::DeskLine;
-pub use journal::{BATCH, Batch, Entry, Happening, Journal, JournalCopy, KEPT};
+pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};
 pub use need::{Attention, Need};
 pub use order::{Deed, Order, OrderId, Outcome, Refusal};
 pub use report::{Danger, DangerKind, FlightReport, LastCommand, SeatReport, Stage};

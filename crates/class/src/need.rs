@@ -74,7 +74,7 @@ impl Attention {
         self.need
     }
 
-    /// Since when.
+    /// Since when the seat has needed the instructor for that, by the clock of the desk.
     pub fn since(&self) -> Duration {
         self.since
     }

@@ -16,7 +16,7 @@ pub struct OrderId {
 /// An order to a seat.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Order {
-    /// Its identity.
+    /// The id, which makes the order unique within a class.
     pub id: OrderId,
     /// What is to be done.
     pub deed: Deed,
@@ -28,7 +28,7 @@ pub struct Order {
 pub enum Deed {
     /// Show a message to the trainee.
     Message {
-        /// The message.
+        /// The text that the trainee reads.
         text: Words,
     },
     /// Give the mission's next hint, at its price.
@@ -42,7 +42,7 @@ pub enum Deed {
     Freeze,
     /// Let the time of a frozen flight pass again.
     Resume,
-    /// End the mission.
+    /// End the mission: the flight is scored as it stands.
     End,
 }
 

@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::{Batch, Order, SeatReport, Words};
+use super::{JournalBatch, Order, SeatReport, Words};
 
 /// The version of the protocol; it increases with every change that is not an addition.
 pub const VERSION: u32 = 1;
@@ -29,10 +29,10 @@ pub enum SeatMessage {
         report: Box<SeatReport>,
     },
     /// Entries of the journal.
-    Entries(Batch),
+    Entries(JournalBatch),
 }
 
-/// Who joins.
+/// The first line of a seat, which asks to join.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Hello {
     /// The version of the protocol.
@@ -59,7 +59,7 @@ pub enum DeskMessage {
         /// The number of the first entry.
         from: u64,
     },
-    /// Carry this out.
+    /// Carry out an order, unless it was carried out before.
     Order(Order),
 }
 

@@ -48,7 +48,7 @@ pub struct FlightReport {
     pub least_separation_m: Option<f64>,
     /// The workload: how many of the last 60 s the trainee was occupied, in percent.
     pub workload_percent: Option<u8>,
-    /// The newest command.
+    /// The trainee's newest command; `None` before the first one.
     pub last_command: Option<LastCommand>,
     /// Whether a script or a program gives the commands.
     pub by_script: bool,
@@ -61,7 +61,7 @@ pub enum Stage {
     /// The trainee reads the brief, or the vehicles are starting.
     #[default]
     Reading,
-    /// Time passes.
+    /// The time of the flight passes.
     Flying,
     /// The trainee has paused the flight.
     Paused,
@@ -74,7 +74,7 @@ pub enum Stage {
 /// An event that must be averted within seconds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Danger {
-    /// What is near.
+    /// What must be averted.
     pub kind: DangerKind,
     /// The time until then, in seconds; 0 if it has happened already.
     pub in_s: f64,
@@ -93,7 +93,7 @@ pub enum DangerKind {
 /// A command and its age.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct LastCommand {
-    /// The whole line.
+    /// The line as the trainee gave it.
     pub line: Words,
     /// The time since it was given, in seconds.
     pub age_s: f64,

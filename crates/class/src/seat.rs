@@ -12,7 +12,7 @@ const REMEMBERED: usize = 256;
 pub enum Consent {
     /// The trainee has not been asked.
     Unasked,
-    /// The trainee joins.
+    /// The trainee has agreed to join.
     Given,
     /// The trainee does not join; nothing is sent.
     Declined,

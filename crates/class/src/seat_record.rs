@@ -17,9 +17,9 @@ const REMEMBERED: usize = 200;
 /// Whether a seat is connected.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Presence {
-    /// By this connection.
+    /// The seat is connected by this connection.
     Here(ConnectionId),
-    /// Not since this time.
+    /// The seat has not been connected since this time of the desk's clock.
     Gone(Duration),
 }
 
@@ -37,7 +37,7 @@ pub enum OrderState {
 /// An order that was given to a seat.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct GivenOrder {
-    /// The order.
+    /// The order as it was sent.
     pub order: Order,
     /// When it was given.
     pub at: Duration,
@@ -54,11 +54,11 @@ pub struct SeatRecord {
     pub(super) sitting: u64,
     /// Whether it is connected.
     pub presence: Presence,
-    /// Its newest report.
+    /// The newest report of the seat; `None` before the first one.
     pub report: Option<SeatReport>,
     /// When its newest report came.
     pub heard_at: Duration,
-    /// Its journal.
+    /// The part of the journal that the desk has.
     pub journal: JournalCopy,
     /// The number of the newest entry that the seat has.
     pub(super) announced: u64,

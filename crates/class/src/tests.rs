@@ -191,7 +191,7 @@ fn numbers_beyond_all_reason_do_no_harm() {
     };
     let mut copy = JournalCopy::default();
     for kept_from in [u64::MAX, u64::MAX - 1, 5] {
-        copy.receive(Batch {
+        copy.receive(JournalBatch {
             kept_from,
             entries: vec![entry(u64::MAX), entry(0), entry(u64::MAX)],
         });

@@ -28,7 +28,7 @@ impl From<&str> for Words {
 }
 
 impl Words {
-    /// The text.
+    /// The cleaned text.
     pub fn as_str(&self) -> &str {
         &self.0
     }

@@ -32,7 +32,7 @@ pub(super) enum Course {
     Off,
     /// A pilot's sticks, -1 to 1.
     Sticks(Outputs),
-    /// Brake, then stand.
+    /// Brake until it stands, and then hold it there.
     Stop,
     /// Follow a moving point, no faster than a speed.
     Follow { point: FlatMotion, fastest_m_s: f64 },
@@ -54,7 +54,7 @@ pub(super) struct Helm {
     speed: Pid,
     steering: Pid,
     velocity_error_m_s: DVec2,
-    is_limited: Limited,
+    is_limited: HelmLimits,
     /// Steps since each controller was in use.
     speed_idle: u32,
     steering_idle: u32,
@@ -64,7 +64,7 @@ pub(super) struct Helm {
 
 /// The outputs that are at their limits.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-struct Limited {
+struct HelmLimits {
     steering: bool,
     throttle: bool,
 }
@@ -78,7 +78,7 @@ impl Default for Helm {
             speed: Pid::default(),
             steering: Pid::default(),
             velocity_error_m_s: DVec2::ZERO,
-            is_limited: Limited::default(),
+            is_limited: HelmLimits::default(),
             speed_idle: TIMEOUT_STEPS,
             steering_idle: TIMEOUT_STEPS,
             following_idle: TIMEOUT_STEPS,
@@ -113,9 +113,9 @@ impl Helm {
         rules: &HelmRules,
     ) -> Outputs {
         self.count_idle_steps();
-        let motion = Motion::of(body);
+        let motion = DrivenMotion::of(body);
         let asked = self.asked(course, body, &motion, rules);
-        self.is_limited = Limited::default();
+        self.is_limited = HelmLimits::default();
         let slewed = self.slewed(asked, rules);
         let is_piloted = matches!(course, Course::Sticks(_));
         self.outputs = match chassis {
@@ -141,7 +141,7 @@ impl Helm {
         &mut self,
         course: Course,
         body: &Body,
-        motion: &Motion,
+        motion: &DrivenMotion,
         rules: &HelmRules,
     ) -> Outputs {
         let (rate_rad_s, speed_m_s) = match course {
@@ -173,7 +173,7 @@ impl Helm {
         &mut self,
         point: &FlatMotion,
         wanted: DVec2,
-        motion: &Motion,
+        motion: &DrivenMotion,
         rules: &HelmRules,
     ) -> Outputs {
         if self.following_idle > TIMEOUT_STEPS {
@@ -200,7 +200,7 @@ impl Helm {
     }
 
     /// Stops, then turns to a heading.
-    fn pivot(&mut self, heading_deg: f64, motion: &Motion, rules: &HelmRules) -> Outputs {
+    fn pivot(&mut self, heading_deg: f64, motion: &DrivenMotion, rules: &HelmRules) -> Outputs {
         let rate = if self.limited_speed(0.0, rules) == 0.0 {
             turn_to(heading_deg, rules.pivot_rad_s, motion, rules)
         } else {
@@ -212,7 +212,7 @@ impl Helm {
         }
     }
 
-    fn stop(&mut self, motion: &Motion, rules: &HelmRules) -> Outputs {
+    fn stop(&mut self, motion: &DrivenMotion, rules: &HelmRules) -> Outputs {
         let throttle = self.brake(motion, rules);
         let steering = if self.has_stopped() {
             0.0
@@ -222,7 +222,7 @@ impl Helm {
         Outputs { steering, throttle }
     }
 
-    fn drive(&mut self, speed_m_s: f64, motion: &Motion, rules: &HelmRules) -> f64 {
+    fn drive(&mut self, speed_m_s: f64, motion: &DrivenMotion, rules: &HelmRules) -> f64 {
         let limited = self.limited_speed(speed_m_s, rules);
         if limited == 0.0 {
             self.brake(motion, rules)
@@ -232,7 +232,7 @@ impl Helm {
     }
 
     /// The throttle for a stop (`get_throttle_out_stop`).
-    fn brake(&mut self, motion: &Motion, rules: &HelmRules) -> f64 {
+    fn brake(&mut self, motion: &DrivenMotion, rules: &HelmRules) -> f64 {
         let limited = self.limited_speed(0.0, rules);
         let was_stopped = self.stopped_idle <= STAYS_STOPPED_STEPS;
         let is_slow = motion.speed_m_s.abs() <= rules.stop_speed_m_s;
@@ -247,7 +247,7 @@ impl Helm {
     }
 
     /// The throttle for a speed (`get_throttle_out_speed`).
-    fn reach(&mut self, speed_m_s: f64, motion: &Motion, rules: &HelmRules) -> f64 {
+    fn reach(&mut self, speed_m_s: f64, motion: &DrivenMotion, rules: &HelmRules) -> f64 {
         self.stopped_idle = self.stopped_idle.max(STAYS_STOPPED_STEPS + 1);
         if self.speed_idle > TIMEOUT_STEPS {
             self.speed = Pid::default();
@@ -282,7 +282,7 @@ impl Helm {
     }
 
     /// The steering for a turn rate in radians per second (`get_steering_out_rate`).
-    fn steer(&mut self, rate_rad_s: f64, motion: &Motion, rules: &HelmRules) -> f64 {
+    fn steer(&mut self, rate_rad_s: f64, motion: &DrivenMotion, rules: &HelmRules) -> f64 {
         if self.steering_idle > TIMEOUT_STEPS {
             self.steering = Pid::default();
             self.desired_turn_rad_s = motion.turn_rad_s;
@@ -346,7 +346,7 @@ impl Helm {
         if sum <= 1.0 {
             return outputs;
         }
-        self.is_limited = Limited {
+        self.is_limited = HelmLimits {
             steering: true,
             throttle: true,
         };
@@ -359,7 +359,7 @@ impl Helm {
 
 /// The motion of a body along its heading.
 #[derive(Debug, Clone, Copy)]
-struct Motion {
+struct DrivenMotion {
     heading_deg: f64,
     heading: DVec2,
     velocity_m_s: DVec2,
@@ -368,7 +368,7 @@ struct Motion {
     turn_rad_s: f64,
 }
 
-impl Motion {
+impl DrivenMotion {
     fn of(body: &Body) -> Self {
         let heading = body.heading();
         let velocity_m_s = body.velocity_m_s.truncate();
@@ -390,7 +390,7 @@ fn wanted_m_s(point: &FlatMotion, body: &Body, rules: &HelmRules) -> DVec2 {
 }
 
 /// The turn rate towards a heading (`get_turn_rate_from_heading`), in radians per second; `most` is 0 for no limit.
-fn turn_to(heading_deg: f64, most: f64, motion: &Motion, rules: &HelmRules) -> f64 {
+fn turn_to(heading_deg: f64, most: f64, motion: &DrivenMotion, rules: &HelmRules) -> f64 {
     let error = wrap_180(heading_deg - motion.heading_deg).to_radians();
     let mut rate = error * rules.heading_p;
     if most > 0.0 {

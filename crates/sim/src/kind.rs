@@ -34,7 +34,7 @@ pub enum Chassis {
 }
 
 impl VehicleKind {
-    /// All kinds.
+    /// All kinds, in the order of the help.
     pub const ALL: [Self; 4] = [
         Self::Copter,
         Self::Rover(Chassis::Ackermann),

@@ -42,7 +42,7 @@ pub(super) enum FailsafeAction {
     Terminate,
     PlannedLanding,
     BrakeOrLand,
-    /// Only rovers: stops.
+    /// Only rovers: stops where it is.
     Hold,
     /// Only rovers: back along the path, or stops.
     PathBackOrHold,

@@ -14,7 +14,7 @@ use crate::class::Desk;
 pub struct ClassRoom {
     /// The seat under the cursor.
     pub(in crate::app) cursor: Option<usize>,
-    /// The marked seats.
+    /// The seats that orders to marked ones go to.
     pub(in crate::app) marked: BTreeSet<usize>,
 }
 

@@ -11,9 +11,9 @@ pub enum ClassRole {
     /// Nothing: no class is configured.
     #[default]
     None,
-    /// A trainee's place.
+    /// A trainee's place in the class.
     Seat(Box<SeatPlace>),
-    /// The instructor's desk.
+    /// The desk of the class, for the instructor.
     Desk(Box<Desk>),
 }
 

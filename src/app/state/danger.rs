@@ -14,17 +14,17 @@ use crate::vehicle::Vehicle;
 const HORIZON_S: u32 = 10;
 
 /// A vehicle in the air, in metres north, east and up from the first one.
-struct Flyer<'a> {
+struct FlyerAhead<'a> {
     vehicle: &'a Vehicle,
     point: [f64; 3],
-    /// Metres per second.
+    /// The velocity in metres per second.
     velocity: [f64; 3],
     /// How far it will fly at most: to its target, if that is known.
     reach_m: f64,
     start: Option<[f64; 2]>,
 }
 
-impl Flyer<'_> {
+impl FlyerAhead<'_> {
     /// Its place after a time.
     fn after(&self, time_s: f64) -> [f64; 3] {
         let speed = maths::hypot(self.velocity[0], self.velocity[1]);
@@ -71,7 +71,7 @@ impl FlightView {
         })
     }
 
-    fn flyers(&self) -> Vec<Flyer<'_>> {
+    fn flyers(&self) -> Vec<FlyerAhead<'_>> {
         let flies = |vehicle: &&Vehicle| !vehicle.link.lost && vehicle.airborne();
         let vehicles = self.vehicles.values().map(Arc::as_ref).filter(flies);
         let mut origin = None;
@@ -80,13 +80,13 @@ impl FlightView {
     }
 
     /// The time until a vehicle leaves a fence of the mission, in seconds.
-    fn fence_in(&self, flyers: &[Flyer<'_>]) -> Option<f64> {
+    fn fence_in(&self, flyers: &[FlyerAhead<'_>]) -> Option<f64> {
         let areas = self.task.areas.iter();
         let fences: Vec<_> = areas.filter(|it| it.kind == AreaKind::Geofence).collect();
         if fences.is_empty() {
             return None;
         }
-        let leaves = |flyer: &Flyer<'_>, time_s: f64| {
+        let leaves = |flyer: &FlyerAhead<'_>, time_s: f64| {
             let Some(here) = flyer.vehicle.global else {
                 return false;
             };
@@ -100,7 +100,7 @@ impl FlightView {
 }
 
 /// A vehicle, if its place and velocity are known; the first one's place is the origin.
-fn flyer<'a>(vehicle: &'a Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer<'a>> {
+fn flyer<'a>(vehicle: &'a Vehicle, origin: &mut Option<LatLon>) -> Option<FlyerAhead<'a>> {
     let here = vehicle.global?;
     let origin = *origin.get_or_insert(here.at_point);
     let [north_m, east_m] = <[f64; 2]>::from(origin.offset_to(here.at_point));
@@ -108,7 +108,7 @@ fn flyer<'a>(vehicle: &'a Vehicle, origin: &mut Option<LatLon>) -> Option<Flyer<
     let velocity = [here.north_m_s, here.east_m_s, -here.down_m_s].map(f64::from);
     let point = [north_m, east_m, here.altitude_amsl_m];
     let is_known = point.iter().chain(&velocity).all(|it| it.is_finite());
-    is_known.then(|| Flyer {
+    is_known.then(|| FlyerAhead {
         vehicle,
         point,
         velocity,
@@ -125,14 +125,14 @@ fn seconds() -> impl Iterator<Item = f64> {
 
 /// Every two of the vehicles.
 fn pairs<'a, 'b>(
-    flyers: &'b [Flyer<'a>],
-) -> impl Iterator<Item = (&'b Flyer<'a>, &'b Flyer<'a>)> + 'b {
+    flyers: &'b [FlyerAhead<'a>],
+) -> impl Iterator<Item = (&'b FlyerAhead<'a>, &'b FlyerAhead<'a>)> + 'b {
     let first = flyers.iter().enumerate();
     first.flat_map(|(at, one)| flyers[at + 1..].iter().map(move |other| (one, other)))
 }
 
-fn least_distance(flyers: &[Flyer<'_>]) -> Option<f64> {
-    let apart = |(one, other): (&Flyer<'_>, &Flyer<'_>)| {
+fn least_distance(flyers: &[FlyerAhead<'_>]) -> Option<f64> {
+    let apart = |(one, other): (&FlyerAhead<'_>, &FlyerAhead<'_>)| {
         let [north, east, up] = [0, 1, 2].map(|axis| one.point[axis] - other.point[axis]);
         maths::hypot(maths::hypot(north, east), up)
     };
@@ -140,11 +140,11 @@ fn least_distance(flyers: &[Flyer<'_>]) -> Option<f64> {
 }
 
 /// The time until two vehicles are closer to each other than the limits, in seconds.
-fn collision_in(flyers: &[Flyer<'_>], limits: SeparationLimits) -> Option<f64> {
+fn collision_in(flyers: &[FlyerAhead<'_>], limits: SeparationLimits) -> Option<f64> {
     if limits.across_m <= 0.0 || limits.height_m <= 0.0 {
         return None;
     }
-    let meet = |one: &Flyer<'_>, other: &Flyer<'_>, time_s: f64| {
+    let meet = |one: &FlyerAhead<'_>, other: &FlyerAhead<'_>, time_s: f64| {
         let starts = one.start.zip(other.start);
         let rule = Separation::new(starts.map(<[_; 2]>::from), limits);
         rule.nearness([one.after(time_s), other.after(time_s)]) < 1.0

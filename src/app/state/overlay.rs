@@ -209,7 +209,7 @@ pub enum Consequence {
     Parameters(Vec<ParameterSetting>),
     /// Replace the design on the bench.
     Design(Design),
-    /// Join the class.
+    /// Asks whether the trainee joins the class.
     JoinClass,
     /// Give an order to these seats of the class.
     Instruct {

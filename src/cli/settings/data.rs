@@ -33,7 +33,7 @@ impl DataFolder {
         self.path.as_deref()
     }
 
-    /// The recorded runs.
+    /// The recorded runs; `None` without a folder.
     pub fn runs(&self) -> Option<Runs> {
         self.path().map(Runs::within)
     }

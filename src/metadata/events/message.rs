@@ -1,6 +1,6 @@
 //! The text of an event: its arguments are inserted, its tags removed.
 
-use super::{Number, ValueNames};
+use super::{EventNumber, ValueNames};
 
 /// The reader whose parts of a text are shown: a developer.
 const READER: &str = "dev";
@@ -8,14 +8,14 @@ const READER: &str = "dev";
 const MOST_DECIMALS: usize = 9;
 
 /// A text with the values of its arguments.
-pub(super) struct Message<'a> {
+pub(super) struct EventMessage<'a> {
     rest: &'a str,
-    values: &'a [(Number, Option<&'a ValueNames>)],
+    values: &'a [(EventNumber, Option<&'a ValueNames>)],
     written: String,
 }
 
-impl<'a> Message<'a> {
-    pub fn new(template: &'a str, values: &'a [(Number, Option<&'a ValueNames>)]) -> Self {
+impl<'a> EventMessage<'a> {
+    pub fn new(template: &'a str, values: &'a [(EventNumber, Option<&'a ValueNames>)]) -> Self {
         Self {
             rest: template,
             values,
@@ -83,10 +83,10 @@ impl<'a> Message<'a> {
         };
         let value = match (names, number, decimals) {
             (Some(names), number, _) => names.name(number.code()),
-            (None, Number::Unsigned(number), _) => number.to_string(),
-            (None, Number::Signed(number), _) => number.to_string(),
-            (None, Number::Float(number), Some(decimals)) => format!("{number:.decimals$}"),
-            (None, Number::Float(number), None) => number.to_string(),
+            (None, EventNumber::Unsigned(number), _) => number.to_string(),
+            (None, EventNumber::Signed(number), _) => number.to_string(),
+            (None, EventNumber::Float(number), Some(decimals)) => format!("{number:.decimals$}"),
+            (None, EventNumber::Float(number), None) => number.to_string(),
         };
         Some(value + unit)
     }
@@ -111,7 +111,7 @@ impl<'a> Message<'a> {
             _ => false,
         };
         if shown {
-            let inner = Message::new(content, self.values);
+            let inner = EventMessage::new(content, self.values);
             let gap = |is_there: bool| if is_there { " " } else { "" };
             self.written
                 .push_str(gap(content.starts_with(char::is_whitespace)));

@@ -69,7 +69,7 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
         marked = room.marked()
     );
     let inner = panel.focused(&panel.text(&title), true, buffer);
-    let columns = Column::fitting(inner.width);
+    let columns = BoardColumn::fitting(inner.width);
     put(buffer, inner, 0, &heading(&columns, panel));
     let inner = below(inner, 1);
     if board.is_empty() {
@@ -93,7 +93,7 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
     let shown = board.iter().enumerate().skip(first).take(height);
     for (row, (at, &seat)) in (0..).zip(shown) {
         let place = row_of(inner, row);
-        let view = RowView {
+        let view = SeatLineView {
             seat: &desk.seats()[seat],
             now: state.wall(),
             look: panel.look,
@@ -109,7 +109,7 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
 
 /// A column of the board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Column {
+enum BoardColumn {
     Seat,
     State,
     Mission,
@@ -124,7 +124,7 @@ enum Column {
     Command,
 }
 
-impl Column {
+impl BoardColumn {
     const NARROW: &[(Self, usize)] = &[
         (Self::Seat, 10),
         (Self::State, 16),
@@ -191,7 +191,7 @@ impl Column {
     }
 }
 
-fn heading(columns: &[(Column, usize)], panel: Panel<'_>) -> Line<'static> {
+fn heading(columns: &[(BoardColumn, usize)], panel: Panel<'_>) -> Line<'static> {
     let titles = columns.iter().map(|&(column, width)| {
         let title = panel.say(column.title());
         aligned(&title, width, column.is_right()) + " "
@@ -201,14 +201,14 @@ fn heading(columns: &[(Column, usize)], panel: Panel<'_>) -> Line<'static> {
 }
 
 /// A seat as it is drawn.
-struct RowView<'a> {
+struct SeatLineView<'a> {
     seat: &'a SeatRecord,
     now: Duration,
     look: &'a Look,
 }
 
-impl RowView<'_> {
-    fn line(&self, columns: &[(Column, usize)], mark: &str) -> Line<'static> {
+impl SeatLineView<'_> {
+    fn line(&self, columns: &[(BoardColumn, usize)], mark: &str) -> Line<'static> {
         let base = if self.seat.is_here() {
             Role::Text
         } else {
@@ -220,7 +220,7 @@ impl RowView<'_> {
         ));
         for &(column, columns) in columns {
             let (text, role) = match column {
-                Column::State => self.state(),
+                BoardColumn::State => self.state(),
                 _ => (self.cell(column, columns), base),
             };
             let text = aligned(&text, columns, column.is_right());
@@ -273,8 +273,8 @@ impl RowView<'_> {
         (self.look.say(id), role)
     }
 
-    fn cell(&self, column: Column, columns: usize) -> String {
-        if column == Column::Seat {
+    fn cell(&self, column: BoardColumn, columns: usize) -> String {
+        if column == BoardColumn::Seat {
             return self.name(columns);
         }
         let Some(flight) = self.flight() else {
@@ -282,27 +282,27 @@ impl RowView<'_> {
         };
         let whole = |value: Option<f64>| value.map_or_else(dash, |it| format!("{it:.0}"));
         match column {
-            Column::Seat | Column::State => String::new(),
-            Column::Mission => match &flight.mission {
+            BoardColumn::Seat | BoardColumn::State => String::new(),
+            BoardColumn::Mission => match &flight.mission {
                 Some(mission) => mission.to_string(),
                 None => self.look.say("class-free"),
             },
-            Column::Clock => short_clock(seconds(flight.clock_s)),
-            Column::Score => whole(flight.score.map(f64::from)),
-            Column::Objectives => format!("{}/{}", flight.objectives_done, flight.objectives),
-            Column::Air => format!("{}/{}", flight.airborne, flight.vehicles),
-            Column::Alerts => match flight.oldest_alert_s {
+            BoardColumn::Clock => short_clock(seconds(flight.clock_s)),
+            BoardColumn::Score => whole(flight.score.map(f64::from)),
+            BoardColumn::Objectives => format!("{}/{}", flight.objectives_done, flight.objectives),
+            BoardColumn::Air => format!("{}/{}", flight.airborne, flight.vehicles),
+            BoardColumn::Alerts => match flight.oldest_alert_s {
                 Some(oldest_s) => format!("{} {}", flight.alerts, age(oldest_s)),
                 None => dash(),
             },
-            Column::Separation => match flight.least_separation_m {
+            BoardColumn::Separation => match flight.least_separation_m {
                 Some(metres) if metres < 100.0 => format!("{metres:.1}"),
                 Some(metres) => format!("{metres:.0}"),
                 None => dash(),
             },
-            Column::Failures => flight.failures.to_string(),
-            Column::Workload => whole(flight.workload_percent.map(f64::from)),
-            Column::Command => last_command(flight, columns),
+            BoardColumn::Failures => flight.failures.to_string(),
+            BoardColumn::Workload => whole(flight.workload_percent.map(f64::from)),
+            BoardColumn::Command => last_command(flight, columns),
         }
     }
 

@@ -10,7 +10,7 @@ use crate::app::state::{Activity, PendingOrder};
 use crate::class::{Deed, Order, OrderId, Outcome, Refusal};
 use crate::ledger::{EntryId, RowState};
 use crate::mission::Stake;
-use crate::record::DeskLine;
+use crate::record::DeskRecord;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -45,13 +45,13 @@ pub fn given(state: &mut State, order: Order) -> Effects {
 
 /// An order that is being carried out.
 #[derive(Default)]
-struct Begun {
+struct BegunOrder {
     effects: Effects,
     /// The entry in the ledger, if there is one.
     entry: Option<EntryId>,
 }
 
-impl From<Effect> for Begun {
+impl From<Effect> for BegunOrder {
     fn from(effect: Effect) -> Self {
         Self {
             effects: effect.into(),
@@ -60,13 +60,13 @@ impl From<Effect> for Begun {
     }
 }
 
-impl From<SessionEffect> for Begun {
+impl From<SessionEffect> for BegunOrder {
     fn from(effect: SessionEffect) -> Self {
         Effect::Session(effect).into()
     }
 }
 
-fn carry_out(state: &mut State, order: &Order) -> Result<Begun, Refusal> {
+fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, Refusal> {
     if is_exam(state) && !order.deed.is_for_exams() {
         return Err(Refusal::Exam);
     }
@@ -106,18 +106,18 @@ fn instructor(state: &State) -> String {
     instructor.unwrap_or_default().to_owned()
 }
 
-fn message(state: &mut State, text: &str) -> Begun {
+fn message(state: &mut State, text: &str) -> BegunOrder {
     let text = text!("class-message", instructor = instructor(state), text = text);
     tell(state, Severity::Warning, text);
     if state.config.alerts.bell {
         Effect::Terminal(TerminalEffect::Bell).into()
     } else {
-        Begun::default()
+        BegunOrder::default()
     }
 }
 
 /// Gives the trainee the mission's next hint, as if the trainee had asked for it.
-fn hint(state: &mut State) -> Result<Begun, Refusal> {
+fn hint(state: &mut State) -> Result<BegunOrder, Refusal> {
     let progress = state.session.task.progress.as_ref();
     let progress = progress.filter(|_| !state.session.task.over && state.replay.is_none());
     let clues = &progress.ok_or(Refusal::NoMission)?.clues;
@@ -127,7 +127,7 @@ fn hint(state: &mut State) -> Result<Begun, Refusal> {
     match order::read_for(state, "all hint", &[]) {
         Ok(Given::Order(asked)) => {
             let sent = order::send(state, asked);
-            Ok(Begun {
+            Ok(BegunOrder {
                 effects: sent.effect.into(),
                 entry: Some(sent.entry),
             })
@@ -136,7 +136,7 @@ fn hint(state: &mut State) -> Result<Begun, Refusal> {
     }
 }
 
-fn freeze(state: &mut State) -> Result<Begun, Refusal> {
+fn freeze(state: &mut State) -> Result<BegunOrder, Refusal> {
     let session = &state.session;
     let is_simulated = session.hangar.is_none()
         && matches!(
@@ -157,13 +157,13 @@ fn freeze(state: &mut State) -> Result<Begun, Refusal> {
         place.is_frozen = true;
     }
     Ok(if is_paused {
-        Begun::default()
+        BegunOrder::default()
     } else {
         SessionEffect::Pause.into()
     })
 }
 
-fn abandon(state: &State) -> Result<Begun, Refusal> {
+fn abandon(state: &State) -> Result<BegunOrder, Refusal> {
     let session = &state.session;
     if state.flown_mission().is_none() || session.task.over || state.replay.is_some() {
         return Err(Refusal::NoMission);
@@ -252,7 +252,7 @@ pub fn marked(state: &mut State, id: OrderId, is_set: bool) -> Effects {
 
 /// Notes the end of an order: in the journal for the desk, in the record of the flight, and for the trainee.
 fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects {
-    let line = DeskLine {
+    let line = DeskRecord {
         by: instructor(state),
         deed,
         outcome,

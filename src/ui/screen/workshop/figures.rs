@@ -35,7 +35,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         .bench()
         .candidate()
         .is_none_or(|it| it.misfit.is_none());
-    let table = FigureTable::new(room.bench().sheet(), candidate, panel.at(inner));
+    let table = BenchFigures::new(room.bench().sheet(), candidate, panel.at(inner));
     for (row, figure) in table.rows.iter().enumerate() {
         // A gain is not shown for a part that cannot be used.
         let role = if fits || candidate.is_none() {
@@ -53,28 +53,28 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 /// The figures as rows of three columns: name, value, and the change to another sheet.
-struct FigureTable {
-    rows: Vec<FigureRow>,
+struct BenchFigures {
+    rows: Vec<BenchFigure>,
     name: usize,
     value: usize,
     change: usize,
 }
 
-struct FigureRow {
+struct BenchFigure {
     name: String,
     value: String,
     change: String,
     role: Role,
 }
 
-impl FigureTable {
+impl BenchFigures {
     /// The table in the panel's width. If names would be cut, the values now are left out: the changes tell them.
     fn new(now: &Sheet, then: Option<&Sheet>, panel: Panel<'_>) -> Self {
         let change = if then.is_some() { CHANGE } else { 0 };
         let with = |form: ValueForm| {
             let row = |measure| figure_row(measure, now, then, form, panel.look);
-            let rows: Vec<FigureRow> = Measure::ALL.into_iter().map(row).collect();
-            let widest = |of: fn(&FigureRow) -> &str| {
+            let rows: Vec<BenchFigure> = Measure::ALL.into_iter().map(row).collect();
+            let widest = |of: fn(&BenchFigure) -> &str| {
                 let widths = rows.iter().map(|row| width(of(row)));
                 widths.max().unwrap_or(0)
             };
@@ -96,7 +96,7 @@ impl FigureTable {
         }
     }
 
-    fn line(&self, row: &FigureRow, role: Role, look: &Look) -> Line<'static> {
+    fn line(&self, row: &BenchFigure, role: Role, look: &Look) -> Line<'static> {
         let name = aligned(&row.name, self.name, false);
         Line::from(vec![
             Span::styled(format!(" {name} "), look.style(Role::Muted)),
@@ -122,7 +122,7 @@ fn figure_row(
     then: Option<&Sheet>,
     form: ValueForm,
     look: &Look,
-) -> FigureRow {
+) -> BenchFigure {
     let before = measure.of(now);
     let after = then.map_or(before, |sheet| measure.of(sheet));
     let changed = before
@@ -141,7 +141,7 @@ fn figure_row(
     };
     let unit = if is_known { measure.unit() } else { "" };
     let (change, role) = changed.unwrap_or_else(|| (String::new(), Role::Text));
-    FigureRow {
+    BenchFigure {
         name: look.text(&measure.name()),
         value: format!("{figures} {unit}").trim_end().to_owned(),
         change,
