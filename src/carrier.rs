@@ -20,4 +20,4 @@ pub mod unix;
 mod tests;
 
 pub use place::{ClassFault, ClassPlace, own_user_name};
-pub use ports::{DeskArrival, DeskPort, Outbox, Peer, SeatArrival, SeatPort};
+pub use ports::{CarrierPeer, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};
