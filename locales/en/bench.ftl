@@ -65,8 +65,6 @@ bench-figures-change = with this part (▲ better, ▼ worse)
 bench-payload = hover time by payload
 bench-payload-about = the curve ends where thrust is { $least } times the weight; with { $spare } kg more, thrust is { $good } times the weight
 bench-polar-about = best endurance at { $longest } m/s, best range at { $farthest } m/s
-bench-two-curves = thin: { $installed } (installed); thick: { $marked } (marked)
-bench-curve-added = thick: with { $marked } added; thin: without it
 bench-curve-marked = with the marked part, { $marked }
 bench-no-curve = no curve yet: needs frame, motors, propellers, speed controllers and a battery
 

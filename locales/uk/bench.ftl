@@ -65,8 +65,6 @@ bench-figures-change = із цією деталлю (▲ краще, ▼ гір�
 bench-payload = час зависання залежно від вантажу
 bench-payload-about = крива закінчується там, де тяга становить { $least } ваги; якщо додати ще { $spare } kg, тяга становитиме { $good } ваги
 bench-polar-about = найдовший політ — на швидкості { $longest } m/s, найдальший — на { $farthest } m/s
-bench-two-curves = тонка лінія: { $installed } (встановлено); товста: { $marked } (під курсором)
-bench-curve-added = товста лінія — із деталлю { $marked }, тонка — без неї
 bench-curve-marked = із деталлю під курсором: { $marked }
 bench-no-curve = кривої ще немає: потрібні рама, двигуни, пропелери, регулятори й акумулятор
 

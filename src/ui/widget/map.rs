@@ -107,8 +107,9 @@ fn draw_view(
         heat::draw(field, view, panel, buffer);
     }
     fire::draw(state, view, panel, buffer);
-    ground::draw(state, look, view, area, buffer);
-    let outside = markers::draw(state, look, view, area, buffer);
+    let labels = ground::draw(state, look, view, area, buffer);
+    let vehicles = markers::draw(state, look, view, area, buffer);
+    labels::draw(labels, &vehicles.cells, panel, buffer);
     legend::draw_scale(look, view, area, buffer);
     let mut last = area.height.saturating_sub(1);
     if let Some((_, field)) = field {
@@ -118,10 +119,10 @@ fn draw_view(
     if fire::is_any(state) {
         fire::draw_scale(state, view, panel.at(row_of(area, last)), buffer);
     }
-    outside
+    vehicles.outside
 }
 
-/// Draws the map's cursor over ground, lines and names. Numbers, and signs of vehicles, stay and are highlighted, unless
+/// Draws the map's cursor over ground and lines. Letters, numbers, and signs of vehicles stay and are highlighted, unless
 /// the sign is highlighted already.
 pub fn draw_cursor(
     state: &State,
@@ -137,8 +138,8 @@ pub fn draw_cursor(
     let is_listed = listed.and_then(|it| view.cell(it.at_point)) == Some((column, row));
     let is_vehicle = ground::vehicle_cells(state, view).contains(&(column, row));
     if let Some(cell) = buffer.cell_mut((panel.area.x + column, panel.area.y + row)) {
-        let is_number = cell.symbol().starts_with(|c: char| c.is_ascii_digit());
-        if is_listed || !(is_vehicle || is_number) {
+        let is_written = cell.symbol().starts_with(char::is_alphanumeric);
+        if is_listed || !(is_vehicle || is_written) {
             cell.set_char('┼');
         }
         cell.set_style(panel.style(Role::Cursor));

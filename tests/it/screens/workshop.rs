@@ -79,10 +79,10 @@ fn figures_stand_apart_from_their_names_which_are_whole() {
 }
 
 #[test]
-fn the_curves_of_the_installed_and_of_the_marked_part_can_be_told_apart() {
+fn the_curve_says_that_it_is_that_of_the_marked_part() {
     let mut console = looking(Language::English);
     console.press("v");
-    insta::assert_snapshot!("workshop_two_curves_80x24", console.screen(80, 24));
+    insta::assert_snapshot!("workshop_marked_curve_80x24", console.screen(80, 24));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::curve::{self, Curve, LineWeight, steps};
+use crate::ui::widget::curve::{self, Curve, steps};
 use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
 use crate::workshop::{GOOD_THRUST, LEAST_THRUST};
 
@@ -18,11 +18,11 @@ const LABELS: u16 = 7;
 /// The minimum number of rows of the curve.
 const LEAST: u16 = 3;
 
-/// The points of the design's curve, and of the curve with the marked part.
+/// The points of a curve: with the marked part of the list, or else of the design.
 struct Chart<'a> {
     room: &'a Workshop,
-    installed: Vec<(f64, f64)>,
-    marked: Option<Vec<(f64, f64)>>,
+    points: Vec<(f64, f64)>,
+    is_marked: bool,
 }
 
 impl<'a> Chart<'a> {
@@ -34,12 +34,14 @@ impl<'a> Chart<'a> {
             }
             View::Figures | View::Polar | View::Mission => curves.polar.clone(),
         };
-        let marked = room.bench().marked_curves();
+        let bench = room.bench();
+        let marked = bench.marked_curves();
         let marked = marked.filter(|_| room.pane() == Pane::Parts).map(points);
+        let marked = marked.filter(|it| it.len() > 1);
         Self {
             room,
-            installed: points(room.bench().curves()),
-            marked: marked.filter(|it| it.len() > 1),
+            is_marked: marked.is_some(),
+            points: marked.unwrap_or_else(|| points(bench.curves())),
         }
     }
 
@@ -64,37 +66,22 @@ impl<'a> Chart<'a> {
         }
     }
 
-    fn points(&self) -> impl Iterator<Item = (f64, f64)> {
-        let marked = self.marked.iter().flatten();
-        self.installed.iter().chain(marked).copied()
-    }
-
     /// The ends of both axes, which begin at 0.
     fn ends(&self) -> [f64; 2] {
-        let end = |of: fn((f64, f64)) -> f64| self.points().map(of).fold(0.0, f64::max);
+        let end =
+            |of: fn((f64, f64)) -> f64| self.points.iter().copied().map(of).fold(0.0, f64::max);
         [end(|point| point.0), end(|point| point.1)]
     }
 
     fn is_drawn(&self) -> bool {
-        self.installed.len() > 1 || self.marked.is_some()
+        self.points.len() > 1
     }
 
-    /// What the curves show, and which is which if there are two.
+    /// What the curve shows.
     fn about(&self) -> Text {
         let bench = self.room.bench();
-        if let (Some(_), Some(candidate)) = (&self.marked, bench.candidate()) {
-            let rows = bench.rows();
-            let there = rows.get(bench.row()).and_then(|row| row.part);
-            let marked = candidate.part.name();
-            return match there.filter(|_| self.installed.len() > 1) {
-                Some(there) => text!(
-                    "bench-two-curves",
-                    installed = there.name(),
-                    marked = marked
-                ),
-                None if self.installed.len() > 1 => text!("bench-curve-added", marked = marked),
-                None => text!("bench-curve-marked", marked = marked),
-            };
+        if let Some(candidate) = bench.candidate().filter(|_| self.is_marked) {
+            return text!("bench-curve-marked", marked = candidate.part.name());
         }
         let Some(figures) = &bench.sheet().figures else {
             return text!("bench-no-curve");
@@ -116,7 +103,7 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// Draws the chosen curve; beside it, the one with the marked part.
+/// Draws the chosen curve.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let chart = Chart::new(state.rooms().workshop());
     let inner = panel.titled(&panel.say(chart.title()), buffer);
@@ -128,7 +115,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let plot = upper(inner, inner.height.saturating_sub(below_curve));
     let mut rest = inner;
     if chart.is_drawn() && plot.height >= LEAST {
-        draw_curves(&chart, panel.at(plot), buffer);
+        draw_curve(&chart, panel.at(plot), buffer);
         rest = below(inner, plot.height);
         draw_axis(&chart, panel.at(rest), buffer);
     }
@@ -139,7 +126,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-fn draw_curves(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
+fn draw_curve(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     let ([last, high], [_, unit]) = (chart.ends(), chart.units());
     for (row, value) in [(0, high), (panel.area.height - 1, 0.0)] {
         let label = aligned(&format!("{value:.0} {unit}"), usize::from(LABELS) - 1, true);
@@ -152,23 +139,14 @@ fn draw_curves(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     }
     let place = columns(panel.area, LABELS, panel.area.width.saturating_sub(LABELS));
     let symbols = panel.look.symbols;
-    let curve = |values, role| Curve {
-        values,
+    let values = spread(&chart.points, last, steps(place.width, symbols));
+    let curve = Curve {
+        values: &values,
         low: 0.0,
         high,
-        style: panel.style(role),
+        style: panel.style(Role::Accent),
     };
-    let installed = spread(&chart.installed, last, steps(place.width, symbols));
-    let Some(marked) = &chart.marked else {
-        return curve::draw(&curve(&installed, Role::Accent), symbols, place, buffer);
-    };
-    let marked = spread(marked, last, steps(place.width, symbols));
-    for (values, role, weight) in [
-        (&installed, Role::Text, LineWeight::Light),
-        (&marked, Role::Accent, LineWeight::Heavy),
-    ] {
-        curve::draw_line(&curve(values, role), weight, symbols, place, buffer);
-    }
+    curve::draw(&curve, symbols, place, buffer);
 }
 
 fn draw_axis(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {

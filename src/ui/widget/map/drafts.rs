@@ -45,8 +45,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     board.conflicts(room);
     let Board { canvas, labels, .. } = board;
     canvas.draw(panel, buffer);
-    labels::draw(labels, &[], panel, buffer);
-    markers::draw(state, panel.look, &view, panel.area, buffer);
+    let vehicles = markers::draw(state, panel.look, &view, panel.area, buffer);
+    labels::draw(labels, &vehicles.cells, panel, buffer);
     legend::draw_scale(panel.look, &view, panel.area, buffer);
     draw_cursor(state, &view, room.map().pointed(&view), panel, buffer);
 }

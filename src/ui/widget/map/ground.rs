@@ -104,8 +104,14 @@ pub fn keep_out_sign(corners: &[LatLon], view: &Viewport) -> Option<Label> {
     })
 }
 
-/// Draws all lines and adds their labels.
-pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
+/// Draws all lines; returns the labels, which are to be drawn beside the vehicles.
+pub fn draw(
+    state: &State,
+    look: &Look,
+    view: &Viewport,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> Vec<Label> {
     let mut canvas = Canvas::new(GridSize::new(view.columns, view.rows), look.symbols);
     let mut labels = Vec::new();
     draw_cells(state, view, &mut canvas, &mut labels);
@@ -142,8 +148,7 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
         canvas.line(view.dot(mark), view.dot(map.pointed(view)), RULER);
     }
     canvas.draw(Panel::new(look, area), buffer);
-    let vehicles = vehicle_cells(state, view);
-    labels::draw(labels, &vehicles, Panel::new(look, area), buffer);
+    labels
 }
 
 /// The cells of the vehicles' signs, sorted by row and column, without duplicates.

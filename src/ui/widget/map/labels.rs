@@ -16,9 +16,6 @@ use crate::ui::widget::put;
 /// A column and a row of the map.
 pub type MapCell = (u16, u16);
 
-/// The number of columns after a vehicle's sign that its number is expected to cover.
-const NUMBER_WIDTH: u16 = 2;
-
 /// The maximum number of rows by which a label may move away from its place.
 const FARTHEST_ROW: u16 = 4;
 
@@ -80,11 +77,13 @@ impl Label {
     }
 }
 
-/// Draws the labels that can be read, on the map's panel; `vehicles` are the sorted cells of the vehicles' signs.
+/// Draws the labels that can be read, on the map's panel; `vehicles` are the sorted cells of the signs and numbers of
+/// vehicles, which have been drawn.
 pub fn draw(labels: Vec<Label>, vehicles: &[MapCell], panel: Panel<'_>, buffer: &mut Buffer) {
     let area = panel.area;
     let labels = readable(labels, vehicles, GridSize::new(area.width, area.height));
-    for label in &labels {
+    let is_of_vehicle = |cell: &MapCell| vehicles.binary_search(cell).is_ok();
+    for label in labels.iter().filter(|it| !is_of_vehicle(&it.cell)) {
         let (column, row) = label.cell;
         let place = Rect {
             x: area.x + column,
@@ -102,7 +101,8 @@ pub fn draw(labels: Vec<Label>, vehicles: &[MapCell], panel: Panel<'_>, buffer: 
     // Signs next to a word must not look like part of it.
     let written: BTreeSet<MapCell> = labels.iter().flat_map(cells).collect();
     for label in &labels {
-        for cell in beside(label).filter(|cell| !written.contains(cell)) {
+        let ground = |cell: &MapCell| !written.contains(cell) && !is_of_vehicle(cell);
+        for cell in beside(label).filter(ground) {
             part(panel, cell, buffer);
         }
     }
@@ -199,8 +199,7 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
 }
 
 /// The labels without those that would overlap another one: later labels take precedence. If there
-/// is no room for a name, only its sign stays. Vehicles are drawn over everything, so a name that
-/// they would partly cover is left out in the same way. The name of a place moves to the other sides of its sign first.
+/// is no room for a name, only its sign stays. A name that would touch a vehicle is left out in the same way. The name of a place moves to the other sides of its sign first.
 fn readable(labels: Vec<Label>, vehicles: &[MapCell], size: GridSize) -> Vec<Label> {
     let mut board = LabelBoard {
         vehicles,
@@ -240,11 +239,12 @@ impl LabelBoard<'_> {
         };
         let must_fit = label.kind == LabelKind::Place && !self.is_inside(&label);
         if must_fit || !self.has_room(&label) {
-            let is_free = !self.taken.contains(&label.cell);
-            if is_free && label.shorten() {
-                self.keep(label);
-            }
-            let mut names = moved.into_iter();
+            let place = label.cell;
+            let is_free = !self.taken.contains(&place);
+            let is_marked = is_free && label.shorten() && self.keep(label);
+            // A name without a mark of its own, or with a target's, would belong to nothing.
+            let is_marked = is_marked || !is_free && !self.words.contains(&place);
+            let mut names = moved.into_iter().filter(|_| is_marked);
             if let Some(name) = names.find(|name| self.is_inside(name) && self.has_room(name)) {
                 self.keep(name);
             }
@@ -258,19 +258,20 @@ impl LabelBoard<'_> {
         column + label.width() <= self.size.columns && row < self.size.rows
     }
 
-    /// Whether the label overlaps no other one, and no vehicle will cut it.
+    /// Whether the label overlaps no other one, and touches no vehicle unless it is a sign.
     fn has_room(&self, label: &Label) -> bool {
         let (column, row) = label.cell;
         let width = label.width();
         // Words need a space on both sides; signs may be adjacent.
         let margin = u16::from(width > 1);
-        let mut around = column.saturating_sub(margin)..column + width + margin;
-        let is_cut = width > 1 && cells(label).any(|cell| is_under_vehicle(cell, self.vehicles));
-        !is_cut && !around.any(|at| self.taken.contains(&(at, row)))
+        let around = column.saturating_sub(margin)..column + width + margin;
+        let mut around = around.map(|at| (at, row));
+        let is_of_vehicle = |cell: &MapCell| self.vehicles.binary_search(cell).is_ok();
+        !around.any(|cell| self.taken.contains(&cell) || width > 1 && is_of_vehicle(&cell))
     }
 
-    /// Adds a label, unless it would be misread.
-    fn keep(&mut self, label: Label) {
+    /// Adds a label, unless it would be misread; returns whether it did.
+    fn keep(&mut self, label: Label) -> bool {
         if label.width() > 1 {
             self.words.extend(cells(&label));
         } else {
@@ -282,7 +283,7 @@ impl LabelBoard<'_> {
                 LabelKind::Number => around.any(|at| self.figures.contains(&at)),
             };
             if is_misread {
-                return;
+                return false;
             }
             if label.kind == LabelKind::Number {
                 self.figures.extend(cells(&label));
@@ -290,15 +291,8 @@ impl LabelBoard<'_> {
         }
         self.taken.extend(cells(&label));
         self.kept.push(label);
+        true
     }
-}
-
-/// Whether a vehicle will cover the cell: by its sign, the bracket before it or the number after it.
-fn is_under_vehicle((column, row): MapCell, vehicles: &[MapCell]) -> bool {
-    let signs = column.saturating_sub(NUMBER_WIDTH)..=column + 1;
-    signs
-        .into_iter()
-        .any(|at| vehicles.binary_search(&(at, row)).is_ok())
 }
 
 #[cfg(test)]
@@ -347,7 +341,8 @@ mod tests {
                 cell: target,
                 ..label(0, LabelKind::Word, "x")
             };
-            let kept = readable(vec![place, target], &[vehicle], SIZE).into_iter();
+            let number = (vehicle.0 + 1, vehicle.1);
+            let kept = readable(vec![place, target], &[vehicle, number], SIZE).into_iter();
             let names = kept.filter(|label| label.text != "x");
             names.map(|label| (label.cell, label.text)).collect()
         };

@@ -1,4 +1,4 @@
-//! The vehicles on the map: a sign, its number if there is room, and a count such as `×2` if several share a cell.
+//! The vehicles on the map: a sign, its number if there is room, and a count such as `(×2)` if several share a cell.
 
 use std::ops::Range;
 
@@ -6,7 +6,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::{Position, Rect};
 use ratatui::style::Style;
 
-use super::labels::{part, stamp};
+use super::labels::{MapCell, part, stamp};
 use crate::app::State;
 use crate::config::Symbols;
 use crate::geo::Viewport;
@@ -38,8 +38,22 @@ struct Marker {
     rank: u8,
 }
 
-/// Draws the vehicles in view; returns the number of others with a position.
-pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) -> usize {
+/// The vehicles that were drawn.
+pub struct DrawnVehicles {
+    /// The cells of their signs, numbers and marks, sorted.
+    pub cells: Vec<MapCell>,
+    /// The number of others with a position.
+    pub outside: usize,
+}
+
+/// Draws the vehicles in view.
+pub fn draw(
+    state: &State,
+    look: &Look,
+    view: &Viewport,
+    area: Rect,
+    buffer: &mut Buffer,
+) -> DrawnVehicles {
     let (mut markers, outside) = markers(state, look, view);
     let cursor = state.session().cursor();
     let under_cursor = markers.iter().position(|it| Some(it.id) == cursor);
@@ -66,7 +80,10 @@ pub fn draw(state: &State, look: &Look, view: &Viewport, area: Rect, buffer: &mu
     for marker in singles {
         board.name(marker, look);
     }
-    outside
+    DrawnVehicles {
+        cells: board.cells(),
+        outside,
+    }
 }
 
 /// The vehicles in view, and the number of others.
@@ -229,9 +246,10 @@ fn gather<'a>(
     }
 }
 
-/// The number of vehicles in one place, which must not look like the number of a vehicle.
+/// The number of vehicles in one place, which must not look like the number of a vehicle, nor as a part of what is
+/// beside it.
 pub fn tally(count: usize) -> String {
-    format!("×{count}")
+    format!("(×{count})")
 }
 
 /// The cells of the map that already have a sign or a number.
@@ -262,6 +280,17 @@ impl<'a> Board<'a> {
         let written = stamp(text, style, self.panel.at(place), self.buffer);
         let from = usize::from(row) * usize::from(area.width) + usize::from(column);
         self.taken[from..from + usize::from(written)].fill(true);
+    }
+
+    /// The cells that have a sign, a number or a mark, sorted.
+    fn cells(&self) -> Vec<MapCell> {
+        let width = usize::from(self.panel.area.width).max(1);
+        let taken = self.taken.iter().enumerate().filter(|(_, taken)| **taken);
+        let mut cells: Vec<MapCell> = taken
+            .map(|(at, _)| ((at % width) as u16, (at / width) as u16))
+            .collect();
+        cells.sort_unstable();
+        cells
     }
 
     /// Whether the cells are free, and within the row.
