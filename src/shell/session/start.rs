@@ -197,10 +197,11 @@ impl RunningSession {
         match plan {
             SessionPlan::Mission(mission) => self.start_mission(mission, backend, before).await,
             SessionPlan::Free(_) => {
-                let start = backend.simulation.free.start.unwrap_or(FREE_FLIGHT_START);
+                let free = &backend.simulation.free;
+                let start = free.start.unwrap_or(FREE_FLIGHT_START);
                 let row = WorldConfig {
                     seed: backend.seed,
-                    ..WorldConfig::row(usize::from(backend.vehicles), start)
+                    ..free.world(usize::from(backend.vehicles), start)
                 };
                 self.simulate(row, backend, before).await?;
                 Ok(Started {
