@@ -32,6 +32,7 @@ mod tests;
 
 pub use rehearsing::{
     FailedRehearsal, Meeting, PlanRehearsal, RehearsalFindings, Rehearsed, ending_words,
+    flies_in_rehearsals,
 };
 use rehearsing::{Prepared, RehearsalQueue, RehearsalRequest, Winds};
 

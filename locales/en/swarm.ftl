@@ -9,6 +9,7 @@ swarm-no-line = no line left for it: { $lines ->
    *[other] { $lines } lines
 } for { $vehicles } vehicles
 swarm-one-place = { $vehicles } fly to one place at one height and would meet there: use `formation`, or give each a height of its own (`up`)
+swarm-one-place-planes = { $vehicles } fly to one place at one height and would meet there: give each a place or a height of its own (`up`)
 swarm-no-area = no area to fly over
 swarm-too-many-lines = this needs more than { $most } lines: choose a smaller area or a wider spacing
 swarm-too-near = { $spacing } m is too close: use at least { $least } m ({ $separation } m of separation and a margin)

@@ -7,7 +7,11 @@ use super::encode::LongFields;
 use crate::ledger::Risk;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Mode, Vehicle};
+use crate::vehicle::{Mode, Vehicle, VehicleClass};
+
+/// The reason for which `ArduPlane` refuses to be armed after a landing by a plan. A mode that does not navigate clears it
+/// (`Mode::enter`).
+const IN_LANDING_SEQUENCE: &str = "In landing sequence";
 
 /// Arms and disarms the motors.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,9 +70,19 @@ impl ArmingCommand {
                     text!("reason-arm-mode", mode = name)
                 })
             }
-            Self::Disarm => vehicle.airborne().then(|| text!("reason-in-the-air")),
+            Self::Disarm if !vehicle.airborne() => None,
+            Self::Disarm if vehicle.class() == VehicleClass::Plane => {
+                Some(text!("reason-in-the-air-plane"))
+            }
+            Self::Disarm => Some(text!("reason-in-the-air")),
             Self::Kill => None,
         }
+    }
+
+    /// What to do about a refusal whose reason the vehicle gives without that.
+    pub(super) fn way_out(self, vehicle: &Vehicle) -> Option<Text> {
+        let lands = vehicle.prearm.iter().any(|it| it == IN_LANDING_SEQUENCE);
+        (self == Self::Arm && lands).then(|| text!("reason-landing-sequence"))
     }
 }
 

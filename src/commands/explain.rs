@@ -99,11 +99,15 @@ pub fn explain(
     command: &Command,
 ) -> Text {
     let reason = || {
-        if texts.is_empty() {
-            likely_reason(result, vehicle, command).unwrap_or_else(|| result.reason())
-        } else {
-            Text::joined("; ", texts.to_vec())
+        let mut parts = texts.to_vec();
+        if parts.is_empty() {
+            let likely = likely_reason(result, vehicle, command);
+            parts.push(likely.unwrap_or_else(|| result.reason()));
         }
+        if let Command::Arming(command) = command {
+            parts.extend(command.way_out(vehicle));
+        }
+        Text::joined("; ", parts)
     };
     match result {
         AckResult::Accepted => text!("outcome-verb-accepted", verb = verb),

@@ -73,7 +73,16 @@ pub fn is_back(vehicle: &Vehicle) -> bool {
     let goal = target
         .and_then(|target| target.at_point)
         .or_else(|| vehicle.home.map(|home| home.at_point));
+    let height_m = target.and_then(|target| target.altitude_m);
     goal.is_some_and(|goal| is_near(vehicle, global.at_point.distance_m(goal)))
+        && (vehicle.class() != VehicleClass::Plane || circles_at(vehicle, height_m))
+}
+
+/// Whether a plane is in the air and, if the height at which it is to circle is known, near it.
+fn circles_at(vehicle: &Vehicle, height_m: Option<f64>) -> bool {
+    let off_m = vehicle.altitude_m().zip(height_m);
+    vehicle.airborne()
+        && off_m.is_none_or(|(is_m, goal_m)| (is_m - goal_m).abs() <= CIRCLING_HEIGHT_M)
 }
 
 fn is_near(vehicle: &Vehicle, horizontal_m: f64) -> bool {

@@ -17,6 +17,8 @@ pub(super) const AUTO: &str = "AUTO";
 pub(super) const MISSION: &str = "AUTO.MISSION";
 /// The modes in which a plan that has begun waits: those of `hold`, and those in which a pilot holds a vehicle.
 const WAITING_MODES: [&str; 6] = ["BRAKE", "LOITER", "GUIDED", "POSHOLD", "HOLD", "ALT_HOLD"];
+/// The first item of a plan on board, after home.
+const FIRST_ITEM: u16 = 1;
 /// A vehicle below this speed over ground counts as standing still.
 const STANDING_M_S: f32 = 0.5;
 
@@ -53,7 +55,7 @@ impl PlanFlight {
                 if !vehicle.armed() {
                     return Err(text!("refused-plan-not-armed"));
                 }
-                one(LongFields::new(MavCmd::MAV_CMD_MISSION_START, &[]))
+                Request::chain(vehicle, &start(vehicle), confirmation)
             }
             Self::Goto { item } => {
                 exists(vehicle, item)?;
@@ -125,6 +127,17 @@ impl PlanFlight {
             }
         }
     }
+}
+
+/// The messages of a start, in order.
+///
+/// `ArduPlane` continues where it was, after a landing at the landing (`AP_Landing::restart_landing_sequence`). On the
+/// ground, it therefore begins at the first item.
+fn start(vehicle: &Vehicle) -> Vec<LongFields> {
+    let is_plane = vehicle.class() == VehicleClass::Plane;
+    let first = (is_plane && !vehicle.is_under_way()).then(|| set_item(FIRST_ITEM, false));
+    let start = LongFields::new(MavCmd::MAV_CMD_MISSION_START, &[]);
+    first.into_iter().chain([start]).collect()
 }
 
 /// The messages of a resumption, in order.

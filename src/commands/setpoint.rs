@@ -29,14 +29,17 @@ pub(super) fn goto(
     heading: Heading,
 ) -> Result<Request, Text> {
     needs_guided("goto", vehicle)?;
+    if vehicle.class() == VehicleClass::Plane {
+        return match heading {
+            Heading::Auto => reposition(vehicle, destination),
+            Heading::Fixed(_) | Heading::Keep => Err(text!("refused-plane-heading")),
+        };
+    }
     let yaw_deg = match heading {
         Heading::Auto => None,
         Heading::Fixed(degrees) => Some(degrees),
         Heading::Keep => Some(f64::from(self::heading(vehicle)?)),
     };
-    if vehicle.class() == VehicleClass::Plane {
-        return reposition(vehicle, destination);
-    }
     match arrival(vehicle, destination)? {
         TravelEnd::Global { point, altitude_m } => {
             above_ground(vehicle, altitude_m)?;
@@ -54,23 +57,7 @@ pub(super) fn goto(
 
 /// A `DO_REPOSITION`, the only command with which `ArduPlane` flies to a point.
 fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Text> {
-    let (point, altitude_m) = match destination {
-        Destination::Global {
-            at_point,
-            altitude_m,
-        } => (at_point, altitude_m.map_or_else(|| height(vehicle), Ok)?),
-        Destination::Offset {
-            north_m,
-            east_m,
-            up_m,
-        } => (
-            position(vehicle)?.moved(north_m, east_m),
-            height(vehicle)? + up_m,
-        ),
-        Destination::Local { .. } => {
-            return Err(text!("refused-plane"));
-        }
-    };
+    let (point, altitude_m) = place_of(vehicle, destination)?;
     // Parameters 1 and 2: the default speed (-1); stay in or change to GUIDED (1).
     let fields = IntFields::at(
         MavCmd::MAV_CMD_DO_REPOSITION,
@@ -82,6 +69,13 @@ fn reposition(vehicle: &Vehicle, destination: Destination) -> Result<Request, Te
     Request::int(vehicle, &fields)
 }
 
+/// The place of a destination on the earth, and its height above home.
+fn place_of(vehicle: &Vehicle, destination: Destination) -> Result<(LatLon, f64), Text> {
+    let place = destination.of(vehicle);
+    let (point, asked_m) = place.ok_or_else(|| text!("refused-no-position"))?;
+    Ok((point, asked_m.map_or_else(|| height(vehicle), Ok)?))
+}
+
 /// The end of a `goto`, in the frame in which it is sent.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum TravelEnd {
@@ -91,6 +85,10 @@ pub(super) enum TravelEnd {
 
 /// Resolves the relative and missing parts of a destination, using the vehicle's position.
 pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<TravelEnd, Text> {
+    if vehicle.class() == VehicleClass::Plane {
+        let (point, altitude_m) = place_of(vehicle, destination)?;
+        return Ok(TravelEnd::Global { point, altitude_m });
+    }
     match destination {
         Destination::Global {
             at_point,

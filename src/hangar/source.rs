@@ -7,9 +7,12 @@ use super::client::RemoteHangar;
 use super::{HangarSetup, Hangars, Launch};
 use crate::scoring::FlightBackend;
 use crate::sim::{Airframe, Chassis, Start, VehicleKind, WorldConfig};
-use crate::sitl::SitlKind;
+use crate::sitl::{FormationShape, SitlKind, StartFormation};
 use crate::text;
 use crate::text::Text;
+
+/// The distance between planes at the start: they need more room to take off than copters.
+const PLANE_SPACING_M: f64 = 30.0;
 
 /// Where ArduPilot's SITL runs.
 #[derive(Debug, Clone)]
@@ -63,6 +66,22 @@ impl FreeFlight {
             (SitlKind::Rover, None) => Some(VehicleKind::Rover(Chassis::Ackermann)),
             (SitlKind::Rover, Some(model)) => VehicleKind::named(model),
             (SitlKind::Copter | SitlKind::Plane | SitlKind::Sub, _) => None,
+        }
+    }
+
+    /// A world with the vehicles side by side.
+    pub fn world(&self, vehicles: usize, first: Start) -> WorldConfig {
+        let world = WorldConfig::row(vehicles, first);
+        if self.kind != SitlKind::Plane {
+            return world;
+        }
+        let row = StartFormation {
+            shape: FormationShape::Row,
+            spacing_m: PLANE_SPACING_M,
+        };
+        WorldConfig {
+            starts: row.starts(vehicles, first),
+            ..world
         }
     }
 
@@ -163,6 +182,24 @@ mod tests {
             assert_eq!(launch.model.as_deref(), Some("motorboat"));
             assert_eq!(launch.parameters.get("WP_SPEED"), Some(&3.0));
             assert!(launch.check().is_ok() && launch.frame.is_none());
+        }
+    }
+
+    #[test]
+    fn planes_start_farther_apart() {
+        let place = Start {
+            at: crate::geo::LatLon::new(50.45, 30.52),
+            altitude_amsl_m: 180.0,
+            heading_deg: 90.0,
+        };
+        for (kind, apart_m) in [(SitlKind::Copter, 5.0), (SitlKind::Plane, 30.0)] {
+            let free = FreeFlight {
+                kind,
+                ..FreeFlight::default()
+            };
+            let starts = free.world(2, place).starts;
+            let between_m = starts[0].at.distance_m(starts[1].at);
+            assert!((between_m - apart_m).abs() < 0.1, "{kind:?}: {between_m}");
         }
     }
 }

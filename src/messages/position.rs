@@ -14,9 +14,12 @@ use crate::vehicle::{GlobalPosition, LegSpeed, LocalPosition, Place, PositionJum
 const JUMP_M: f64 = 200.0;
 /// No vehicle is faster.
 const FASTEST_M_S: f64 = 200.0;
+/// A point this close to 0, 0, in latitude and in longitude (0.01° in units of 1e-7°), is not known. Before the first
+/// fix, `ArduPlane` with an airspeed sensor integrates its airspeed from there.
+const NOWHERE_E7: u32 = 100_000;
 
-/// Applies `GLOBAL_POSITION_INT`. Latitude and longitude 0 mean an unknown position from `ArduPilot`; so does a height
-/// at an end of the range.
+/// Applies `GLOBAL_POSITION_INT`. A point at 0, 0 means an unknown position from `ArduPilot`; so does a height at an end
+/// of the range.
 pub(super) fn apply_global(vehicle: &mut Vehicle, data: &GLOBAL_POSITION_INT_DATA, now: Duration) {
     let is_height = |height_mm| !matches!(height_mm, i32::MIN | i32::MAX);
     let has_heights = is_height(data.alt) && is_height(data.relative_alt);
@@ -82,10 +85,11 @@ pub(super) fn origin(data: &GPS_GLOBAL_ORIGIN_DATA) -> Option<Place> {
     place(data.latitude, data.longitude, data.altitude)
 }
 
-/// A valid point: on the earth, and not 0, 0.
+/// A valid point: on the earth, and not at 0, 0.
 pub(super) fn point(lat_e7: i32, lon_e7: i32) -> Option<LatLon> {
     let at_point = LatLon::from_e7(lat_e7, lon_e7);
-    ((lat_e7, lon_e7) != (0, 0) && at_point.is_valid()).then_some(at_point)
+    let is_nowhere = lat_e7.unsigned_abs().max(lon_e7.unsigned_abs()) < NOWHERE_E7;
+    (!is_nowhere && at_point.is_valid()).then_some(at_point)
 }
 
 fn place(lat_e7: i32, lon_e7: i32, altitude_mm: i32) -> Option<Place> {

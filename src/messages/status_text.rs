@@ -19,9 +19,6 @@ const MOST_UNFINISHED: usize = 8;
 const SAME_CHECK: Duration = Duration::from_secs(2);
 /// The placeholder for missing chunks.
 const MISSING: &[u8] = b"...";
-/// The prefixes of a reason not to arm: of `ArduPilot` from its periodic check, or from a refused arm command; of PX4
-/// from its checks, or from a refused arm command.
-const REASON_PREFIXES: [&str; 4] = ["PreArm:", "Arm:", "Preflight Fail:", "Arming denied:"];
 
 /// A STATUSTEXT as received.
 #[derive(Debug, Clone)]
@@ -205,10 +202,7 @@ pub(super) fn apply(
     if text.is_empty() {
         return;
     }
-    let reason = REASON_PREFIXES
-        .iter()
-        .find_map(|prefix| text.strip_prefix(prefix));
-    if let Some(reason) = reason.map(str::trim_start) {
+    if let Some(reason) = StatusText::reason_not_to_arm(&text) {
         let same_check = reasons_at.is_some_and(|at| report.now.saturating_sub(at) <= SAME_CHECK);
         if !same_check {
             vehicle.prearm.clear();

@@ -127,13 +127,22 @@ fn prepare(request: &RehearsalRequest, vehicles: &Vehicles, now: Duration) -> Pr
     Prepared { rows, rehearsal }
 }
 
+/// Refuses the vehicles whose flight the simulator does not know.
+///
+/// # Errors
+/// The vehicle is a plane or moves on a surface.
+pub fn flies_in_rehearsals(vehicle: &Vehicle) -> Result<(), Text> {
+    if matches!(vehicle.class(), VehicleClass::Plane | VehicleClass::Rover) {
+        return Err(text!("rehearse-kind", kind = vehicle.kind_name()));
+    }
+    Ok(())
+}
+
 fn member(id: VehicleId, vehicle: &Vehicle) -> Result<Member, Text> {
     if vehicle.airborne() {
         return Err(text!("rehearse-in-air"));
     }
-    if matches!(vehicle.class(), VehicleClass::Plane | VehicleClass::Rover) {
-        return Err(text!("rehearse-kind", kind = vehicle.kind_name()));
-    }
+    flies_in_rehearsals(vehicle)?;
     let here = vehicle.global.ok_or_else(|| text!("refused-no-position"))?;
     let lists = &vehicle.plans;
     let plan = lists.plan.content.as_ref();

@@ -59,8 +59,15 @@ fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
             // numbers: with its 1200 steps a second, rounding changes the endurance of large batteries by up to 8 %.
             ("SIM_RATE_HZ", 400.0),
         ],
-        // The trim of a throttle is at its lower end.
+        // The trim of a throttle is at its lower end. Without its airspeed sensor, the model ignores commanded speeds;
+        // it flies at 22 m/s.
         SitlKind::Plane => &[
+            ("ARSPD_USE", 1.0),
+            ("AIRSPEED_CRUISE", 22.0),
+            ("AIRSPEED_MIN", 10.0),
+            ("AIRSPEED_MAX", 30.0),
+            ("TRIM_THROTTLE", 50.0),
+            ("WP_LOITER_RAD", 80.0),
             ("RC3_TRIM", 1000.0),
             ("SERVO3_MIN", 1000.0),
             ("SERVO3_MAX", 2000.0),

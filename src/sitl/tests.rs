@@ -202,6 +202,17 @@ fn every_kind_has_a_model_and_parameters() {
 }
 
 #[test]
+fn a_plane_takes_speeds_from_its_airspeed_sensor() {
+    let plane = Recipe {
+        kind: SitlKind::Plane,
+        ..recipe()
+    };
+    assert_eq!(value_of(&plane, "ARSPD_USE"), Some(1.0));
+    assert_eq!(value_of(&plane, "AIRSPEED_CRUISE"), Some(22.0));
+    assert_eq!(value_of(&recipe(), "ARSPD_USE"), None);
+}
+
+#[test]
 fn what_sitl_would_misunderstand_is_refused_with_what_to_do() {
     let usual = recipe();
     let at = |lat, lon| Start {

@@ -383,6 +383,19 @@ pub struct StatusText {
     pub at: Duration,
 }
 
+/// The prefixes of a reason not to arm: of `ArduPilot` from its periodic check, or from a refused arm command; of PX4
+/// from its checks, or from a refused arm command.
+const REASON_PREFIXES: [&str; 4] = ["PreArm:", "Arm:", "Preflight Fail:", "Arming denied:"];
+
+impl StatusText {
+    /// The reason not to arm that a text gives.
+    pub fn reason_not_to_arm(text: &str) -> Option<&str> {
+        let mut prefixes = REASON_PREFIXES.iter();
+        let reason = prefixes.find_map(|prefix| text.strip_prefix(prefix));
+        reason.map(str::trim_start)
+    }
+}
+
 /// The position of a vehicle out of radio contact: the mission needs it for jamming and radio
 /// shadows, but the operator does not see it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -198,10 +198,7 @@ impl<'a> Route<'a> {
             command::LAND | command::VTOL_LAND => {
                 let way_s =
                     self.leg_s(way, item.place().unwrap_or(way.at.place), way.at.height_m)?;
-                let landing_s = self
-                    .is_copter
-                    .then(|| Pace::default().landing(way.at.height_m.max(0.0)).time_s);
-                Some(way_s + landing_s?)
+                Some(way_s + self.touchdown_s(item, way.at.height_m)?)
             }
             command::LOITER_TURNS => {
                 let centre = item.place().unwrap_or(way.at.place);
@@ -214,6 +211,17 @@ impl<'a> Route<'a> {
             // Such an item ends at a command of a ground station or a script, or at an altitude.
             _ => None,
         }
+    }
+
+    /// The seconds of a landing at the place; `None` for vehicles whose descent is unknown. A plane touches down at the
+    /// end of the leg.
+    fn touchdown_s(&self, item: &Item, height_m: f64) -> Option<f64> {
+        let class = self.vehicle.class();
+        if class == VehicleClass::Plane && item.command == command::LAND {
+            return Some(0.0);
+        }
+        let landing = || Pace::default().landing(height_m.max(0.0));
+        self.is_copter.then(|| landing().time_s)
     }
 
     /// The seconds of a straight leg; moves `way` to its end.

@@ -110,10 +110,13 @@ fn condition(kind: AlertKind, severity: Severity, text: impl Into<Text>) -> Aler
     }
 }
 
-fn recent_text<'a>(vehicle: &'a Vehicle, now: Duration, words: &[&str]) -> Option<&'a str> {
+/// The vehicle's last text about a failsafe, if it is recent. Reasons not to arm may name one, too.
+fn recent_failsafe(vehicle: &Vehicle, now: Duration) -> Option<&str> {
     let mut texts = vehicle.texts.iter().rev();
     let found = texts.find(|line| {
-        now.saturating_sub(line.at) < TEXT_LIFE && words.iter().any(|word| line.text.contains(word))
+        let is_recent = now.saturating_sub(line.at) < TEXT_LIFE;
+        let is_of_arming = StatusText::reason_not_to_arm(&line.text).is_some();
+        is_recent && !is_of_arming && line.text.contains("ailsafe")
     });
     found.map(|line| line.text.as_str())
 }
@@ -154,7 +157,7 @@ fn failsafe(vehicle: &Vehicle, now: Duration) -> Option<Alert> {
         return None;
     }
     // A heartbeat can still report a failsafe that a text has just ended, or another one.
-    let reason = recent_text(vehicle, now, &["ailsafe"]).filter(|text| !text.ends_with("Cleared"));
+    let reason = recent_failsafe(vehicle, now).filter(|text| !text.ends_with("Cleared"));
     let text = reason.map_or_else(|| text!("alert-failsafe"), Text::from);
     Some(condition(AlertKind::Failsafe, Severity::Critical, text))
 }

@@ -220,6 +220,37 @@ fn refusals_are_explained_by_the_texts_else_by_the_state() {
 }
 
 #[test]
+fn planes_get_advice_that_planes_can_follow() {
+    let plane = |mut vehicle: Vehicle| {
+        if let Some(heartbeat) = &mut vehicle.heartbeat {
+            heartbeat.class = VehicleClass::Plane;
+        }
+        vehicle
+    };
+    let said = |verb, texts: &[Text], vehicle: &Vehicle, command| {
+        let command = Command::Arming(command);
+        let failed = AckResult::Failed;
+        explain(verb, failed, texts, vehicle, &command).to_string()
+    };
+    let mut landed = plane(on_the_ground("GUIDED"));
+    landed.prearm = vec!["In landing sequence".to_owned()];
+    let way_out = "its plan is still at the landing: `mode manual` ends that, then `arm`";
+    let text = "Arm: In landing sequence";
+    let arm = ArmingCommand::Arm;
+    assert_eq!(
+        said("arm", &[Text::from(text)], &landed, arm),
+        format!("arm refused: {text}; {way_out}")
+    );
+    assert_eq!(
+        said("arm", &[], &landed, arm),
+        format!("arm refused: Pre{text}; {way_out}")
+    );
+    let air = plane(flying("GUIDED"));
+    let said = said("disarm", &[], &air, ArmingCommand::Disarm);
+    assert!(said.contains("land it by a plan"), "{said}");
+}
+
+#[test]
 fn a_parameter_that_kept_its_value_is_noticed() {
     let set = |value| ParameterCommand::Set {
         name: "X".to_owned(),

@@ -25,6 +25,21 @@ fn a_position_of_zero_means_unknown() {
     assert!((position.altitude_m - 10.0).abs() < 1e-9);
 }
 
+/// `ArduPlane` counts its first metres from 0, 0 until it has a fix.
+#[test]
+fn a_position_near_zero_means_unknown_and_is_no_jump() {
+    let mut bench = Bench::new();
+    for (lat, lon) in [(1240, -181), (-99_999, 99_999)] {
+        bench.hear(global(lat, lon));
+        assert_eq!(bench.vehicle.global, None, "{lat} {lon}");
+    }
+    bench.hear(global(-353_632_620, 1_491_652_370));
+    assert!(bench.vehicle.global.is_some());
+    assert_eq!(bench.vehicle.jump, None);
+    bench.hear(global(0, 67_000_000));
+    assert!(bench.vehicle.global.is_some(), "the equator is a place");
+}
+
 #[test]
 fn a_jump_that_no_flight_explains_is_noted() {
     let mut bench = Bench::new();

@@ -197,11 +197,12 @@ impl RunningSession {
         match plan {
             SessionPlan::Mission(mission) => self.start_mission(mission, backend, before).await,
             SessionPlan::Free(_) => {
-                let start = backend.simulation.free.start.unwrap_or(FREE_FLIGHT_START);
+                let free = &backend.simulation.free;
+                let start = free.start.unwrap_or(FREE_FLIGHT_START);
                 let row = WorldConfig {
                     seed: backend.seed,
-                    kinds: backend.simulation.free.embedded().into_iter().collect(),
-                    ..WorldConfig::row(usize::from(backend.vehicles), start)
+                    kinds: free.embedded().into_iter().collect(),
+                    ..free.world(usize::from(backend.vehicles), start)
                 };
                 self.simulate(row, backend, before).await?;
                 Ok(Started {

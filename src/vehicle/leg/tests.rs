@@ -152,6 +152,18 @@ fn from_the_takeoff_on_the_end_is_known() {
     assert_eq!(times(&vehicle), (Some(8.0), Some(8.0 + 16.5)));
 }
 
+/// A plane comes down on its last leg.
+#[test]
+fn a_plane_that_lands_has_an_end() {
+    let mut vehicle = flying(&[waypoint(100.0), item(21, [0.0; 3], 300.0)], 1);
+    if let Some(heartbeat) = &mut vehicle.heartbeat {
+        heartbeat.mav_type = 1;
+        heartbeat.class = VehicleClass::Plane;
+        heartbeat.mode = VehicleClass::Plane.mode("AUTO").expect("a mode");
+    }
+    assert_eq!(times(&vehicle), (Some(10.0), Some(30.0)));
+}
+
 /// Two turns with a radius of 25 m take 56.2 s; the part already flown, by the vehicle's clock, no
 /// longer counts.
 #[test]

@@ -57,6 +57,64 @@ fn a_plane_is_back_when_it_circles_above_home() {
 }
 
 #[test]
+fn a_plane_above_home_is_not_back_until_it_is_at_its_height() {
+    let mut talk = Talk::guided(PLANE);
+    let order = talk.order("rtl", rtl());
+    for height_m in [0.0, 20.0] {
+        talk.craft.height_m = height_m;
+        talk.pass(5);
+        assert_eq!(talk.last(order), Some(RowState::Accepted), "{height_m} m");
+        assert!(!talk.has_arrived(), "{height_m} m");
+    }
+    talk.craft.height_m = 45.0;
+    talk.pass(1);
+    assert_eq!(talk.last(order), Some(RowState::Done));
+    assert!(talk.has_arrived());
+}
+
+#[test]
+fn a_plan_begins_at_its_first_item_on_the_ground_and_continues_in_the_air() {
+    for (height_m, item) in [(0.0, 1), (50.0, 4)] {
+        let mut talk = Talk::guided(PLANE);
+        talk.craft.height_m = height_m;
+        talk.pass(1);
+        let order = talk.order("plan start", Command::PlanFlight(PlanFlight::Start));
+        talk.pass(1);
+        assert_eq!(talk.last(order), Some(RowState::Done));
+        assert_eq!((talk.craft.mode(), talk.craft.plan_item), ("AUTO", item));
+    }
+}
+
+#[test]
+fn a_plane_flies_to_metres_from_its_origin_and_keeps_no_heading() {
+    let mut talk = Talk::guided(PLANE);
+    (talk.craft.height_m, talk.craft.at_m) = (50.0, [20.0, -10.0]);
+    talk.pass(1);
+    let local = |heading| {
+        Command::Motion(MotionCommand::Goto {
+            destination: Destination::Local {
+                north_m: 100.0,
+                east_m: 30.0,
+                up_m: Some(60.0),
+            },
+            heading,
+        })
+    };
+    let words = "leave out `face` and `keep`";
+    talk.assert_unsuited(&[
+        ("goto", local(Heading::Keep), words),
+        ("goto", local(Heading::Fixed(90.0)), words),
+    ]);
+    let order = talk.order("goto", local(Heading::Auto));
+    let [north_m, east_m] = talk.craft.goal_m.expect("a goal");
+    let is_there = (north_m - 100.0).abs() < 0.5 && (east_m - 30.0).abs() < 0.5;
+    assert!(is_there, "{north_m} {east_m}");
+    assert!((talk.craft.goal_height_m - 60.0).abs() < 0.5);
+    talk.pass(20);
+    assert_eq!(talk.last(order), Some(RowState::Done));
+}
+
+#[test]
 fn a_plane_that_hovers_may_take_off() {
     let mut talk = Talk::guided(PLANE);
     talk.craft.hovers = true;

@@ -23,6 +23,10 @@ const WAY_M: f64 = 0.4;
 const STOPS_M: f64 = 2.0;
 /// A plane circles at this distance from its goal (`WP_LOITER_RAD`).
 const CIRCLE_M: f64 = 60.0;
+/// The height above home at which a plane returns (`RTL_ALTITUDE`).
+const RETURN_HEIGHT_M: f64 = 50.0;
+/// The item at which a plane continues its plan after a landing.
+const LANDING_ITEM: u16 = 4;
 
 /// The state of the stand-in.
 #[derive(Debug)]
@@ -36,6 +40,10 @@ pub struct StandIn {
     pub at_m: [f64; 2],
     pub height_m: f64,
     pub goal_m: Option<[f64; 2]>,
+    /// The height above home of the goal, in metres.
+    pub goal_height_m: f64,
+    /// The item of its plan at which it continues.
+    pub plan_item: u16,
     speed_m_s: f64,
     /// `Q_ENABLE` of a plane.
     pub hovers: bool,
@@ -57,6 +65,8 @@ impl StandIn {
             at_m: [0.0; 2],
             height_m: 0.0,
             goal_m: None,
+            goal_height_m: 0.0,
+            plan_item: LANDING_ITEM,
             speed_m_s: 0.0,
             hovers: false,
             heard: Vec::new(),
@@ -74,6 +84,9 @@ impl StandIn {
         if mode.number != self.mode {
             self.mode = mode.number;
             self.goal_m = (name == "RTL").then_some([0.0; 2]);
+            if self.class == VehicleClass::Plane {
+                self.goal_height_m = RETURN_HEIGHT_M;
+            }
         }
     }
 
@@ -118,6 +131,8 @@ impl StandIn {
                 self.set_mode(name);
             }
             MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH => self.set_mode("RTL"),
+            MavCmd::MAV_CMD_MISSION_START => self.set_mode("AUTO"),
+            MavCmd::MAV_CMD_DO_SET_MISSION_CURRENT => self.plan_item = long.param1 as u16,
             MavCmd::MAV_CMD_NAV_TAKEOFF if self.hovers => self.height_m = long.param7.into(),
             // A rover that has no place to go takes no speed.
             MavCmd::MAV_CMD_DO_CHANGE_SPEED if self.goal_m.is_none() => {
@@ -138,6 +153,7 @@ impl StandIn {
             return vec![ack(int.command, MavResult::MAV_RESULT_UNSUPPORTED)];
         }
         self.height_m = int.z.into();
+        self.goal_height_m = self.height_m;
         self.go(LatLon::from_e7(int.x, int.y));
         vec![ack(int.command, MavResult::MAV_RESULT_ACCEPTED)]
     }
@@ -238,7 +254,7 @@ impl StandIn {
                 time_boot_ms: self.clock_ms,
                 lat_int,
                 lon_int,
-                alt: HOME_AMSL_M as f32,
+                alt: (HOME_AMSL_M + self.goal_height_m) as f32,
                 ..POSITION_TARGET_GLOBAL_INT_DATA::DEFAULT
             },
         ))

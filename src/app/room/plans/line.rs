@@ -7,7 +7,7 @@ use crate::draft::{EditPart, Refusal, Trial};
 use crate::language::{DraftLine, VehicleChoice};
 use crate::plan::ListKind;
 use crate::text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Severity, VehicleId};
 
 /// Carries out a line about drafts, except uploads.
 ///
@@ -27,10 +27,17 @@ pub fn carry_out(state: &mut State, line: DraftLine) -> Result<Effects, Refusal>
         DraftLine::Divide { work, vehicles } => {
             let ids = meant(state, vehicles)?;
             divide::divide(state, work, &ids)?;
+            let trial = match trial::prepared(state, None) {
+                Ok(trial) => trial,
+                Err(reason) => {
+                    state.say(Severity::Warning, reason);
+                    return Ok(Effects::none());
+                }
+            };
             let trial = Trial {
                 // The draft that was divided has no vehicle, so leaving it out needs no report.
                 left_out: None,
-                ..trial::prepared(state, None)?
+                ..trial
             };
             return Ok(Effects::from(Effect::TryDrafts(trial)));
         }

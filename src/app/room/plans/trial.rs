@@ -8,6 +8,7 @@ use crate::app::effect::{Effect, Effects};
 use crate::app::room::Room;
 use crate::draft::{Draft, Trial, TrialDraft, Tried};
 use crate::notice::Notice;
+use crate::operator::flies_in_rehearsals;
 use crate::plan::{Document, Home};
 use crate::swarm::base;
 use crate::text;
@@ -18,7 +19,7 @@ use crate::vehicle_id::ranges;
 /// Asks the shell to fly the drafts in simulation; `vehicles` are those that would fly them.
 ///
 /// # Errors
-/// No draft has a plan, or a vehicle has no position.
+/// No draft has a plan, or a vehicle has no position or is a plane, a rover or a boat.
 pub(super) fn ask(
     state: &mut State,
     is_apart: bool,
@@ -40,14 +41,14 @@ pub(super) fn ask(
 /// all drafts with plans are flown.
 ///
 /// # Errors
-/// No draft has a plan, or a vehicle has no position.
+/// No draft has a plan, or a vehicle has no position or is a plane, a rover or a boat.
 pub(super) fn prepared(state: &State, vehicles: Option<&[VehicleId]>) -> Result<Trial, Text> {
     let casting = Casting::of(state);
     let (drafts, left_out) = match vehicles {
         Some(vehicles) => (casting.flown_by(vehicles)?, casting.idle(vehicles)),
         None if !casting.own.is_empty() => {
             let own = casting.own.iter().map(|draft| alone(state, draft));
-            (own.collect(), casting.unassigned())
+            (own.collect::<Result<_, Text>>()?, casting.unassigned())
         }
         None => casting.without_vehicles()?,
     };
@@ -99,7 +100,7 @@ impl<'a> Casting<'a> {
     /// vehicle's position.
     ///
     /// # Errors
-    /// A vehicle that would fly the shared draft has no position.
+    /// A vehicle that would fly the shared draft has no position, or a vehicle cannot be rehearsed.
     fn flown_by(&self, vehicles: &[VehicleId]) -> Result<Vec<TrialDraft>, Text> {
         let mut flown = Vec::new();
         for &id in vehicles {
@@ -107,9 +108,10 @@ impl<'a> Casting<'a> {
                 continue;
             };
             if draft.vehicle().is_some() {
-                flown.push(alone(self.state, draft));
+                flown.push(alone(self.state, draft)?);
                 continue;
             }
+            flies_in_simulation(self.state, id)?;
             let vehicle = self.state.session.vehicles.get(&id);
             let home = vehicle.and_then(|it| base(it));
             let home = home.ok_or_else(|| text!("draft-trial-unplaced", vehicles = id))?;
@@ -125,13 +127,19 @@ impl<'a> Casting<'a> {
 
     /// The drafts to fly if none is meant for a vehicle, and the drafts left out: the current draft
     /// for each of several selected vehicles, otherwise all drafts.
+    ///
+    /// # Errors
+    /// A vehicle that would fly the shared draft has no position, or a vehicle cannot be rehearsed.
     fn without_vehicles(&self) -> Result<(Vec<TrialDraft>, Option<Text>), Text> {
         let selected = self.state.addressed();
         if self.shared.is_some() && selected.len() > 1 {
             return Ok((self.flown_by(&selected)?, self.unchosen()));
         }
+        // An upload would go to these.
+        let flies = |id: &VehicleId| flies_in_simulation(self.state, *id);
+        selected.iter().try_for_each(flies)?;
         let all = self.others.iter().map(|draft| alone(self.state, draft));
-        Ok((all.collect(), None))
+        Ok((all.collect::<Result<_, Text>>()?, None))
     }
 
     /// The vehicles that have no draft to fly.
@@ -166,14 +174,26 @@ fn names<'a>(drafts: impl Iterator<Item = &'a Draft>) -> String {
 
 /// A draft flown once, from its own home; without one, from the home of the vehicle under the
 /// cursor or of any other.
-fn alone(state: &State, draft: &Draft) -> TrialDraft {
+///
+/// # Errors
+/// The draft's vehicle cannot be rehearsed.
+fn alone(state: &State, draft: &Draft) -> Result<TrialDraft, Text> {
+    if let Some(id) = draft.vehicle() {
+        flies_in_simulation(state, id)?;
+    }
     let home = draft.document().home.or_else(|| change::home(state));
-    TrialDraft {
+    Ok(TrialDraft {
         name: draft.name().to_owned(),
         sharer: None,
         document: from(draft, home),
         source: Arc::clone(draft.document()),
-    }
+    })
+}
+
+/// Refuses a vehicle that is known not to fly as copters do.
+fn flies_in_simulation(state: &State, id: VehicleId) -> Result<(), Text> {
+    let vehicle = state.session.vehicles.get(&id);
+    vehicle.map_or(Ok(()), |vehicle| flies_in_rehearsals(vehicle))
 }
 
 fn from(draft: &Draft, home: Option<Home>) -> Arc<Document> {

@@ -139,7 +139,7 @@ fn a_vehicle_that_falls_says_so() {
 }
 
 #[test]
-fn a_failsafe_that_is_declared_over_is_no_reason_for_the_alert() {
+fn a_failsafe_that_is_over_or_that_only_forbids_arming_is_no_reason_for_the_alert() {
     let mut vehicle = vehicle();
     vehicle.heartbeat = Some(heartbeat(SystemStatus::Critical));
     for (text, alert) in [
@@ -148,6 +148,9 @@ fn a_failsafe_that_is_declared_over_is_no_reason_for_the_alert() {
             "EKF Failsafe: changed to LAND Mode",
         ),
         ("EKF Failsafe Cleared", "FAILSAFE active"),
+        ("Battery Failsafe", "Battery Failsafe"),
+        ("PreArm: Battery failsafe on", "Battery Failsafe"),
+        ("Arm: Battery failsafe on", "Battery Failsafe"),
     ] {
         vehicle.texts.push(StatusText {
             severity: Severity::Critical,

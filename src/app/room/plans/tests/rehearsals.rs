@@ -87,6 +87,48 @@ fn drafts_fly_together_before_an_upload() {
     assert!(desk.room().tried().is_none(), "the draft is another one");
 }
 
+#[test]
+fn a_draft_for_a_plane_is_not_flown_as_a_copter() {
+    let mut desk = Desk::new();
+    standing(&mut desk, 1);
+    desk.vehicle(2, |vehicle| {
+        read_empty(vehicle);
+        let class = VehicleClass::Plane;
+        vehicle.heartbeat = Some(Heartbeat {
+            mav_type: 1,
+            autopilot: 3,
+            class,
+            mode: Mode { class, number: 0 },
+            armed: false,
+            status: SystemStatus::Standby,
+            at: std::time::Duration::ZERO,
+        });
+    });
+    desk.give("draft add takeoff 20");
+    desk.give("draft add n 50 e 0 up 20");
+    desk.give("select 2");
+    let words = "a rehearsal can fly copters only";
+    for line in ["draft rehearse", "draft rehearse 2", "draft rehearse 1-2"] {
+        assert!(desk.give(line).is_empty(), "{line}");
+        assert!(refusal(&desk).contains(words), "{line}: {}", refusal(&desk));
+        let _ = desk.key(KeyCode::Esc);
+    }
+    assert_eq!(desk.give("draft rehearse 1").len(), 1, "{}", desk.said());
+    desk.give("draft take 2");
+    desk.give("draft add n 50 e 0 up 20");
+    assert!(desk.give("draft rehearse").is_empty());
+    assert!(refusal(&desk).contains(words), "{}", refusal(&desk));
+}
+
+/// Why the line was refused.
+fn refusal(desk: &Desk) -> String {
+    match desk.app.state().overlay() {
+        Some(Overlay::Palette(palette)) => palette.fault().map(|it| it.message.to_string()),
+        _ => None,
+    }
+    .unwrap_or_default()
+}
+
 /// A draft shared by several vehicles is flown by each of them, from its own position.
 #[test]
 fn a_shared_draft_is_flown_by_each_vehicle_that_would_get_it() {
