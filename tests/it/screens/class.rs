@@ -3,7 +3,7 @@
 use sortie::app::event::ClassEvent;
 use sortie::class::protocol::SeatMessage;
 use sortie::class::{
-    Batch, ConnectionId, Danger, DangerKind, Entry, FlightReport, Happening, Stage,
+    ConnectionId, Danger, DangerKind, Entry, FlightReport, Happening, JournalBatch, Stage,
 };
 use sortie::text::Language;
 
@@ -71,7 +71,7 @@ fn busy(language: Language) -> Console {
             },
         ),
     ];
-    let batch = Batch {
+    let batch = JournalBatch {
         kept_from: 1,
         entries,
     };
