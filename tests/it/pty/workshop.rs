@@ -54,7 +54,7 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
 
     // The mission requires a sensor, which costs flight time.
     terminal.press("vvv").see("── First flight").press("]");
-    terminal.see("── Air sample").see("x vapour detector");
+    terminal.see("── Air sample").see("× vapour detector");
     bench.move_row(Step::Last, Air::default());
     let keys = way(&mut bench, "s_voc");
     terminal.press("\u{1b}[F\t").see("payload: hover time");

@@ -117,7 +117,7 @@ fn a_gate_keeps_its_name_while_a_vehicle_flies_to_it() {
 }
 
 #[test]
-fn the_cursor_is_above_the_name_of_a_place() {
+fn the_cursor_leaves_the_name_of_a_place_readable() {
     let mut console = at_the_first_gate();
     console.hear(TerminalEvent::Resize {
         columns: 80,
@@ -143,7 +143,12 @@ fn the_cursor_is_above_the_name_of_a_place() {
         console.press(across);
     }
     let after = shown(&console);
-    assert_eq!(find(&after, "┼"), Some((to, row)), "{after}");
+    assert_eq!(find(&after, "gate1"), Some((to, row)), "{after}");
+    assert_eq!(
+        find(&after, "┼"),
+        None,
+        "its letter is highlighted: {after}"
+    );
 }
 
 /// `(2)` would look like the number of a vehicle.
