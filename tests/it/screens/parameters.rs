@@ -246,11 +246,11 @@ fn ukrainian_screen(console: &Console) -> String {
 
 #[test]
 fn in_ukrainian() {
-    let screens: [(&str, fn() -> Console); 2] = [("edited", edited), ("compared", compared)];
-    for (name, console) in screens {
+    type Start = fn() -> Console;
+    for (name, start) in [("edited", edited as Start), ("compared", compared)] {
         insta::assert_snapshot!(
             format!("parameters_{name}_ukrainian_80x24"),
-            ukrainian_screen(&console())
+            ukrainian_screen(&start())
         );
     }
 }
