@@ -74,10 +74,14 @@ fn an_edited_or_missing_input_is_named() {
         let digit = if &line[at..=at] == "0" { "1" } else { "0" };
         format!("{}{digit}{}\n", &line[..at], &line[at + 1..])
     };
-    let forged = with_line(INPUTS, &[COMMAND], frame);
-    assert_named(RUN, &forged, "does not match");
-    let forged = with_line(INPUTS, &[COMMAND], removed);
-    assert_named(RUN, &forged, "does not match");
+    // The state differs, or a text of the vehicle that depends on the command comes at another time.
+    let is_named = |forged: &str| {
+        let said = verified(RUN, forged).expect_err("the inputs differ");
+        let named = ["does not match", "did not send the recorded text"];
+        assert!(named.iter().any(|it| said.contains(it)), "{said}");
+    };
+    is_named(&with_line(INPUTS, &[COMMAND], frame));
+    is_named(&with_line(INPUTS, &[COMMAND], removed));
 }
 
 #[test]
