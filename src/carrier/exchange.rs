@@ -40,7 +40,7 @@ async fn pass_in<M: DeserializeOwned, A>(
     }
 }
 
-/// Writes lines until nobody can queue any more, or the stream ends.
+/// Writes lines until all senders are gone or the stream ends.
 async fn pass_out(mut lines: mpsc::Receiver<String>, mut write: impl AsyncWrite + Unpin) {
     while let Some(line) = lines.recv().await {
         if write.write_all(line.as_bytes()).await.is_err() {

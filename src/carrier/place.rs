@@ -93,7 +93,7 @@ impl ClassPlace {
     /// Makes the folder, or checks the one that is there.
     ///
     /// # Errors
-    /// It cannot be made, or somebody else could change it.
+    /// It cannot be created, or other users could change it.
     pub(super) fn prepare(&self) -> Result<(), ClassFault> {
         let folder = self.folder();
         let made = DirBuilder::new().mode(FOLDER_MODE).create(folder);
@@ -117,7 +117,7 @@ impl ClassPlace {
     /// Checks that the desk belongs to the instructor: to the user who is named, otherwise to the owner of the folder.
     ///
     /// # Errors
-    /// It belongs to somebody else.
+    /// It belongs to another user.
     pub(super) fn check(&self, desk_uid: u32) -> Result<(), ClassFault> {
         let user = user_name(desk_uid);
         let owner = || fs::metadata(self.folder()).ok().map(|it| it.uid());

@@ -28,7 +28,7 @@ impl From<&str> for Words {
 }
 
 impl Words {
-    /// The cleaned text.
+    /// The text, without control characters.
     pub fn as_str(&self) -> &str {
         &self.0
     }

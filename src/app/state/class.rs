@@ -17,7 +17,7 @@ pub enum ClassRole {
     Desk(Box<Desk>),
 }
 
-/// A trainee's place in a class, with what the desk is told about the present flight.
+/// A trainee's place in a class, and the reports about the present flight.
 #[derive(Debug, Clone)]
 pub struct SeatPlace {
     pub(in crate::app) seat: Seat,

@@ -332,7 +332,7 @@ pub fn desk(language: Language) -> Console {
     console
 }
 
-/// A trainee joins.
+/// Connects a seat of a trainee to the desk.
 pub fn join(console: &mut Console, connection: u64, user: &str) {
     let hello = Hello {
         protocol: VERSION,

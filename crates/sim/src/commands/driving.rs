@@ -2,7 +2,7 @@
 
 use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
-use super::motion::{self, CHANGE_MODE};
+use super::motion;
 use super::{Command, done};
 use crate::autopilot::Autopilot;
 use crate::guided;
@@ -37,20 +37,11 @@ fn set_speed(autopilot: &mut Autopilot, speed_m_s: f64) -> bool {
 }
 
 pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    let Some(frame) = command.frame else {
-        return MavResult::MAV_RESULT_UNSUPPORTED;
+    let place = match motion::reposition_place(autopilot, command) {
+        Ok(place) => place,
+        Err(refused) => return refused,
     };
-    let may_change_mode = command
-        .whole(1)
-        .is_some_and(|flags| flags & CHANGE_MODE != 0);
     let guided = mode::is_guided(autopilot.vehicle.flight.mode.id);
-    let somewhere = command.at().is_valid() && (command.x, command.y) != (0, 0);
-    if !somewhere || !(guided || may_change_mode) {
-        return MavResult::MAV_RESULT_DENIED;
-    }
-    let Some(place) = motion::place(autopilot, command, frame) else {
-        return MavResult::MAV_RESULT_DENIED;
-    };
     if !guided && !autopilot.set_mode(ModeId::Guided) {
         return MavResult::MAV_RESULT_FAILED;
     }

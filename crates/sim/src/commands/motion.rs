@@ -85,9 +85,13 @@ pub(super) fn place(autopilot: &mut Autopilot, command: &Command, frame: u8) -> 
     })
 }
 
-pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+/// The place of `DO_REPOSITION`, if the vehicle may go there from its mode.
+pub(super) fn reposition_place(
+    autopilot: &mut Autopilot,
+    command: &Command,
+) -> Result<Place, MavResult> {
     let Some(frame) = command.frame else {
-        return MavResult::MAV_RESULT_UNSUPPORTED;
+        return Err(MavResult::MAV_RESULT_UNSUPPORTED);
     };
     let may_change_mode = command
         .whole(1)
@@ -95,11 +99,17 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
     let guided = mode::is_guided(autopilot.vehicle.flight.mode.id);
     let somewhere = command.at().is_valid() && (command.x, command.y) != (0, 0);
     if !somewhere || !(guided || may_change_mode) {
-        return MavResult::MAV_RESULT_DENIED;
+        return Err(MavResult::MAV_RESULT_DENIED);
     }
-    let Some(place) = place(autopilot, command, frame) else {
-        return MavResult::MAV_RESULT_DENIED;
+    place(autopilot, command, frame).ok_or(MavResult::MAV_RESULT_DENIED)
+}
+
+pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let place = match reposition_place(autopilot, command) {
+        Ok(place) => place,
+        Err(refused) => return refused,
     };
+    let guided = mode::is_guided(autopilot.vehicle.flight.mode.id);
     let goal = autopilot.vehicle.datum.point_of(place);
     if !autopilot.vehicle.safety.landed && !autopilot.vehicle.may_fly_to(goal) {
         return MavResult::MAV_RESULT_FAILED;
