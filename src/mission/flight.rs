@@ -370,8 +370,12 @@ impl Flight {
 
     /// Reports which objectives have been met, or are open again.
     fn tell_goals(&mut self, standings: &[ObjectiveStanding]) {
-        self.goals
-            .tell_changes(&self.mission.objectives, standings, &mut self.journal);
+        let mut goals = std::mem::take(&mut self.goals);
+        let changes = goals.changes(&self.mission.objectives, standings, &self.scene());
+        self.goals = goals;
+        for entry in changes {
+            self.journal.say(entry);
+        }
     }
 
     fn scene(&self) -> ObjectiveScene<'_> {
@@ -398,10 +402,14 @@ impl Flight {
 
     /// The state of the objectives if the flight ended now; correct reports count only then.
     fn final_standings(&self) -> Vec<ObjectiveStanding> {
-        self.goals.standings(&ObjectiveScene {
+        self.goals.standings(&self.final_scene())
+    }
+
+    fn final_scene(&self) -> ObjectiveScene<'_> {
+        ObjectiveScene {
             over: true,
             ..self.scene()
-        })
+        }
     }
 }
 

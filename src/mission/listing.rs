@@ -212,7 +212,7 @@ impl Mission {
         let untouched = ObjectiveScene::empty(&world);
         let listed = |objective: &super::objective::Objective| ObjectiveListing {
             title: objective.title.clone(),
-            target: objective.kind.start(&world).standing(&untouched).target,
+            target: objective.kind.start(&world).details(&untouched).target,
             value: objective.value,
             mandatory: objective.mandatory,
         };

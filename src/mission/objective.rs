@@ -137,6 +137,9 @@ pub(crate) trait Tracker: Debug + Send + Sync {
     /// The state of the objective.
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding;
 
+    /// The state of the objective for people.
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails;
+
     /// The ground that had to be searched and was not searched.
     fn gaps(&self) -> Vec<GroundPatch> {
         Vec::new()
@@ -196,8 +199,8 @@ impl<'a> ObjectiveScene<'a> {
     }
 }
 
-/// The state of an objective.
-#[derive(Debug, Clone, PartialEq)]
+/// The state of an objective in numbers, which every step of a flight needs.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ObjectiveStanding {
     /// The share of it that is reached, 0 to 1.
     pub fraction: f64,
@@ -208,6 +211,11 @@ pub(crate) struct ObjectiveStanding {
     pub settled: bool,
     /// Whether it is about the landing, the last task of a flight.
     pub landing: bool,
+}
+
+/// The state of an objective for people. Made only when it is read: its texts cost more time than the rest of a step.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct ObjectiveDetails {
     /// The product, such as a map, for kinds that have one.
     pub product: Option<Product>,
     /// The result as text.

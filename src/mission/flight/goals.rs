@@ -1,7 +1,9 @@
 //! The state of the objectives.
 
-use super::journal::{FlightJournal, JournalEntry};
-use crate::mission::objective::{Objective, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::journal::JournalEntry;
+use crate::mission::objective::{
+    Objective, ObjectiveDetails, ObjectiveScene, ObjectiveStanding, Tracker,
+};
 use crate::mission::world::World;
 use crate::scoring::EventKind;
 use crate::text;
@@ -37,28 +39,36 @@ impl Goals {
         trackers.map(|tracker| tracker.standing(scene)).collect()
     }
 
-    /// Reports which objectives have been met, or are open again.
-    pub fn tell_changes(
+    pub fn details(&self, scene: &ObjectiveScene<'_>) -> Vec<ObjectiveDetails> {
+        let trackers = self.trackers.iter();
+        trackers.map(|tracker| tracker.details(scene)).collect()
+    }
+
+    /// The entries about objectives that have been met, or are open again, since the last call.
+    pub fn changes(
         &mut self,
         objectives: &[Objective],
         standings: &[ObjectiveStanding],
-        journal: &mut FlightJournal,
-    ) {
-        let all = objectives.iter().zip(standings).zip(&mut self.met);
-        for ((objective, standing), met) in all {
+        scene: &ObjectiveScene<'_>,
+    ) -> Vec<JournalEntry> {
+        let mut entries = Vec::new();
+        let states = self.trackers.iter().zip(&mut self.met);
+        for ((objective, standing), (tracker, met)) in objectives.iter().zip(standings).zip(states)
+        {
             if standing.met == *met {
                 continue;
             }
             *met = standing.met;
-            let (title, result) = (&objective.title, &standing.result);
+            let (title, result) = (&objective.title, tracker.details(scene).result);
             let text = if standing.met {
                 text!("mission-objective-met", objective = title, result = result)
             } else {
                 text!("mission-objective-open", objective = title, result = result)
             };
             let kind = EventKind::Objective;
-            journal.say(JournalEntry::new(kind, Severity::Notice, text));
+            entries.push(JournalEntry::new(kind, Severity::Notice, text));
         }
+        entries
     }
 
     /// The objectives' trackers, in the order of the mission file.

@@ -1,6 +1,6 @@
 //! The facts and the report of a flight.
 
-use super::{Flight, ObjectiveStanding};
+use super::{Flight, ObjectiveScene};
 use crate::ledger::{Ledger, LedgerEntry};
 use crate::mission::Clue;
 use crate::scoring::{
@@ -13,8 +13,13 @@ use crate::text::rounded;
 use crate::verb::CountsAs;
 
 /// The facts that the score depends on.
-pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
-    let objectives = flight.mission.objectives.iter().zip(standings);
+pub(super) fn facts(flight: &Flight, scene: &ObjectiveScene<'_>) -> Facts {
+    let states = flight
+        .goals
+        .standings(scene)
+        .into_iter()
+        .zip(flight.goals.details(scene));
+    let objectives = flight.mission.objectives.iter().zip(states);
     let used: Vec<f64> = flight
         .crafts
         .iter()
@@ -22,7 +27,7 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
         .collect();
     Facts {
         objectives: objectives
-            .map(|(objective, standing)| ObjectiveFact {
+            .map(|(objective, (standing, details))| ObjectiveFact {
                 id: objective.id.clone(),
                 title: objective.title.clone(),
                 value: objective.value,
@@ -31,10 +36,10 @@ pub(super) fn facts(flight: &Flight, standings: &[ObjectiveStanding]) -> Facts {
                 measure_unit: objective.kind.measure_unit(),
                 met: standing.met,
                 mandatory: objective.mandatory,
-                result: standing.result.clone(),
-                target: standing.target.clone(),
-                advice: standing.advice.clone(),
-                product: standing.product.clone(),
+                result: details.result,
+                target: details.target,
+                advice: details.advice,
+                product: details.product,
             })
             .collect(),
         elapsed: flight.elapsed,
@@ -55,7 +60,7 @@ fn judged(flight: &Flight, tally: CommandTally) -> CommandTally {
 }
 
 pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
-    let mut facts = facts(flight, &flight.final_standings());
+    let mut facts = facts(flight, &flight.final_scene());
     // Rows may have ended after the last step.
     facts.commands = judged(flight, flight.orders.tally_of(ledger));
     let mission = &flight.mission;

@@ -19,31 +19,12 @@ impl Flight {
     /// The progress, for the mission panel.
     pub fn progress(&self) -> Progress {
         let standings = self.standings();
-        let objectives = self
-            .mission
-            .objectives
-            .iter()
-            .zip(&standings)
-            .map(|(objective, standing)| ObjectiveProgress {
-                title: objective.title.clone(),
-                state: match (standing.met, self.is_over()) {
-                    (true, _) => ObjectiveState::Met,
-                    (false, false) => ObjectiveState::Open,
-                    (false, true) => ObjectiveState::Missed,
-                },
-                detail: match (&standing.outlook, self.is_over()) {
-                    (Some(outlook), false) => outlook.clone(),
-                    _ => standing.result.clone(),
-                },
-                fraction: standing.fraction,
-            })
-            .collect();
         Progress {
             title: self.mission.title.clone(),
             elapsed: self.elapsed,
             limit: self.mission.rules.time_limit,
-            score_so_far: self.score_so_far(&standings),
-            objectives,
+            score_so_far: self.score_so_far(),
+            objectives: self.objective_progress(&standings),
             readings: self.readings(),
             loads: self.loads.left(&self.crafts),
             findings: self.findings(),
@@ -72,6 +53,27 @@ impl Flight {
         }
     }
 
+    fn objective_progress(&self, standings: &[ObjectiveStanding]) -> Vec<ObjectiveProgress> {
+        let details = self.goals.details(&self.scene());
+        let states = standings.iter().zip(details);
+        let objectives = self.mission.objectives.iter().zip(states);
+        objectives
+            .map(|(objective, (standing, details))| ObjectiveProgress {
+                title: objective.title.clone(),
+                state: match (standing.met, self.is_over()) {
+                    (true, _) => ObjectiveState::Met,
+                    (false, false) => ObjectiveState::Open,
+                    (false, true) => ObjectiveState::Missed,
+                },
+                detail: match (details.outlook, self.is_over()) {
+                    (Some(outlook), false) => outlook,
+                    _ => details.result,
+                },
+                fraction: standing.fraction,
+            })
+            .collect()
+    }
+
     /// The sensors' findings so far, for waits in scripts.
     pub fn findings(&self) -> Findings {
         let reading = |craft: &Craft| Some((craft.id, craft.probes.first()?.shown));
@@ -83,10 +85,10 @@ impl Flight {
     }
 
     /// The points earned so far; `None` before the first takeoff, when points for unbroken rules would be confusing.
-    fn score_so_far(&self, standings: &[ObjectiveStanding]) -> Option<u16> {
+    fn score_so_far(&self) -> Option<u16> {
         let begun = self.is_over() || self.crafts.iter().any(|craft| craft.flown);
         let (rules, is_over) = (&self.mission.scoring, self.is_over());
-        begun.then(|| match result::facts(self, standings) {
+        begun.then(|| match result::facts(self, &self.scene()) {
             facts if is_over => score(rules, &facts).points,
             facts => points_so_far(rules, &facts),
         })

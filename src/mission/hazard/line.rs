@@ -208,11 +208,11 @@ impl Field for Strung {
     }
 
     fn distance_m(&self, at: Point, height_m: f64) -> Option<f64> {
-        let distances = self
-            .points
-            .iter()
-            .map(|&(point, wire_m)| maths::hypot(distance_m(point, at), wire_m - height_m));
-        distances.min_by(f64::total_cmp)
+        let squares = self.points.iter().map(|&([east_m, north_m], wire_m)| {
+            let (east, north, up) = (east_m - at[0], north_m - at[1], wire_m - height_m);
+            east * east + north * north + up * up
+        });
+        squares.min_by(f64::total_cmp).map(f64::sqrt)
     }
 
     fn truth(&self) -> Vec<TruthPiece> {

@@ -3,7 +3,8 @@
 use std::time::Duration;
 
 use super::{
-    DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, Trying,
+    DemandedTime, Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker, Trying,
 };
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
@@ -81,6 +82,18 @@ impl ObjectiveKind for ArmTime {
     }
 }
 
+impl ArmTracker {
+    /// The seconds that the slowest vehicle has taken so far.
+    fn longest_s(&self, now: Duration) -> f64 {
+        let taken = self.vehicles.iter().map(|arming| arming.taken_s(now));
+        taken.max_by(f64::total_cmp).unwrap_or(0.0)
+    }
+
+    fn all_armed(&self) -> bool {
+        !self.vehicles.is_empty() && self.vehicles.iter().all(|arming| arming.armed.is_some())
+    }
+}
+
 impl Tracker for ArmTracker {
     fn step(&mut self, scene: &ObjectiveScene<'_>) {
         self.vehicles
@@ -96,10 +109,8 @@ impl Tracker for ArmTracker {
     }
 
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let taken = self.vehicles.iter().map(|arming| arming.taken_s(scene.now));
-        let longest_s = taken.max_by(f64::total_cmp).unwrap_or(0.0);
-        let begun = !self.vehicles.is_empty();
-        let armed = begun && self.vehicles.iter().all(|arming| arming.armed.is_some());
+        let longest_s = self.longest_s(scene.now);
+        let armed = self.all_armed();
         // Twice the time earns no points, so that a late start is not rewarded.
         let share = |arming: &Arming| {
             let late = arming.taken_s(scene.now) / self.within_s;
@@ -107,15 +118,21 @@ impl Tracker for ArmTracker {
             arming.armed.map_or(0.0, |_| share)
         };
         let sum: f64 = self.vehicles.iter().map(share).sum();
-        let (taken, within) = (format!("{longest_s:.0}"), format!("{:.0}", self.within_s));
         ObjectiveStanding {
             fraction: sum / self.vehicles.len().max(1) as f64,
             measure: longest_s,
             met: armed && longest_s <= self.within_s,
             settled: armed || longest_s > self.within_s,
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let within = format!("{:.0}", self.within_s);
+        ObjectiveDetails {
             product: None,
-            result: if armed {
+            result: if self.all_armed() {
+                let taken = format!("{:.0}", self.longest_s(scene.now));
                 text!("mission-armed-after", time = taken)
             } else {
                 text!("mission-not-armed")

@@ -9,8 +9,8 @@
 use std::collections::BTreeMap;
 
 use super::{
-    DemandedTime, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
-    Trying,
+    DemandedTime, Demands, Equipment, ObjectiveDetails, ObjectiveKind, ObjectiveScene,
+    ObjectiveStanding, Tracker, Trying,
 };
 use crate::geo::maths;
 use crate::mission::craft::Craft;
@@ -320,6 +320,12 @@ impl Tracker for CheckedTracker {
             met: all > 0 && count == all,
             settled: all > 0,
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let (count, all) = (self.count(scene.marks), scene.marks.len());
+        ObjectiveDetails {
             product: None,
             result: text!("checked-result", count = count, all = all),
             outlook: None,

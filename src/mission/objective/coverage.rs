@@ -6,7 +6,10 @@
 
 use toml::Spanned;
 
-use super::{Demands, GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{
+    Demands, GroundPatch, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker,
+};
 use crate::geo::maths;
 use crate::mission::craft::Craft;
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, flag, number};
@@ -240,14 +243,19 @@ impl Tracker for Sweep {
     fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let swept = self.grid.swept();
         let met = swept >= self.target.met_at;
-        let coverage = self.coverage();
-        let percent = |share: f64| format!("{:.0}", share * 100.0);
         ObjectiveStanding {
             fraction: self.target.credit(swept),
             measure: swept,
             met,
             settled: met,
             landing: false,
+        }
+    }
+
+    fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let (swept, coverage) = (self.grid.swept(), self.coverage());
+        let percent = |share: f64| format!("{:.0}", share * 100.0);
+        ObjectiveDetails {
             product: None,
             result: text!(
                 "coverage-result",

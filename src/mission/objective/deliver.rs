@@ -1,8 +1,8 @@
 //! `deliver`: bring kits to people in time, or nodes to their places.
 
 use super::{
-    DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Tracker,
+    DemandedEquipment, Demands, Equipment, ObjectiveDetails, ObjectiveKind, ObjectiveScene,
+    ObjectiveStanding, Tracker,
 };
 use crate::mission::format::{CountTarget, FileTable, KindOf, word};
 use crate::mission::ground_truth::Load;
@@ -74,26 +74,12 @@ impl ObjectiveKind for Deliver {
 
 impl Tracker for Deliver {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let field = scene.world.field(self.hazard);
-        self.judged(field.and_then(Field::care).unwrap_or_default())
+        self.judged(self.care(scene))
     }
-}
 
-impl Deliver {
-    fn judged(&self, care: Care) -> ObjectiveStanding {
-        let (done, lost) = match self.what {
-            What::Kit => (care.helped, care.lost),
-            What::Node => (care.nodes_placed, 0),
-        };
-        let met = done >= self.target.met_at;
-        // No person is left who can still be helped.
-        let hopeless = self.what == What::Kit && care.helped + care.lost >= care.people;
-        ObjectiveStanding {
-            fraction: self.target.credit(done),
-            measure: done as f64,
-            met,
-            settled: met || hopeless,
-            landing: false,
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let Delivered { done, lost } = self.delivered(self.care(scene));
+        ObjectiveDetails {
             product: None,
             result: match self.what {
                 What::Kit => text!("deliver-kits", done = done, lost = lost),
@@ -108,6 +94,46 @@ impl Deliver {
                 What::Kit => text!("deliver-kits-advice", lost = lost),
                 What::Node => text!("deliver-nodes-advice"),
             },
+        }
+    }
+}
+
+/// What was brought, and how many people were lost meanwhile.
+struct Delivered {
+    done: usize,
+    lost: usize,
+}
+
+impl Deliver {
+    fn care(&self, scene: &ObjectiveScene<'_>) -> Care {
+        let field = scene.world.field(self.hazard);
+        field.and_then(Field::care).unwrap_or_default()
+    }
+
+    fn delivered(&self, care: Care) -> Delivered {
+        match self.what {
+            What::Kit => Delivered {
+                done: care.helped,
+                lost: care.lost,
+            },
+            What::Node => Delivered {
+                done: care.nodes_placed,
+                lost: 0,
+            },
+        }
+    }
+
+    fn judged(&self, care: Care) -> ObjectiveStanding {
+        let done = self.delivered(care).done;
+        let met = done >= self.target.met_at;
+        // No person is left who can still be helped.
+        let hopeless = self.what == What::Kit && care.helped + care.lost >= care.people;
+        ObjectiveStanding {
+            fraction: self.target.credit(done),
+            measure: done as f64,
+            met,
+            settled: met || hopeless,
+            landing: false,
         }
     }
 }

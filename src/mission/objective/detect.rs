@@ -12,7 +12,8 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::{
-    Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought, Tracker, Trying,
+    Demands, Equipment, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought,
+    Tracker, Trying,
 };
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
 use crate::mission::ground_truth::Object;
@@ -116,18 +117,21 @@ impl ObjectiveKind for Detect {
 
 impl Tracker for Detect {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let objects = scene.world.field(self.hazard).map(Field::objects);
-        let counted = if scene.over { scene.marks } else { &[] };
-        let tally = self.tally(objects.unwrap_or_default(), counted);
-        let score = tally.worth(self.beta, self.false_cost);
-        let met = score >= self.target.met_at;
-        let [precision, recall] = tally.precision_and_recall();
+        let score = self.counted(scene).worth(self.beta, self.false_cost);
         ObjectiveStanding {
             fraction: self.target.credit(score),
             measure: score,
-            met,
+            met: score >= self.target.met_at,
             settled: scene.over || Self::is_final(scene),
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let tally = self.counted(scene);
+        let score = tally.worth(self.beta, self.false_cost);
+        let [precision, recall] = tally.precision_and_recall();
+        ObjectiveDetails {
             product: Some(Product {
                 quality: score,
                 words: text!(
@@ -211,6 +215,13 @@ impl Detect {
 
     /// Matches each report, in order, with the nearest unreported object of its kind within the
     /// radius.
+    /// The reports as they count now: none of them before the end of the flight.
+    fn counted(&self, scene: &ObjectiveScene<'_>) -> DetectTally {
+        let objects = scene.world.field(self.hazard).map(Field::objects);
+        let counted = if scene.over { scene.marks } else { &[] };
+        self.tally(objects.unwrap_or_default(), counted)
+    }
+
     fn tally(&self, objects: &[Object], marks: &[Mark]) -> DetectTally {
         let sought: Vec<&Object> = objects
             .iter()

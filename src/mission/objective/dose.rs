@@ -2,7 +2,9 @@
 
 use std::collections::BTreeMap;
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit};
+use super::{
+    ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, partial_credit,
+};
 use crate::mission::TICK;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::ground_truth::Quantity;
@@ -59,6 +61,13 @@ impl ObjectiveKind for Dose {
     }
 }
 
+impl DoseTracker {
+    /// The dose of the vehicle that has gathered the most.
+    fn most_usv(&self) -> f64 {
+        self.gathered_usv.values().copied().fold(0.0, f64::max)
+    }
+}
+
 impl Tracker for DoseTracker {
     fn step(&mut self, scene: &ObjectiveScene<'_>) {
         for craft in scene.vehicles {
@@ -70,11 +79,10 @@ impl Tracker for DoseTracker {
     }
 
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let most = self.gathered_usv.values().copied().fold(0.0, f64::max);
+        let most = self.most_usv();
         // A vehicle that stays home collects nothing, but has not earned the points.
         let begun = scene.vehicles.iter().any(|craft| craft.flown);
         let within = most <= self.limit_usv;
-        let words = text!("dose-most", dose = format!("{most:.2}"));
         ObjectiveStanding {
             fraction: if begun {
                 partial_credit(most, WORTHLESS * self.limit_usv, self.limit_usv)
@@ -85,8 +93,13 @@ impl Tracker for DoseTracker {
             met: begun && within,
             settled: true,
             landing: false,
+        }
+    }
+
+    fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        ObjectiveDetails {
             product: None,
-            result: words,
+            result: text!("dose-most", dose = format!("{:.2}", self.most_usv())),
             outlook: None,
             target: text!("dose-target", limit = format!("{:.1}", self.limit_usv)),
             advice: text!("dose-advice"),

@@ -2,7 +2,7 @@
 //! neighbour.
 
 use super::route::GateRoute;
-use super::{Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::geo::maths;
 use crate::mission::craft::Craft;
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number, rising};
@@ -112,7 +112,10 @@ impl FormationTracker {
     }
 
     fn share(&self) -> f64 {
-        if self.under_way_s > 0.0 {
+        if self.gates.len() == 1 && self.passed == 1 {
+            // With a single gate there is no path on which to keep the formation.
+            1.0
+        } else if self.under_way_s > 0.0 {
             self.kept_s / self.under_way_s
         } else {
             0.0
@@ -146,10 +149,6 @@ impl Tracker for FormationTracker {
     fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let (share, count) = (self.share(), self.gates.len());
         let through = self.passed == count;
-        // With a single gate there is no path on which to keep the formation.
-        let share = if through && count == 1 { 1.0 } else { share };
-        let [low, high] = self.keep.spacing_m;
-        let percent = |share: f64| format!("{:.0}", (share * 100.0).floor());
         let kept = self.keep.target.credit(share);
         ObjectiveStanding {
             fraction: kept * self.passed as f64 / count.max(1) as f64,
@@ -157,10 +156,18 @@ impl Tracker for FormationTracker {
             met: through && share >= self.keep.target.met_at,
             settled: through,
             landing: false,
+        }
+    }
+
+    fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let count = self.gates.len();
+        let [low, high] = self.keep.spacing_m;
+        let percent = |share: f64| format!("{:.0}", (share * 100.0).floor());
+        ObjectiveDetails {
             product: None,
             result: text!(
                 "mission-formation-of",
-                percent = percent(share),
+                percent = percent(self.share()),
                 passed = self.passed,
                 count = count
             ),

@@ -3,8 +3,8 @@
 use std::slice;
 
 use super::{
-    DemandedPlaces, DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Tracker,
+    DemandedPlaces, DemandedTime, Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene,
+    ObjectiveStanding, Tracker,
 };
 use crate::geo::maths;
 use crate::mission::craft::Craft;
@@ -115,6 +115,18 @@ impl Hover {
     }
 }
 
+impl HoverTracker {
+    /// The share of the time that each vehicle has held its place.
+    fn shares(&self) -> impl Iterator<Item = f64> {
+        let share = |hold: &HoverHold| ((hold.best_s + 1e-9) / self.plan.time_s).min(1.0);
+        self.holds.iter().map(share)
+    }
+
+    fn least_share(&self) -> f64 {
+        self.shares().min_by(f64::total_cmp).unwrap_or(0.0)
+    }
+}
+
 impl Tracker for HoverTracker {
     fn step(&mut self, scene: &ObjectiveScene<'_>) {
         self.holds
@@ -125,20 +137,22 @@ impl Tracker for HoverTracker {
     }
 
     fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let time_s = self.plan.time_s;
-        let share = |hold: &HoverHold| ((hold.best_s + 1e-9) / time_s).min(1.0);
-        let least = self.holds.iter().map(share).min_by(f64::total_cmp);
-        let sum: f64 = self.holds.iter().map(share).sum();
-        let met = least.is_some_and(|least| least >= 1.0);
-        let held_s = least.unwrap_or(0.0) * time_s;
-        let [low, high] = self.plan.heights_m;
-        let time = format!("{time_s:.0}");
+        let (shares, least) = (self.shares(), self.least_share());
+        let met = least >= 1.0;
         ObjectiveStanding {
-            fraction: sum / self.holds.len().max(1) as f64,
-            measure: held_s,
+            fraction: shares.sum::<f64>() / self.holds.len().max(1) as f64,
+            measure: least * self.plan.time_s,
             met,
             settled: met,
             landing: false,
+        }
+    }
+
+    fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let held_s = self.least_share() * self.plan.time_s;
+        let [low, high] = self.plan.heights_m;
+        let time = format!("{:.0}", self.plan.time_s);
+        ObjectiveDetails {
             product: None,
             result: text!(
                 "mission-hover-of",

@@ -3,7 +3,8 @@
 use std::slice;
 
 use super::{
-    DOWN_FOR, DemandedPlaces, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
+    DOWN_FOR, DemandedPlaces, Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene,
+    ObjectiveStanding, Tracker,
 };
 use crate::geo::maths;
 use crate::mission::Point;
@@ -63,6 +64,10 @@ impl ObjectiveKind for LandOn {
 }
 
 impl LandOn {
+    fn down(&self, vehicles: &[Craft]) -> usize {
+        vehicles.iter().filter(|craft| self.is_there(craft)).count()
+    }
+
     fn is_there(&self, craft: &Craft) -> bool {
         let [east_m, north_m] = self.place.at;
         let away_m = |at: Point| maths::hypot(at[0] - east_m, at[1] - north_m);
@@ -72,17 +77,22 @@ impl LandOn {
 
 impl Tracker for LandOn {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let vehicles = scene.vehicles;
-        let down = vehicles.iter().filter(|craft| self.is_there(craft)).count();
+        let (vehicles, down) = (scene.vehicles, self.down(scene.vehicles));
         let stopped = |craft: &Craft| craft.lost || craft.down_for >= DOWN_FOR;
         let met = down >= self.count;
-        let radius = format!("{:.0}", self.radius_m);
         ObjectiveStanding {
             fraction: (down as f64 / self.count.max(1) as f64).min(1.0),
             measure: down as f64,
             met,
             settled: met || (!vehicles.is_empty() && vehicles.iter().all(stopped)),
             landing: true,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let down = self.down(scene.vehicles);
+        let radius = format!("{:.0}", self.radius_m);
+        ObjectiveDetails {
             product: None,
             result: text!("mission-landed-of", down = down, count = self.count),
             outlook: None,

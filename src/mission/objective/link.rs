@@ -2,7 +2,10 @@
 
 use std::time::Duration;
 
-use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{
+    DemandedTime, Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker,
+};
 use crate::mission::TICK;
 use crate::mission::format::{
     BetterMeasure, FileTable, KindOf, LONGEST_S, ObjectiveTarget, number, seconds,
@@ -83,6 +86,17 @@ struct LinkTracker {
     heard: Duration,
 }
 
+impl LinkTracker {
+    /// The share of the time in the zone during which the link was good.
+    fn share(&self) -> f64 {
+        if self.inside.is_zero() {
+            0.0
+        } else {
+            self.heard.as_secs_f64() / self.inside.as_secs_f64()
+        }
+    }
+}
+
 impl Tracker for LinkTracker {
     fn step(&mut self, scene: &ObjectiveScene<'_>) {
         for craft in scene
@@ -103,28 +117,29 @@ impl Tracker for LinkTracker {
     }
 
     fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let link = &self.link;
-        let share = if self.inside.is_zero() {
-            0.0
-        } else {
-            self.heard.as_secs_f64() / self.inside.as_secs_f64()
-        };
+        let (link, share) = (&self.link, self.share());
         let worked = (self.inside.as_secs_f64() / link.needed.as_secs_f64()).min(1.0);
         let met = worked >= 1.0 && share >= link.target.met_at;
-        let missing = link.needed.saturating_sub(self.inside).as_secs_f64().ceil();
         ObjectiveStanding {
             fraction: worked * link.target.credit(share),
             measure: share,
             met,
             settled: met,
             landing: false,
+        }
+    }
+
+    fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let link = &self.link;
+        let missing = link.needed.saturating_sub(self.inside).as_secs_f64().ceil();
+        ObjectiveDetails {
             product: None,
             result: if self.inside.is_zero() {
                 text!("link-none")
             } else {
                 text!(
                     "link-kept",
-                    percent = format!("{:.0}", share * 100.0),
+                    percent = format!("{:.0}", self.share() * 100.0),
                     seconds = format!("{:.0}", self.inside.as_secs_f64())
                 )
             },

@@ -3,8 +3,8 @@
 //! The accuracy of reports is revealed only after the flight; otherwise reporting would be a way to find out.
 
 use super::{
-    Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought, Tracker, Trying,
-    partial_credit,
+    Demands, Equipment, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought,
+    Tracker, Trying, partial_credit,
 };
 use crate::commands::FindKind;
 use crate::mission::Point;
@@ -127,6 +127,11 @@ impl LocateTracker {
         }
     }
 
+    /// The reports as they count now: none of them before the end of the flight.
+    fn judged(&self, scene: &ObjectiveScene<'_>) -> LocateReports {
+        self.found(if scene.over { scene.marks } else { &[] })
+    }
+
     /// The number of wrong reports beyond one per object, which count as guesses.
     fn guesses(&self, found: &LocateReports) -> usize {
         found.wrong.saturating_sub(self.wanted.len())
@@ -166,30 +171,37 @@ impl LocateTracker {
 
 impl Tracker for LocateTracker {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let closed = scene.over;
-        let found = self.found(if closed { scene.marks } else { &[] });
+        let found = self.judged(scene);
         let near = |distance: &&Option<f64>| {
             distance.is_some_and(|distance| distance <= self.plan.within_m)
         };
-        let located = found.distances_m.iter().filter(near).count();
-        let fraction = self.fraction(&found);
-        let wanted = self.wanted.len();
-        // A wrong report costs as much as half a miss.
-        let wrong = 0.5 * found.wrong as f64 / wanted.max(1) as f64;
-        let reports = self.reports(scene.marks).count();
-        let result = if closed {
-            Self::words(&found)
-        } else {
-            text!("locate-reports", count = reports)
-        };
+        let (located, wanted) = (
+            found.distances_m.iter().filter(near).count(),
+            self.wanted.len(),
+        );
         ObjectiveStanding {
-            fraction,
+            fraction: self.fraction(&found),
             measure: located as f64,
             met: located == wanted && wanted > 0 && self.guesses(&found) == 0,
             settled: self.is_settled(scene),
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let found = self.judged(scene);
+        let wanted = self.wanted.len();
+        // A wrong report costs as much as half a miss.
+        let wrong = 0.5 * found.wrong as f64 / wanted.max(1) as f64;
+        let result = if scene.over {
+            Self::words(&found)
+        } else {
+            let reports = self.reports(scene.marks).count();
+            text!("locate-reports", count = reports)
+        };
+        ObjectiveDetails {
             product: Some(Product {
-                quality: (fraction - wrong).max(0.0),
+                quality: (self.fraction(&found) - wrong).max(0.0),
                 words: result.clone(),
                 advice: text!("locate-quality"),
                 is_measured: false,

@@ -3,7 +3,7 @@
 //! The error is the root of the mean squared difference between measured and true cell means, divided by the mean of
 //! the true ones (NRMSE). A cell that was not sampled counts as a reading of zero.
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::geo::maths;
 use crate::mission::Point;
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number, text};
@@ -92,6 +92,12 @@ impl ObjectiveKind for MapError {
 }
 
 impl MapTracker {
+    /// The error of the map; `None` before the first sample.
+    fn known_error(&self, survey: Option<&Survey>) -> Option<f64> {
+        let begun = survey.filter(|survey| survey.sampled() > 0);
+        begun.map(|survey| self.error(survey))
+    }
+
     fn error(&self, survey: &Survey) -> f64 {
         let count = self.truth.len().max(1) as f64;
         let mean = self.truth.iter().sum::<f64>() / count;
@@ -133,9 +139,21 @@ impl MapTracker {
 impl Tracker for MapTracker {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let survey = scene.survey(&self.of);
-        let begun = survey.is_some_and(|survey| survey.sampled() > 0);
-        let error = survey.filter(|_| begun).map(|survey| self.error(survey));
+        let error = self.known_error(survey);
         let whole = survey.is_some_and(|survey| survey.sampled() == self.truth.len());
+        let met = error.is_some_and(|error| error <= self.target.met_at);
+        ObjectiveStanding {
+            fraction: error.map_or(0.0, |error| self.target.credit(error)),
+            measure: error.unwrap_or(self.target.partial_from),
+            met,
+            settled: met || whole,
+            landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let survey = scene.survey(&self.of);
+        let error = self.known_error(survey);
         let words = error.map(|error| format!("{error:.2}"));
         let result = words.clone().map_or_else(
             || text!("mission-map-none"),
@@ -145,13 +163,7 @@ impl Tracker for MapTracker {
             || text!("mission-map-none"),
             |error| text!("mission-map-quality", error = error),
         );
-        let met = error.is_some_and(|error| error <= self.target.met_at);
-        ObjectiveStanding {
-            fraction: error.map_or(0.0, |error| self.target.credit(error)),
-            measure: error.unwrap_or(self.target.partial_from),
-            met,
-            settled: met || whole,
-            landing: false,
+        ObjectiveDetails {
             product: Some(Product {
                 quality: error.map_or(0.0, |error| 1.0 - (error / WORTHLESS).min(1.0)),
                 words: quality,

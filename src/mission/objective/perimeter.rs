@@ -6,7 +6,9 @@
 
 use std::time::Duration;
 
-use super::{GroundPatch, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{
+    GroundPatch, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
+};
 use crate::mission::format::{
     FileTable, KindOf, LONGEST_S, ObjectiveTarget, list, number, seconds,
 };
@@ -133,6 +135,11 @@ impl PerimeterTracker {
         f64::from(both) / f64::from(either)
     }
 
+    fn sum(&self) -> f64 {
+        // An empty sum is negative zero, which would be printed as `-0`.
+        0.0 + self.fits.iter().sum::<f64>()
+    }
+
     fn words(&self) -> Text {
         let fits = self.fits.iter().map(|fit| format!("{fit:.2}"));
         let words: Vec<String> = fits.collect();
@@ -178,28 +185,27 @@ impl Tracker for PerimeterTracker {
         seen.map(patch).collect()
     }
 
-    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
+    fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let (all, target) = (self.plan.times.len(), self.plan.target);
-        let sum: f64 = 0.0 + self.fits.iter().sum::<f64>();
-        let mean = sum / self.fits.len().max(1) as f64;
+        let mean = self.sum() / self.fits.len().max(1) as f64;
         let settled = self.fits.len() == all;
         let credit = |fit: &f64| target.credit(*fit);
-        // An empty sum is negative zero, which would be printed as `-0`.
         let credits: f64 = 0.0 + self.fits.iter().map(credit).sum::<f64>();
-        let times: Vec<String> = self
-            .plan
-            .times
-            .iter()
-            .map(|time| time.as_secs().to_string())
-            .collect();
         ObjectiveStanding {
             fraction: credits / all.max(1) as f64,
             measure: mean,
             met: settled && mean >= target.met_at,
             settled,
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let times = self.plan.times.iter();
+        let times: Vec<String> = times.map(|time| time.as_secs().to_string()).collect();
+        ObjectiveDetails {
             product: Some(Product {
-                quality: sum / all.max(1) as f64,
+                quality: self.sum() / times.len().max(1) as f64,
                 words: self.words(),
                 advice: text!("perimeter-quality"),
                 is_measured: true,
@@ -208,7 +214,7 @@ impl Tracker for PerimeterTracker {
             outlook: self.next(scene.now),
             target: text!(
                 "perimeter-target",
-                fit = format!("{:.2}", target.met_at),
+                fit = format!("{:.2}", self.plan.target.met_at),
                 times = times.join(", ")
             ),
             advice: text!("perimeter-advice"),

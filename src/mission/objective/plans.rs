@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::{ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::board::PlanFault;
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf};
@@ -159,8 +159,7 @@ impl Tracker for PlanStarts {
 
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let count = self.concerned(scene.vehicles).count();
-        let good = self.concerned(scene.vehicles);
-        let good = good.filter(|craft| self.has_flown(craft, true)).count();
+        let good = self.good(scene.vehicles);
         let mut all = self.concerned(scene.vehicles);
         let met = !scene.vehicles.is_empty() && good == count;
         ObjectiveStanding {
@@ -169,16 +168,29 @@ impl Tracker for PlanStarts {
             met,
             settled: met || all.any(|craft| self.has_flown(craft, false)),
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let good = self.good(scene.vehicles);
+        ObjectiveDetails {
             product: None,
             result: self.result(good, scene),
             outlook: Some(self.outlook(good, scene)),
-            target: self.target(count),
+            target: self.target(self.concerned(scene.vehicles).count()),
             advice: self.advice(),
         }
     }
 }
 
 impl PlanStarts {
+    fn good(&self, vehicles: &[Craft]) -> usize {
+        let concerned = self.concerned(vehicles);
+        concerned
+            .filter(|craft| self.has_flown(craft, true))
+            .count()
+    }
+
     /// The result so far in two words, since it is shown beside the title. It does not reveal the number of faulty
     /// plans, which the trainee has to find out.
     fn outlook(&self, good: usize, scene: &ObjectiveScene<'_>) -> Text {

@@ -1,8 +1,8 @@
 //! `protect`: a zone must not burn. `contain`: less must burn than without intervention.
 
 use super::{
-    DemandedEquipment, Demands, Equipment, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Tracker,
+    DemandedEquipment, Demands, Equipment, ObjectiveDetails, ObjectiveKind, ObjectiveScene,
+    ObjectiveStanding, Tracker,
 };
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget};
 use crate::mission::ground_truth::Load;
@@ -90,18 +90,47 @@ fn fire<'a>(scene: &'a ObjectiveScene<'_>, hazard: usize) -> Option<&'a Fire> {
     scene.world.field(hazard)?.fire()
 }
 
-impl Tracker for Protect {
-    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
+/// What a fire has done to a zone.
+struct ZoneDamage {
+    /// The number of burnt cells, of all cells of the zone.
+    lost: usize,
+    all: usize,
+    /// Whether the fire is out.
+    is_final: bool,
+}
+
+impl Protect {
+    fn damage(&self, scene: &ObjectiveScene<'_>) -> ZoneDamage {
         let fire = fire(scene, self.hazard);
-        let (mut lost, mut all) = (0_usize, 0_usize);
+        let mut damage = ZoneDamage {
+            lost: 0,
+            all: 0,
+            is_final: fire.is_none_or(Fire::is_out),
+        };
         if let Some(grid) = fire.map(Fire::grid) {
             for index in (0..grid.len()).filter(|&index| self.zone.contains(grid.centre(index))) {
-                all += 1;
-                lost += usize::from(grid.has_burnt(index));
+                damage.all += 1;
+                damage.lost += usize::from(grid.has_burnt(index));
             }
         }
-        let saved = lost == 0;
-        let out = fire.is_none_or(Fire::is_out);
+        damage
+    }
+}
+
+impl Contain {
+    /// The burnt area, as a share of what would have burnt without water.
+    fn share(&self, scene: &ObjectiveScene<'_>) -> f64 {
+        let (burnt, untouched) = fire(scene, self.hazard).map_or((0, 0), |fire| {
+            (fire.grid().burnt(), fire.untouched().burnt())
+        });
+        burnt as f64 / untouched.max(1) as f64
+    }
+}
+
+impl Tracker for Protect {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
+        let damage = self.damage(scene);
+        let saved = damage.lost == 0;
         // Without a flight, nothing has been saved.
         let begun = scene.vehicles.iter().any(|craft| craft.flown);
         ObjectiveStanding {
@@ -109,19 +138,29 @@ impl Tracker for Protect {
                 1.0
             } else if begun {
                 // The unburnt part of a partly burnt zone counts for half.
-                0.5 * (1.0 - lost as f64 / all.max(1) as f64)
+                0.5 * (1.0 - damage.lost as f64 / damage.all.max(1) as f64)
             } else {
                 0.0
             },
-            measure: lost as f64,
+            measure: damage.lost as f64,
             met: saved && begun,
-            settled: out || !saved,
+            settled: damage.is_final || !saved,
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let ZoneDamage {
+            lost,
+            all,
+            is_final,
+        } = self.damage(scene);
+        ObjectiveDetails {
             product: None,
-            result: match (saved, out) {
-                (true, true) => text!("protect-safe"),
-                (true, false) => text!("protect-still"),
-                (false, _) => text!("protect-burnt", lost = lost, all = all),
+            result: match (lost, is_final) {
+                (0, true) => text!("protect-safe"),
+                (0, false) => text!("protect-still"),
+                (_, _) => text!("protect-burnt", lost = lost, all = all),
             },
             outlook: None,
             target: text!("protect-target"),
@@ -132,20 +171,21 @@ impl Tracker for Protect {
 
 impl Tracker for Contain {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let fire = fire(scene, self.hazard);
-        let (burnt, untouched) = fire.map_or((0, 0), |fire| {
-            (fire.grid().burnt(), fire.untouched().burnt())
-        });
-        let share = burnt as f64 / untouched.max(1) as f64;
-        let good = scene.releases.iter().filter(|release| release.good).count();
-        let all = scene.releases.len();
-        let met = share <= self.target.met_at;
+        let share = self.share(scene);
         ObjectiveStanding {
             fraction: self.target.credit(share),
             measure: share,
-            met,
-            settled: fire.is_none_or(Fire::is_out),
+            met: share <= self.target.met_at,
+            settled: fire(scene, self.hazard).is_none_or(Fire::is_out),
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let share = self.share(scene);
+        let good = scene.releases.iter().filter(|release| release.good).count();
+        let all = scene.releases.len();
+        ObjectiveDetails {
             product: Some(Product {
                 quality: good as f64 / all.max(1) as f64,
                 words: text!("contain-hits", good = good, all = all),

@@ -1,6 +1,8 @@
 //! `recover`: every vehicle back on a pad, disarmed, with enough battery left.
 
-use super::{DOWN_FOR, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, Trying};
+use super::{
+    DOWN_FOR, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, Trying,
+};
 use crate::mission::craft::Craft;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
@@ -65,22 +67,21 @@ impl Recover {
 
 impl Tracker for Recover {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let home = scene
-            .vehicles
-            .iter()
-            .filter(|craft| self.is_home(craft))
-            .count();
-        let count = scene.vehicles.len();
-        let met = count > 0 && home == count;
+        let (home, count) = (self.home(scene.vehicles), scene.vehicles.len());
         let stopped = |craft: &Craft| craft.lost || craft.down_for >= DOWN_FOR;
         ObjectiveStanding {
             fraction: home as f64 / count.max(1) as f64,
             measure: home as f64,
-            met,
+            met: count > 0 && home == count,
             settled: count > 0 && scene.vehicles.iter().all(stopped),
             landing: true,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        ObjectiveDetails {
             product: None,
-            result: result(scene.vehicles, home),
+            result: result(scene.vehicles, self.home(scene.vehicles)),
             target: text!(
                 "mission-recover-target",
                 radius = format!("{:.0}", self.radius_m),
@@ -93,6 +94,10 @@ impl Tracker for Recover {
 }
 
 impl Recover {
+    fn home(&self, vehicles: &[Craft]) -> usize {
+        vehicles.iter().filter(|craft| self.is_home(craft)).count()
+    }
+
     fn is_short(&self, craft: &Craft) -> Option<f64> {
         let percent = craft.battery_percent;
         percent.filter(|&percent| percent < self.battery_percent)

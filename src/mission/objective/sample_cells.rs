@@ -1,6 +1,9 @@
 //! `sample_cells`: carry a sensor through the cells of a grid, slowly and for long enough.
 
-use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{
+    DemandedTime, Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker,
+};
 use crate::mission::format::{CountTarget, FileTable, KindOf, heights, number};
 use crate::mission::skill::Skill;
 use crate::mission::survey::{CellPlan, Survey, SurveyPlan, letters};
@@ -133,26 +136,37 @@ impl ObjectiveKind for SampleCells {
     }
 }
 
+impl SampleCells {
+    fn sampled(&self, scene: &ObjectiveScene<'_>) -> usize {
+        scene.survey(&self.plan.id).map_or(0, Survey::sampled)
+    }
+}
+
 impl Tracker for SampleCells {
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let survey = scene.survey(&self.plan.id);
-        let sampled = survey.map_or(0, Survey::sampled);
-        let missing: Vec<&str> = (0..self.plan.cells.len())
-            .filter(|&index| survey.is_none_or(|survey| !survey.is_sampled(index)))
-            .map(|index| self.plan.cells[index].name.as_str())
-            .collect();
-        let [low, high] = self.plan.heights_m;
+        let sampled = self.sampled(scene);
         ObjectiveStanding {
             fraction: self.target.credit(sampled),
             measure: sampled as f64,
             met: sampled >= self.target.met_at,
             settled: sampled >= self.target.met_at,
             landing: false,
+        }
+    }
+
+    fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let survey = scene.survey(&self.plan.id);
+        let missing: Vec<&str> = (0..self.plan.cells.len())
+            .filter(|&index| survey.is_none_or(|survey| !survey.is_sampled(index)))
+            .map(|index| self.plan.cells[index].name.as_str())
+            .collect();
+        let [low, high] = self.plan.heights_m;
+        ObjectiveDetails {
             product: None,
             outlook: None,
             result: text!(
                 "mission-cells-of",
-                sampled = sampled,
+                sampled = self.sampled(scene),
                 count = self.plan.cells.len()
             ),
             target: text!("mission-cells", count = self.target.met_at),

@@ -5,7 +5,10 @@
 
 use std::time::Duration;
 
-use super::{DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
+use super::{
+    DemandedTime, Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
+    Tracker,
+};
 use crate::mission::TICK;
 use crate::mission::format::{
     BetterMeasure, FileTable, KindOf, LONGEST_S, ObjectiveTarget, number, rising, seconds,
@@ -119,20 +122,24 @@ impl Tracker for Standoff {
 
     fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let share = self.share();
-        let met = share >= self.target.met_at;
-        let [nearest, farthest] = self.range_m.map(|metres| format!("{metres:.0}"));
-        let percent = |share: f64| format!("{:.0}", share * 100.0);
-        let seconds = |time: Duration| format!("{:.0}", time.as_secs_f64());
         ObjectiveStanding {
             fraction: self.target.credit(share),
             measure: share,
-            met,
+            met: share >= self.target.met_at,
             settled: self.near >= self.least,
             landing: false,
+        }
+    }
+
+    fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let [nearest, farthest] = self.range_m.map(|metres| format!("{metres:.0}"));
+        let percent = |share: f64| format!("{:.0}", share * 100.0);
+        let seconds = |time: Duration| format!("{:.0}", time.as_secs_f64());
+        ObjectiveDetails {
             product: None,
             result: text!(
                 "standoff-result",
-                share = percent(share),
+                share = percent(self.share()),
                 near = seconds(self.near),
                 close = seconds(self.too_near),
             ),

@@ -3,8 +3,8 @@
 use std::collections::BTreeSet;
 
 use super::{
-    DemandedPlaces, DemandedTime, Demands, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Tracker, partial_credit,
+    DemandedPlaces, DemandedTime, Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene,
+    ObjectiveStanding, Tracker, partial_credit,
 };
 use crate::geo::maths;
 use crate::mission::craft::Craft;
@@ -14,7 +14,6 @@ use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::mission::{Point, TICK};
 use crate::text;
-use crate::text::Text;
 
 const MOST_PLACES: usize = 100;
 const ANY_HEIGHT: [f64; 2] = [f64::NEG_INFINITY, f64::INFINITY];
@@ -197,32 +196,8 @@ impl Stops {
         self.passed.iter().position(|passed| !passed)
     }
 
-    fn words(&self) -> (Text, Text, Text) {
-        let passed = self.passed.iter().filter(|passed| **passed).count();
-        let count = self.places.len();
-        let next = self.next().map(|next| &self.places[next]);
-        let name = next.map_or("", |stop| stop.name.as_str());
-        let radius = next.map_or(0.0, |stop| stop.radius_m);
-        let radius = format!("{radius:.0}");
-        if self.ordered {
-            (
-                text!("mission-gates-of", passed = passed, count = count),
-                text!("mission-gates", count = count),
-                text!("mission-gates-advice", gate = name, radius = radius),
-            )
-        } else {
-            let dwell = format!("{:.0}", self.dwell_s);
-            (
-                text!("mission-visit-of", passed = passed, count = count),
-                text!("mission-visit", count = count),
-                text!(
-                    "mission-visit-advice",
-                    place = name,
-                    radius = radius,
-                    dwell = dwell
-                ),
-            )
-        }
+    fn passed(&self) -> usize {
+        self.passed.iter().filter(|passed| **passed).count()
     }
 }
 
@@ -243,32 +218,41 @@ impl Tracker for Stops {
     }
 
     fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
-        let passed = self.passed.iter().filter(|passed| **passed).count();
-        let (result, target, advice) = self.words();
-        let met = passed == self.places.len();
+        let (passed, count) = (self.passed(), self.places.len());
         ObjectiveStanding {
-            fraction: partial_credit(passed as f64, 0.0, self.places.len() as f64),
+            fraction: partial_credit(passed as f64, 0.0, count as f64),
             measure: passed as f64,
-            met,
-            settled: met,
+            met: passed == count,
+            settled: passed == count,
             landing: false,
-            product: None,
-            result,
-            outlook: None,
-            target,
-            advice,
         }
     }
 
-    fn places(&self) -> Vec<(String, Point)> {
-        let gates = self.places.iter().filter(|stop| stop.up_m.is_some());
-        let next = self
-            .next()
-            .map(|next| &self.places[next])
-            .filter(|_| self.ordered);
-        gates
-            .map(|stop| (stop.name.clone(), stop.at))
-            .chain(next.map(|stop| (super::NEXT_PLACE.to_owned(), stop.at)))
-            .collect()
+    fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
+        let (passed, count) = (self.passed(), self.places.len());
+        let next = self.next().map(|next| &self.places[next]);
+        let name = next.map_or("", |stop| stop.name.as_str());
+        let radius = format!("{:.0}", next.map_or(0.0, |stop| stop.radius_m));
+        if self.ordered {
+            return ObjectiveDetails {
+                product: None,
+                result: text!("mission-gates-of", passed = passed, count = count),
+                outlook: None,
+                target: text!("mission-gates", count = count),
+                advice: text!("mission-gates-advice", gate = name, radius = radius),
+            };
+        }
+        ObjectiveDetails {
+            product: None,
+            result: text!("mission-visit-of", passed = passed, count = count),
+            outlook: None,
+            target: text!("mission-visit", count = count),
+            advice: text!(
+                "mission-visit-advice",
+                place = name,
+                radius = radius,
+                dwell = format!("{:.0}", self.dwell_s)
+            ),
+        }
     }
 }
