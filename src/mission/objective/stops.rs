@@ -255,4 +255,16 @@ impl Tracker for Stops {
             ),
         }
     }
+
+    fn places(&self) -> Vec<(String, Point)> {
+        let gates = self.places.iter().filter(|stop| stop.up_m.is_some());
+        let next = self
+            .next()
+            .map(|next| &self.places[next])
+            .filter(|_| self.ordered);
+        gates
+            .map(|stop| (stop.name.clone(), stop.at))
+            .chain(next.map(|stop| (super::NEXT_PLACE.to_owned(), stop.at)))
+            .collect()
+    }
 }
