@@ -6,6 +6,7 @@ action-load-parameters = завантажити файл і показати в�
 action-compare-parameters = порівняти з файлом або іншим апаратом
 action-apply-parameters = встановити позначені параметри
 action-fetch-parameters = запитати в апарата всі параметри ще раз
+action-read-documents = прочитати з апарата опис його параметрів
 
 parameters-not-finite = не надіслано: { $name } приймає лише скінченні числа
 parameters-not-whole = не надіслано: { $name } приймає лише цілі числа ({ $kind })

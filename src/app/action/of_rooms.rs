@@ -67,6 +67,8 @@ pub enum ParametersAction {
     ApplyParameters,
     /// Download all parameters of the vehicle again.
     FetchParameters,
+    /// Read what the vehicle documents about its parameters.
+    ReadDocuments,
 }
 
 /// Actions of the Files room.

@@ -248,6 +248,10 @@ impl RoomModel for Parameters {
             Action::Parameters(ParametersAction::FetchParameters),
         ),
         does(
+            key('i'),
+            Action::Parameters(ParametersAction::ReadDocuments),
+        ),
+        does(
             Press::Plain(KeyCode::Left),
             Action::View(ViewAction::PreviousVehicle),
         ),
@@ -338,6 +342,12 @@ pub(super) fn act(state: &mut State, action: ParametersAction) -> Vec<RoomReques
         ParametersAction::CompareParameters => state.prompt(Purpose::CompareParameters, ""),
         ParametersAction::ApplyParameters => compare::apply(state),
         ParametersAction::FetchParameters => fetch(state),
+        ParametersAction::ReadDocuments => {
+            let vehicle = state.session.choice.cursor.into_iter();
+            return vehicle
+                .map(|vehicle| RoomRequest::Give(format!("{vehicle} param docs")))
+                .collect();
+        }
     }
     Vec::new()
 }

@@ -136,6 +136,17 @@ fn r_asks_again_for_a_list_that_is_there() {
 }
 
 #[test]
+fn i_reads_the_documentation_of_the_vehicle_under_the_cursor() {
+    let mut console = in_the_room(2);
+    console.press("]").press("i");
+    let given = console.effects.iter().find_map(|effect| match effect {
+        Effect::Order { order, .. } => Some((order.line.as_str(), order.targets.as_slice())),
+        _ => None,
+    });
+    assert_eq!(given, Some(("2 param docs", &[2][..])));
+}
+
+#[test]
 fn names_are_found_by_letters_and_the_cursor_stays_on_its_name() {
     let mut console = in_the_room(1);
     console.press("end").press("up");

@@ -43,7 +43,8 @@ fn action_replayed(action: Action) -> ReplayUse {
         | Action::Parameters(
             ParametersAction::LoadParameters
             | ParametersAction::ApplyParameters
-            | ParametersAction::FetchParameters,
+            | ParametersAction::FetchParameters
+            | ParametersAction::ReadDocuments,
         )
         | Action::Files(_)
         | Action::Plans(PlansAction::UploadDraft)
