@@ -86,6 +86,7 @@ effect-servo = output { $output } at { $pulse } us
 effect-control = this console in control
 effect-no-control = no station in control
 effect-rebooted = rebooted
+outcome-unmeasured-speed = accepted, but without an airspeed sensor the plane flies by its throttle (TRIM_THROTTLE)
 outcome-renumbered = it is heard as vehicle { $system } now
 
 # The logs of a vehicle.

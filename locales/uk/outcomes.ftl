@@ -91,6 +91,7 @@ effect-servo = вихід { $output } на { $pulse } us
 effect-control = керує ця консоль
 effect-no-control = не керує жодна станція
 effect-rebooted = перезапуск
+outcome-unmeasured-speed = прийнято, але без датчика повітряної швидкості літак тримає тягу (TRIM_THROTTLE)
 outcome-renumbered = тепер це апарат { $system }
 
 # Журнали польотів апарата.

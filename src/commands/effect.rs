@@ -37,6 +37,8 @@ pub struct Effect {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Watched {
     Nothing,
+    /// The plane has no airspeed sensor, so its speed shows nothing about the one that was asked for.
+    UnmeasuredSpeed,
     Armed(bool),
     Mode(Mode),
     /// The vehicle is on the ground, landed by a mode.
@@ -135,7 +137,7 @@ impl Effect {
     /// acceptance.
     pub fn seen(&self, vehicle: &Vehicle) -> Option<bool> {
         Some(match &self.watched {
-            Watched::Nothing => return None,
+            Watched::Nothing | Watched::UnmeasuredSpeed => return None,
             Watched::Armed(armed) => vehicle.heartbeat.is_some_and(|beat| beat.armed == *armed),
             Watched::Mode(mode) => vehicle.mode() == Some(*mode),
             Watched::Landed(mode) => has_landed(vehicle, *mode),
@@ -190,8 +192,11 @@ impl Effect {
         self.within
     }
 
-    /// What a user should know about an effect that was seen; `None` if that is nothing.
+    /// What a user should know about a command that was carried out; `None` if that is nothing.
     pub fn remark(&self, vehicle: &Vehicle) -> Option<Text> {
+        if self.watched == Watched::UnmeasuredSpeed {
+            return Some(text!("outcome-unmeasured-speed"));
+        }
         let is_reboot = matches!(self.watched, Watched::Rebooted { .. });
         let system = vehicle.link.renumbered.filter(|_| is_reboot)?;
         Some(text!("outcome-renumbered", system = system))
@@ -200,7 +205,7 @@ impl Effect {
     /// A description of the effect, such as "armed" or "within 1.5 m of the target".
     pub fn describe(&self, vehicle: &Vehicle) -> Text {
         match &self.watched {
-            Watched::Nothing => text!("effect-nothing"),
+            Watched::Nothing | Watched::UnmeasuredSpeed => text!("effect-nothing"),
             Watched::Armed(true) => text!("effect-armed"),
             Watched::Armed(false) => text!("effect-disarmed"),
             Watched::Mode(mode) => text!("effect-mode", mode = vehicle.name_of(*mode)),

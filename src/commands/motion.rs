@@ -176,6 +176,12 @@ impl MotionCommand {
                 }
             }
             Self::Orbit { .. } if before.runs_px4() => mode_effect(before, "POSCTL.ORBIT"),
+            Self::Speed {
+                axis: SpeedAxis::Ground,
+                ..
+            } if speeds::is_unmeasured(before) => {
+                Effect::new(Watched::UnmeasuredSpeed, Duration::ZERO)
+            }
             Self::Speed { .. } | Self::Orbit { .. } | Self::RegionOfInterest { .. } => {
                 Effect::nothing()
             }

@@ -34,6 +34,13 @@ fn is_arduplane(vehicle: &Vehicle) -> bool {
     mode.is_some_and(|mode| mode.class == VehicleClass::Plane)
 }
 
+/// Whether the vehicle is a plane that reports no airspeed sensor. An `ArduPlane` accepts a speed all the same, and flies by
+/// its throttle (`TRIM_THROTTLE`).
+pub(super) fn is_unmeasured(vehicle: &Vehicle) -> bool {
+    let health = vehicle.health;
+    is_arduplane(vehicle) && health.is_some_and(|health| !health.measures_airspeed())
+}
+
 pub(super) fn fields(vehicle: &Vehicle, axis: SpeedAxis, speed_m_s: f64) -> LongFields {
     // -1 leaves the throttle unchanged.
     let changed = [speed_type(vehicle, axis), speed_m_s as f32, -1.0];

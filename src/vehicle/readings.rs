@@ -194,6 +194,15 @@ impl Health {
     /// The bit of the fence.
     pub const FENCE: u32 = MavSysStatusSensor::MAV_SYS_STATUS_GEOFENCE.bits();
 
+    /// The bit of the airspeed sensor.
+    pub const AIRSPEED: u32 =
+        MavSysStatusSensor::MAV_SYS_STATUS_SENSOR_DIFFERENTIAL_PRESSURE.bits();
+
+    /// Whether an airspeed sensor is in use.
+    pub fn measures_airspeed(&self) -> bool {
+        self.present & self.enabled & Self::AIRSPEED != 0
+    }
+
     /// Whether the fence is on; `None` without a fence. One that only reports breaches (`FENCE_ACTION` 0) is shown as
     /// off.
     pub fn fence_on(&self) -> Option<bool> {

@@ -4,7 +4,7 @@ use super::targets::under_way;
 use super::*;
 use crate::commands::Setpoint;
 use crate::geo::LatLon;
-use crate::vehicle::SpeedAxis;
+use crate::vehicle::{Health, SpeedAxis, VehicleClass};
 
 const CHANGE_SPEED: MavCmd = MavCmd::MAV_CMD_DO_CHANGE_SPEED;
 
@@ -59,6 +59,29 @@ fn a_speed_is_said_again_after_the_place_that_makes_the_autopilot_forget_it() {
     let place = scene.sent.iter().position(is_place).expect("a place");
     assert!(scene.sent.len() > place + 1, "the speed follows the place");
     assert_eq!(said(&scene), [(1.0, 3.0)]);
+}
+
+#[test]
+fn a_plane_without_an_airspeed_sensor_flies_by_its_throttle() {
+    for (enabled, is_measured) in [(Health::AIRSPEED, true), (0, false)] {
+        let mut scene = under_way();
+        let vehicle = &mut scene.session.vehicle;
+        if let Some(heartbeat) = &mut vehicle.heartbeat {
+            heartbeat.class = VehicleClass::Plane;
+            heartbeat.mode = VehicleClass::Plane.mode("GUIDED").expect("a mode");
+        }
+        vehicle.health = Some(Health {
+            present: Health::AIRSPEED,
+            enabled,
+            healthy: 0,
+            load_percent: f32::NAN,
+            at: Duration::ZERO,
+        });
+        speed(&mut scene, 2, SpeedAxis::Ground, 15.0);
+        scene.pass(ms(10));
+        let words = scene.explanation(2);
+        assert_eq!(words.contains("TRIM_THROTTLE"), !is_measured, "{words}");
+    }
 }
 
 #[test]
