@@ -4,8 +4,10 @@
 //! - What the console costs: `decode` (a packet), `frame` (a drawing), `latency` (a key until it shows), `replay` (a
 //!   record).
 //! - What simulated flight costs: `sim`, `missions`, `load`, and `scale` for growing swarms.
+//! - What a class costs: `class`, a desk with many seats.
 //! - Whether the simulation is right: `fidelity`, beside recordings of the real vehicle; `campaign`, the whole
 //!   course.
+//! - What they share: `cost` reads processor time and memory, `terminal` runs a program in a pseudo-terminal.
 
 use std::process::ExitCode;
 
@@ -15,6 +17,8 @@ use super::Failure;
 use super::settings::CliSettings;
 
 mod campaign;
+mod class;
+mod cost;
 mod decode;
 mod fidelity;
 mod frame;
@@ -24,12 +28,16 @@ mod missions;
 mod replay;
 mod scale;
 mod sim;
+mod terminal;
 
 /// The measurement to make.
 #[derive(Debug, Subcommand)]
 pub(super) enum BenchCommand {
     /// Flies the whole course with the reference pilots: scores, credits, level, licence and skills after each flight.
     Campaign(campaign::CampaignArguments),
+    /// Measures the instructor's desk while trainees fly: its processor time and memory, the time from an order to its
+    /// effect, and the age of the board.
+    Class(class::BenchClassArguments),
     /// Measures decoding and model update per message, compared with a loop that only finds frames.
     Decode(decode::DecodeArguments),
     /// Compares the embedded simulator with recordings of the real vehicle, manoeuvre by manoeuvre.
@@ -55,6 +63,7 @@ pub(super) enum BenchCommand {
 pub(super) fn bench(bench: &BenchCommand, settings: &CliSettings) -> Result<ExitCode, Failure> {
     match bench {
         BenchCommand::Campaign(options) => campaign::campaign(options),
+        BenchCommand::Class(options) => class::class(options),
         BenchCommand::Decode(options) => decode::decode(options),
         BenchCommand::Fidelity(options) => fidelity::fidelity(options),
         BenchCommand::Frame(options) => frame::frame(options),

@@ -1,19 +1,15 @@
 //! `sortie bench latency`: from a key to the bytes that show it, through a pseudo-terminal.
 
-use std::fs::File;
-use std::io::{self, Read as _, Write as _};
-use std::os::fd::OwnedFd;
+use std::io;
 use std::path::PathBuf;
-use std::process::{Child, Command, ExitCode, Stdio};
-use std::sync::mpsc::{self, Receiver};
+use std::process::{Command, ExitCode};
 use std::time::{Duration, Instant};
 
 use clap::Args;
-use nix::pty::{Winsize, openpty};
-use nix::sys::termios::{SetArg, cfmakeraw, tcgetattr, tcsetattr};
 use serde::Serialize;
 
 use super::super::Failure;
+use super::terminal::{Terminal, own_program};
 
 /// Keys that move the cursor down and up again on the home screen.
 const KEYS: [&[u8]; 2] = [b"j", b"k"];
@@ -23,10 +19,6 @@ const QUIET: Duration = Duration::from_millis(120);
 const STARTING: Duration = Duration::from_secs(10);
 /// A key without any output for this long is a fault.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// The console's query to a terminal.
-const QUESTION: &[u8] = b"\x1b[5n";
-/// A terminal's answer to the query: it is ready.
-const ANSWER: &[u8] = b"\x1b[0n";
 
 /// Options of `sortie bench latency`.
 #[derive(Debug, Args)]
@@ -78,14 +70,10 @@ pub(in crate::cli) fn latency(options: &LatencyArguments) -> Result<ExitCode, Fa
 
 /// This program on its home screen, with separate folders for its files.
 fn console(options: &LatencyArguments) -> io::Result<Command> {
-    let mut command = Command::new(std::env::current_exe()?);
-    command.args(["--fps", &options.frame_rate.to_string(), "--theme", "dark"]);
     let home = home();
     std::fs::create_dir_all(&home)?;
-    command.env_clear();
-    command.envs(std::env::var_os("PATH").map(|path| ("PATH", path)));
-    command.env("HOME", home).env("TERM", "xterm-256color");
-    command.env("LC_ALL", "C.UTF-8");
+    let mut command = own_program(&home)?;
+    command.args(["--fps", &options.frame_rate.to_string(), "--theme", "dark"]);
     Ok(command)
 }
 
@@ -98,9 +86,9 @@ fn measure(
     command: Command,
     options: &LatencyArguments,
 ) -> Result<LatencyCost, Failure> {
-    let mut typist = Typist::begin(command)?;
-    let took = typist.type_keys(program, options.keys);
-    drop(typist);
+    let mut terminal = Terminal::begin(command)?;
+    let took = type_keys(&mut terminal, program, options.keys);
+    drop(terminal);
     drop(std::fs::remove_dir_all(home()));
     let mut took = took?;
     took.sort_unstable();
@@ -116,102 +104,23 @@ fn measure(
     })
 }
 
-/// Types into the terminal of a program and reads its output.
-struct Typist {
-    child: Child,
-    terminal: File,
-    pieces: Receiver<(Instant, Vec<u8>)>,
-}
-
-impl Typist {
-    fn begin(mut command: Command) -> io::Result<Self> {
-        let size = Winsize {
-            ws_row: 40,
-            ws_col: 120,
-            ws_xpixel: 0,
-            ws_ypixel: 0,
-        };
-        let pty = openpty(&size, None)?;
-        // The terminal is raw from the beginning: otherwise the kernel's own echo would be
-        // measured.
-        let mut mode = tcgetattr(&pty.slave)?;
-        cfmakeraw(&mut mode);
-        tcsetattr(&pty.slave, SetArg::TCSANOW, &mode)?;
-        let slave = || -> io::Result<Stdio> { Ok(OwnedFd::try_clone(&pty.slave)?.into()) };
-        let child = command
-            .stdin(slave()?)
-            .stdout(slave()?)
-            .stderr(slave()?)
-            .spawn()?;
-        let terminal = File::from(pty.master);
-        let mut read = terminal.try_clone()?;
-        let (sender, pieces) = mpsc::channel();
-        std::thread::spawn(move || {
-            let mut buffer = vec![0; 65536];
-            while let Ok(count @ 1..) = read.read(&mut buffer) {
-                if sender
-                    .send((Instant::now(), buffer[..count].to_vec()))
-                    .is_err()
-                {
-                    break;
-                }
-            }
-        });
-        Ok(Self {
-            child,
-            terminal,
-            pieces,
-        })
+/// Presses keys one after another, each while the program is quiet; returns the time until the effect of each was shown.
+fn type_keys(terminal: &mut Terminal, program: &str, keys: u32) -> Result<Vec<Duration>, Failure> {
+    terminal.press(b"j")?;
+    terminal
+        .next(STARTING)
+        .ok_or_else(|| anyhow::anyhow!("{program} shows nothing"))?;
+    let mut took = Vec::new();
+    for at in 0..keys {
+        while terminal.next(QUIET).is_some() {}
+        // The delay varies, so that keys do not fall into step with the program.
+        std::thread::sleep(Duration::from_micros(u64::from(at * 7919 % 50) * 1000));
+        let pressed = Instant::now();
+        terminal.press(KEYS[at as usize % KEYS.len()])?;
+        let shown = terminal
+            .next(PATIENCE)
+            .ok_or_else(|| anyhow::anyhow!("{program} did not show key {at}"))?;
+        took.push(shown.at.saturating_duration_since(pressed));
     }
-
-    /// Presses keys one after another, each while the program is quiet; returns the time until the
-    /// effect of each was shown.
-    fn type_keys(&mut self, program: &str, keys: u32) -> Result<Vec<Duration>, Failure> {
-        self.press(b"j")?;
-        self.wait(STARTING)
-            .ok_or_else(|| anyhow::anyhow!("{program} shows nothing"))?;
-        let mut took = Vec::new();
-        for at in 0..keys {
-            self.settle();
-            // The delay varies, so that keys do not fall into step with the program.
-            std::thread::sleep(Duration::from_micros(u64::from(at * 7919 % 50) * 1000));
-            let pressed = Instant::now();
-            self.press(KEYS[at as usize % KEYS.len()])?;
-            let seen = self
-                .wait(PATIENCE)
-                .ok_or_else(|| anyhow::anyhow!("{program} did not show key {at}"))?;
-            took.push(seen.saturating_duration_since(pressed));
-        }
-        Ok(took)
-    }
-
-    fn press(&mut self, key: &[u8]) -> io::Result<()> {
-        self.terminal.write_all(key)
-    }
-
-    /// The time of the next output, if any arrives in time.
-    fn wait(&mut self, patience: Duration) -> Option<Instant> {
-        let (at, piece) = self.pieces.recv_timeout(patience).ok()?;
-        self.answer(&piece);
-        Some(at)
-    }
-
-    /// Reads output until no more arrives.
-    fn settle(&mut self) {
-        while self.wait(QUIET).is_some() {}
-    }
-
-    /// Answers the program's queries to its terminal. Without answers the console draws with delays.
-    fn answer(&mut self, piece: &[u8]) {
-        if piece.windows(QUESTION.len()).any(|part| part == QUESTION) {
-            drop(self.press(ANSWER));
-        }
-    }
-}
-
-impl Drop for Typist {
-    fn drop(&mut self) {
-        drop(self.child.kill());
-        drop(self.child.wait());
-    }
+    Ok(took)
 }

@@ -2,8 +2,8 @@
 //! measured in the paper.
 //!
 //! # How the parts fit
-//! - A measurement: `trial` flies one repeat, `swarm` is what it measures, `instances` are its SITL processes; `cost`
-//!   reads processor time, `sample` holds the figures of a repeat; `strain` says which part was overloaded.
+//! - A measurement: `trial` flies one repeat, `swarm` is what it measures, `instances` are its SITL processes; `sample`
+//!   holds the figures of a repeat; `strain` says which part was overloaded.
 //! - The result: `row` combines the repeats with one number of vehicles; `figure` decides what is compared with the
 //!   paper, and `table`, `chart` and `svg` show it.
 
@@ -19,6 +19,7 @@ use super::super::Failure;
 use super::super::backend::{SimulatorChoice, own};
 use super::super::programs::ProgramOptions;
 use super::super::settings::CliSettings;
+use super::cost;
 use crate::sitl::SitlKind;
 use crate::terminal::Environment;
 use instances::SitlBench;
@@ -27,7 +28,6 @@ use row::ScaleRow;
 use trial::{TrialPlan, trial};
 
 mod chart;
-mod cost;
 mod figure;
 mod instances;
 mod progress;

@@ -6,7 +6,7 @@ use std::time::Duration;
 use futures_util::future::join_all;
 use tokio::io::DuplexStream;
 
-use super::cost::{self, Counted};
+use crate::cli::bench::cost::{self, Counted};
 use crate::hangar::programs::{self, PATIENCE};
 use crate::hangar::{
     Hangar, HangarSetup, Hangars, InstancePlace, Launch, LaunchHome, Restart, SitlStage,

@@ -3,7 +3,7 @@
 use std::ops::Add as _;
 use std::time::{Duration, Instant};
 
-use super::cost::{self, Machine};
+use crate::cli::bench::cost::{self, Machine};
 
 /// The state of all meters.
 #[derive(Debug)]

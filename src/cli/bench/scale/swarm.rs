@@ -9,9 +9,9 @@ use tokio::io::DuplexStream;
 use tokio::sync::{mpsc, watch};
 use tokio_util::sync::{CancellationToken, DropGuard};
 
-use super::cost::{Counted, Machine};
 use super::instances::{Instances, SitlBench};
 use super::sample::ScaleMark;
+use crate::cli::bench::cost::{Counted, Machine};
 use crate::commands::{Command, QueryCommand};
 use crate::fleet::{Fleet, FleetClock, FleetEvent};
 use crate::geo::LatLon;

@@ -1,9 +1,9 @@
 use std::time::{Duration, Instant};
 
-use super::cost::Machine;
 use super::row::ScaleRow;
 use super::sample::{ScaleMark, ScaleSample};
 use super::{chart, svg, table};
+use crate::cli::bench::cost::Machine;
 
 fn sample(vehicles: u16, slowness: f64) -> ScaleSample {
     let each = f64::from(vehicles);

@@ -1,4 +1,4 @@
-//! Processor time of threads, processes and the machine, as Linux reports it in `/proc`.
+//! Processor time of threads, processes and the machine, and memory, as Linux reports them in `/proc`.
 
 use std::fs;
 use std::io;
@@ -9,7 +9,7 @@ use std::time::Duration;
 use tokio::runtime::{Builder, Runtime};
 
 /// A runtime with known threads, to separate its processor time from the rest of this program.
-pub(super) struct Counted {
+pub(in crate::cli::bench) struct Counted {
     pub runtime: Runtime,
     /// The folder of each thread below `/proc`.
     threads: Arc<Mutex<Vec<PathBuf>>>,
@@ -61,7 +61,7 @@ fn on_processor(thread: &Path) -> io::Result<Duration> {
 }
 
 /// Processor time of all threads of a process.
-pub(super) fn of_process(pid: u32) -> io::Result<Duration> {
+pub(in crate::cli::bench) fn of_process(pid: u32) -> io::Result<Duration> {
     let mut total = Duration::ZERO;
     for thread in fs::read_dir(format!("/proc/{pid}/task"))? {
         total += on_processor(&thread?.path())?;
@@ -69,13 +69,21 @@ pub(super) fn of_process(pid: u32) -> io::Result<Duration> {
     Ok(total)
 }
 
+/// The most memory that a process has used so far, in bytes.
+pub(in crate::cli::bench) fn most_memory_of(pid: u32) -> io::Result<u64> {
+    let status = fs::read_to_string(format!("/proc/{pid}/status"))?;
+    let most = kibibytes(&status, "VmHWM:");
+    most.map(|most| most * 1024)
+        .ok_or_else(|| io::Error::other("this system does not report the memory of a process"))
+}
+
 /// The number of processors.
-pub(super) fn cores() -> usize {
+pub(in crate::cli::bench) fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
 /// Share of the machine's memory that is still available, in percent.
-pub(super) fn memory_free_percent() -> Option<f64> {
+pub(in crate::cli::bench) fn memory_free_percent() -> Option<f64> {
     let told = fs::read_to_string("/proc/meminfo").ok()?;
     let available = kibibytes(&told, "MemAvailable:")?;
     let all = kibibytes(&told, "MemTotal:")?;
@@ -89,7 +97,7 @@ fn kibibytes(text: &str, name: &str) -> Option<u64> {
 
 /// The busy time of all processors and programs, in ticks.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Machine {
+pub(in crate::cli::bench) struct Machine {
     busy: u64,
     all: u64,
 }

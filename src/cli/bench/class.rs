@@ -1,0 +1,304 @@
+//! `sortie bench class`: an instructor's desk and its seats, as processes on this machine.
+//!
+//! The desk runs in a terminal, and the seats are plain consoles whose vehicles fly. Everything is seen from outside:
+//! an order from the key that gives it to the line that the seat prints, and the age of the board from a trainee's
+//! command to its text on the desk's screen.
+
+use std::path::Path;
+use std::process::ExitCode;
+use std::time::{Duration, Instant};
+
+use anyhow::Context as _;
+use clap::Args;
+use serde::Serialize;
+
+use super::super::Failure;
+use super::cost::{self, Machine};
+use super::terminal::{Terminal, own_program};
+use seats::Seats;
+
+mod seats;
+
+/// The longest wait for the desk to open, and for all seats to join.
+const STARTING: Duration = Duration::from_secs(120);
+/// How long an order and a command are watched.
+const ROUND: Duration = Duration::from_secs(2);
+/// How long to look for the output of one side before the other's is read. Times are taken when output arrives.
+const GLANCE: Duration = Duration::from_millis(20);
+/// What the seats fly, and the time that each line takes.
+const FLIGHT: [(&str, u64); 3] = [
+    ("all guided", 3),
+    ("all arm", 4),
+    ("all takeoff 10", 10),
+];
+/// Headings in degrees of the commands that are looked for on the board. Every digit differs from the one that it
+/// replaces, so that the desk writes all three in one piece.
+const HEADINGS: [&str; 3] = ["123", "231", "312"];
+
+/// Options of `sortie bench class`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie bench class\n  \
+    sortie bench class --seats 4 --vehicles 1 --seconds 10 --json")]
+pub(in crate::cli) struct BenchClassArguments {
+    /// Start this many seats.
+    #[arg(long, default_value_t = 30, value_parser = clap::value_parser!(u16).range(1..=500))]
+    seats: u16,
+    /// Fly this many vehicles at each seat.
+    #[arg(long, default_value_t = 16, value_parser = clap::value_parser!(u8).range(1..=100))]
+    vehicles: u8,
+    /// Measure for this many seconds, once all vehicles fly.
+    #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u16).range(2..=3600))]
+    seconds: u16,
+    /// Print one JSON document instead of the table.
+    #[arg(long)]
+    json: bool,
+}
+
+/// What a desk costs, and how fast the class is.
+#[derive(Debug, Serialize)]
+struct ClassCost {
+    seats: u16,
+    vehicles: u8,
+    window_s: f64,
+    desk_core_percent: f64,
+    desk_memory_mb: f64,
+    /// The share of the whole machine that was busy: figures of a busy machine say little.
+    machine_busy_percent: Option<f64>,
+    order: Delays,
+    board: Delays,
+}
+
+/// The delays of one kind, in milliseconds.
+#[derive(Debug, Serialize)]
+struct Delays {
+    count: usize,
+    /// The number of those that never ended.
+    lost: usize,
+    median_ms: f64,
+    p99_ms: f64,
+    most_ms: f64,
+}
+
+impl Delays {
+    fn of(mut seen: Vec<Duration>, expected: usize) -> Self {
+        seen.sort_unstable();
+        let at = |share: f64| {
+            let place = (share * seen.len().saturating_sub(1) as f64).round() as usize;
+            seen.get(place)
+                .map_or(f64::NAN, |it| it.as_secs_f64() * 1e3)
+        };
+        Self {
+            count: seen.len(),
+            lost: expected.saturating_sub(seen.len()),
+            median_ms: at(0.5),
+            p99_ms: at(0.99),
+            most_ms: at(1.0),
+        }
+    }
+}
+
+pub(in crate::cli) fn class(options: &BenchClassArguments) -> Result<ExitCode, Failure> {
+    let folder = std::env::temp_dir().join(format!("sortie-class-{}", std::process::id()));
+    std::fs::create_dir_all(folder.join("class"))?;
+    let measured = measure(options, &folder);
+    drop(std::fs::remove_dir_all(&folder));
+    let cost = measured?;
+    if options.json {
+        say!("{}", serde_json::to_string(&cost)?)?;
+    } else {
+        print(&cost)?;
+    }
+    let is_whole = cost.order.lost == 0 && cost.board.lost == 0;
+    Ok(ExitCode::from(u8::from(!is_whole)))
+}
+
+fn print(cost: &ClassCost) -> Result<(), Failure> {
+    let ClassCost {
+        seats, vehicles, ..
+    } = cost;
+    say!(
+        "{seats} seats with {vehicles} flying vehicles each, over {:.0} s",
+        cost.window_s
+    )?;
+    say!(
+        "desk: {:.1} % of a core, {:.0} MB",
+        cost.desk_core_percent,
+        cost.desk_memory_mb
+    )?;
+    if let Some(busy) = cost.machine_busy_percent {
+        say!("all processors of the machine: {busy:.0} % busy")?;
+    }
+    say!("delay, ms                  count   lost   median     99 %     most")?;
+    for (name, delays) in [
+        ("order to effect", &cost.order),
+        ("command to the board", &cost.board),
+    ] {
+        say!(
+            "{name:<24} {:>7} {:>6} {:>8.0} {:>8.0} {:>8.0}",
+            delays.count,
+            delays.lost,
+            delays.median_ms,
+            delays.p99_ms,
+            delays.most_ms
+        )?;
+    }
+    Ok(())
+}
+
+fn measure(options: &BenchClassArguments, folder: &Path) -> Result<ClassCost, Failure> {
+    let class = folder.join("class");
+    let mut room = ClassRoom::open(options, folder, &class)?;
+    room.gather()?;
+    for (line, seconds) in FLIGHT {
+        room.seats.give_all(line)?;
+        room.pass(Duration::from_secs(seconds));
+    }
+    let desk = room.desk.process();
+    let (begun, spent) = (Instant::now(), cost::of_process(desk)?);
+    let machine = Machine::now();
+    let (mut orders, mut board) = (Vec::new(), Vec::new());
+    let rounds = usize::from(options.seconds).div_ceil(ROUND.as_secs() as usize);
+    for round in 0..rounds {
+        room.round(round, &mut orders, &mut board)?;
+    }
+    let window = begun.elapsed();
+    let spent = cost::of_process(desk)?.saturating_sub(spent);
+    let busy = machine.and_then(|before| Some(Machine::now()?.busy_percent_since(before)));
+    Ok(ClassCost {
+        seats: options.seats,
+        vehicles: options.vehicles,
+        window_s: window.as_secs_f64(),
+        desk_core_percent: spent.as_secs_f64() / window.as_secs_f64() * 100.0,
+        desk_memory_mb: cost::most_memory_of(desk)? as f64 / 1e6,
+        machine_busy_percent: busy,
+        order: Delays::of(orders, rounds * usize::from(options.seats)),
+        board: Delays::of(board, rounds),
+    })
+}
+
+/// The desk and the seats of one class.
+struct ClassRoom {
+    desk: Terminal,
+    seats: Seats,
+}
+
+impl ClassRoom {
+    fn open(options: &BenchClassArguments, folder: &Path, class: &Path) -> anyhow::Result<Self> {
+        let mut desk = own_program(&folder.join("desk"))?;
+        desk.args(["class", "open"]).arg(class);
+        // Without colours, no number of a colour is taken for a heading.
+        desk.args(["--theme", "monochrome"]);
+        let mut desk = Terminal::begin(desk)?;
+        let begun = Instant::now();
+        while !class.join("desk").exists() {
+            anyhow::ensure!(begun.elapsed() < STARTING, "the desk does not open");
+            desk.next(GLANCE);
+        }
+        let seat = |number: u16| {
+            let mut seat = own_program(&folder.join(format!("seat{number}")))?;
+            seat.args(["fly", "--plain", "--no-record", "--vehicles"]);
+            seat.arg(options.vehicles.to_string());
+            seat.arg("--class").arg(class);
+            Ok(seat)
+        };
+        let seats = Seats::start((0..options.seats).map(seat)).context("a seat does not start")?;
+        Ok(Self { desk, seats })
+    }
+
+    /// Waits until all seats have joined: until each has shown a message.
+    fn gather(&mut self) -> anyhow::Result<()> {
+        let begun = Instant::now();
+        let mut here = vec![false; self.seats.count()];
+        for number in 0.. {
+            let text = format!("join-{number:04}");
+            self.say_to_all(&text)?;
+            let until = Instant::now() + ROUND;
+            while Instant::now() < until && here.contains(&false) {
+                self.desk.next(GLANCE);
+                for line in self.seats.lines() {
+                    here[line.seat] |= line.text.contains("join-");
+                }
+            }
+            let missing = here.iter().filter(|is_here| !**is_here).count();
+            if missing == 0 {
+                break;
+            }
+            anyhow::ensure!(begun.elapsed() < STARTING, "{missing} seats did not join");
+        }
+        Ok(())
+    }
+
+    /// Gives an order to all seats, and a command at one of them; adds the delays of what was seen.
+    fn round(
+        &mut self,
+        number: usize,
+        orders: &mut Vec<Duration>,
+        board: &mut Vec<Duration>,
+    ) -> anyhow::Result<()> {
+        let text = format!("bench-{number:04}");
+        let ordered = Instant::now();
+        self.say_to_all(&text)?;
+        let count = self.seats.count();
+        let heading = HEADINGS[number / count % HEADINGS.len()];
+        // The delay varies, so that commands do not fall into step with the seat's reports.
+        let command_at = ordered + Duration::from_millis((number as u64 * 137) % 500);
+        let (mut commanded, mut shown, mut is_seen) = (None, Vec::new(), false);
+        let mut heard = vec![false; count];
+        while ordered.elapsed() < ROUND {
+            if commanded.is_none() && Instant::now() >= command_at {
+                commanded = Some(Instant::now());
+                let line = format!("all yaw {heading}");
+                self.seats.give(number % count, &line)?;
+            }
+            for line in self.seats.lines() {
+                if line.text.contains(&text) && !std::mem::replace(&mut heard[line.seat], true) {
+                    orders.push(line.at.saturating_duration_since(ordered));
+                }
+            }
+            let output = self.desk.next(GLANCE);
+            let (Some(output), Some(begun)) = (output, commanded.filter(|_| !is_seen)) else {
+                continue;
+            };
+            shown.extend_from_slice(&output.bytes);
+            let mut places = shown.windows(heading.len());
+            is_seen = places.any(|place| place == heading.as_bytes());
+            if is_seen {
+                board.push(output.at.saturating_duration_since(begun));
+            }
+        }
+        Ok(())
+    }
+
+    fn say_to_all(&mut self, text: &str) -> std::io::Result<()> {
+        let line = format!(":class message @all {text}\r");
+        self.desk.press(line.as_bytes())
+    }
+
+    /// Lets time pass, and reads what both sides show meanwhile.
+    fn pass(&mut self, time: Duration) {
+        let until = Instant::now() + time;
+        while Instant::now() < until {
+            self.desk.next(GLANCE);
+            self.seats.lines().for_each(drop);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn delays_that_never_end_are_counted_and_do_not_hide() {
+        let seen = (1..=100).map(Duration::from_millis).collect();
+        let delays = Delays::of(seen, 103);
+        assert_eq!((delays.count, delays.lost), (100, 3));
+        assert!((delays.median_ms - 51.0).abs() < 1e-9);
+        assert!((delays.p99_ms - 99.0).abs() < 1e-9);
+        assert!((delays.most_ms - 100.0).abs() < 1e-9);
+        let none = Delays::of(Vec::new(), 2);
+        assert_eq!(none.lost, 2);
+        assert!(none.median_ms.is_nan());
+    }
+}
