@@ -388,7 +388,13 @@ pub fn open_forward(
 ) -> LinkHandle {
     let tap = Tap::relayed(None, relay.port_of_forward(id));
     let transport = Transport::Address(address);
-    let link = open_tapped(id, transport, LinkConfig::default(), tap, inbound, cancel);
+    let own = relay.address();
+    let config = LinkConfig {
+        system: own.system,
+        component: own.component,
+        ..LinkConfig::default()
+    };
+    let link = open_tapped(id, transport, config, tap, inbound, cancel);
     relay.add_forward(id, spec, link.outlet.clone());
     link
 }

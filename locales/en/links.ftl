@@ -50,6 +50,7 @@ forwards-sent = sent
 forwards-dropped = dropped
 forwards-left-out = left out
 forward-down = forward { $address }: { $reason }
+link-loop = { $link }: sortie's own frames come back from there: forwards form a loop, and one of them can be removed
 forward-loop = forward { $address }: sortie's own frames come back: forwards form a loop, and one of them can be removed
 forward-listens = forward { $address }: in a mission, other stations can only listen; their messages do not reach the vehicles
 forward-opened = links shared with { $forward }

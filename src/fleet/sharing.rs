@@ -1,6 +1,6 @@
 //! The forwards of a fleet: other ground stations that use its links, and their commands.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
@@ -10,7 +10,9 @@ use tokio_util::sync::CancellationToken;
 
 use crate::forward::{ForwardSpec, StationWatch};
 use crate::ledger::ForeignCommand;
-use crate::link::{self, Address, ForwardCounts, Inbound, LinkId, LinkStatus, Relay, StationNews};
+use crate::link::{
+    self, Address, ForwardCounts, Inbound, LinkId, LinkPeer, LinkStatus, Relay, StationNews,
+};
 use crate::vehicle::Vehicle;
 use crate::wire::{Content, MavAddress};
 
@@ -43,6 +45,8 @@ pub(super) struct Sharing {
     opened: u16,
     inbound: mpsc::Sender<Inbound>,
     stations: StationWatch,
+    /// The senders that have been reported as parts of a loop.
+    pub loops_named: BTreeSet<(LinkId, LinkPeer)>,
     /// Whether a station with the console's own address has been reported; shared with the tasks of the vehicles.
     pub is_twin_said: Arc<AtomicBool>,
 }
@@ -63,6 +67,7 @@ impl Sharing {
             opened: 0,
             inbound,
             stations: StationWatch::new(own),
+            loops_named: BTreeSet::new(),
             is_twin_said: Arc::default(),
         };
         let overheard = Overheard {

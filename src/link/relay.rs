@@ -24,6 +24,10 @@ use crate::wire::{Frame, MavAddress, Outgoing, SystemId, is_secret};
 /// The maximum number of streams whose rate one forward limits; others pass without a limit.
 const MOST_STREAMS: usize = 4096;
 
+/// The number of own frames that must come back over a link to show a loop: a single one may come back when a station
+/// is restarted.
+const RETURNS_ENOUGH: u64 = 2;
+
 /// A command of another ground station to vehicles, over a forward.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StationNews {
@@ -67,6 +71,8 @@ struct RelayCore {
     links: BTreeMap<LinkId, Outlet>,
     forwards: BTreeMap<LinkId, RelayedForward>,
     news: mpsc::Sender<StationNews>,
+    /// How many of the console's own frames have come back over each peer of a link.
+    returned: BTreeMap<(LinkId, LinkPeer), u64>,
 }
 
 #[derive(Debug)]
@@ -99,8 +105,21 @@ impl Relay {
                 links: BTreeMap::new(),
                 forwards: BTreeMap::new(),
                 news,
+                returned: BTreeMap::new(),
             }),
         }))
+    }
+
+    /// The console's own address.
+    pub(super) fn address(&self) -> MavAddress {
+        self.core().own
+    }
+
+    /// Whether a peer of a link sends back what the console sends to its forwards: another console forwards the link to
+    /// which this one forwards.
+    pub fn is_loop(&self, link: LinkId, peer: LinkPeer) -> bool {
+        let returned = self.core().returned.get(&(link, peer)).copied();
+        returned.is_some_and(|returned| returned >= RETURNS_ENOUGH)
     }
 
     /// Ends the passing of frames to and from a forward.
@@ -152,7 +171,8 @@ impl Relay {
         self.0.is_used.store(true, Ordering::Relaxed);
     }
 
-    fn is_used(&self) -> bool {
+    /// Whether there is any forward.
+    pub fn is_used(&self) -> bool {
         self.0.is_used.load(Ordering::Relaxed)
     }
 
@@ -228,8 +248,10 @@ impl RelayCore {
             link: link.0,
             peer: peer.0,
         };
-        if let Route::To { stations, .. } = self.router.route(from, &passing.facts, passing.now) {
-            self.pass_to_stations(None, &stations, passing);
+        match self.router.route(from, &passing.facts, passing.now) {
+            Route::To { stations, .. } => self.pass_to_stations(None, &stations, passing),
+            Route::Returned => *self.returned.entry((link, peer)).or_default() += 1,
+            Route::Repeated | Route::Unknown => {}
         }
     }
 

@@ -26,11 +26,7 @@ const ROUND: Duration = Duration::from_secs(2);
 /// How long to look for the output of one side before the other's is read. Times are taken when output arrives.
 const GLANCE: Duration = Duration::from_millis(20);
 /// What the seats fly, and the time that each line takes.
-const FLIGHT: [(&str, u64); 3] = [
-    ("all guided", 3),
-    ("all arm", 4),
-    ("all takeoff 10", 10),
-];
+const FLIGHT: [(&str, u64); 3] = [("all guided", 3), ("all arm", 4), ("all takeoff 10", 10)];
 /// Headings in degrees of the commands that are looked for on the board. Every digit differs from the one that it
 /// replaces, so that the desk writes all three in one piece.
 const HEADINGS: [&str; 3] = ["123", "231", "312"];

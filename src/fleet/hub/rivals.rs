@@ -8,11 +8,12 @@ use mavlink::dialects::ardupilotmega::{
     AUTOPILOT_VERSION_DATA, COMMAND_LONG_DATA, MavCmd, MavMessage,
 };
 
-use super::{FrameSender, Hub, ToVehicle};
+use super::{FleetEvent, FrameSender, Hub, ToVehicle};
 use crate::link::To;
+use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::BoardId;
+use crate::vehicle::{BoardId, Severity};
 use crate::wire::{ComponentId, Content, Frame, SystemId};
 
 /// The interval of warnings about a shared system id.
@@ -51,9 +52,12 @@ impl Rival {
         }
     }
 
-    fn hear(&mut self, frames: &[Frame], now: Duration) -> RivalSteps {
+    /// Takes in frames. While the links are shared, every warning waits, until it can be known whether the frames have
+    /// gone round a loop.
+    fn hear(&mut self, frames: &[Frame], is_shared: bool, now: Duration) -> RivalSteps {
         self.board = frames.iter().find_map(board_in).or(self.board);
-        let is_patient = self.board.is_none() && now < self.since + BOARD_PATIENCE;
+        let waits = is_shared || self.board.is_none();
+        let is_patient = waits && now < self.since + BOARD_PATIENCE;
         let asks = self.asked_at.is_none_or(|at| now >= at + ASK_EVERY);
         let tells = !is_patient && self.said_at.is_none_or(|at| now >= at + CONFLICT_EVERY);
         if asks {
@@ -89,9 +93,12 @@ impl Hub {
             Some(rival) if rival.sender == from => rival,
             slot => slot.insert(Rival::new(from, now)),
         };
-        let steps = rival.hear(frames, now);
+        let steps = rival.hear(frames, self.sharing.relay.is_used(), now);
         let board = rival.board;
         let component = route.component;
+        if self.sharing.relay.is_loop(from.link, from.peer) {
+            return self.name_loop(from, now).await;
+        }
         if steps.asks {
             drop(route.inbox.try_send(ToVehicle::Twin));
             self.ask_board(system, component, from);
@@ -99,6 +106,15 @@ impl Hub {
         if steps.tells {
             let text = self.conflict(system, from, board);
             self.warn(system, text, now).await;
+        }
+    }
+
+    /// Reports, once for each sender, that the console's own frames come back from it.
+    async fn name_loop(&mut self, from: FrameSender, now: Duration) {
+        if self.sharing.loops_named.insert((from.link, from.peer)) {
+            let text = text!("link-loop", link = self.name_of(from));
+            let notice = Notice::general(now, Severity::Notice, text);
+            self.tell(FleetEvent::Warning(notice)).await;
         }
     }
 

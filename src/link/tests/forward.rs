@@ -19,6 +19,7 @@ const OWN: MavAddress = MavAddress {
 
 /// A console whose links are pipes, with forwards.
 struct Shared {
+    own: MavAddress,
     relay: Relay,
     news: mpsc::Receiver<StationNews>,
     /// The console's ends of its links, and the vehicles' ends.
@@ -68,11 +69,16 @@ impl<S: tokio::io::AsyncRead + tokio::io::AsyncWrite + Unpin> Far<S> {
 
 impl Shared {
     fn new() -> Self {
+        Self::with_address(OWN)
+    }
+
+    fn with_address(own: MavAddress) -> Self {
         let (news, news_out) = mpsc::channel(64);
         let (inbound, mut drained) = mpsc::channel(64);
         tokio::spawn(async move { while drained.recv().await.is_some() {} });
         Self {
-            relay: Relay::new(OWN, news),
+            own,
+            relay: Relay::new(own, news),
             news: news_out,
             links: Vec::new(),
             vehicles: Vec::new(),
@@ -95,7 +101,7 @@ impl Shared {
             sink: None,
             relay: &self.relay,
             signer: None,
-            system: 255,
+            system: self.own.system,
         };
         let link = open_shared(id, transport, services, inbound, cancel);
         self.links.push(link);
@@ -333,6 +339,34 @@ async fn a_station_that_never_reads_costs_the_others_nothing() {
     let is_free = shared.links[0].send(To::Everyone, takeoff(1));
     assert!(is_free, "the vehicle's link has room");
     shared.vehicles[0].hear(255, 76).await;
+}
+
+#[tokio::test]
+async fn a_forward_sends_as_the_console_does() {
+    let mut shared = Shared::with_address(MavAddress { system: 250, ..OWN });
+    shared.add_vehicle();
+    let (_forward, at) = shared.forward(0, "tcpin:127.0.0.1:0").await;
+    let mut station = Far::new(TcpStream::connect(at).await.expect("connected"), 254);
+    let frame = station.hear(250, 0).await.0;
+    assert_eq!(frame.component, OWN.component);
+}
+
+#[tokio::test]
+async fn own_frames_that_come_back_over_a_link_show_a_loop() {
+    let mut shared = Shared::new();
+    shared.add_vehicle();
+    let (_forward, at) = shared.forward(0, "tcpin:127.0.0.1:0").await;
+    let mut station = Far::new(TcpStream::connect(at).await.expect("connected"), 254);
+    let (link, peer) = (LinkId(0), LinkPeer(0));
+    for number in 0..2 {
+        assert!(!shared.relay.is_loop(link, peer), "{number} frames");
+        let own = station.hear(255, 0).await.1;
+        let vehicle = &mut shared.vehicles[0];
+        vehicle.stream.write_all(&own).await.expect("writable");
+        vehicle.say(&beat(number)).await;
+        station.hear(1, 0).await;
+    }
+    assert!(shared.relay.is_loop(link, peer));
 }
 
 #[tokio::test]

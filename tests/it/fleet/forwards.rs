@@ -6,6 +6,7 @@ use mavlink::dialects::ardupilotmega::{
     COMMAND_ACK_DATA, COMMAND_LONG_DATA, HEARTBEAT_DATA, MavAutopilot, MavCmd, MavMessage,
     MavModeFlag, MavResult, MavType,
 };
+use sortie::fleet::Keeping;
 use sortie::forward::ForwardSpec;
 use sortie::link::{Endpoint, Simulator};
 use sortie::wire::{Content, Decoder, Encoder};
@@ -98,6 +99,55 @@ async fn a_station_commands_a_vehicle_over_a_forward_and_is_named() {
     let rest = async { while station.read(&mut bytes).await.is_ok_and(|count| count > 0) {} };
     let closed = tokio::time::timeout(Duration::from_secs(60), rest).await;
     closed.expect("a closed forward closes its connections");
+    cancel.cancel();
+}
+
+/// Opens a socket for vehicles; returns its address.
+async fn listen(console: &mut Console) -> String {
+    console.connect("udpin:127.0.0.1:0");
+    let index = console.links.len();
+    let is_there = |console: &Console| console.links.len() > index;
+    console.until("the link is opened", is_there).await;
+    let mut status = console.links[index].clone();
+    let open = status.wait_for(|status| status.local.is_some()).await;
+    open.expect("published")
+        .local
+        .expect("a socket")
+        .to_string()
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn forwards_in_a_ring_are_a_loop_and_not_a_vehicle_that_is_heard_twice() {
+    let cancel = CancellationToken::new();
+    let started = Simulator::start(world(1), 1.0, &[Endpoint::Pipes], cancel.clone())
+        .await
+        .expect("pipes always open");
+    let mut one = Console::start();
+    for pipe in started.pipes {
+        one.connect_to(pipe);
+    }
+    one.until_ready(&[1]).await;
+    let mut two = Console::start_kept(Keeping {
+        station: Some(254),
+        ..Keeping::default()
+    });
+    let (at_one, at_two) = (listen(&mut one).await, listen(&mut two).await);
+    for (console, to) in [(&one, at_two), (&two, at_one)] {
+        let spec: ForwardSpec = format!("udp:{to}").parse().expect("a forward");
+        let address = spec.address.parse().expect("an address");
+        console
+            .fleet
+            .forward(spec, address)
+            .expect("the fleet runs");
+    }
+    one.until("the loop is named", |console| {
+        let mut notices = console.notices.iter();
+        notices.any(|it| it.contains("form a loop"))
+    })
+    .await;
+    let mut notices = one.notices.iter();
+    assert!(!notices.any(|it| it.contains("heard twice")));
+    drop(two);
     cancel.cancel();
 }
 
