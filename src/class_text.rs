@@ -13,6 +13,17 @@ pub fn deed_text(deed: &Deed) -> Text {
         Deed::Mark { text } => text!("class-deed-mark-text", text = text.as_str()),
         Deed::Freeze => text!("class-deed-freeze"),
         Deed::Resume => text!("class-deed-resume"),
+        Deed::Inject { name, when: None } => text!("class-deed-inject", name = name.as_str()),
+        Deed::Inject {
+            name,
+            when: Some(when),
+        } => text!(
+            "class-deed-inject-when",
+            name = name.as_str(),
+            when = when.as_str()
+        ),
+        Deed::Disarm { name: None } => text!("class-deed-disarm-all"),
+        Deed::Disarm { name: Some(name) } => text!("class-deed-disarm", name = name.as_str()),
         Deed::End => text!("class-deed-end"),
     }
 }
@@ -22,6 +33,8 @@ pub fn outcome_text(outcome: Outcome) -> Text {
     match outcome {
         Outcome::Done => text!("class-done"),
         Outcome::NoEffect => text!("class-no-effect"),
+        Outcome::Armed => text!("class-armed"),
+        Outcome::Disarmed => text!("class-disarmed"),
         Outcome::Refused(refusal) => text!("class-refused", reason = refusal_text(refusal)),
     }
 }
@@ -35,6 +48,10 @@ fn refusal_text(refusal: Refusal) -> Text {
         Refusal::NotFrozen => text!("class-refusal-not-frozen"),
         Refusal::NoHint => text!("class-refusal-no-hint"),
         Refusal::NotRecorded => text!("class-refusal-not-recorded"),
+        Refusal::Paused => text!("class-refusal-paused"),
+        Refusal::NoInject => text!("class-refusal-no-inject"),
+        Refusal::Condition => text!("class-refusal-condition"),
+        Refusal::NotArmed => text!("class-refusal-not-armed"),
     }
 }
 

@@ -7,6 +7,7 @@ action-mark-all-seats = mark all seats
 verb-class = show the class, or give orders to its seats
 words-class = instructor desk seats trainees lesson
 argument-seat = @seat or @all; by default the marked seats
+argument-condition = a condition as in mission files
 
 # Keys on the last line
 class-key-mark = mark seat
@@ -15,6 +16,7 @@ class-key-hint = hint
 class-key-freeze = freeze
 class-key-resume = resume
 class-key-bookmark = bookmark
+class-key-inject = inject
 class-key-end = end mission
 
 # The board
@@ -67,6 +69,10 @@ class-failed = { $line }: vehicle { $vehicle } did not carry it out
 class-objective = objective met: { $title }
 class-passed = mission passed, score { $score }
 class-not-passed = mission not passed, score { $score }
+class-armed-inject = armed: { $name } when { $when }
+class-injects-title = { $seat }: injects
+class-inject = { $name }: { $title }
+class-no-injects = the mission permits no injects
 
 # Orders
 class-deed-message = message “{ $text }”
@@ -75,9 +81,15 @@ class-deed-mark = bookmark
 class-deed-mark-text = bookmark “{ $text }”
 class-deed-freeze = freeze
 class-deed-resume = resume
+class-deed-inject = inject { $name }
+class-deed-inject-when = inject { $name } when { $when }
+class-deed-disarm = disarm { $name }
+class-deed-disarm-all = disarm all injects
 class-deed-end = end mission
 class-done = done
 class-no-effect = no effect seen
+class-armed = armed
+class-disarmed = disarmed
 class-refused = refused: { $reason }
 class-refusal-exam = not permitted in exams
 class-refusal-no-mission = no mission is being flown
@@ -86,6 +98,10 @@ class-refusal-cannot-freeze = the vehicles are not simulated by the console
 class-refusal-not-frozen = the flight is not frozen
 class-refusal-no-hint = the mission has no hint for this moment
 class-refusal-not-recorded = the flight is not recorded
+class-refusal-paused = the flight is paused
+class-refusal-no-inject = the mission does not permit this inject
+class-refusal-condition = the condition names something that the mission does not have
+class-refusal-not-armed = no such inject is armed
 class-desk-line = { $instructor }: { $deed }: { $outcome }
 class-given = { $deed }: sent to { $seats }
 class-seats = { $count ->

@@ -7,6 +7,7 @@ action-mark-all-seats = позначити всі місця
 verb-class = показати клас або дати вказівки його місцям
 words-class = інструктор пульт місця учні урок
 argument-seat = @місце або @all; без нього — позначені місця
+argument-condition = умова, як у файлах завдань
 
 # Клавіші в останньому рядку
 class-key-mark = позначити
@@ -15,6 +16,7 @@ class-key-hint = підказка
 class-key-freeze = зупинити час
 class-key-resume = продовжити
 class-key-bookmark = закладка
+class-key-inject = подія
 class-key-end = завершити
 
 # Таблиця
@@ -68,6 +70,10 @@ class-failed = { $line }: апарат { $vehicle } не виконав
 class-objective = досягнуто мету: { $title }
 class-passed = завдання виконано, бали: { $score }
 class-not-passed = завдання не виконано, бали: { $score }
+class-armed-inject = підготовлено: { $name } за умови { $when }
+class-injects-title = { $seat }: події
+class-inject = { $name }: { $title }
+class-no-injects = завдання не дозволяє вводити події
 
 # Вказівки
 class-deed-message = повідомлення «{ $text }»
@@ -76,9 +82,15 @@ class-deed-mark = закладка
 class-deed-mark-text = закладка «{ $text }»
 class-deed-freeze = зупинка часу
 class-deed-resume = продовження
+class-deed-inject = подія { $name }
+class-deed-inject-when = подія { $name } за умови { $when }
+class-deed-disarm = скасування події { $name }
+class-deed-disarm-all = скасування всіх підготовлених подій
 class-deed-end = завершення завдання
 class-done = виконано
 class-no-effect = результату не видно
+class-armed = чекає на умову
+class-disarmed = скасовано
 class-refused = відхилено: { $reason }
 class-refusal-exam = на іспиті це заборонено
 class-refusal-no-mission = завдання не виконується
@@ -87,6 +99,10 @@ class-refusal-cannot-freeze = апарати симулює не ця консо
 class-refusal-not-frozen = час польоту не зупинено
 class-refusal-no-hint = для цього моменту завдання не має підказки
 class-refusal-not-recorded = політ не записується
+class-refusal-paused = політ на паузі
+class-refusal-no-inject = завдання не дозволяє цієї події
+class-refusal-condition = умова називає те, чого в завданні немає
+class-refusal-not-armed = такої підготовленої події немає
 class-desk-line = { $instructor }: { $deed }: { $outcome }
 class-given = { $deed }: надіслано { $seats }
 class-seats = { $count ->

@@ -211,6 +211,14 @@ pub enum CareerEffect {
 pub enum ClassEffect {
     /// At a seat: set a bookmark in the record, and report whether it is set.
     Mark { id: OrderId, text: String },
+    /// At a seat: trigger an inject of the mission, or arm it with a condition, and report whether that is possible.
+    Inject {
+        id: OrderId,
+        name: String,
+        when: Option<String>,
+    },
+    /// At a seat: disarm the injects with this name, or all, and report it.
+    Disarm { id: OrderId, name: Option<String> },
     /// At a seat: note an order of the desk in the record.
     Note(DeskRecord),
     /// At the desk: end a connection, with the reason.

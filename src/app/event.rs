@@ -16,7 +16,7 @@ use super::state::{
 };
 use crate::campaign::Reward;
 use crate::class::protocol::{DeskMessage, SeatMessage};
-use crate::class::{ConnectionId, OrderId};
+use crate::class::{ConnectionId, OrderId, Refusal};
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
@@ -249,8 +249,11 @@ pub enum ClassEvent {
     Lost,
     /// At a seat: there is a desk to which it must not connect; the text states why.
     Refused(Text),
-    /// At a seat: a bookmark that the desk had asked for was set, or could not be.
-    Marked { id: OrderId, is_set: bool },
+    /// At a seat: the shell has begun what the desk has ordered, or cannot do it.
+    Begun {
+        id: OrderId,
+        refusal: Option<Refusal>,
+    },
     /// At the desk: a seat has said something.
     Heard {
         connection: ConnectionId,

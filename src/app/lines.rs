@@ -25,7 +25,8 @@ impl Names for NamesInFiles<'_> {
             | NameList::Draft
             | NameList::ItemField
             | NameList::PlanFile
-            | NameList::Seat => Listed::Anything,
+            | NameList::Seat
+            | NameList::SeatInject => Listed::Anything,
         }
     }
 }

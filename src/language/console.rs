@@ -163,6 +163,8 @@ pub enum ClassLine {
     Join,
     /// At a seat: leave it.
     Leave,
+    /// At the desk: show the injects that the mission of the seat under the cursor permits.
+    Injects,
     /// At the desk: give an order to seats.
     Give { seats: SeatChoice, deed: Deed },
 }

@@ -26,6 +26,8 @@ pub enum NameList {
     PlanFile,
     /// The seats of the class, with `@`, and `@all`.
     Seat,
+    /// The injects that the missions of the seats permit.
+    SeatInject,
 }
 
 /// A name that a line may contain.
@@ -82,7 +84,12 @@ impl Listed {
     /// # Errors
     /// No name matches, or none is valid now.
     pub(super) fn meant(self, list: NameList, written: &str) -> Result<String, Text> {
+        let unknown = || text!("grammar-no-name", word = written);
         let names = match self {
+            // A word without the sign is the next argument.
+            Self::Anything if list == NameList::Seat && !written.starts_with('@') => {
+                return Err(unknown());
+            }
             Self::Anything => return Ok(written.to_owned()),
             Self::Nothing(why) => return Err(why),
             Self::Names(names) => names,
@@ -97,9 +104,9 @@ impl Listed {
             | NameList::Draft
             | NameList::ItemField
             | NameList::PlanFile
-            | NameList::Seat => words.iter().copied().find(|word| *word == written),
+            | NameList::Seat
+            | NameList::SeatInject => words.iter().copied().find(|word| *word == written),
         };
-        let unknown = || text!("grammar-no-name", word = written);
         found.map(str::to_owned).ok_or_else(unknown)
     }
 }

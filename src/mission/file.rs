@@ -109,6 +109,7 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
             zones: file.draft().zones.clone(),
             places: content.places,
             hazards: content.hazards,
+            hazard_ids: file.draft().ids("hazards").to_vec(),
             radio: course.radio,
         },
         seats: setting.fleet.seats(),

@@ -4,7 +4,7 @@
 //! in order.
 //!
 //! # How the parts fit
-//! - What happens: `threats` (events and injects), `loads` (drops, kits, spray), `search` (contacts and reports),
+//! - What happens: `threats` (events), `injects` (the instructor's), `loads` (drops, kits, spray), `search` (contacts and reports),
 //!   `tracks`.
 //! - What the trainee says: `deeds` (reports, prediction, goal), `clues` (hints on request, and what they cost).
 //! - When it ends, and why: `verdict`. Which objectives are met: `goals`.
@@ -37,6 +37,7 @@ use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
 mod clues;
 mod deeds;
 mod goals;
+mod injects;
 mod journal;
 mod loads;
 mod orders;
@@ -55,13 +56,13 @@ mod view;
 use clues::CluesGiven;
 pub use deeds::Pledge;
 use goals::Goals;
+pub use injects::{Inject, InjectFault, Injected, check_condition};
 use journal::{FlightJournal, JournalEntry};
 use loads::{Loads, LoadsScene};
 use orders::OrderCount;
 pub use places::PEAK_PLACE;
 use search::Search;
 use swarm::SwarmAccount;
-pub use threats::Inject;
 use threats::Threats;
 use tracks::Tracks;
 
@@ -199,7 +200,9 @@ impl Flight {
         self.step_threats(vehicles, &standings);
         self.warn_of_time(previous);
         self.decide(now, &standings);
-        self.journal.end_step()
+        let notices = self.journal.end_step();
+        self.inject_due();
+        notices
     }
 
     /// Marks a vehicle as lost through no fault of the trainee: its simulator has ended. Returns the notices.
@@ -363,7 +366,8 @@ impl Flight {
             .step(&self.mission, weather, &sight, &mut self.journal);
         let lesson = &self.mission.advice.lesson;
         self.lesson_step = lesson::step_now(lesson, self.threats.engine(), weather, &sight);
-        let scope = self.threats.engine().scope(weather, &sight);
+        let scope = self.threats.engine.scope(weather, &sight);
+        self.threats.injects.look(&scope);
         let is_reached = |hint: &Hint| hint.until.as_ref().is_some_and(|it| it.holds(&scope));
         self.reached_hints = self.mission.advice.hints.iter().map(is_reached).collect();
     }

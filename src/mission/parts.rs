@@ -82,6 +82,8 @@ pub struct MissionSite {
     pub(crate) zones: Vec<Zone>,
     pub(crate) places: Vec<(String, Point)>,
     pub(crate) hazards: Vec<Box<dyn Hazard>>,
+    /// The ids of the hazards in the file, in the same order.
+    pub(crate) hazard_ids: Vec<String>,
     /// The radio model; `None` if the mission does not model the radio.
     pub(crate) radio: Option<radio::Radio>,
 }

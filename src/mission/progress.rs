@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Area, Inject, LessonStep, MoverKind, OpenAlert, Phase, Pledge};
+use super::{Area, Inject, Injected, LessonStep, MoverKind, OpenAlert, Phase, Pledge};
 use crate::commands::FindKind;
 use crate::geo::LatLon;
 use crate::language::Findings;
@@ -60,6 +60,8 @@ pub struct Progress {
     pub pledge: Pledge,
     /// The injects that an instructor may trigger.
     pub injects: Vec<Inject>,
+    /// The injects that the mission has carried out, in their order.
+    pub injected: Vec<Injected>,
     /// The cells of all surveys, from the south-west eastwards.
     pub cells: Vec<Cell>,
     /// The burnt ground on the trainee's map, as last seen.

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use rand::TryRng as _;
 use rand::rngs::SysRng;
 
-use super::Console;
+use super::{Console, RunningSession};
 use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
@@ -17,7 +17,8 @@ use crate::carrier::{
     ClassFault, ClassPlace, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort, unix,
 };
 use crate::class::protocol::{Denial, DeskMessage};
-use crate::class::{ConnectionId, Consent, Desk, DeskLine, Seat, SeatLine};
+use crate::class::{ConnectionId, Consent, Desk, DeskLine, Refusal, Seat, SeatLine};
+use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
 use crate::scoring::FlownBy;
 use crate::text::Text;
@@ -288,6 +289,23 @@ impl Console {
         }
     }
 
+    /// Does something in the flight for the instructor; returns why it is not possible.
+    fn instruct(
+        &mut self,
+        deed: impl FnOnce(&mut Flight) -> Result<(), InjectFault>,
+    ) -> Option<Refusal> {
+        let flight = self.running.as_mut().and_then(RunningSession::instructed);
+        let Some(flight) = flight else {
+            return Some(Refusal::NoMission);
+        };
+        match deed(flight) {
+            Ok(()) => None,
+            Err(InjectFault::Over) => Some(Refusal::NotFlying),
+            Err(InjectFault::NotAllowed(_)) => Some(Refusal::NoInject),
+            Err(InjectFault::Condition(_)) => Some(Refusal::Condition),
+        }
+    }
+
     /// Does something for the class.
     pub(super) fn serve_class(&mut self, effect: ClassEffect) {
         let now = self.clock.now();
@@ -297,8 +315,22 @@ impl Console {
                 if let Some(running) = running {
                     running.note_down(now, Happening::Bookmark { text });
                 }
-                let is_set = running.is_some();
-                self.post(ClassEvent::Marked { id, is_set });
+                let refusal = running.is_none().then_some(Refusal::NotRecorded);
+                self.post(ClassEvent::Begun { id, refusal });
+            }
+            ClassEffect::Inject { id, name, when } => {
+                let refusal = self.instruct(|flight| match &when {
+                    Some(when) => flight.arm(&name, when),
+                    None => flight.inject(&name).map(drop),
+                });
+                self.post(ClassEvent::Begun { id, refusal });
+            }
+            ClassEffect::Disarm { id, name } => {
+                let refusal = self.instruct(|flight| {
+                    flight.disarm(name.as_deref());
+                    Ok(())
+                });
+                self.post(ClassEvent::Begun { id, refusal });
             }
             ClassEffect::Note(line) => {
                 if let Some(running) = &self.running {

@@ -8,6 +8,7 @@ use crate::app::event::{Event, SessionEvent};
 use crate::notice::Notice;
 use crate::record::{Happening, NoticeLine};
 use crate::text;
+use crate::text::Text;
 use crate::text::lasting;
 use crate::vehicle::Severity;
 
@@ -111,16 +112,17 @@ impl Console {
 
     /// Triggers an inject, and shows its title, or why it cannot be triggered.
     pub(super) fn inject(&mut self, name: &str) {
-        let Some(outcome) = self.running.as_mut().and_then(|it| it.inject(name)) else {
+        let flight = self.running.as_mut().and_then(RunningSession::instructed);
+        let Some(flight) = flight else {
             return;
         };
-        let event = match outcome {
+        let event = match flight.inject(name) {
             Ok(text) => Event::Notice(Notice::general(
                 self.clock.now(),
                 Severity::Notice,
                 text!("inject-done", what = text),
             )),
-            Err(text) => Event::Failed(text),
+            Err(fault) => Event::Failed(Text::from(&fault)),
         };
         self.post(event);
     }

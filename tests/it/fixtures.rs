@@ -222,6 +222,7 @@ pub fn progress() -> Progress {
         places: std::collections::BTreeMap::new(),
         can_confirm: true,
         contacts: Vec::new(),
+        injected: Vec::new(),
         injects: Vec::new(),
         marks: Vec::new(),
         pledge: Pledge::default(),

@@ -39,7 +39,9 @@ pub use desk_line::DeskLine;
 pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};
 pub use need::{Attention, Need};
 pub use order::{Deed, Order, OrderId, Outcome, Refusal};
-pub use report::{Danger, DangerKind, FlightReport, LastCommand, SeatReport, Stage};
+pub use report::{
+    ArmedInject, Danger, DangerKind, FlightReport, LastCommand, OfferedInject, SeatReport, Stage,
+};
 pub use seat::{Consent, Seat};
 pub use seat_line::{REPORT_EVERY, SeatLine};
 pub use seat_record::{GivenOrder, OrderState, Presence, SeatRecord};

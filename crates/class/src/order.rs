@@ -42,6 +42,19 @@ pub enum Deed {
     Freeze,
     /// Let the time of a frozen flight pass again.
     Resume,
+    /// Trigger an inject of the mission.
+    Inject {
+        /// The name that the mission gives it.
+        name: Words,
+        /// The condition in the language of mission files that triggers it; at once without one.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        when: Option<Words>,
+    },
+    /// Remove armed injects, which then no longer wait for their conditions.
+    Disarm {
+        /// Only those with this name; all without one.
+        name: Option<Words>,
+    },
     /// End the mission: the flight is scored as it stands.
     End,
 }
@@ -51,6 +64,11 @@ impl Deed {
     /// the trainee time to think.
     pub fn is_for_exams(&self) -> bool {
         matches!(self, Self::Message { .. } | Self::End)
+    }
+
+    /// Whether the trainee is not told: knowing that the desk has caused a fault would give it away.
+    pub fn is_hidden(&self) -> bool {
+        matches!(self, Self::Inject { .. } | Self::Disarm { .. })
     }
 
     /// Whether a flight cannot be as before afterwards.
@@ -67,6 +85,10 @@ pub enum Outcome {
     Done,
     /// It was carried out, but its effect was not seen in time.
     NoEffect,
+    /// It waits for its condition. Another outcome follows.
+    Armed,
+    /// It no longer waits: the desk has disarmed it, or the flight has ended.
+    Disarmed,
     /// It was not carried out.
     Refused(Refusal),
 }
@@ -89,4 +111,12 @@ pub enum Refusal {
     NoHint,
     /// The seat does not record the flight.
     NotRecorded,
+    /// The flight is paused.
+    Paused,
+    /// The mission does not permit this inject.
+    NoInject,
+    /// The condition names something that the mission does not have.
+    Condition,
+    /// No such inject is armed.
+    NotArmed,
 }

@@ -52,6 +52,30 @@ pub struct FlightReport {
     pub last_command: Option<LastCommand>,
     /// Whether a script or a program gives the commands.
     pub by_script: bool,
+    /// The injects that the mission permits.
+    #[serde(default)]
+    pub injects: Vec<OfferedInject>,
+    /// The injects that wait for their conditions.
+    #[serde(default)]
+    pub armed: Vec<ArmedInject>,
+}
+
+/// An inject that a mission permits.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct OfferedInject {
+    /// Its name in orders.
+    pub name: Words,
+    /// What it does.
+    pub title: Words,
+}
+
+/// An inject that waits for its condition.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ArmedInject {
+    /// Its name in orders.
+    pub name: Words,
+    /// The condition that triggers it.
+    pub when: Words,
 }
 
 /// How far a flight is.

@@ -16,6 +16,8 @@ pub struct ClassRoom {
     pub(in crate::app) cursor: Option<usize>,
     /// The seats that orders to marked ones go to.
     pub(in crate::app) marked: BTreeSet<usize>,
+    /// Whether the injects of the seat under the cursor are shown, instead of what happened there.
+    pub(in crate::app) shows_injects: bool,
 }
 
 impl ClassRoom {
@@ -27,6 +29,11 @@ impl ClassRoom {
     /// Whether a seat is marked.
     pub fn is_marked(&self, seat: usize) -> bool {
         self.marked.contains(&seat)
+    }
+
+    /// Whether the injects of the seat under the cursor are shown, instead of what happened there.
+    pub fn shows_injects(&self) -> bool {
+        self.shows_injects
     }
 
     /// The number of marked seats.
@@ -65,6 +72,7 @@ const DESK_HINTS: &[KeyHint] = &[
     hint_words("class freeze", "class-key-freeze"),
     hint_words("class resume", "class-key-resume"),
     hint_words("class mark ", "class-key-bookmark"),
+    hint_words("class inject ", "class-key-inject"),
     hint_words("class end", "class-key-end"),
     hint(&[Action::Quit], "hint-quit"),
 ];
@@ -101,6 +109,8 @@ impl RoomModel for ClassRoom {
         gives('f', "class freeze"),
         gives('r', "class resume"),
         writes('\'', "class mark "),
+        writes('e', "class inject "),
+        gives('i', "class injects"),
         gives('x', "class end"),
         does(ESCAPE, Action::Escape),
         does(key('q'), Action::Quit),
@@ -126,7 +136,10 @@ impl RoomModel for ClassRoom {
     fn escape(state: &mut State) -> Answer {
         state.hush();
         state.class.desk()?;
-        state.rooms.class.marked.clear();
+        let room = &mut state.rooms.class;
+        if !std::mem::take(&mut room.shows_injects) {
+            room.marked.clear();
+        }
         Some(Vec::new())
     }
 

@@ -31,7 +31,8 @@ impl Names for Known<'_> {
             | NameList::Inject
             | NameList::Macro
             | NameList::PlanFile
-            | NameList::Seat => self.0.listed(list),
+            | NameList::Seat
+            | NameList::SeatInject => self.0.listed(list),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use crate::class::{Consent, Danger, Deed, Desk, Happening, OrderId, Seat};
+use crate::class::{Consent, Danger, Deed, Desk, Happening, OrderId, Seat, Words};
 use crate::ledger::EntryId;
 
 /// What a console is in a class.
@@ -23,6 +23,8 @@ pub struct SeatPlace {
     pub(in crate::app) seat: Seat,
     /// Orders whose effect has not been seen yet.
     pub(in crate::app) pending: Vec<PendingOrder>,
+    /// Armed injects.
+    pub(in crate::app) armed: Vec<ArmedOrder>,
     /// Whether the desk has frozen the flight.
     pub(in crate::app) is_frozen: bool,
     /// When dangers were last looked for, on the console's clock.
@@ -40,10 +42,32 @@ pub struct SeatPlace {
 pub(in crate::app) struct PendingOrder {
     pub id: OrderId,
     pub deed: Deed,
-    /// The hint's entry in the ledger.
-    pub entry: Option<EntryId>,
+    /// How its effect is recognised.
+    pub trace: OrderTrace,
     /// When the effect must have been seen, by the wall clock.
     pub due: Duration,
+}
+
+/// How the effect of an order is recognised.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(in crate::app) enum OrderTrace {
+    /// By the state of the console.
+    #[default]
+    State,
+    /// By this entry in the ledger.
+    Entry(EntryId),
+    /// By one more inject: the mission had carried out the same one this often before.
+    Injected(usize),
+}
+
+/// An armed inject.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct ArmedOrder {
+    pub id: OrderId,
+    pub name: Words,
+    pub when: Words,
+    /// How often the mission had carried out the same one before.
+    pub before: usize,
 }
 
 impl SeatPlace {
@@ -52,6 +76,7 @@ impl SeatPlace {
         Self {
             seat,
             pending: Vec::new(),
+            armed: Vec::new(),
             is_frozen: false,
             looked_at: Duration::ZERO,
             danger: None,

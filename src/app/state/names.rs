@@ -1,5 +1,6 @@
 //! The names that commands may use, besides vehicles and places.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use super::State;
@@ -24,6 +25,7 @@ impl<R: fmt::Debug> Names for State<R> {
             NameList::Draft | NameList::ItemField => Listed::Anything,
             NameList::PlanFile => Listed::Names(self.typing.plan_files()),
             NameList::Seat => self.seats(),
+            NameList::SeatInject => self.seat_injects(),
             NameList::Macro => {
                 let macros = self.config.macros.iter();
                 let meaning = |lines: &[String]| Text::verbatim(lines.join("; "));
@@ -50,6 +52,24 @@ impl<R> State<R> {
         let seats = seats.map(|seat| named(&format!("@{}", seat.name), trainee(seat).into()));
         let all = named("@all", text!("class-all-seats"));
         Listed::Names(std::iter::once(all).chain(seats).collect())
+    }
+
+    /// The injects of all connected seats: which of them a line means is known only at its end.
+    fn seat_injects(&self) -> Listed {
+        let Some(desk) = self.class.desk() else {
+            return Listed::Nothing(text!("class-no-desk"));
+        };
+        let here = desk.seats().iter().filter(|seat| seat.is_here());
+        let flights = here.filter_map(|seat| seat.report.as_ref()?.flight.as_ref());
+        let offered = flights.flat_map(|flight| &flight.injects);
+        let titles: BTreeMap<&str, &str> = offered
+            .map(|inject| (inject.name.as_str(), inject.title.as_str()))
+            .collect();
+        if titles.is_empty() {
+            return Listed::Nothing(text!("class-no-injects"));
+        }
+        let named = |(name, title): (&str, &str)| named(name, Text::verbatim(title));
+        Listed::Names(titles.into_iter().map(named).collect())
     }
 
     fn injects(&self) -> Listed {

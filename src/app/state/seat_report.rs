@@ -2,9 +2,9 @@
 
 use std::time::Duration;
 
-use super::{Activity, ClassRole, FlightView, State};
-use crate::class::{FlightReport, LastCommand, SeatReport, Stage};
-use crate::mission::{ObjectiveState, Stake};
+use super::{Activity, ClassRole, FlightView, SeatPlace, State};
+use crate::class::{ArmedInject, FlightReport, LastCommand, OfferedInject, SeatReport, Stage};
+use crate::mission::{ObjectiveState, Progress, Stake};
 use crate::scoring::utilisation;
 
 impl<R> State<R> {
@@ -76,6 +76,8 @@ impl<R> State<R> {
                     age_s: seconds(self.now.saturating_sub(entry.at)),
                 }),
             by_script: false,
+            injects: progress.map_or_else(Vec::new, offered),
+            armed: place.map_or_else(Vec::new, armed),
         }
     }
 
@@ -98,6 +100,22 @@ impl<R> State<R> {
     pub fn class_role(&self) -> &ClassRole {
         &self.class
     }
+}
+
+fn offered(progress: &Progress) -> Vec<OfferedInject> {
+    let injects = progress.injects.iter().map(|inject| OfferedInject {
+        name: inject.name.as_str().into(),
+        title: inject.title.to_string().into(),
+    });
+    injects.collect()
+}
+
+fn armed(place: &SeatPlace) -> Vec<ArmedInject> {
+    let armed = place.armed.iter().map(|order| ArmedInject {
+        name: order.name.clone(),
+        when: order.when.clone(),
+    });
+    armed.collect()
 }
 
 /// The share of the last minute in which the trainee was busy with commands, as the debrief counts it.

@@ -35,7 +35,7 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
         ClassEvent::Said(message) => return said(state, message),
         ClassEvent::Lost => lost(state),
         ClassEvent::Refused(text) => tell(state, Severity::Warning, text),
-        ClassEvent::Marked { id, is_set } => return orders::marked(state, id, is_set),
+        ClassEvent::Begun { id, refusal } => return orders::begun(state, id, refusal),
         ClassEvent::Heard {
             connection,
             user,
@@ -195,6 +195,7 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
             Ok(Effects::none())
         }
         ClassLine::Give { seats, deed } => desk::give(state, seats, deed),
+        ClassLine::Injects => desk::show_injects(state),
     }
 }
 

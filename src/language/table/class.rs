@@ -20,6 +20,9 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class message @anna land first",
         "class freeze @all",
         "class resume",
+        "class inject gust when t > 60",
+        "class injects",
+        "class disarm",
         "class join",
     ],
     forms: &[
@@ -40,6 +43,24 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         Form::new(&[Argument::flag("resume", ""), SEAT], |given| {
             give(given, |_| Deed::Resume)
         }),
+        Form::new(
+            &[Argument::flag("inject", ""), SEAT, INJECT, CONDITION],
+            |given| {
+                let when = given.word("condition").map(Into::into);
+                let name = given.required_word("name")?.into();
+                instruct(given, Deed::Inject { name, when })
+            },
+        ),
+        Form::new(&[Argument::flag("injects", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::Injects))
+        }),
+        Form::new(
+            &[Argument::flag("disarm", ""), SEAT, INJECT.optional()],
+            |given| {
+                let name = given.word("name").map(Into::into);
+                instruct(given, Deed::Disarm { name })
+            },
+        ),
         Form::new(&[Argument::flag("end", ""), SEAT], |given| {
             give(given, |_| Deed::End)
         }),
@@ -55,13 +76,19 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
 const SEAT: Argument =
     Argument::value("@seat", Kind::Name(NameList::Seat), "argument-seat").optional();
 const TEXT: Argument = Argument::value("text", Kind::Rest, "");
+const INJECT: Argument = Argument::value("name", Kind::Name(NameList::SeatInject), "");
+const CONDITION: Argument =
+    Argument::keyed("when", "condition", Kind::Rest, "argument-condition").optional();
 
 fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
+    instruct(given, deed(given.word("text").unwrap_or_default()))
+}
+
+fn instruct(given: &Arguments, deed: Deed) -> Built {
     let seats = match given.word("@seat") {
         None => SeatChoice::Addressed,
         Some(ALL) => SeatChoice::All,
         Some(name) => SeatChoice::Named(name.trim_start_matches('@').to_owned()),
     };
-    let deed = deed(given.word("text").unwrap_or_default());
     console(ConsoleLine::Class(ClassLine::Give { seats, deed }))
 }

@@ -27,8 +27,10 @@ impl Names for Known {
             NameList::ItemField => &["hold", "radius"],
             NameList::PlanFile => &["plans/", "survey.plan"],
             NameList::Seat => &["@all", "@anna"],
-            NameList::Inject if self.has_injects => &["gust"],
-            NameList::Inject => return Listed::Nothing(text!("console-no-mission")),
+            NameList::Inject | NameList::SeatInject if self.has_injects => &["gust"],
+            NameList::Inject | NameList::SeatInject => {
+                return Listed::Nothing(text!("console-no-mission"));
+            }
         };
         let named = |name: &&str| Named {
             name: (*name).to_owned(),

@@ -49,6 +49,8 @@ pub(crate) enum EngineNews {
     /// The alert with this index among the facts was answered.
     Answered(usize),
     Broken(VehicleId, Breach),
+    /// An inject with this name has been carried out.
+    Injected(String),
     Failed(Text),
 }
 
@@ -153,13 +155,18 @@ impl Engine {
     ) {
         for (index, event) in mission.events.iter().enumerate() {
             let random = &mut self.random;
+            let is_inject = self.schedule.is_wanted(index);
             if self.schedule.happens(index, mission, sight.now, random) {
+                if is_inject {
+                    news.push(EngineNews::Injected(event.id.clone()));
+                }
                 for action in &event.actions {
                     self.act(action, weather, sight, news);
                 }
             }
         }
         for standard in std::mem::take(&mut self.injected) {
+            news.push(EngineNews::Injected(standard.name().to_owned()));
             for action in standard.actions(mission) {
                 self.act(&action, weather, sight, news);
             }

@@ -156,4 +156,4 @@ impl ExpressionOperator {
 }
 
 /// The time between evaluations of conditions.
-pub(super) const EVERY: Duration = Duration::from_millis(500);
+pub(in crate::mission) const EVERY: Duration = Duration::from_millis(500);

@@ -14,6 +14,10 @@ use crate::text::Text;
 
 /// The duration of a temporary inject.
 const WHILE: Duration = Duration::from_secs(20);
+/// The ids of the movers that every mission with an instructor may have.
+pub(in crate::mission) const ALWAYS_MOVING: [&str; 2] = [PERSON, AIRCRAFT];
+const PERSON: &str = "person";
+const AIRCRAFT: &str = "aircraft";
 /// The distance from the working area at which an aircraft appears and disappears.
 const APPROACH_M: f64 = 600.0;
 /// The distance from the working area at which people appear and disappear.
@@ -150,7 +154,7 @@ impl Standard {
 fn passer_by(mission: &Mission) -> Spawn {
     let [east, north] = place_of_work(mission);
     Spawn {
-        id: "person".to_owned(),
+        id: PERSON.to_owned(),
         kind: MoverKind::Person,
         callsign: String::new(),
         path: vec![[east - WALK_M, north], [east + WALK_M, north]],
@@ -164,7 +168,7 @@ fn passer_by(mission: &Mission) -> Spawn {
 fn overflight(mission: &Mission) -> Spawn {
     let [east, north] = place_of_work(mission);
     Spawn {
-        id: "aircraft".to_owned(),
+        id: AIRCRAFT.to_owned(),
         kind: MoverKind::Aircraft,
         callsign: "AIRCRAFT".to_owned(),
         path: vec![[east - APPROACH_M, north], [east + APPROACH_M, north]],

@@ -5,6 +5,8 @@ use crate::mission::fake::Pilot;
 use crate::scoring::{FlightOutcome, Report, SafetyKind};
 use crate::session::{RadioFault, Want};
 
+mod injects;
+
 /// The first mission with more text appended.
 fn mission(more: &str) -> Result<Mission, Vec<crate::diagnostic::Diagnostic>> {
     let file = include_str!("../../../missions/01-air-sample.toml");
@@ -234,63 +236,6 @@ fn hurting_somebody_fails_the_mission() {
     );
     let kinds: Vec<SafetyKind> = pilot.flight.broken_rules().iter().map(|e| e.kind).collect();
     assert!(kinds.contains(&SafetyKind::Injury), "{kinds:?}");
-}
-
-#[test]
-fn instructors_may_do_what_the_mission_allows() {
-    let allowed = "
-        [instructor]\nmay_inject = ['gust', 'person']
-        [[events]]\nid = 'own'\nby = 'instructor'\ndo = [{ fail = 'called off' }]";
-    let mut pilot = pilot(allowed, 1);
-    let names: Vec<String> = pilot
-        .flight
-        .injects()
-        .into_iter()
-        .map(|inject| inject.name)
-        .collect();
-    assert_eq!(names, ["own", "gust", "person"]);
-    assert!(pilot.flight.inject("motor_fail").is_err());
-    pilot.flight.inject("gust").expect("it is allowed");
-    pilot.flight.inject("person").expect("it is allowed");
-    pilot.wait(10.0);
-    let speeds = demanded(&mut pilot, "SIM_WIND_SPD");
-    assert!(
-        (speeds.last().expect("it blows") - 10.0).abs() < 0.11,
-        "{speeds:?}"
-    );
-    assert_eq!(pilot.flight.progress().movers.len(), 1);
-    pilot.flight.inject("own").expect("it is allowed");
-    pilot.wait(1.0);
-    assert_eq!(pilot.flight.outcome(), FlightOutcome::Failed);
-    assert!(pilot.flight.inject("gust").is_err());
-}
-
-#[test]
-fn a_second_gust_within_the_first_leaves_no_wind_behind() {
-    let mut pilot = pilot("[instructor]\nmay_inject = ['gust']", 1);
-    for _ in 0..2 {
-        pilot.flight.inject("gust").expect("it is allowed");
-        pilot.wait(10.0);
-    }
-    pilot.wait(60.0);
-    let speeds = demanded(&mut pilot, "SIM_WIND_SPD");
-    let most = speeds.iter().copied().fold(0.0, f64::max);
-    let last = speeds.last().expect("it blows");
-    assert!(
-        (most - 17.0).abs() < 0.11 && (last - 3.0).abs() < 0.11,
-        "{speeds:?}"
-    );
-}
-
-#[test]
-fn what_an_instructor_injects_is_not_left_to_chance() {
-    let event = "[[events]]\nid = 'own'\nby = 'instructor'\np = 0.001\ndo = [{ say = 'now' }]";
-    for seed in 0..5 {
-        let mut pilot = pilot(event, seed);
-        pilot.flight.inject("own").expect("it is the mission's own");
-        pilot.wait(1.0);
-        assert_eq!(said(&pilot.report(), "now").len(), 1, "seed {seed}");
-    }
 }
 
 #[test]

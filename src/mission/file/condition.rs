@@ -43,6 +43,7 @@ impl FileValue for ConditionValue {
             movers: &draft.declared.movers,
             sensors: &draft.sensors,
             vehicles: draft.pads.len(),
+            are_open: false,
         };
         match Expression::parse(&source, &names) {
             Ok(expression) => Some(expression),

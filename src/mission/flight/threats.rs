@@ -1,32 +1,21 @@
-//! Threats to a flight, and an instructor's injects.
+//! Threats to a flight.
 
-use super::Flight;
+use super::injects::Injects;
 use super::journal::{FlightJournal, JournalEntry, JournalSubject};
 use crate::mission::Mission;
-use crate::mission::event::Trigger;
 use crate::mission::event::demand::Demand;
 use crate::mission::event::engine::{Engine, EngineNews};
 use crate::mission::event::scope::Sight;
-use crate::mission::event::standard::Standard;
 use crate::mission::weather::Weather;
 use crate::scoring::{AlertLevel, EventKind};
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::Severity;
-
-/// A threat that an instructor may trigger.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Inject {
-    /// Its name in commands.
-    pub name: String,
-    /// Its title on the screen.
-    pub title: Text,
-}
 
 /// The threats of one flight.
 #[derive(Debug)]
 pub(super) struct Threats {
-    engine: Engine,
+    pub engine: Engine,
+    pub injects: Injects,
     failed: bool,
 }
 
@@ -34,6 +23,7 @@ impl Threats {
     pub fn new(mission: &Mission, seed: u64) -> Self {
         Self {
             engine: Engine::new(mission, seed),
+            injects: Injects::default(),
             failed: false,
         }
     }
@@ -89,6 +79,7 @@ impl Threats {
                 });
             }
             EngineNews::Broken(vehicle, (kind, text)) => journal.break_rule(kind, vehicle, &text),
+            EngineNews::Injected(name) => self.injects.note(&name),
             EngineNews::Failed(text) => {
                 let kind = EventKind::Alert;
                 journal.say(JournalEntry::new(kind, Severity::Critical, text));
@@ -111,56 +102,5 @@ impl Threats {
     /// call.
     pub fn take_demands(&mut self) -> Vec<Demand> {
         self.engine.take_demands()
-    }
-}
-
-impl Flight {
-    /// The injects that an instructor may trigger.
-    pub fn injects(&self) -> Vec<Inject> {
-        let events = self.mission.events.iter();
-        let own = events
-            .filter(|event| event.trigger == Trigger::Instructor)
-            .map(|event| Inject {
-                name: event.id.clone(),
-                title: event.title.clone(),
-            });
-        let may_inject = self.mission.may_inject.iter();
-        let standard = may_inject.map(|standard| Inject {
-            name: standard.name().to_owned(),
-            title: standard.title(),
-        });
-        own.chain(standard).collect()
-    }
-
-    /// Triggers an inject for an instructor; returns its title.
-    ///
-    /// # Errors
-    /// No inject has that name, or the flight is over.
-    pub fn inject(&mut self, name: &str) -> Result<Text, Text> {
-        if self.is_over() {
-            return Err(text!("deed-over"));
-        }
-        if let Some(recorder) = &mut self.recorder {
-            recorder.inject(name);
-        }
-        let allowed = self
-            .injects()
-            .into_iter()
-            .find(|inject| inject.name == name);
-        let inject = allowed.ok_or_else(|| text!("threat-not-allowed", name = name))?;
-        let mut events = self.mission.events.iter();
-        let own = |event: &crate::mission::event::Event| {
-            event.id == name && event.trigger == Trigger::Instructor
-        };
-        if let Some(index) = events.position(own) {
-            self.threats.engine.inject_event(index, self.elapsed);
-        } else if let Some(standard) = Standard::named(name) {
-            self.threats.engine.inject_standard(standard);
-        }
-        let title = inject.title.clone();
-        let kind = EventKind::Inject;
-        self.journal
-            .record(JournalEntry::new(kind, Severity::Info, title));
-        Ok(inject.title)
     }
 }

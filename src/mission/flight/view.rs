@@ -42,6 +42,7 @@ impl Flight {
             can_confirm: self.mission.seats.can_confirm(),
             contacts: self.search.shown_contacts(&self.mission.site.origin),
             injects: self.injects(),
+            injected: self.threats.injects.done().to_vec(),
             marks: self.search.shown_marks(&self.mission.site.origin),
             cells: self.cells(),
             mapped: self.mapped(),

@@ -187,6 +187,8 @@ fn troubled() -> (Report, String) {
     pilot.take_off(20.0);
     let injected = pilot.flight.inject("motor_fail");
     injected.expect("an instructor may");
+    let armed = pilot.flight.arm("gust", "t > 2");
+    armed.expect("an instructor may");
     pilot.wait(3.0);
     let paused = pilot.flight.note_pause(Duration::from_secs(90));
     paused.expect("it is said");

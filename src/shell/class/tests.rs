@@ -14,6 +14,7 @@ use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
+const WITH_INJECTS: &str = include_str!("../../../missions/12-relay-chain.toml");
 
 /// A console with its end of the class.
 struct Member {
@@ -79,7 +80,12 @@ async fn desk(folder: &Path) -> Member {
 }
 
 async fn seat(folder: &Path) -> Member {
-    let mission = Mission::parse(FIRST).expect("it is good");
+    flying(folder, FIRST).await
+}
+
+/// A seat that flies a mission.
+async fn flying(folder: &Path, source: &str) -> Member {
+    let mission = Mission::parse(source).expect("it is good");
     let opening = Opening::Mission(Arc::new(mission));
     let member = Member::new(opening, class(folder, ClassPart::Seat { asks: false }));
     Box::pin(member).await
@@ -149,4 +155,42 @@ async fn orders_reach_two_seats_and_a_new_desk_gets_the_whole_journal() {
     let commands = anna.place().seat().journal().entries();
     let commands = commands.filter(|it| matches!(it.what, Noted::Command { .. }));
     assert_eq!(commands.count(), 2);
+}
+
+#[tokio::test(start_paused = true)]
+async fn an_inject_takes_effect_in_the_flight_of_one_seat() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut desk = Box::pin(self::desk(folder.path())).await;
+    let mut anna = Box::pin(flying(folder.path(), WITH_INJECTS)).await;
+    run(&mut [&mut desk, &mut anna], 4).await;
+    anna.console.feed(key(KeyCode::Enter)).await;
+    run(&mut [&mut desk, &mut anna], 3).await;
+    let seat = desk.seats().first().expect("a seat");
+    let user = seat.name.clone();
+    let report = seat.report.clone().and_then(|it| it.flight);
+    let offered = report.expect("it flies").injects.into_iter();
+    assert!(offered.map(|it| it.name).any(|it| it.as_str() == "gust"));
+
+    desk.say(&format!("class inject @{user} gust")).await;
+    desk.say("class inject @all motor_fail when t > 6").await;
+    desk.say("class inject @all link_loss when inside('nowhere') > 0")
+        .await;
+    run(&mut [&mut desk, &mut anna], 1).await;
+    let outcomes = |desk: &Member| -> Vec<OrderState> {
+        let orders = desk.seats()[0].orders();
+        orders.map(|given| given.state).collect()
+    };
+    let ended = OrderState::Ended;
+    let refused = ended(Outcome::Refused(Refusal::Condition));
+    assert_eq!(
+        outcomes(&desk),
+        [ended(Outcome::Done), ended(Outcome::Armed), refused]
+    );
+    run(&mut [&mut desk, &mut anna], 6).await;
+    let done = ended(Outcome::Done);
+    assert_eq!(outcomes(&desk), [done, done, refused]);
+    let progress = anna.console.app.state().session().mission();
+    let injected = progress.expect("it flies").injected.iter();
+    let injected: Vec<&str> = injected.map(|it| it.name.as_str()).collect();
+    assert_eq!(injected, ["gust", "motor_fail"]);
 }

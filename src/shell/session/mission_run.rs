@@ -19,7 +19,6 @@ use crate::record::Happening;
 use crate::scoring::{FlightBackend, Report, TryReport};
 use crate::sim::STEP;
 use crate::store::{self, RunFile, Runs};
-use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 /// A mission in flight.
@@ -294,10 +293,9 @@ impl RunningSession {
         }
     }
 
-    /// Triggers an inject; returns its title, or why it cannot be triggered. `None` without a
-    /// mission.
-    pub fn inject(&mut self, name: &str) -> Option<Result<Text, Text>> {
-        Some(self.mission_run.as_mut()?.driver.flight_mut().inject(name))
+    /// The flight of the mission, for what an instructor does in it; `None` without a mission.
+    pub fn instructed(&mut self) -> Option<&mut Flight> {
+        Some(self.mission_run.as_mut()?.driver.flight_mut())
     }
 
     /// Whether everything can be paused until the brief has been read: the simulator is the

@@ -54,7 +54,12 @@ fn draw_desk(state: &State, desk: &Desk, panel: Panel<'_>, buffer: &mut Buffer) 
     draw_board(state, desk, &board, panel.upper(rows), buffer);
     let cursor = state.rooms().class().cursor();
     if let Some(seat) = cursor.and_then(|seat| desk.seats().get(seat)) {
-        detail::draw(seat, panel.below(rows), buffer);
+        let below = panel.below(rows);
+        if state.rooms().class().shows_injects() {
+            detail::draw_injects(seat, below, buffer);
+        } else {
+            detail::draw(seat, below, buffer);
+        }
     }
 }
 

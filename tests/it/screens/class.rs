@@ -7,7 +7,7 @@ use sortie::class::{
 };
 use sortie::text::Language;
 
-use crate::console::class::{desk, flight, join, report, say};
+use crate::console::class::{desk, flight, flight_with_injects, join, report, say};
 use crate::harness::Console;
 
 /// A seat in each state.
@@ -91,6 +91,19 @@ fn the_board_has_those_first_who_need_help() {
         console.press("up");
         for (width, height) in [(80, 24), (120, 40), (200, 50)] {
             let name = format!("class_{}_{width}x{height}", language.code());
+            insta::assert_snapshot!(name, console.screen(width, height));
+        }
+    }
+}
+
+#[test]
+fn the_injects_of_a_seat_can_be_shown() {
+    for language in Language::ALL {
+        let mut console = desk(language);
+        report(&mut console, 1, "anna", flight_with_injects());
+        console.press("i");
+        for (width, height) in [(80, 24), (120, 40)] {
+            let name = format!("injects_{}_{width}x{height}", language.code());
             insta::assert_snapshot!(name, console.screen(width, height));
         }
     }

@@ -1,13 +1,15 @@
 //! The instructor's desk: what seats say, and orders to them.
 
+use super::super::show::show;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::room::class;
-use crate::app::state::Consequence;
+use crate::app::state::{Consequence, Room};
 use crate::class::protocol::{Denial, SeatMessage};
 use crate::class::{ConnectionId, Deed, Desk, SeatRecord};
 use crate::class_text::deed_text;
 use crate::language::SeatChoice;
+use crate::mission::check_condition;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -53,6 +55,12 @@ pub fn tick(state: &mut State) {
 /// This console is no desk, or no seat is meant.
 pub fn give(state: &mut State, choice: SeatChoice, deed: Deed) -> Result<Effects, Text> {
     let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    if let Deed::Inject {
+        when: Some(when), ..
+    } = &deed
+    {
+        check_condition(when.as_str()).map_err(|fault| fault.message)?;
+    }
     let seats = match choice {
         SeatChoice::Addressed => class::addressed(state),
         SeatChoice::All => (0..desk.seats().len()).collect(),
@@ -76,6 +84,17 @@ pub fn give(state: &mut State, choice: SeatChoice, deed: Deed) -> Result<Effects
         return Ok(Effects::none());
     }
     instruct(state, &here, &deed);
+    Ok(Effects::none())
+}
+
+/// Shows the injects of the seat under the cursor instead of what happened there.
+///
+/// # Errors
+/// This console is no desk.
+pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
+    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    show(state, Room::Class);
+    state.rooms.class.shows_injects = true;
     Ok(Effects::none())
 }
 

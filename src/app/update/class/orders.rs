@@ -6,14 +6,16 @@ use super::super::order::{self, Given};
 use super::{clock_s, tell};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect, TerminalEffect};
-use crate::app::state::{Activity, PendingOrder};
+use crate::app::state::{Activity, OrderTrace, PendingOrder};
 use crate::class::{Deed, Order, OrderId, Outcome, Refusal};
-use crate::ledger::{EntryId, RowState};
+use crate::ledger::RowState;
 use crate::mission::Stake;
 use crate::record::DeskRecord;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
+
+mod injects;
 
 /// How long the effect of an order may take.
 const SEEN_WITHIN: Duration = Duration::from_secs(5);
@@ -31,7 +33,7 @@ pub fn given(state: &mut State, order: Order) -> Effects {
             let pending = PendingOrder {
                 id: order.id,
                 deed: order.deed,
-                entry: begun.entry,
+                trace: begun.trace,
                 due: state.wall + SEEN_WITHIN,
             };
             if let Some(place) = state.class.seat_mut() {
@@ -47,15 +49,14 @@ pub fn given(state: &mut State, order: Order) -> Effects {
 #[derive(Default)]
 struct BegunOrder {
     effects: Effects,
-    /// The entry in the ledger, if there is one.
-    entry: Option<EntryId>,
+    trace: OrderTrace,
 }
 
 impl From<Effect> for BegunOrder {
     fn from(effect: Effect) -> Self {
         Self {
             effects: effect.into(),
-            entry: None,
+            trace: OrderTrace::State,
         }
     }
 }
@@ -84,6 +85,8 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, Refusal> {
         Deed::Freeze => freeze(state),
         Deed::Resume if state.session.is_paused() => Ok(SessionEffect::Continue.into()),
         Deed::Resume => Err(Refusal::NotFrozen),
+        Deed::Inject { name, when } => injects::inject(state, order.id, name, when.as_ref()),
+        Deed::Disarm { name } => injects::disarm(state, order.id, name.as_ref()),
         Deed::End => abandon(state),
     }
 }
@@ -129,7 +132,7 @@ fn hint(state: &mut State) -> Result<BegunOrder, Refusal> {
             let sent = order::send(state, asked);
             Ok(BegunOrder {
                 effects: sent.effect.into(),
-                entry: Some(sent.entry),
+                trace: OrderTrace::Entry(sent.entry),
             })
         }
         Ok(Given::Own(_)) | Err(_) => Err(Refusal::NotFlying),
@@ -198,6 +201,7 @@ pub fn settle(state: &mut State) -> Effects {
             }
         }
     }
+    effects.extend(injects::settle(state));
     effects
 }
 
@@ -208,11 +212,12 @@ fn awaits_freeze(pending: &[PendingOrder]) -> bool {
 /// How an order has ended, if its effect can be seen.
 fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
     let session = &state.session;
-    let is_done = match pending.deed {
+    let is_done = match &pending.deed {
         Deed::Message { .. } => true,
         // The shell reports it.
-        Deed::Mark { .. } => false,
-        Deed::Hint => return hint_outcome(state, pending.entry),
+        Deed::Mark { .. } | Deed::Disarm { .. } | Deed::Inject { when: Some(_), .. } => false,
+        Deed::Inject { when: None, .. } => injects::is_done(state, pending),
+        Deed::Hint => return hint_outcome(state, pending.trace),
         Deed::Freeze => session.is_paused(),
         Deed::Resume => !session.is_paused(),
         Deed::End => session.task.over || session.activity.is_none(),
@@ -220,8 +225,11 @@ fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
     is_done.then_some(Outcome::Done)
 }
 
-fn hint_outcome(state: &State, entry: Option<EntryId>) -> Option<Outcome> {
-    let entry = state.session.ledger().entry(entry?)?;
+fn hint_outcome(state: &State, trace: OrderTrace) -> Option<Outcome> {
+    let OrderTrace::Entry(entry) = trace else {
+        return None;
+    };
+    let entry = state.session.ledger().entry(entry)?;
     if !entry.is_final() {
         return None;
     }
@@ -233,8 +241,8 @@ fn hint_outcome(state: &State, entry: Option<EntryId>) -> Option<Outcome> {
     })
 }
 
-/// The shell has set a bookmark, or could not.
-pub fn marked(state: &mut State, id: OrderId, is_set: bool) -> Effects {
+/// The shell has begun an order, or cannot do it.
+pub fn begun(state: &mut State, id: OrderId, refusal: Option<Refusal>) -> Effects {
     let Some(place) = state.class.seat_mut() else {
         return Effects::none();
     };
@@ -242,12 +250,29 @@ pub fn marked(state: &mut State, id: OrderId, is_set: bool) -> Effects {
         return Effects::none();
     };
     let pending = place.pending.swap_remove(at);
-    let outcome = if is_set {
-        Outcome::Done
-    } else {
-        Outcome::Refused(Refusal::NotRecorded)
-    };
-    end(state, id, pending.deed, outcome)
+    if let Some(refusal) = refusal {
+        return end(state, id, pending.deed, Outcome::Refused(refusal));
+    }
+    match &pending.deed {
+        Deed::Inject { when: None, .. } => {
+            // Its effect follows.
+            place.pending.push(pending);
+            Effects::none()
+        }
+        Deed::Inject {
+            name,
+            when: Some(when),
+        } => {
+            injects::armed(place, &pending, name, when);
+            end(state, id, pending.deed, Outcome::Armed)
+        }
+        Deed::Disarm { name } => {
+            let mut effects = injects::disarmed(state, name.as_ref());
+            effects.extend(end(state, id, pending.deed, Outcome::Done));
+            effects
+        }
+        _ => end(state, id, pending.deed, Outcome::Done),
+    }
 }
 
 /// Notes the end of an order: in the journal for the desk, in the record of the flight, and for the trainee.
@@ -262,7 +287,7 @@ fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects 
         place.seat.settle(clock_s, id, outcome);
     }
     // The trainee has just read a message.
-    if !matches!(line.deed, Deed::Message { .. }) {
+    if !line.deed.is_hidden() && !matches!(line.deed, Deed::Message { .. }) {
         tell(state, Severity::Notice, line.text());
     }
     Effects::from(Effect::Class(ClassEffect::Note(line)))

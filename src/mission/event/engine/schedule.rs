@@ -74,6 +74,11 @@ impl Schedule {
         }
     }
 
+    /// Whether an instructor has triggered an event that has not happened yet.
+    pub fn is_wanted(&self, index: usize) -> bool {
+        self.watches.get(index).is_some_and(|watch| watch.wanted)
+    }
+
     /// Whether an event happens now: it is due, and the random draw allows it.
     pub fn happens(
         &mut self,

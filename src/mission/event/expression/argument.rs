@@ -102,6 +102,7 @@ impl Argument {
         let zones = || names.zones.iter().map(|zone| zone.id.as_str());
         let place_among = |known: Vec<&str>| {
             let found = known.iter().position(|known| *known == name);
+            let found = found.or(names.are_open.then_some(known.len()));
             found.ok_or_else(|| {
                 needed_not(self.wanted(), quoted(name), span.clone()).with_nearest(name, known)
             })
@@ -124,8 +125,15 @@ impl Argument {
                 place_among(known.collect()).map(|_| Given::Name(name.to_owned()))
             }
             Self::Level => {
-                let place = place_among(LEVELS.iter().map(|(name, _)| *name).collect())?;
-                Ok(Given::Level(LEVELS[place].1))
+                let found = LEVELS.iter().find(|(known, _)| *known == name);
+                let known = || LEVELS.iter().map(|(name, _)| *name);
+                let unknown = || {
+                    needed_not(self.wanted(), quoted(name), span.clone())
+                        .with_nearest(name, known())
+                };
+                found
+                    .map(|(_, level)| Given::Level(*level))
+                    .ok_or_else(unknown)
             }
             Self::Number | Self::Vehicle | Self::Modes => Err(self.needed(span)),
         }

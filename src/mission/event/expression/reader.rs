@@ -20,6 +20,8 @@ pub(in crate::mission) struct ExpressionNames<'a> {
     pub movers: &'a [String],
     pub sensors: &'a [&'static Sensor],
     pub vehicles: usize,
+    /// Whether any name will do: the mission is not known.
+    pub are_open: bool,
 }
 
 /// The tokens not read yet.

@@ -59,6 +59,7 @@ fn names(zones: &[Zone]) -> ExpressionNames<'_> {
         events: leaked(&["first", "second"]),
         movers: leaked(&["walker"]),
         vehicles: 3,
+        are_open: false,
     }
 }
 

@@ -16,28 +16,68 @@ use crate::ui::widget::{clip, put};
 const ORDERS: usize = 3;
 
 pub fn draw(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
-    let trainee = seat.report.as_ref().map(|report| report.trainee.as_str());
-    let trainee = trainee.filter(|it| !it.is_empty() && *it != seat.name);
-    let title = match trainee {
-        Some(trainee) => format!("{} ({trainee})", seat.name),
-        None => seat.name.clone(),
-    };
-    let inner = panel.titled(&title, buffer);
+    let inner = panel.titled(&title(seat), buffer);
     let orders = seat.orders().rev().take(ORDERS).map(order);
     let missing = seat.journal.missing();
     let missing = (missing > 0).then(|| (text!("class-missing", count = missing), Role::Warning));
     let journal = seat.journal.entries().rev().filter_map(entry);
-    let lines = orders.chain(missing).chain(journal);
-    let columns = usize::from(inner.width);
-    for (row, (text, role)) in (0..inner.height).zip(lines) {
+    let lines = armed(seat).chain(orders).chain(missing).chain(journal);
+    draw_lines(lines, panel.at(inner), buffer);
+}
+
+/// The injects that the seat's mission permits, after those that are armed.
+pub fn draw_injects(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
+    let title = text!("class-injects-title", seat = title(seat));
+    let inner = panel.titled(&panel.text(&title), buffer);
+    let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
+    let offered = flight.map_or(&[][..], |it| &it.injects);
+    let none = offered.is_empty();
+    let none = none.then(|| (text!("class-no-injects"), Role::Muted));
+    let offered = offered.iter().map(|inject| {
+        let (name, title) = (inject.name.as_str(), inject.title.as_str());
+        (
+            text!("class-inject", name = name, title = title),
+            Role::Text,
+        )
+    });
+    let lines = armed(seat).chain(none).chain(offered);
+    draw_lines(lines, panel.at(inner), buffer);
+}
+
+/// The name of the seat, and that of the trainee.
+fn title(seat: &SeatRecord) -> String {
+    let trainee = seat.report.as_ref().map(|report| report.trainee.as_str());
+    let trainee = trainee.filter(|it| !it.is_empty() && *it != seat.name);
+    match trainee {
+        Some(trainee) => format!("{} ({trainee})", seat.name),
+        None => seat.name.clone(),
+    }
+}
+
+fn draw_lines(lines: impl Iterator<Item = (Text, Role)>, panel: Panel<'_>, buffer: &mut Buffer) {
+    let columns = usize::from(panel.area.width);
+    for (row, (text, role)) in (0..panel.area.height).zip(lines) {
         let line = clip(&panel.text(&text), columns);
         put(
             buffer,
-            inner,
+            panel.area,
             row,
             &Line::from(Span::styled(line, panel.style(role))),
         );
     }
+}
+
+/// The injects that wait for their conditions.
+fn armed(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
+    let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
+    let armed = flight.map_or(&[][..], |it| &it.armed).iter();
+    armed.map(|it| {
+        let (name, when) = (it.name.as_str(), it.when.as_str());
+        (
+            text!("class-armed-inject", name = name, when = when),
+            Role::Accent,
+        )
+    })
 }
 
 /// An order with its state.
@@ -45,6 +85,7 @@ fn order(given: &GivenOrder) -> (Text, Role) {
     let (state, role) = match given.state {
         OrderState::Waiting => (text!("class-waiting"), Role::Accent),
         OrderState::Ended(Outcome::Done) => (outcome_text(Outcome::Done), Role::Ok),
+        OrderState::Ended(Outcome::Armed) => (outcome_text(Outcome::Armed), Role::Accent),
         OrderState::Ended(outcome) => (outcome_text(outcome), Role::Warning),
         OrderState::Unanswered => (text!("class-unanswered"), Role::Warning),
     };
