@@ -114,6 +114,8 @@ sensor-compass = компас
 sensor-barometer = барометр
 sensor-airspeed = датчик повітряної швидкості
 sensor-gps = GPS
+# Щонайбільше 18 колонок.
+sensor-gps-fix = GPS (фікс: { $fix })
 sensor-flow = оптичний потік
 sensor-vision = візуальна навігація
 sensor-laser = далекомір
