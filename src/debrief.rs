@@ -27,7 +27,7 @@ mod tries;
 mod workload;
 
 pub use line::{DebriefLine, DebriefTone};
-pub use timeline::{TimelineMark, strip};
+pub use timeline::{StripCell, TimelineMark, strip};
 pub use workload::{WorkloadStrips, workload_words};
 
 pub use layout::fit;

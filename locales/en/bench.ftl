@@ -65,7 +65,9 @@ bench-figures-change = with this part (▲ better, ▼ worse)
 bench-payload = hover time by payload
 bench-payload-about = the curve ends where thrust is { $least } times the weight; with { $spare } kg more, thrust is { $good } times the weight
 bench-polar-about = best endurance at { $longest } m/s, best range at { $farthest } m/s
-bench-curve-marked = with the marked part, { $marked }
+bench-curve-marked = with the marked part, { $marked }: { $about }
+bench-curve-built = as built: { $about }
+bench-curve-misfit = as built: { $about }; no curve with the marked part, { $marked }: { $reason }
 bench-no-curve = no curve yet: needs frame, motors, propellers, speed controllers and a battery
 
 bench-no-mission = no mission chosen

@@ -27,7 +27,12 @@ gold-points = { $points } points
 gold-mandatory = all mandatory objectives
 debrief-gold-needs = gold needs { $gates }
 
-debrief-timeline = TIMELINE   (> command  o objective  ! alert  x rule broken  r refused)
+debrief-timeline = TIMELINE   (> 2-9 commands  o objective  ! alert  x rule broken  r refused)
+# One row for several commands in succession; never for one.
+debrief-commands = { $count ->
+    [one] { $count } command until { $until }
+   *[other] { $count } commands until { $until }
+}
 # One row for a refusal by several drones.
 debrief-to-many = { $what } ({ $count } drones)
 debrief-drone = drone { $vehicle }: { $what }

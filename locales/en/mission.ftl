@@ -178,6 +178,7 @@ speedup-idle = { $rate }x: time passes faster, but no command is in progress; { 
 speedup-usual = { $rate }x: time passes as usual
 speedup-back = back to real time: { $reason }
 speedup-back-to = back to { $rate }x: { $reason }
+speedup-contact = new contact { $contact }
 speedup-met = objective met: { $objective }
 speedup-missed = objective missed: { $objective }
 speedup-open = objective open again: { $objective }

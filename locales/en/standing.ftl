@@ -114,10 +114,12 @@ standing-why-nothing = no evidence yet: fly a mission that trains it
 standing-moved = { $mission }: { $what } { $percent } %, { $when }
 standing-scores = scores by mission
 standing-scores-nothing = no flights yet
-standing-mission = { $count ->
-    [one] { $count } flight
-   *[other] { $count } flights
-}, best { $best }, last { $last } { $when }
+standing-column-mission = mission
+standing-column-flights = flights
+standing-column-best = best
+standing-column-medal = medal
+standing-column-last = last
+standing-column-when = when
 standing-chart = points, flight by flight: { $mission }   x not passed   p practice
 standing-wealth = credits and experience after each flight and purchase
 standing-wealth-nothing = no flights yet

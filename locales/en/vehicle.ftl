@@ -114,6 +114,8 @@ sensor-compass = compass
 sensor-barometer = barometer
 sensor-airspeed = airspeed
 sensor-gps = GPS
+# At most 18 columns.
+sensor-gps-fix = GPS ({ $fix })
 sensor-flow = optical flow
 sensor-vision = vision
 sensor-laser = rangefinder

@@ -65,7 +65,9 @@ bench-figures-change = із цією деталлю (▲ краще, ▼ гір�
 bench-payload = час зависання залежно від вантажу
 bench-payload-about = крива закінчується там, де тяга становить { $least } ваги; якщо додати ще { $spare } kg, тяга становитиме { $good } ваги
 bench-polar-about = найдовший політ — на швидкості { $longest } m/s, найдальший — на { $farthest } m/s
-bench-curve-marked = із деталлю під курсором: { $marked }
+bench-curve-marked = із деталлю під курсором, { $marked }: { $about }
+bench-curve-built = як зібрано: { $about }
+bench-curve-misfit = як зібрано: { $about }; з деталлю під курсором, { $marked }, кривої немає: { $reason }
 bench-no-curve = кривої ще немає: потрібні рама, двигуни, пропелери, регулятори й акумулятор
 
 bench-no-mission = завдання не вибрано

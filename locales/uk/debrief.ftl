@@ -27,7 +27,13 @@ gold-points = від { $points } балів
 gold-mandatory = усі обов'язкові цілі
 debrief-gold-needs = для золота треба: { $gates }
 
-debrief-timeline = ПЕРЕБІГ   (> команда  o ціль  ! тривога  x порушення  r відмова)
+debrief-timeline = ПЕРЕБІГ   (> 2-9 команди  o ціль  ! тривога  x порушення  r відмова)
+# Один рядок про кілька команд поспіль; ніколи не про одну.
+debrief-commands = { $count ->
+    [one] { $count } команда до { $until }
+    [few] { $count } команди до { $until }
+   *[many] { $count } команд до { $until }
+}
 # Один рядок про відмову кількох дронів.
 debrief-to-many = { $what } (дронів: { $count })
 debrief-drone = дрон { $vehicle }: { $what }

@@ -186,6 +186,7 @@ speedup-idle = { $rate }x: час іде швидше, але жодна ком�
 speedup-usual = { $rate }x: час іде зі звичайною швидкістю
 speedup-back = знову реальний час: { $reason }
 speedup-back-to = знову { $rate }x: { $reason }
+speedup-contact = новий контакт { $contact }
 speedup-met = досягнуто цілі «{ $objective }»
 speedup-missed = не досягнуто цілі «{ $objective }»
 speedup-open = знову треба досягти цілі «{ $objective }»

@@ -39,7 +39,7 @@ vehicle-flight = активні
 vehicle-flight-before = востаннє
 vehicle-flight-last = активні { $time }
 vehicle-link = зв'язок
-vehicle-link-good = { $percent } %  туди й назад { $trip }
+vehicle-link-good = { $percent } %  відгук { $trip }
 vehicle-link-lost = ВТРАЧЕНО { $seconds } s тому
 vehicle-wind = вітер
 vehicle-wind-unknown = немає оцінки
@@ -114,6 +114,8 @@ sensor-compass = компас
 sensor-barometer = барометр
 sensor-airspeed = датчик повітряної швидкості
 sensor-gps = GPS
+# Щонайбільше 18 колонок.
+sensor-gps-fix = GPS (фікс: { $fix })
 sensor-flow = оптичний потік
 sensor-vision = візуальна навігація
 sensor-laser = далекомір

@@ -59,7 +59,6 @@ pub enum Column {
     /// Horizontal dilution of precision.
     Hdop,
     /// Round-trip time of a message.
-    #[strum(serialize = "ping")]
     RoundTrip,
     /// The worst test ratio of the EKF.
     Ekf,

@@ -84,6 +84,31 @@ fn every_rule_broken_and_every_rejection_stands_in_the_timeline() {
 }
 
 #[test]
+fn the_timeline_of_a_busy_flight_shows_its_commands() {
+    let mut pilot = Pilot::new(1);
+    pilot.tick();
+    for _ in 0..9 {
+        for _ in 0..5 {
+            pilot.command("1 guided", RowState::Done);
+        }
+        pilot.wait(2.0);
+        pilot.command("1 arm", RowState::Refused);
+        pilot.wait(2.0);
+    }
+    let report = pilot.report();
+    assert_eq!(report.ledger.len(), 54);
+    let commands = |strip: &[Option<StripCell>]| -> String {
+        let cells = strip.iter().flatten();
+        let cells = cells.filter(|cell| cell.mark == TimelineMark::Command);
+        cells.map(|cell| cell.letter()).collect()
+    };
+    assert_eq!(commands(&strip(&report, 60)), "5".repeat(9));
+    let text = text(&report, &Locale::default());
+    assert!(text.contains("> 5 commands until "), "{text}");
+    assert!(!text.contains("1 guided: effect seen"), "{text}");
+}
+
+#[test]
 fn every_end_of_a_flight_is_named_at_the_top() {
     let mut report = do_nothing().report();
     for (outcome, words) in [

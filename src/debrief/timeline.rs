@@ -9,16 +9,18 @@ use crate::text::Text;
 
 /// The width of the time strip, in columns.
 const STRIP: usize = 60;
-/// With more rows than this, successful commands are left out of the timeline.
+/// With more rows than this, commands in succession share a row of the timeline.
 const ROWS: usize = 40;
+/// The highest number of commands that a cell of the time strip counts.
+const COUNTED: usize = 9;
 
 /// The subject of a row. Later marks are drawn over earlier ones in the time strip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TimelineMark {
-    /// A command that was accepted.
-    Command,
     /// A fact that explains the flight, neither good nor bad.
     Remark,
+    /// A command that was accepted.
+    Command,
     Objective,
     Alert,
     /// A command that was refused.
@@ -29,8 +31,8 @@ pub enum TimelineMark {
 
 impl TimelineMark {
     const ALL: [Self; 6] = [
-        Self::Command,
         Self::Remark,
+        Self::Command,
         Self::Objective,
         Self::Alert,
         Self::Rejected,
@@ -55,14 +57,33 @@ impl TimelineMark {
     }
 
     /// The letter for this mark.
-    pub fn letter(self) -> char {
+    fn letter(self) -> char {
         match self {
-            Self::Command => '>',
             Self::Remark => '.',
+            Self::Command => '>',
             Self::Objective => 'o',
             Self::Alert => '!',
             Self::Rejected => 'r',
             Self::Rule => 'x',
+        }
+    }
+}
+
+/// A cell of the time strip: the most serious mark in its part of the flight.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct StripCell {
+    pub mark: TimelineMark,
+    /// The number of rows with this mark.
+    count: usize,
+}
+
+impl StripCell {
+    /// The letter for the mark, or the number of several commands.
+    pub fn letter(self) -> char {
+        let number = char::from_digit(self.count.min(COUNTED) as u32, 10);
+        match self.mark {
+            TimelineMark::Command if self.count > 1 => number.unwrap_or_default(),
+            mark => mark.letter(),
         }
     }
 }
@@ -81,13 +102,13 @@ impl DebriefPage<'_> {
         self.heading("debrief-timeline");
         let rows = rows(report);
         let end = clock(report.sim_time_s);
-        let strip: String = marks_along(&rows, report.sim_time_s, STRIP)
+        let strip: String = cells_along(&rows, report.sim_time_s, STRIP)
             .into_iter()
-            .map(|mark| mark.map_or('-', TimelineMark::letter))
+            .map(|cell| cell.map_or('-', StripCell::letter))
             .collect();
         self.line(&format!("  00:00 |{strip}| {end}"));
         self.toned(DebriefTone::Plain);
-        for row in &rows {
+        for row in &shortened(rows) {
             let lead = format!("   {} {} ", clock(row.at_s), row.mark.letter());
             self.wrapped(&lead, &row.text);
             self.toned(DebriefTone::Event(row.mark));
@@ -102,9 +123,7 @@ fn rows(report: &Report) -> Vec<TimelineRow> {
     let events = report.events.iter().filter(is_own);
     let mut rows: Vec<TimelineRow> = events.map(event_row).collect();
     rows.extend(report.alerts.iter().map(alert_row));
-    if rows.len() + report.ledger.len() <= ROWS {
-        rows.extend(report.ledger.iter().filter_map(command_row));
-    }
+    rows.extend(report.ledger.iter().filter_map(command_row));
     rows.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
     together(&rows)
 }
@@ -124,6 +143,28 @@ fn together(rows: &[TimelineRow]) -> Vec<TimelineRow> {
         })
     };
     refusals.filter_map(row).collect()
+}
+
+/// The rows, with commands in succession as one row if there are too many.
+fn shortened(rows: Vec<TimelineRow>) -> Vec<TimelineRow> {
+    if rows.len() <= ROWS {
+        return rows;
+    }
+    let is_command = |row: &TimelineRow| row.mark == TimelineMark::Command;
+    let runs = rows.chunk_by(|a, b| is_command(a) && is_command(b));
+    let row = |run: &[TimelineRow]| {
+        let (first, last) = (run.first()?.clone(), run.last()?);
+        Some(if run.len() > 1 {
+            let until = clock(last.at_s);
+            TimelineRow {
+                text: text!("debrief-commands", count = run.len(), until = until),
+                ..first
+            }
+        } else {
+            first
+        })
+    };
+    runs.filter_map(row).collect()
 }
 
 fn alert_row(alert: &AlertReport) -> TimelineRow {
@@ -153,12 +194,12 @@ fn alert_row(alert: &AlertReport) -> TimelineRow {
 }
 
 /// The most serious mark in each of `parts` equal parts of the flight.
-pub fn strip(report: &Report, parts: usize) -> Vec<Option<TimelineMark>> {
-    marks_along(&rows(report), report.sim_time_s, parts)
+pub fn strip(report: &Report, parts: usize) -> Vec<Option<StripCell>> {
+    cells_along(&rows(report), report.sim_time_s, parts)
 }
 
-fn marks_along(rows: &[TimelineRow], length_s: f64, parts: usize) -> Vec<Option<TimelineMark>> {
-    let mut strip = vec![None; parts];
+fn cells_along(rows: &[TimelineRow], length_s: f64, parts: usize) -> Vec<Option<StripCell>> {
+    let mut strip: Vec<Option<StripCell>> = vec![None; parts];
     let Some(last) = parts.checked_sub(1) else {
         return strip;
     };
@@ -166,7 +207,10 @@ fn marks_along(rows: &[TimelineRow], length_s: f64, parts: usize) -> Vec<Option<
     for mark in TimelineMark::ALL {
         for row in rows.iter().filter(|row| row.mark == mark) {
             let at = (row.at_s / length_s * last as f64).round() as usize;
-            strip[at.min(last)] = Some(mark);
+            let cell = &mut strip[at.min(last)];
+            let before = cell.filter(|cell| cell.mark == mark);
+            let count = before.map_or(0, |cell| cell.count) + 1;
+            *cell = Some(StripCell { mark, count });
         }
     }
     strip

@@ -75,7 +75,7 @@ pub struct Form {
     pub arguments: &'static [Argument],
     /// The verb that this form means, if it is not that of the row.
     pub(super) means: Option<&'static Verb>,
-    /// Whether another verb means the same, so the lines of this form need not be offered as well.
+    /// Whether another verb or form means the same, so the lines of this form need not be offered as well.
     pub(super) is_shortcut: bool,
     pub(super) build: fn(&Arguments) -> Result<Meaning, Problem>,
 }
@@ -115,15 +115,22 @@ impl VerbRow {
         locale.find(&format!("words-{}", self.name()))
     }
 
+    /// The forms that help and messages list: without shortcuts, unless there is nothing else.
+    fn listed_forms(&self) -> impl Iterator<Item = &Form> {
+        let has_others = self.forms.iter().any(|form| !form.is_shortcut);
+        let forms = self.forms.iter();
+        forms.filter(move |form| !(form.is_shortcut && has_others))
+    }
+
     /// The verb's usage, a line per form: "takeoff ALTITUDE".
     pub fn usage(&self) -> Vec<String> {
-        let forms = self.forms.iter();
+        let forms = self.listed_forms();
         forms.map(|form| form.usage(self.name(), None)).collect()
     }
 
     /// The usage of each form in parts that belong on one line: the verb, then each argument with its keyword.
     pub fn usage_parts(&self) -> impl Iterator<Item = Vec<String>> {
-        let forms = self.forms.iter();
+        let forms = self.listed_forms();
         forms.map(|form| form.usage_parts(self.name(), None))
     }
 
@@ -167,7 +174,7 @@ impl Form {
         }
     }
 
-    /// The form, as a shortcut of another verb.
+    /// The form, as a shortcut of another verb or form.
     pub(super) const fn shortcut(self) -> Self {
         Self {
             is_shortcut: true,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::app::room_list::Room;
 use crate::geo::{Dot, GridSize, LatLon, Viewport, Zoom};
 use crate::vehicle::VehicleId;
 
@@ -54,6 +55,8 @@ pub struct Map {
     pub(in crate::app) samples: Samples,
     /// The extent of everything on the map.
     pub(in crate::app) overview: Overview,
+    /// The room from which the map was opened.
+    pub(in crate::app) came_from: Room,
 }
 
 /// Where the view is centred: on everything, a place or a vehicle.
@@ -113,6 +116,7 @@ impl Map {
         Self {
             legend: self.legend,
             trails_hidden: self.trails_hidden,
+            came_from: self.came_from,
             ..Self::default()
         }
     }

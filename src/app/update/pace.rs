@@ -10,8 +10,9 @@ use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, PaceChange, SessionEffect};
 use crate::app::event::{Event, SessionEvent, VehicleEvent};
 use crate::app::state::{Activity, rate};
+use crate::commands::FindKind;
 use crate::ledger::{RowState, RowUpdate};
-use crate::mission::{ObjectiveState, Progress, Stake};
+use crate::mission::{ObjectiveState, Progress, ShownContact, Stake};
 use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
@@ -215,6 +216,9 @@ fn said_by_mission(state: &State, progress: &Progress) -> Option<Text> {
         let new = alerts.iter().find(|it| !is_known(&it.text));
         return new.or(alerts.first()).map(|it| it.text.clone());
     }
+    if let Some(contact) = new_contact(progress, known) {
+        return Some(text!("speedup-contact", contact = &contact.name));
+    }
     let mut objectives = progress.objectives.iter().zip(&known.objectives);
     let (changed, _) = objectives.find(|(new, old)| new.state != old.state)?;
     let title = &changed.title;
@@ -223,6 +227,16 @@ fn said_by_mission(state: &State, progress: &Progress) -> Option<Text> {
         ObjectiveState::Missed => text!("speedup-missed", objective = title),
         ObjectiveState::Open => text!("speedup-open", objective = title),
     })
+}
+
+/// A contact that was not known before. Of a fire, which has dozens of contacts, only the first counts.
+fn new_contact<'a>(progress: &'a Progress, known: &Progress) -> Option<&'a ShownContact> {
+    let is_known = |new: &ShownContact| {
+        let is_fire = new.kind == FindKind::Fire;
+        let mut known = known.contacts.iter();
+        known.any(|old| old.name == new.name || is_fire && old.kind == FindKind::Fire)
+    };
+    progress.contacts.iter().find(|new| !is_known(new))
 }
 
 fn most(state: &State) -> f64 {

@@ -9,6 +9,9 @@ pub fn show(state: &mut State, room: Room) {
     if room == Room::Review && state.room != room {
         state.rooms.review.is_from_debrief = state.room == Room::Debrief;
     }
+    if room == Room::Map && state.room != room {
+        state.rooms.map.came_from = state.room;
+    }
     state.room = room;
     room::entered(state, room);
 }

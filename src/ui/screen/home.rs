@@ -44,7 +44,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let list = list::wanted_width(state, body.look).clamp(LIST_LEAST, most);
     list::draw(state, body.columns(1, list), buffer);
     let before = list + 3;
-    let beside_list = body.columns(before, body.area.width.saturating_sub(before + 1));
+    let beside_list = body.columns(before, body.area.width.saturating_sub(before));
     let facts = beside_list.area.width.saturating_sub(TEXT_WIDTH + 3);
     let (middle, facts) = if facts >= FACTS_WIDTH {
         let beside = columns(beside_list.area, TEXT_WIDTH + 3, facts.min(TEXT_WIDTH));

@@ -84,6 +84,8 @@ fn draw_task(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buff
     };
     for (row, line) in (first..).zip(&lines) {
         let here = room.at(row_of(room.area, row));
+        // Lines and names of the map would look like a part of the text.
+        here.clear(buffer);
         stamp(line, panel.style(role), here, buffer);
     }
 }

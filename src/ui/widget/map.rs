@@ -4,12 +4,14 @@
 //! - `canvas` turns dots into braille, half blocks or ASCII; `squares` turns ground into cells.
 //! - From the bottom up: `swept` (searched ground), `heat` (readings), `fire`; then the lines and words of `ground`
 //!   (areas, homes), `ways` (trails and targets), `traffic` and `finds` (contacts and reports), which `labels`
-//!   places; then `markers` (vehicles) and `legend` (the scale).
+//!   places; then `markers` (vehicles, on a `board` of free cells) and `legend` (the scale).
 //! - Other maps: `drafts` (the plans room), `sketch` (a mission before the flight), `truth` (the debrief).
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::text::Line;
+
+use board::NumberSpots;
 
 use crate::app::State;
 use crate::app::room::map::{Aim, Sketch, SketchKind, sketches};
@@ -20,6 +22,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{below, centred, put, row_of, wrap};
 
+mod board;
 mod canvas;
 mod drafts;
 mod finds;
@@ -108,7 +111,7 @@ fn draw_view(
     }
     fire::draw(state, view, panel, buffer);
     let labels = ground::draw(state, look, view, area, buffer);
-    let vehicles = markers::draw(state, look, view, area, buffer);
+    let vehicles = markers::draw(state, view, panel, NumberSpots::Around, buffer);
     labels::draw(labels, &vehicles.cells, panel, buffer);
     legend::draw_scale(look, view, area, buffer);
     let mut last = area.height.saturating_sub(1);

@@ -10,7 +10,7 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, put, severity_role, wrap};
+use crate::ui::widget::{aligned, below, put, severity_role, width, wrap};
 use crate::vehicle::Vehicle;
 
 mod ekf;
@@ -23,6 +23,8 @@ use values::{Reading, fitting, readings};
 const LABEL_WIDTH: usize = 9;
 /// The width of a gauge, in columns.
 const GAUGE: usize = 8;
+/// The width to which a gauge shrinks if the value beside it would otherwise be cut.
+const SHORT_GAUGE: usize = 6;
 /// The maximum number of alerts shown here; the others follow when these end.
 const MOST_ALERTS: usize = 3;
 
@@ -71,17 +73,18 @@ pub fn draw(state: &State, panel: Panel<'_>, detail: Detail, buffer: &mut Buffer
     let lines = readings(vehicle, state, detail);
     let shown = fitting(lines, usize::from(inner.height)).into_iter();
     for (row, reading) in shown.enumerate() {
-        let line = reading_line(&reading, vehicle.link.lost, panel.look);
+        let line = reading_line(&reading, vehicle.link.lost, panel.at(inner));
         put(buffer, inner, row as u16, &line);
     }
 }
 
-/// A reading as a line; old values are muted.
-fn reading_line(reading: &Reading, is_old: bool, look: &Look) -> Line<'static> {
+/// A reading as a line of the panel; old values are muted.
+fn reading_line(reading: &Reading, is_old: bool, panel: Panel<'_>) -> Line<'static> {
+    let look = panel.look;
     let label = aligned(&look.say(reading.label), LABEL_WIDTH, false);
     let mut spans = vec![Span::styled(label, look.style(Role::Muted))];
     if let Some(gauge) = reading.gauge {
-        spans.extend(gauge.spans(GAUGE, look));
+        spans.extend(gauge.spans(gauge_width(reading, panel), look));
         spans.push(Span::raw(" "));
     }
     for (at, (text, role)) in reading.parts.iter().enumerate() {
@@ -92,6 +95,16 @@ fn reading_line(reading: &Reading, is_old: bool, look: &Look) -> Line<'static> {
         spans.push(Span::styled(look.text(text), look.style(role)));
     }
     Line::from(spans)
+}
+
+/// The width of a reading's gauge, in columns: shorter if the value fits only so.
+fn gauge_width(reading: &Reading, panel: Panel<'_>) -> usize {
+    let values = reading.parts.iter();
+    let values: usize = values.map(|(text, _)| width(&panel.text(text)) + 2).sum();
+    // A gap before the value, none after it.
+    let used = LABEL_WIDTH + values.saturating_sub(1);
+    let fits = |gauge: &usize| used + gauge <= panel.width();
+    [GAUGE, SHORT_GAUGE].into_iter().find(fits).unwrap_or(GAUGE)
 }
 
 /// The vehicle's alerts with their durations, the most serious first.

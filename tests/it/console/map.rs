@@ -58,6 +58,18 @@ fn the_cursor_goes_where_its_keys_say() {
 }
 
 #[test]
+fn escape_leads_back_to_where_the_map_was_opened() {
+    let mut console = on_the_map();
+    console.press("V").press("M").press("space").press("u");
+    for room in [Room::Map, Room::Map, Room::Vehicle] {
+        console.press("esc");
+        assert_eq!(console.state().room(), room, "ruler, selection, room");
+    }
+    console.press("F").press("M").press("M").press("esc");
+    assert_eq!(console.state().room(), Room::Fly);
+}
+
+#[test]
 fn a_click_points_at_a_place_of_the_map_and_nowhere_else() {
     let mut console = on_the_map();
     let click = |console: &mut Console, column, row| {

@@ -2,8 +2,9 @@
 
 use sortie::app::effect::{Effect, PaceChange, SessionEffect};
 use sortie::app::event::SessionEvent;
+use sortie::commands::FindKind;
 use sortie::ledger::RowState;
-use sortie::mission::{ObjectiveState, Progress};
+use sortie::mission::{ObjectiveState, Progress, ShownContact, Trust};
 use sortie::vehicle::Severity;
 
 use crate::fixtures;
@@ -70,6 +71,31 @@ fn an_objective_that_changes_ends_a_speed_up_and_a_count_does_not() {
     console.hear(SessionEvent::Mission(Box::new(progress)));
     let expected = "objective met: Measure the air over the yard";
     assert_eq!(reason(&console).as_deref(), Some(expected));
+}
+
+#[test]
+fn a_new_contact_ends_a_speed_up_and_more_of_a_known_fire_do_not() {
+    let contact = |name: &str, kind| ShownContact {
+        name: name.to_owned(),
+        kind,
+        at: fixtures::HOME,
+        trust: Trust::Seen,
+    };
+    let mut progress = fixtures::progress();
+    for (name, kind, ends) in [
+        ("c1", FindKind::Mine, true),
+        ("c2", FindKind::Mine, true),
+        ("f1", FindKind::Fire, true),
+        ("f2", FindKind::Fire, false),
+    ] {
+        let mut console = Console::flying(3);
+        console.hear(SessionEvent::Mission(Box::new(progress.clone())));
+        console.hear(SessionEvent::Speedup(PaceChange::wanted(4.0)));
+        progress.contacts.push(contact(name, kind));
+        console.hear(SessionEvent::Mission(Box::new(progress.clone())));
+        let wanted = ends.then(|| format!("new contact {name}"));
+        assert_eq!(reason(&console), wanted);
+    }
 }
 
 /// A guided lesson asks for one thing at a time.

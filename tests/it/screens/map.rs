@@ -123,6 +123,22 @@ fn the_room_of_the_map() {
     }
 }
 
+/// The fence once ran into the text.
+#[test]
+fn nothing_of_the_map_is_beside_the_next_objective() {
+    for size in [(80, 24), (200, 50)] {
+        let console = resized(surveyed(), size);
+        let text = drawn(&console, Symbols::Braille, Language::English, size);
+        let row = text.lines().find_map(|row| row.strip_prefix("next: "));
+        let row = row.expect("an objective");
+        let before_north = row.split("N↑").next().unwrap_or_default();
+        assert_eq!(
+            before_north.trim(),
+            "Measure the air over the yard: 4/9 cells"
+        );
+    }
+}
+
 #[test]
 fn the_map_without_braille_and_in_ukrainian() {
     let size = (120, 40);

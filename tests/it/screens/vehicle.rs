@@ -13,11 +13,12 @@ use sortie::plan::Item;
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Theme};
 use sortie::vehicle::{
-    AutopilotVersion, BoardId, FenceArea, FencePlan, FenceShape, GpsAccuracy, Health, Hud, Plan,
-    PlanProgress, RallyPlan, RcChannels, Severity, StatusText, Stored, Target, Transfer, Vehicle,
-    Vibration, Wind,
+    AutopilotVersion, BoardId, FenceArea, FencePlan, FenceShape, FixType, GpsAccuracy, Health, Hud,
+    Plan, PlanProgress, RallyPlan, RcChannels, Severity, StatusText, Stored, Target, Transfer,
+    Vehicle, Vibration, Wind,
 };
 
+use super::map::drawn;
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -422,5 +423,24 @@ fn absurd_figures_stay_short() {
             screen.contains("1e38") && !screen.contains("00000000"),
             "{screen}"
         );
+    }
+}
+
+/// `SYS_STATUS` calls a receiver without a fix healthy.
+#[test]
+fn a_healthy_receiver_without_a_fix_is_shown_as_both() {
+    let mut vehicle = talkative(24.0);
+    vehicle.gps.as_mut().expect("a report").fix = FixType::NoFix;
+    if let Some(health) = &mut vehicle.health {
+        health.healthy |= 1 << 5;
+    }
+    for (language, words) in [
+        (Language::English, "ok    GPS (no fix)"),
+        (Language::Ukrainian, "норма GPS (фікс: немає)"),
+    ] {
+        let mut console = Console::flying(0);
+        console.vehicle(vehicle.clone()).press("V");
+        let text = drawn(&console, Symbols::Braille, language, (120, 40));
+        assert!(text.contains(words), "{text}");
     }
 }

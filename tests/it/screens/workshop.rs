@@ -83,6 +83,30 @@ fn the_curve_says_that_it_is_that_of_the_marked_part() {
     let mut console = looking(Language::English);
     console.press("v");
     insta::assert_snapshot!("workshop_marked_curve_80x24", console.screen(80, 24));
+    let words = |console: &Console| -> String {
+        let text = console.screen(200, 50);
+        let right = text
+            .lines()
+            .map(|line| line.chars().skip(144).collect::<String>());
+        let words: Vec<String> = right.collect();
+        let words = words.join(" ");
+        words.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    console.press("up");
+    let text = words(&console);
+    assert!(
+        text.contains("as built: best endurance at 6.0 m/s"),
+        "{text}"
+    );
+    console.press("end");
+    let text = words(&console);
+    let reason =
+        "no curve with the marked part, Li-ion 6S 12 Ah, 3C: the battery has 6 cells; the motor";
+    assert!(
+        text.contains("as built: best endurance at 6.0 m/s"),
+        "{text}"
+    );
+    assert!(text.contains(reason), "{text}");
 }
 
 #[test]

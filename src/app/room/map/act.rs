@@ -17,6 +17,7 @@ const PAGE: i32 = 10;
 const HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
+    footer_keys::BACK,
     hint(
         &[
             Action::Move(Step::Left),
@@ -88,13 +89,18 @@ impl RoomModel for Map {
         Some(Vec::new())
     }
 
+    /// Ends the ruler; otherwise leaves the room, once no vehicles are typed or selected.
     fn escape(state: &mut State) -> Answer {
         let map = &mut state.rooms.map;
-        if !state.typing.targets.is_empty() || map.mark.is_none() {
+        if !state.typing.targets.is_empty() {
             return None;
         }
-        map.mark = None;
-        Some(Vec::new())
+        if map.mark.take().is_some() {
+            return Some(Vec::new());
+        }
+        let came_from = map.came_from;
+        let is_nothing_selected = state.session.choice.selection.is_empty();
+        is_nothing_selected.then(|| vec![RoomRequest::Show(came_from)])
     }
 
     fn view(state: &mut State, action: ViewAction) -> Answer {

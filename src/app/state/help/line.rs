@@ -163,6 +163,19 @@ mod tests {
     }
 
     #[test]
+    fn a_shortcut_of_another_form_is_not_listed() {
+        let plan = rows().find(|row| row.name() == "plan").expect("a verb");
+        let lines = explained(plan, &Locale::new(Language::English)).into_iter();
+        let usages: Vec<HelpLine> = lines
+            .filter(|line| matches!(line, HelpLine::Usage(usage) if usage.contains("resume")))
+            .collect();
+        assert_eq!(
+            usages,
+            [HelpLine::Usage("plan resume [from ITEM]".to_owned())]
+        );
+    }
+
+    #[test]
     fn a_long_list_of_choices_is_broken_between_two() {
         let choice = ["bookmark", "refusal", "alert"].join("|").repeat(3);
         let lines = alone(&["seek".to_owned(), format!("[{choice}]")]);

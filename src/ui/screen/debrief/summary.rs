@@ -9,7 +9,7 @@ use ratatui::text::{Line, Span};
 
 use super::event_role;
 use crate::app::room::debrief::{Debrief, Summary};
-use crate::debrief::{self, TimelineMark, strip};
+use crate::debrief::{self, StripCell, strip};
 use crate::scoring::{Medal, Report};
 use crate::text;
 use crate::ui::panel::Panel;
@@ -66,9 +66,9 @@ fn draw_times_and_strip(report: &Report, panel: Panel<'_>, buffer: &mut Buffer) 
     let muted = panel.style(Role::Muted);
     let (start, end) = (clock(Duration::ZERO), clock(end(report)));
     let room = panel.width().saturating_sub(start.len() + end.len() + 4);
-    let marks = strip(report, room);
+    let cells = strip(report, room);
     let mut spans = vec![Span::styled(format!(" {start} "), muted)];
-    spans.extend(strip_line(&marks, panel).spans);
+    spans.extend(strip_line(&cells, panel).spans);
     spans.push(Span::styled(format!(" {end}"), muted));
     put(buffer, panel.area, 0, &Line::from(spans));
 }
@@ -195,14 +195,17 @@ fn draw_flight(debrief: &Debrief, panel: Panel<'_>, buffer: &mut Buffer) {
             &Line::styled(aligned(&top, usize::from(AXIS) - 1, true), muted),
         );
     }
-    let marks = strip(report, usize::from(plot.area.width));
-    put(buffer, plot.area, rows, &strip_line(&marks, panel));
+    let cells = strip(report, usize::from(plot.area.width));
+    put(buffer, plot.area, rows, &strip_line(&cells, panel));
     put(buffer, plot.area, rows + 1, &times(report, plot));
 }
 
-fn strip_line(marks: &[Option<TimelineMark>], panel: Panel<'_>) -> Line<'static> {
-    let spans = marks.iter().map(|mark| match mark {
-        Some(mark) => Span::styled(mark.letter().to_string(), panel.style(event_role(*mark))),
+fn strip_line(cells: &[Option<StripCell>], panel: Panel<'_>) -> Line<'static> {
+    let spans = cells.iter().map(|cell| match cell {
+        Some(cell) => Span::styled(
+            cell.letter().to_string(),
+            panel.style(event_role(cell.mark)),
+        ),
         None => Span::styled("─", panel.style(Role::Border)),
     });
     spans.collect()

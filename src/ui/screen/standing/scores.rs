@@ -17,10 +17,10 @@ use crate::ui::widget::{aligned, below, put, row_of, stars, upper, width};
 
 /// The minimum height of the chart, with its title and its axis, in rows.
 const CHART: u16 = 12;
-/// The maximum width of a mission's name, and the minimum width of the rest of its line, in
-/// columns.
-const NAME: usize = 30;
-const FIGURES: usize = 36;
+/// The width of the cursor before a line, in columns.
+const MARK: usize = 2;
+/// The gap between two columns of the list.
+const GAP: &str = "  ";
 const PERFECT: f64 = 1000.0;
 
 /// Draws the list, and below it the chart.
@@ -36,45 +36,83 @@ pub(super) fn draw(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffe
         return;
     };
     let cursor = subject.state.rooms().standing().mission().min(last);
+    let [heads, lines @ ..] = &table(subject, &flown, usize::from(inner.width) - MARK)[..] else {
+        return;
+    };
+    let heads = Line::styled(format!("  {heads}"), look.style(Role::Muted));
+    put(buffer, inner, 0, &heads);
+    let inner = below(inner, 1);
     let rows = usize::from(inner.height).min(flown.len());
     let first = cursor.saturating_sub(rows / 2).min(flown.len() - rows);
     for (row, at) in (first..flown.len()).take(rows).enumerate() {
         let row = row as u16;
         let mark = if at == cursor { '>' } else { ' ' };
-        let line = line(subject, flown[at], usize::from(inner.width));
-        put(buffer, inner, row, &Line::raw(format!("{mark} {line}")));
+        let line = format!("{mark} {}", lines[at]);
+        put(buffer, inner, row, &Line::raw(line));
         if at == cursor && subject.has_cursor(Pane::Scores) {
             Panel::new(look, row_of(inner, row)).mark_cursor(buffer);
         }
     }
     let list_panel = Panel::new(look, upper(inner, rows as u16));
     list_panel.mark_list(first, flown.len(), subject.has_cursor(Pane::Scores), buffer);
-    let used = 2 + rows as u16;
+    let used = 3 + rows as u16;
     draw_chart(subject, flown[cursor], below(area, used), buffer);
 }
 
-/// A mission with its attempts, its best and its last score.
-fn line(subject: &StandingSubject<'_>, offer: &Offer, room: usize) -> String {
+/// The column heads and a line for each mission: its flights, its best and its last score. Only the names are cut if
+/// there is not enough room.
+fn table(subject: &StandingSubject<'_>, flown: &[&Offer], room: usize) -> Vec<String> {
+    let heads = HEADS.map(|id| subject.look.say(id));
+    let rows = flown.iter().map(|offer| cells(subject, offer));
+    let rows: Vec<ScoreCells> = std::iter::once(heads).chain(rows).collect();
+    let mut widths = [0; HEADS.len()];
+    for row in &rows {
+        for (widest, cell) in widths.iter_mut().zip(row) {
+            *widest = width(cell).max(*widest);
+        }
+    }
+    let [_, figures @ ..] = widths;
+    let figures: usize = figures.iter().map(|columns| columns + GAP.len()).sum();
+    widths[0] = widths[0].min(room.saturating_sub(figures));
+    let line = |row: ScoreCells| {
+        let columns = row.iter().zip(widths).zip(IS_NUMBER);
+        let shown: Vec<String> = columns
+            .map(|((cell, columns), is_number)| aligned(cell, columns, is_number))
+            .collect();
+        shown.join(GAP).trim_end().to_owned()
+    };
+    rows.into_iter().map(line).collect()
+}
+
+/// The heads of the columns, and whether their values are numbers, which are aligned at the right.
+const HEADS: [&str; 6] = [
+    "standing-column-mission",
+    "standing-column-flights",
+    "standing-column-best",
+    "standing-column-medal",
+    "standing-column-last",
+    "standing-column-when",
+];
+const IS_NUMBER: [bool; HEADS.len()] = [false, true, true, false, true, false];
+
+/// A mission's values in the columns of the list.
+type ScoreCells = [String; HEADS.len()];
+
+fn cells(subject: &StandingSubject<'_>, offer: &Offer) -> ScoreCells {
     let look = subject.look;
     let tries = subject.career.growth.tries(&offer.id);
     let best = subject.career.standing.best(&offer.id);
     let points = best.and_then(|best| best.score);
-    let score = points.map_or_else(|| "-".to_owned(), |points| points.to_string());
-    let score_and_medal = format!("{score} {}", stars(best.and_then(|best| best.medal)));
     let last = tries.last();
-    let figures = text!(
-        "standing-mission",
-        count = tries.len(),
-        best = score_and_medal.trim_end(),
-        last = last.map_or(0, |last| last.score),
-        when = last.map_or_else(Default::default, |last| days(last.day - subject.career.day))
-    );
-    let shown = look.text(&figures);
-    let name = room
-        .saturating_sub(width(&shown).max(FIGURES) + 3)
-        .min(NAME);
-    let title = aligned(&look.text(&offer.title), name, false);
-    format!("{title} {shown}")
+    let when = last.map(|last| look.text(&days(last.day - subject.career.day)));
+    [
+        look.text(&offer.title),
+        tries.len().to_string(),
+        points.map_or_else(|| "-".to_owned(), |points| points.to_string()),
+        stars(best.and_then(|best| best.medal)).to_owned(),
+        last.map_or_else(|| "-".to_owned(), |last| last.score.to_string()),
+        when.unwrap_or_default(),
+    ]
 }
 
 fn draw_chart(subject: &StandingSubject<'_>, offer: &Offer, area: Rect, buffer: &mut Buffer) {

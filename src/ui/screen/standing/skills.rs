@@ -14,23 +14,24 @@ use crate::ui::theme::Role;
 use crate::ui::widget::gauge::Gauge;
 use crate::ui::widget::{aligned, below, clip, put, row_of, upper, width, wrap};
 
-/// The widths of a skill's name, of its bar, and of its state, in columns.
-const NAME: usize = 34;
+/// The width of a skill's bar, in columns.
 const BAR: usize = 10;
-const MASTERY: usize = 16;
-/// The width of everything but the name, in columns.
-const REST: usize = 54;
+/// The width of the cursor and the code before the name, and of the bar and the percentage after it, with their gaps.
+const BEFORE_NAME: usize = 6;
+const AFTER_NAME: usize = 1 + BAR + 8;
+/// The gap between two texts, in columns.
+const GAP: usize = 2;
 
 /// Draws the list, and below it the changes of the skill under the cursor.
 pub(super) fn draw(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let inner = subject.pane(Pane::Skills, &look.say("standing-skills"), area, buffer);
     let cursor = subject.state.rooms().standing().skill();
-    let name = usize::from(inner.width).saturating_sub(REST).min(NAME);
+    let columns = SkillColumns::new(subject, inner.width.into());
     for (row, skill) in Skill::ALL.iter().copied().enumerate() {
         let under_cursor = row == cursor;
         let row = row as u16;
-        let line = line(subject, skill, under_cursor, name);
+        let line = line(subject, skill, under_cursor, &columns);
         put(buffer, inner, row, &line);
         if under_cursor && subject.has_cursor(Pane::Skills) {
             Panel::new(look, row_of(inner, row)).mark_cursor(buffer);
@@ -48,59 +49,96 @@ pub(super) fn draw(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffe
     );
 }
 
+/// The widths of the texts, in columns.
+struct SkillColumns {
+    name: usize,
+    mastery: usize,
+}
+
+impl SkillColumns {
+    /// Columns as wide as their longest text; only the names are cut if there is not enough room.
+    fn new(subject: &StandingSubject<'_>, room: usize) -> Self {
+        let look = subject.look;
+        let widest = |text: &dyn Fn(Skill) -> String| {
+            let widths = Skill::ALL.iter().map(|skill| width(&text(*skill)));
+            widths.max().unwrap_or(0)
+        };
+        let name = widest(&|skill| look.text(&skill.title()));
+        let mastery = widest(&|skill| look.text(&mastery(subject, skill).title())) + GAP;
+        let end = widest(&|skill| end(subject, skill));
+        let left = room.saturating_sub(BEFORE_NAME + AFTER_NAME + mastery + end);
+        Self {
+            name: name.min(left),
+            mastery,
+        }
+    }
+}
+
+fn mastery(subject: &StandingSubject<'_>, skill: Skill) -> Mastery {
+    let known = subject.career.standing.skill(skill);
+    known.mastery(subject.career.day)
+}
+
+fn is_next(subject: &StandingSubject<'_>, skill: Skill) -> bool {
+    let next = subject.career.next();
+    next.is_some_and(|(next, _)| next == skill)
+}
+
+/// The last column: whether the skill is to be trained next, or when a mastered one is due for review.
+fn end(subject: &StandingSubject<'_>, skill: Skill) -> String {
+    let look = subject.look;
+    if is_next(subject, skill) {
+        return look.say("standing-next");
+    }
+    let due = subject.career.standing.skill(skill).due_day();
+    due.filter(|_| mastery(subject, skill) == Mastery::Mastered)
+        .map(|due| text!("standing-review", when = days(due - subject.career.day)))
+        .map(|text| look.text(&text))
+        .unwrap_or_default()
+}
+
 fn line(
     subject: &StandingSubject<'_>,
     skill: Skill,
     under_cursor: bool,
-    name: usize,
+    columns: &SkillColumns,
 ) -> Line<'static> {
-    let (look, day) = (subject.look, subject.career.day);
-    let known = subject.career.standing.skill(skill);
-    let chance = known.chance(day);
-    let role = match known.mastery(day) {
+    let look = subject.look;
+    let mastery = mastery(subject, skill);
+    let role = match mastery {
         Mastery::Unknown => Role::Muted,
         Mastery::Learning => Role::Text,
         Mastery::Mastered => Role::Ok,
         Mastery::Due => Role::Warning,
     };
-    let due = known
-        .due_day()
-        .filter(|_| known.mastery(day) == Mastery::Mastered)
-        .map(|due| look.text(&text!("standing-review", when = days(due - day))));
-    let is_next = subject.career.next().is_some_and(|(next, _)| next == skill);
-    let end = if is_next {
-        look.say("standing-next")
-    } else {
-        due.unwrap_or_default()
-    };
-    let is_tried = known.mastery(day) != Mastery::Unknown;
-    let shown = if is_tried { chance } else { 0.0 };
-    let percent = if is_tried {
-        format!(" {:>3.0} % ", chance * 100.0)
-    } else {
-        " ".repeat(7)
-    };
+    let known = subject.career.standing.skill(skill);
+    let chance = Some(known.chance(subject.career.day)).filter(|_| mastery != Mastery::Unknown);
+    let percent = chance.map_or_else(String::new, |chance| format!("{:.0} %", chance * 100.0));
     let mark = if under_cursor { '>' } else { ' ' };
     let head = format!(
         "{mark} {:<4}{} ",
         skill.code(),
-        aligned(&look.text(&skill.title()), name, false)
+        aligned(&look.text(&skill.title()), columns.name, false)
     );
     let bar = Gauge {
-        share: shown,
+        share: chance.unwrap_or_default(),
         mark: Some(MASTERY_CHANCE),
         role,
     };
-    let end_role = if is_next { Role::Accent } else { Role::Muted };
+    let end_role = if is_next(subject, skill) {
+        Role::Accent
+    } else {
+        Role::Muted
+    };
     let mut spans = vec![Span::raw(head)];
     spans.extend(bar.spans(BAR, look));
     spans.extend([
-        Span::raw(percent),
+        Span::raw(format!("{percent:>6}  ")),
         Span::styled(
-            aligned(&look.text(&known.mastery(day).title()), MASTERY, false),
+            aligned(&look.text(&mastery.title()), columns.mastery, false),
             look.style(role),
         ),
-        Span::styled(end, look.style(end_role)),
+        Span::styled(end(subject, skill), look.style(end_role)),
     ]);
     Line::from(spans)
 }

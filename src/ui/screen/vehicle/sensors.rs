@@ -6,15 +6,19 @@ use ratatui::text::{Line, Span};
 
 use super::VehicleSubject;
 use super::row::filled;
+use crate::text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{columns, put};
-use crate::vehicle::Health;
+use crate::vehicle::{FixType, Grade, Health, Vehicle};
 
 /// The minimum width of an entry, in columns.
 const ENTRY: u16 = 25;
 /// The width of a sensor's state, in columns.
 const STATE: usize = 5;
+
+/// The id of the satellite receiver's name.
+const GPS: &str = "sensor-gps";
 
 /// The bits of `MAV_SYS_STATUS_SENSOR` from 0, as the ids of their names.
 const NAMES: [&str; 31] = [
@@ -23,7 +27,7 @@ const NAMES: [&str; 31] = [
     "sensor-compass",
     "sensor-barometer",
     "sensor-airspeed",
-    "sensor-gps",
+    GPS,
     "sensor-flow",
     "sensor-vision",
     "sensor-laser",
@@ -91,14 +95,28 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
             Condition::Good => (look.say("sensor-good"), Role::Ok),
             Condition::Off => (look.say("sensor-off"), Role::Muted),
         };
-        let name = filled(&look.say(id), width.saturating_sub(STATE + 2));
+        let poor_fix = poor_fix(subject.vehicle).filter(|_| id == GPS);
+        let (name, name_role) = match poor_fix {
+            Some(fix) => (
+                look.text(&text!("sensor-gps-fix", fix = fix.text())),
+                Role::Warning,
+            ),
+            None => (look.say(id), Role::Text),
+        };
+        let name = filled(&name, width.saturating_sub(STATE + 2));
         let line = Line::from(vec![
             Span::styled(format!("{} ", filled(&word, STATE)), look.style(role)),
-            Span::raw(name),
+            Span::styled(name, look.style(name_role)),
         ]);
         let column = columns(inner, (at / rows * width) as u16, width as u16);
         put(buffer, column, (at % rows) as u16, &line);
     }
+}
+
+/// The fix of a receiver that has no good one. `SYS_STATUS` calls such a receiver healthy, so its fix is shown beside that.
+fn poor_fix(vehicle: &Vehicle) -> Option<FixType> {
+    let gps = vehicle.gps?;
+    (Grade::of_fix(gps.fix) != Grade::Good).then_some(gps.fix)
 }
 
 /// The sensors that are fitted or in use, with their condition, most serious first.

@@ -4,14 +4,14 @@ use ratatui::buffer::Buffer;
 use ratatui::text::Line;
 
 use crate::app::State;
-use crate::app::room::workshop::{Curves, Pane, View, Workshop};
+use crate::app::room::workshop::{Candidate, Curves, Pane, View, Workshop};
 use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve, steps};
 use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
-use crate::workshop::{GOOD_THRUST, LEAST_THRUST};
+use crate::workshop::{GOOD_THRUST, LEAST_THRUST, Sheet};
 
 /// The width of the figures beside the curve, in columns.
 const LABELS: u16 = 7;
@@ -77,13 +77,38 @@ impl<'a> Chart<'a> {
         self.points.len() > 1
     }
 
-    /// What the curve shows.
+    /// The part under the cursor in the list of parts.
+    fn marked_part(&self) -> Option<&'a Candidate> {
+        let candidate = self.room.bench().candidate();
+        candidate.filter(|_| self.room.pane() == Pane::Parts)
+    }
+
+    /// What the curve shows, and of which design: with the marked part, or as built.
     fn about(&self) -> Text {
-        let bench = self.room.bench();
-        if let Some(candidate) = bench.candidate().filter(|_| self.is_marked) {
-            return text!("bench-curve-marked", marked = candidate.part.name());
+        let built = self.room.bench().sheet();
+        let Some(candidate) = self.marked_part() else {
+            return self.figures(built);
+        };
+        let part = candidate.part.name();
+        if let Some(reason) = &candidate.misfit {
+            let about = self.figures(built);
+            return text!(
+                "bench-curve-misfit",
+                about = about,
+                marked = part,
+                reason = reason
+            );
         }
-        let Some(figures) = &bench.sheet().figures else {
+        if self.is_marked {
+            let about = self.figures(&candidate.sheet);
+            return text!("bench-curve-marked", marked = part, about = about);
+        }
+        text!("bench-curve-built", about = self.figures(built))
+    }
+
+    /// The figures that belong to a curve, or why there is none.
+    fn figures(&self, sheet: &Sheet) -> Text {
+        let Some(figures) = &sheet.figures else {
             return text!("bench-no-curve");
         };
         if self.is_payload() {

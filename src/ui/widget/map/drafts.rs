@@ -2,6 +2,7 @@
 
 use ratatui::buffer::Buffer;
 
+use super::board::NumberSpots;
 use super::canvas::{Canvas, Stroke};
 use super::ground::{keep_out_sign, label_kind, named_places, outline, sign, stroke};
 use super::labels::{self, Label, LabelKind};
@@ -45,7 +46,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     board.conflicts(room);
     let Board { canvas, labels, .. } = board;
     canvas.draw(panel, buffer);
-    let vehicles = markers::draw(state, panel.look, &view, panel.area, buffer);
+    let vehicles = markers::draw(state, &view, panel, NumberSpots::Beside, buffer);
     labels::draw(labels, &vehicles.cells, panel, buffer);
     legend::draw_scale(panel.look, &view, panel.area, buffer);
     draw_cursor(state, &view, room.map().pointed(&view), panel, buffer);

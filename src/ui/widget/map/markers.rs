@@ -1,12 +1,13 @@
-//! The vehicles on the map: a sign, its number if there is room, and a count such as `(×2)` if several share a cell.
+//! The vehicles on the map: a sign, its number if there is room beside, above or below it, and a count such as `(×2)`
+//! with their numbers if several share a cell.
 
 use std::ops::Range;
 
 use ratatui::buffer::Buffer;
-use ratatui::layout::{Position, Rect};
-use ratatui::style::Style;
+use ratatui::layout::Position;
 
-use super::labels::{MapCell, part, stamp};
+use super::board::{Board, NumberSpots};
+use super::labels::MapCell;
 use crate::app::State;
 use crate::config::Symbols;
 use crate::geo::Viewport;
@@ -15,6 +16,10 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::severity_role;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::vehicle_id::ranges;
+
+#[cfg(test)]
+mod tests;
 
 /// Headings as arrows, clockwise from north.
 const ARROWS: [char; 8] = ['↑', '↗', '→', '↘', '↓', '↙', '←', '↖'];
@@ -34,8 +39,49 @@ struct Marker {
     /// The selection and alert marks after its number.
     marks: String,
     role: Role,
-    /// The order in which numbers are placed, lowest first.
+    /// How much it needs attention, the most first; also the order in which numbers are placed.
     rank: u8,
+}
+
+impl Marker {
+    fn cells(&self) -> Range<u16> {
+        self.column..self.column + 1
+    }
+}
+
+/// The longest list of numbers beside a sign of several vehicles, in columns.
+const LONGEST_LIST: usize = 12;
+/// The ranks of vehicles without an alert.
+const SELECTED_RANK: u8 = 10;
+const USUAL_RANK: u8 = 11;
+
+/// Vehicles that have one sign.
+struct Group<'a> {
+    row: u16,
+    cells: Range<u16>,
+    markers: Vec<&'a Marker>,
+}
+
+impl Group<'_> {
+    /// The numbers of its vehicles; `None` if they are too long.
+    fn list(&self) -> Option<String> {
+        let mut ids: Vec<VehicleId> = self.markers.iter().map(|it| it.id).collect();
+        ids.sort_unstable();
+        let list = ranges(ids);
+        (list.len() <= LONGEST_LIST).then_some(list)
+    }
+}
+
+/// The role of the vehicle that needs attention most.
+fn worst_role<'a>(markers: impl IntoIterator<Item = &'a Marker>) -> Role {
+    let worst = markers.into_iter().min_by_key(|it| it.rank);
+    worst.map_or(Role::Text, |it| it.role)
+}
+
+/// The marks that at least one of the vehicles has.
+fn marks_of(markers: &[Marker]) -> String {
+    let has = |mark: &char| markers.iter().any(|it| it.marks.contains(*mark));
+    [SELECTED, ALERT].into_iter().filter(has).collect()
 }
 
 /// The vehicles that were drawn.
@@ -49,28 +95,31 @@ pub struct DrawnVehicles {
 /// Draws the vehicles in view.
 pub fn draw(
     state: &State,
-    look: &Look,
     view: &Viewport,
-    area: Rect,
+    panel: Panel<'_>,
+    spots: NumberSpots,
     buffer: &mut Buffer,
 ) -> DrawnVehicles {
+    let look = panel.look;
     let (mut markers, outside) = markers(state, look, view);
     let cursor = state.session().cursor();
     let under_cursor = markers.iter().position(|it| Some(it.id) == cursor);
     let chosen = under_cursor.map(|at| Chosen::new(markers.swap_remove(at), &mut markers));
     markers.sort_by_key(|it| (it.row, it.column, it.id));
-    let mut board = Board::new(Panel::new(look, area), buffer);
+    let mut board = Board::new(panel, spots, buffer);
     if let Some(chosen) = &chosen {
-        board.put_chosen(chosen, look);
+        put_chosen(chosen, &mut board, look);
     }
     let mut singles: Vec<&Marker> = Vec::new();
+    let mut groups: Vec<Group<'_>> = Vec::new();
     for row in markers.chunk_by(|a, b| a.row == b.row) {
         // The vehicle under the cursor splits its row into two parts.
         let parts = chosen.iter().find(|it| it.marker.row == row[0].row);
         let (from, to) = parts.map_or((0, 0), |it| (it.from, it.end()));
         let (left, right) = row.split_at(row.partition_point(|it| it.column < from));
-        gather(left, 0..from, &mut singles, &mut board, look);
-        gather(right, to..area.width, &mut singles, &mut board, look);
+        for (part, columns) in [(left, 0..from), (right, to..panel.area.width)] {
+            groups.extend(gather(part, columns, &mut singles, &mut board, look));
+        }
     }
     for it in &singles {
         let sign = it.sign.to_string();
@@ -78,7 +127,11 @@ pub fn draw(
     }
     singles.sort_by_key(|it| (it.rank, it.id));
     for marker in singles {
-        board.name(marker, look);
+        name(marker, &mut board, look);
+    }
+    groups.extend(chosen.as_ref().and_then(Chosen::group));
+    for group in &groups {
+        list(group, &mut board, look);
     }
     DrawnVehicles {
         cells: board.cells(),
@@ -102,11 +155,16 @@ fn markers(state: &State, look: &Look, view: &Viewport) -> (Vec<Marker>, usize) 
     (markers, outside)
 }
 
-/// The vehicle under the cursor: always shown with its number, and with the number of vehicles that it hides.
+/// The vehicle under the cursor: always shown with its number, and with the number of vehicles that it hides and their
+/// marks.
 struct Chosen {
     marker: Marker,
     from: u16,
-    text: String,
+    /// The bracket, the sign, the number and the marks.
+    own: String,
+    /// The number of hidden vehicles and their marks; empty if there are none.
+    others: String,
+    hidden: Vec<Marker>,
 }
 
 impl Chosen {
@@ -114,32 +172,43 @@ impl Chosen {
     fn new(marker: Marker, others: &mut Vec<Marker>) -> Self {
         // At the left edge, the sign itself must keep its column.
         let bracket = if marker.column == 0 { "" } else { "[" };
-        let bare = format!("{bracket}{}{}{}", marker.sign, marker.id, marker.marks);
         let mut chosen = Self {
             from: marker.column.saturating_sub(1),
-            text: format!("{bare}]"),
+            own: format!("{bracket}{}{}{}", marker.sign, marker.id, marker.marks),
+            others: String::new(),
             marker,
+            hidden: Vec::new(),
         };
-        let mut hidden = 0;
         loop {
-            let before = hidden;
             let (row, columns) = (chosen.marker.row, chosen.from..chosen.end());
-            others.retain(|it| {
-                let is_hidden = it.row == row && columns.contains(&it.column);
-                hidden += usize::from(is_hidden);
-                !is_hidden
-            });
-            if hidden == before {
+            let is_hidden = |it: &mut Marker| it.row == row && columns.contains(&it.column);
+            let before = chosen.hidden.len();
+            chosen.hidden.extend(others.extract_if(.., is_hidden));
+            if chosen.hidden.len() == before {
                 return chosen;
             }
             // The longer text may hide more vehicles.
-            chosen.text = format!("{bare}+{hidden}]");
+            chosen.others = format!("+{}{}", chosen.hidden.len(), marks_of(&chosen.hidden));
         }
     }
 
     /// The column after the text.
     fn end(&self) -> u16 {
-        self.from + self.text.chars().count() as u16
+        let text = [self.own.as_str(), self.others.as_str(), "]"];
+        self.from
+            + text
+                .map(|part| part.chars().count() as u16)
+                .iter()
+                .sum::<u16>()
+    }
+
+    /// The hidden vehicles, if there are any.
+    fn group(&self) -> Option<Group<'_>> {
+        (!self.hidden.is_empty()).then(|| Group {
+            row: self.marker.row,
+            cells: self.from..self.end(),
+            markers: self.hidden.iter().collect(),
+        })
     }
 }
 
@@ -159,14 +228,14 @@ fn marker(vehicle: &Vehicle, cell: Position, state: &State, look: &Look) -> Mark
     }
     let (role, rank) = match &alarm {
         _ if lost => (Role::Danger, 0),
-        Some(alarm) => (severity_role(alarm.severity), 0),
+        Some(alarm) => (severity_role(alarm.severity), alarm.severity as u8),
         // The colour of a vehicle in flight is that of its plan and trail; a star marks it as selected.
         None if vehicle.armed() => (
             Badge::of_vehicle(vehicle.id).role,
-            if selected { 1 } else { 2 },
+            if selected { SELECTED_RANK } else { USUAL_RANK },
         ),
-        None if selected => (Role::Selected, 1),
-        None => (Role::Muted, 2),
+        None if selected => (Role::Selected, SELECTED_RANK),
+        None => (Role::Muted, USUAL_RANK),
     };
     Marker {
         id: vehicle.id,
@@ -208,15 +277,16 @@ pub fn arrow(heading_deg: f32, symbols: Symbols) -> char {
 }
 
 /// Finds the cells of a row that contain several vehicles, and writes their number there. The number includes the
-/// vehicles in the neighbouring cells that it is written over. The other vehicles are added to `singles`, to be drawn
-/// individually.
+/// vehicles in the neighbouring cells that it is written over. Returns these groups; the other vehicles are added to
+/// `singles`, to be drawn individually.
 fn gather<'a>(
     row: &'a [Marker],
     columns: Range<u16>,
     singles: &mut Vec<&'a Marker>,
     board: &mut Board<'_>,
     look: &Look,
-) {
+) -> Vec<Group<'a>> {
+    let mut groups = Vec::new();
     let mut rest = row;
     let mut free_from = columns.start;
     while let Some(first) = rest.first() {
@@ -240,10 +310,16 @@ fn gather<'a>(
         let from = from
             .min(columns.end.saturating_sub(ends(count) - from))
             .max(free_from);
-        board.put_count(these, from, look);
+        let cells = put_count(these, from, board, look);
+        groups.push(Group {
+            row: first.row,
+            cells,
+            markers: these.iter().collect(),
+        });
         free_from = ends(count);
         rest = others;
     }
+    groups
 }
 
 /// The number of vehicles in one place, which must not look like the number of a vehicle, nor as a part of what is
@@ -252,170 +328,63 @@ pub fn tally(count: usize) -> String {
     format!("(×{count})")
 }
 
-/// The cells of the map that already have a sign or a number.
-struct Board<'a> {
-    panel: Panel<'a>,
-    buffer: &'a mut Buffer,
-    taken: Vec<bool>,
-}
-
-impl<'a> Board<'a> {
-    fn new(panel: Panel<'a>, buffer: &'a mut Buffer) -> Self {
-        let cells = usize::from(panel.area.width) * usize::from(panel.area.height);
-        Self {
-            panel,
-            buffer,
-            taken: vec![false; cells],
-        }
+/// Writes a vehicle's number at its sign if there is room. If its marks do not fit, the number comes first, and
+/// an alert replaces the sign; without room for the number, only the marks are written.
+fn name(marker: &Marker, board: &mut Board<'_>, look: &Look) {
+    let (number, style) = (marker.id.to_string(), look.style(marker.role));
+    let whole = format!("{number}{}", marker.marks);
+    if board.write_beside(marker.cells(), marker.row, &whole, style) {
+        return;
     }
-
-    fn put(&mut self, column: u16, row: u16, text: &str, style: Style) {
-        let area = self.panel.area;
-        let place = Rect {
-            x: area.x + column,
-            y: area.y + row,
-            width: area.width.saturating_sub(column),
-            height: 1,
-        };
-        let written = stamp(text, style, self.panel.at(place), self.buffer);
-        let from = usize::from(row) * usize::from(area.width) + usize::from(column);
-        self.taken[from..from + usize::from(written)].fill(true);
-    }
-
-    /// The cells that have a sign, a number or a mark, sorted.
-    fn cells(&self) -> Vec<MapCell> {
-        let width = usize::from(self.panel.area.width).max(1);
-        let taken = self.taken.iter().enumerate().filter(|(_, taken)| **taken);
-        let mut cells: Vec<MapCell> = taken
-            .map(|(at, _)| ((at % width) as u16, (at / width) as u16))
-            .collect();
-        cells.sort_unstable();
-        cells
-    }
-
-    /// Whether the cells are free, and within the row.
-    fn is_free(&self, column: u16, row: u16, width: u16) -> bool {
-        let from = usize::from(row) * usize::from(self.panel.area.width) + usize::from(column);
-        let fits = column + width <= self.panel.area.width;
-        fits && !self.taken[from..from + usize::from(width)].contains(&true)
-    }
-
-    /// Writes a vehicle's number beside its sign if there is room. If its marks do not fit, the number comes first, and
-    /// an alert replaces the sign; without room for the number, only the marks are written.
-    fn name(&mut self, marker: &Marker, look: &Look) {
-        let number = marker.id.to_string();
-        let whole = format!("{number}{}", marker.marks);
-        if self.write_beside(marker, &whole, look) || marker.marks.is_empty() {
-            return;
-        }
-        if self.write_beside(marker, &number, look) {
-            let mark = if marker.marks.contains(ALERT) {
-                ALERT
-            } else {
-                SELECTED
-            };
-            let style = look.style(marker.role);
-            self.put(marker.column, marker.row, &mark.to_string(), style);
+    let has_marks = !marker.marks.is_empty();
+    if has_marks && board.write_beside(marker.cells(), marker.row, &number, style) {
+        let mark = if marker.marks.contains(ALERT) {
+            ALERT
         } else {
-            self.write_beside(marker, &marker.marks, look);
-        }
-    }
-
-    /// Writes a text after a vehicle's sign, or before it if nothing there could take it for its own.
-    fn write_beside(&mut self, marker: &Marker, text: &str, look: &Look) -> bool {
-        let width = text.len() as u16;
-        let right = marker.column + 1;
-        let left = marker.column.checked_sub(width).filter(|&left| {
-            let gap = u16::from(left > 0);
-            self.is_free(left - gap, marker.row, width + gap)
-        });
-        let at = if self.is_free(right, marker.row, width) {
-            right
-        } else if let Some(left) = left {
-            left
-        } else {
-            return false;
+            SELECTED
         };
-        self.put(at, marker.row, text, look.style(marker.role));
-        for beside in [at.checked_sub(1), Some(at + width)].into_iter().flatten() {
-            self.part(beside, marker.row);
-        }
-        true
-    }
-
-    /// Blanks a letter or digit of the ground next to a number, because it could be read as part of the number.
-    fn part(&mut self, column: u16, row: u16) {
-        if self.is_free(column, row, 1) {
-            part(self.panel, (column, row), self.buffer);
-        }
-    }
-
-    fn put_chosen(&mut self, chosen: &Chosen, look: &Look) {
-        let marker = &chosen.marker;
-        let style = look.style(marker.role).patch(look.style(Role::Cursor));
-        self.put(chosen.from, marker.row, &chosen.text, style);
-        let beside = [chosen.from.checked_sub(1), Some(chosen.end())];
-        for column in beside.into_iter().flatten() {
-            self.part(column, marker.row);
-        }
-    }
-
-    fn put_count(&mut self, those: &[Marker], from: u16, look: &Look) {
-        let worst = those.iter().min_by_key(|it| it.rank);
-        let role = worst.map_or(Role::Text, |it| it.role);
-        let mark = |wanted: char| those.iter().any(|it| it.marks.contains(wanted));
-        let mut text = tally(those.len());
-        for wanted in [SELECTED, ALERT] {
-            if mark(wanted) {
-                text.push(wanted);
-            }
-        }
-        let Some(row) = those.first().map(|it| it.row) else {
-            return;
-        };
-        self.put(from, row, &text, look.style(role));
+        board.put(marker.column, marker.row, &mark.to_string(), style);
+    } else if !board.write_over(marker.cells(), marker.row, &whole, style) && has_marks {
+        board.write_beside(marker.cells(), marker.row, &marker.marks, style);
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Vehicles in a row: column, number and marks.
-    fn drawn(vehicles: &[(u16, VehicleId, &str)]) -> String {
-        let (look, area) = (Look::default(), Rect::new(0, 0, 10, 1));
-        let mut buffer = Buffer::empty(area);
-        let mut board = Board::new(Panel::new(&look, area), &mut buffer);
-        let marker = |&(column, id, marks): &(u16, VehicleId, &str)| Marker {
-            id,
-            column,
-            row: 0,
-            sign: '^',
-            marks: marks.to_owned(),
-            role: Role::Text,
-            rank: 0,
-        };
-        let markers: Vec<Marker> = vehicles.iter().map(marker).collect();
-        for it in &markers {
-            board.put(it.column, 0, "^", Style::new());
-        }
-        for it in &markers {
-            board.name(it, &look);
-        }
-        (0..10).map(|x| buffer[(x, 0)].symbol()).collect()
+/// Writes the numbers of several vehicles at their sign if there is room.
+fn list(group: &Group<'_>, board: &mut Board<'_>, look: &Look) {
+    let Some(list) = group.list() else { return };
+    let style = look.style(worst_role(group.markers.iter().copied()));
+    if !board.write_over(group.cells.clone(), group.row, &list, style) {
+        board.write_beside(group.cells.clone(), group.row, &list, style);
     }
+}
 
-    #[test]
-    fn a_vehicle_with_an_alert_keeps_its_number_beside_neighbours() {
-        assert_eq!(drawn(&[(1, 2, "!"), (5, 3, "")]), " ^2! ^3   ");
-        assert_eq!(drawn(&[(1, 2, "!"), (3, 3, "")]), " !2^3     ");
-        assert_eq!(drawn(&[(1, 2, "*"), (3, 3, "!")]), " *2^3!    ");
+/// Writes the vehicle under the cursor.
+fn put_chosen(chosen: &Chosen, board: &mut Board<'_>, look: &Look) {
+    let row = chosen.marker.row;
+    let style = |role| look.style(role).patch(look.style(Role::Cursor));
+    let own = style(chosen.marker.role);
+    let others = style(worst_role(&chosen.hidden));
+    let mut column = chosen.from;
+    for (text, style) in [
+        (chosen.own.as_str(), own),
+        (&chosen.others, others),
+        ("]", own),
+    ] {
+        board.put(column, row, text, style);
+        column += text.chars().count() as u16;
     }
+    let beside = [chosen.from.checked_sub(1), Some(chosen.end())];
+    for column in beside.into_iter().flatten() {
+        board.part(column, row);
+    }
+}
 
-    #[test]
-    fn no_number_stands_between_two_signs_unless_it_follows_its_own() {
-        // The number of vehicle 3 would look like that of vehicle 2.
-        assert_eq!(drawn(&[(1, 2, ""), (3, 3, ""), (4, 4, "")]), " ^2^^4    ");
-        assert_eq!(drawn(&[(3, 3, ""), (4, 4, "")]), "  3^^4    ");
-    }
+/// Writes the number of vehicles in one place, with their marks; returns the columns written.
+fn put_count(those: &[Marker], from: u16, board: &mut Board<'_>, look: &Look) -> Range<u16> {
+    let text = tally(those.len()) + &marks_of(those);
+    let Some(row) = those.first().map(|it| it.row) else {
+        return from..from;
+    };
+    board.put(from, row, &text, look.style(worst_role(those)));
+    from..from + text.chars().count() as u16
 }

@@ -62,7 +62,7 @@ const FORMS: &[ColumnForm] = &[
     form(Column::Current, "column-amps", 5, ASKED, true),
     form(Column::Used, "column-used", 5, ASKED, true),
     form(Column::Hdop, "column-hdop", 4, ASKED, true),
-    form(Column::RoundTrip, "column-ping", 5, ASKED, true),
+    form(Column::RoundTrip, "column-round-trip", 5, ASKED, true),
     form(Column::Ekf, "column-ekf", 4, ASKED, true),
     form(Column::Vibration, "column-vibe", 4, ASKED, true),
     form(Column::Sea, "column-sea", 6, ASKED, true),
