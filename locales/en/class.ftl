@@ -27,7 +27,7 @@ class-title = class { $class }: { $here } of { $count } { $count ->
         [0] {""}
        *[other] , { $marked } marked
     }
-class-empty = No trainee has joined yet. Trainees join with `sortie --class NAME` or `sortie fly MISSION --class NAME`.
+class-empty = No trainee has joined yet. They join with `sortie --class NAME`.
 class-column-seat = seat
 class-column-state = state
 class-column-mission = mission
@@ -110,6 +110,7 @@ class-seats = { $count ->
     }
 class-all-seats = all seats
 class-no-desk = this console is not the desk of a class: open one with `sortie class open`
+class-unknown-seat = no seat of the class has the name after `@`
 class-no-seat = no connected seat is meant: move the cursor to one, mark some, or name one, such as @anna
 class-ask-end = END MISSION for { $seats }
 class-ask-end-reason = the flights of these trainees end now and are scored
@@ -125,6 +126,7 @@ class-ask-reason = the instructor sees your flight, and can freeze and end it
 class-joining = joining the class
 class-joined = in class { $class }: { $instructor } sees your flight
 class-left = not in the class: join with `class join`
+class-lost-frozen = the desk is gone: `continue` lets your flight go on
 class-lost = the desk is gone; your flight continues
 class-message = { $instructor }: { $text }
 class-frozen = { $instructor } has frozen the flight: wait until it is resumed

@@ -3,6 +3,7 @@
 mission-passed = passed
 mission-failed = failed
 mission-timed-out = timed out
+mission-stopped = ended by the instructor
 mission-abandoned = abandoned
 mission-not-finished = not finished
 mission-over = mission { $outcome }

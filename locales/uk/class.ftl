@@ -27,7 +27,7 @@ class-title = клас { $class }: на зв'язку { $here } із { $count } 
         [0] {""}
        *[other] , позначено { $marked }
     }
-class-empty = Ще ніхто не приєднався. Учні приєднуються командою `sortie --class НАЗВА` або `sortie fly ЗАВДАННЯ --class НАЗВА`.
+class-empty = Ще ніхто не приєднався. Для цього є `sortie --class НАЗВА`.
 class-column-seat = місце
 class-column-state = стан
 class-column-mission = завдання
@@ -111,6 +111,7 @@ class-seats = { $count ->
     }
 class-all-seats = усі місця
 class-no-desk = ця консоль не є пультом класу: відкрийте його командою `sortie class open`
+class-unknown-seat = у класі немає місця з такою назвою після `@`
 class-no-seat = немає місця на зв'язку: перейдіть до нього курсором, позначте кілька або назвіть одне, наприклад @anna
 class-ask-end = ЗАВЕРШИТИ ЗАВДАННЯ: { $seats }
 class-ask-end-reason = польоти цих учнів завершаться зараз і будуть оцінені
@@ -126,6 +127,7 @@ class-ask-reason = інструктор бачитиме ваш політ і з
 class-joining = приєднання до класу
 class-joined = у класі { $class }: { $instructor } бачить ваш політ
 class-left = не в класі: приєднатися можна командою `class join`
+class-lost-frozen = пульт зник; `continue` продовжить ваш політ
 class-lost = пульт зник; ваш політ триває
 class-message = { $instructor }: { $text }
 class-frozen = { $instructor } зупиняє час польоту: зачекайте, доки його буде продовжено

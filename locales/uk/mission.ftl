@@ -3,6 +3,7 @@
 mission-passed = пройдено
 mission-failed = не пройдено
 mission-timed-out = час вийшов
+mission-stopped = завершив інструктор
 mission-abandoned = припинено
 mission-not-finished = не завершено
 mission-over = завдання: { $outcome }

@@ -273,8 +273,10 @@ pub enum SessionEffect {
     Continue,
     /// Change the speed-up of simulated time.
     Speedup(PaceChange),
-    /// End the mission now; its report follows as an event.
+    /// Give the mission up; its report follows as an event.
     Abandon,
+    /// End the mission for the instructor, as it stands; its report follows as an event.
+    Stop,
     /// Start the same mission again.
     Restart {
         /// Whether to keep the seed.

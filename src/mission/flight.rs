@@ -235,6 +235,18 @@ impl Flight {
         }
     }
 
+    /// Ends the flight for the instructor, as it stands: what has been reached counts.
+    pub fn stop(&mut self) {
+        if !self.is_over() {
+            if let Some(recorder) = &mut self.recorder {
+                recorder.stop();
+            }
+            self.end(self.verdict(FlightOutcome::Stopped));
+            // The desk's order is a notice already.
+            self.journal.take();
+        }
+    }
+
     /// Records a pause; `lasted` is its length by the wall clock, during which mission time did not
     /// advance. Returns the notice, in mission time; `None` once the flight is over.
     pub fn note_pause(&mut self, lasted: Duration) -> Option<Notice> {

@@ -241,6 +241,10 @@ impl Recorder {
         self.befall(&RecordLine::Abandon);
     }
 
+    pub fn stop(&mut self) {
+        self.befall(&RecordLine::Stop);
+    }
+
     pub fn end(&mut self, ledger: &Ledger, report: &Report) {
         // Without its end, the record still shows that the mission was over.
         self.write_step();

@@ -4,6 +4,7 @@
 //! found by comparing the state with what the connection has said already, and only as far as its queue has room.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 use rand::TryRng as _;
 use rand::rngs::SysRng;
@@ -22,6 +23,11 @@ use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
 use crate::scoring::FlownBy;
 use crate::text::Text;
+
+/// The time without a tick after which the process must have been stopped.
+const STOOD_STILL: Duration = Duration::from_secs(2);
+/// The time after that in which what has waited meanwhile arrives.
+const CATCHES_UP: Duration = Duration::from_secs(1);
 
 /// The console's part in a class.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -72,11 +78,37 @@ pub(super) enum ClassEnd {
     Desk(DeskEnd),
 }
 
+/// When this process was stopped, by the wall clock.
+#[derive(Debug, Default)]
+struct ProcessPauses {
+    last_tick: Option<Duration>,
+    ended: Option<Duration>,
+}
+
+impl ProcessPauses {
+    fn note(&mut self, tick: Duration) {
+        if self.is_now(tick) {
+            self.ended = Some(tick);
+        }
+        self.last_tick = Some(tick);
+    }
+
+    fn is_now(&self, now: Duration) -> bool {
+        self.last_tick.is_some_and(|tick| now >= tick + STOOD_STILL)
+    }
+
+    /// Whether the process goes on just now after it was stopped.
+    fn is_fresh(&self, now: Duration) -> bool {
+        self.is_now(now) || self.ended.is_some_and(|ended| now < ended + CATCHES_UP)
+    }
+}
+
 /// The connection of a seat.
 pub(super) struct SeatEnd {
     place: ClassPlace,
     /// Whether a script or a program gives the commands.
     by_script: bool,
+    pauses: ProcessPauses,
     /// `None` while the trainee does not want to join.
     port: Option<SeatPort>,
     open: Option<OpenLine<SeatLine>>,
@@ -129,6 +161,7 @@ impl ClassEnd {
             ClassPart::Seat { .. } => Self::Seat(SeatEnd {
                 place: place.clone(),
                 by_script: flown_by != FlownBy::Hand,
+                pauses: ProcessPauses::default(),
                 port: None,
                 open: None,
             }),
@@ -166,6 +199,7 @@ impl ClassEnd {
 
 impl SeatEnd {
     fn tell(&mut self, seat: &Seat, state: &State) {
+        self.pauses.note(state.wall());
         if seat.consent() == Consent::Declined {
             (self.port, self.open) = (None, None);
             return;
@@ -230,6 +264,9 @@ impl Console {
                 let instructor = desk.user;
                 self.feed(ClassEvent::Found { instructor }).await;
             }
+            // It may have waited for long, so that the desk has given it up; if not, the desk repeats it.
+            SeatArrival::Line(Ok(DeskMessage::Order(_)))
+                if end.pauses.is_fresh(self.clock.wall()) => {}
             SeatArrival::Line(Ok(message)) => {
                 if let Some(open) = &mut end.open {
                     open.line.hear(&message);

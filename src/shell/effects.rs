@@ -118,6 +118,10 @@ impl Console {
                 self.abandon();
                 Ok(())
             }
+            SessionEffect::Stop => {
+                self.stop();
+                Ok(())
+            }
             SessionEffect::Leave => {
                 self.release_sticks().await;
                 self.end_session();

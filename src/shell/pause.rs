@@ -132,6 +132,12 @@ impl Console {
         self.go_on();
         self.running.iter_mut().for_each(RunningSession::abandon);
     }
+
+    /// Ends the mission for the instructor; its report follows with the next tick.
+    pub(super) fn stop(&mut self) {
+        self.go_on();
+        self.running.iter_mut().for_each(RunningSession::stop);
+    }
 }
 
 fn paused_for(lasted: Duration) -> Happening {

@@ -9,10 +9,15 @@ use super::{ConnectionId, Desk, Order, OrderState, SeatRecord};
 /// How long the desk waits for entries or the outcome of an order before it asks again.
 const ASK_AGAIN: Duration = Duration::from_secs(2);
 
+/// How often a desk says something at least.
+const SAY_EVERY: Duration = Duration::from_secs(2);
+
 /// A desk's half of one connection. A new connection needs a new one.
 #[derive(Debug, Clone, Default)]
 pub struct DeskLine {
     has_greeted: bool,
+    /// When the last line was said.
+    said_at: Duration,
     asked: Option<Asked>,
     /// When each order without an outcome was sent, by its number.
     ordered: BTreeMap<u32, Duration>,
@@ -33,7 +38,14 @@ impl DeskLine {
         connection: ConnectionId,
         now: Duration,
     ) -> Option<DeskMessage> {
-        let seat = desk.seat_of(connection)?;
+        let message = self.due(desk.seat_of(connection)?, desk, now);
+        if message.is_some() {
+            self.said_at = now;
+        }
+        message
+    }
+
+    fn due(&mut self, seat: &SeatRecord, desk: &Desk, now: Duration) -> Option<DeskMessage> {
         if !self.has_greeted {
             self.has_greeted = true;
             return Some(DeskMessage::Welcome {
@@ -46,7 +58,8 @@ impl DeskLine {
                 from: seat.journal.next_number(),
             });
         }
-        self.next_order(seat, now).map(DeskMessage::Order)
+        let order = self.next_order(seat, now).map(DeskMessage::Order);
+        order.or_else(|| (now >= self.said_at + SAY_EVERY).then_some(DeskMessage::Here))
     }
 
     /// An order without an outcome that was not sent, or not lately.

@@ -4,7 +4,7 @@ use std::collections::VecDeque;
 
 use serde::{Deserialize, Serialize};
 
-use super::{OrderId, Outcome, Words};
+use super::{Deed, OrderId, Outcome, Words};
 
 /// The maximum number of entries that a seat keeps, and a desk for each seat; the oldest are dropped.
 pub const KEPT: usize = 20_000;
@@ -59,6 +59,8 @@ pub enum Happening {
     Order {
         /// The id that the desk gave the order.
         id: OrderId,
+        /// What the desk asked for, for a desk that was opened later.
+        deed: Deed,
         /// How the order ended at the seat.
         outcome: Outcome,
     },

@@ -61,6 +61,8 @@ pub enum DeskMessage {
     },
     /// Carry out an order, unless it was carried out before.
     Order(Order),
+    /// The desk is still there, though it has nothing else to say.
+    Here,
 }
 
 /// Why a seat cannot join.

@@ -105,8 +105,9 @@ impl Seat {
     }
 
     /// Notes how an order ended.
-    pub fn settle(&mut self, clock_s: Option<f64>, id: OrderId, outcome: Outcome) {
-        self.note(clock_s, Happening::Order { id, outcome });
+    pub fn settle(&mut self, clock_s: Option<f64>, order: Order, outcome: Outcome) {
+        let Order { id, deed } = order;
+        self.note(clock_s, Happening::Order { id, deed, outcome });
     }
 
     /// What happened at this seat.

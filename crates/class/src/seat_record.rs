@@ -120,7 +120,7 @@ impl SeatRecord {
     /// Notes the outcomes of orders in new entries.
     pub(super) fn hear(&mut self, entries: &[Entry]) {
         for entry in entries {
-            let Happening::Order { id, outcome } = entry.what else {
+            let Happening::Order { id, outcome, .. } = entry.what else {
                 continue;
             };
             let given = self.orders.iter_mut().find(|it| it.order.id == id);

@@ -320,9 +320,12 @@ impl Rig {
             DeskMessage::Welcome { class, .. } => self.seat.enter(class),
             DeskMessage::Order(order) if self.seat.is_new(&order) => {
                 *self.done.entry(order.id).or_default() += 1;
-                self.seat.settle(None, order.id, Outcome::Done);
+                self.seat.settle(None, order.clone(), Outcome::Done);
             }
-            DeskMessage::Order(_) | DeskMessage::Ask { .. } | DeskMessage::Denied(_) => {}
+            DeskMessage::Order(_)
+            | DeskMessage::Ask { .. }
+            | DeskMessage::Denied(_)
+            | DeskMessage::Here => {}
         }
     }
 }

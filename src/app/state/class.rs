@@ -1,5 +1,6 @@
 //! The console's part in a class: a seat, or the desk.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use crate::class::{Consent, Danger, Deed, Desk, Happening, OrderId, Seat, Words};
@@ -25,8 +26,12 @@ pub struct SeatPlace {
     pub(in crate::app) pending: Vec<PendingOrder>,
     /// Armed injects.
     pub(in crate::app) armed: Vec<ArmedOrder>,
+    /// The entries of the ledger that the desk has caused, which are no commands of the trainee.
+    pub(in crate::app) desk_entries: BTreeSet<EntryId>,
     /// Whether the desk has frozen the flight.
     pub(in crate::app) is_frozen: bool,
+    /// When the desk last said something, by the wall clock.
+    pub(in crate::app) heard_at: Duration,
     /// When dangers were last looked for, on the console's clock.
     pub(in crate::app) looked_at: Duration,
     /// A collision or a broken fence that is near.
@@ -77,7 +82,9 @@ impl SeatPlace {
             seat,
             pending: Vec::new(),
             armed: Vec::new(),
+            desk_entries: BTreeSet::new(),
             is_frozen: false,
+            heard_at: Duration::ZERO,
             looked_at: Duration::ZERO,
             danger: None,
             least_separation_m: None,
@@ -95,6 +102,7 @@ impl SeatPlace {
         match what {
             Happening::Started { .. } => {
                 self.is_frozen = false;
+                self.desk_entries.clear();
                 self.danger = None;
                 self.least_separation_m = None;
                 self.failures = 0;

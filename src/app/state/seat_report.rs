@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use super::{Activity, ClassRole, FlightView, SeatPlace, State};
+use super::{Activity, ClassRole, SeatPlace, State};
 use crate::class::{ArmedInject, FlightReport, LastCommand, OfferedInject, SeatReport, Stage};
+use crate::ledger::LedgerEntry;
 use crate::mission::{ObjectiveState, Progress, Stake};
 use crate::scoring::utilisation;
 
@@ -66,19 +67,25 @@ impl<R> State<R> {
             danger: place.and_then(|place| place.danger),
             failures: place.map_or(0, |place| place.failures),
             least_separation_m: place.and_then(|place| place.least_separation_m),
-            workload_percent: Some(workload_percent(session, self.now)),
-            last_command: session
-                .ledger()
-                .entries()
-                .next_back()
-                .map(|entry| LastCommand {
-                    line: entry.line.as_str().into(),
-                    age_s: seconds(self.now.saturating_sub(entry.at)),
-                }),
+            workload_percent: Some(workload_percent(self.own_commands(), self.now)),
+            last_command: self.own_commands().next().map(|entry| LastCommand {
+                line: entry.line.as_str().into(),
+                age_s: seconds(self.now.saturating_sub(entry.at)),
+            }),
             by_script: false,
             injects: progress.map_or_else(Vec::new, offered),
             armed: place.map_or_else(Vec::new, armed),
         }
+    }
+
+    /// The trainee's commands, newest first: without those that the desk has caused.
+    fn own_commands(&self) -> impl Iterator<Item = &LedgerEntry> {
+        let place = self.class.seat();
+        let by_desk = move |entry: &LedgerEntry| {
+            place.is_some_and(|place| place.desk_entries.contains(&entry.id))
+        };
+        let entries = self.session.ledger().entries().rev();
+        entries.filter(move |entry| !by_desk(entry))
     }
 
     fn stage(&self) -> Stage {
@@ -119,8 +126,7 @@ fn armed(place: &SeatPlace) -> Vec<ArmedInject> {
 }
 
 /// The share of the last minute in which the trainee was busy with commands, as the debrief counts it.
-fn workload_percent(session: &FlightView, now: Duration) -> u8 {
-    let recent = session.ledger().entries().rev();
+fn workload_percent<'a>(recent: impl Iterator<Item = &'a LedgerEntry>, now: Duration) -> u8 {
     let mut commands: Vec<Duration> = recent.take(200).map(|entry| entry.at).collect();
     commands.reverse();
     (utilisation(&commands, now) * 100.0).round() as u8

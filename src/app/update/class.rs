@@ -54,15 +54,25 @@ fn found(state: &mut State, instructor: &str) {
 
 fn lost(state: &mut State) {
     let was_watched = state.class.watcher().is_some();
+    let was_frozen = state.class.is_frozen() && state.session.is_paused();
     if let Some(place) = state.class.seat_mut() {
         place.seat.lose();
     }
     if was_watched {
-        tell(state, Severity::Notice, text!("class-lost"));
+        let text = if was_frozen {
+            text!("class-lost-frozen")
+        } else {
+            text!("class-lost")
+        };
+        tell(state, Severity::Notice, text);
     }
 }
 
 fn said(state: &mut State, message: DeskMessage) -> Effects {
+    let wall = state.wall;
+    if let Some(place) = state.class.seat_mut() {
+        place.heard_at = wall;
+    }
     match message {
         DeskMessage::Welcome { class, .. } => {
             let Some(place) = state.class.seat_mut() else {
@@ -83,7 +93,7 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
         }
         DeskMessage::Order(given) => return orders::given(state, given),
         // What is to be sent is a matter of the connection.
-        DeskMessage::Ask { .. } => {}
+        DeskMessage::Ask { .. } | DeskMessage::Here => {}
     }
     Effects::none()
 }
@@ -104,8 +114,10 @@ pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: 
         ClassRole::None | ClassRole::Desk(_) => return,
         ClassRole::Seat(_) => {}
     }
+    let place = state.class.seat();
+    let by_desk = |entry| place.is_some_and(|place| place.desk_entries.contains(entry));
     let commands = effects.iter().filter_map(|effect| match effect {
-        Effect::Order { order, .. } => Some(Happening::Command {
+        Effect::Order { order, entry } if !by_desk(entry) => Some(Happening::Command {
             line: order.given().line.into(),
         }),
         _ => None,
@@ -180,8 +192,11 @@ fn ask(state: &mut State) {
 pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
     match line {
         ClassLine::Join | ClassLine::Leave => {
-            let place = state.class.seat_mut().ok_or_else(|| text!("class-none"))?;
             let joins = line == ClassLine::Join;
+            if !joins && let Some(reason) = orders::keeps_frozen(state) {
+                return Err(reason);
+            }
+            let place = state.class.seat_mut().ok_or_else(|| text!("class-none"))?;
             place.seat.decide(joins);
             if !joins {
                 place.seat.lose();

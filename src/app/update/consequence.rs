@@ -62,7 +62,8 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Replay { .. }
         | SessionEffect::Bookmark(_)
         | SessionEffect::Ghost(_)
-        | SessionEffect::Abandon => {}
+        | SessionEffect::Abandon
+        | SessionEffect::Stop => {}
     }
 }
 

@@ -162,6 +162,10 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
         state.say(Severity::Notice, text!("restart-not-replay"));
         return Effects::none();
     }
+    if let Some(reason) = class::keeps_frozen(state) {
+        state.say(Severity::Warning, reason);
+        return Effects::none();
+    }
     if state.flown_mission().is_none() {
         state.say(Severity::Notice, text!("mission-none"));
         return Effects::none();

@@ -1,7 +1,7 @@
 //! Commands to vehicles: their targets, the question before a dangerous command, and their ledger
 //! entries.
 
-use super::own_fence;
+use super::{class, own_fence};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
@@ -99,6 +99,9 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
         ));
     }
     if state.session.is_paused() && !moves_nothing(state, statement) {
+        if let Some(reason) = class::keeps_frozen(state) {
+            return Err(Diagnostic::new(first_word(line), reason));
+        }
         return Err(
             Diagnostic::new(first_word(line), text!("pause-refuses")).with_help(text!(
                 "pause-refuses-help",

@@ -1,11 +1,12 @@
 //! The verb for a class.
 
-use super::{Built, console};
+use super::{Built, Problem, console};
 use crate::class::Deed;
 use crate::language::argument::{Argument, Arguments, Kind};
 use crate::language::console::{ClassLine, ConsoleLine, Report, SeatChoice};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
+use crate::text;
 use crate::verb::Verb;
 
 /// The word for all seats.
@@ -81,7 +82,12 @@ const CONDITION: Argument =
     Argument::keyed("when", "condition", Kind::Rest, "argument-condition").optional();
 
 fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
-    instruct(given, deed(given.word("text").unwrap_or_default()))
+    let text = given.word("text").unwrap_or_default();
+    // A name that no seat has must not become part of a text to another seat.
+    if given.word("@seat").is_none() && text.starts_with('@') {
+        return Err(Problem::new("text", text!("class-unknown-seat")));
+    }
+    instruct(given, deed(text))
 }
 
 fn instruct(given: &Arguments, deed: Deed) -> Built {

@@ -70,7 +70,7 @@ impl Flight {
     }
 
     /// The outcome if the flight ends now: `otherwise` unless all mandatory objectives are met.
-    fn verdict(&self, otherwise: FlightOutcome) -> FlightOutcome {
+    pub(super) fn verdict(&self, otherwise: FlightOutcome) -> FlightOutcome {
         let standings = self.final_standings();
         if self.mandatory(&standings).all(|it| it.met) {
             FlightOutcome::Passed

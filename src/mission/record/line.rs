@@ -43,6 +43,8 @@ pub(super) enum RecordLine {
     Pause { seconds: u64 },
     /// The trainee gave up: [`Flight::abandon`](crate::mission::Flight::abandon).
     Abandon,
+    /// The instructor ended the flight: [`Flight::stop`](crate::mission::Flight::stop).
+    Stop,
     /// Changes of commands after the last step, and the score.
     End {
         t: u64,
@@ -77,6 +79,7 @@ impl RecordLine {
             | Self::Inject { .. }
             | Self::Pause { .. }
             | Self::Abandon
+            | Self::Stop
             | Self::End { .. } => None,
         }
     }
@@ -89,7 +92,8 @@ impl RecordLine {
             | Self::Lose { .. }
             | Self::Inject { .. }
             | Self::Pause { .. }
-            | Self::Abandon => None,
+            | Self::Abandon
+            | Self::Stop => None,
         }
     }
 
@@ -102,7 +106,8 @@ impl RecordLine {
             | Self::Lose { .. }
             | Self::Inject { .. }
             | Self::Pause { .. }
-            | Self::Abandon => None,
+            | Self::Abandon
+            | Self::Stop => None,
         }
     }
 
@@ -115,7 +120,8 @@ impl RecordLine {
             | Self::Lose { .. }
             | Self::Inject { .. }
             | Self::Pause { .. }
-            | Self::Abandon => None,
+            | Self::Abandon
+            | Self::Stop => None,
         }
     }
 }

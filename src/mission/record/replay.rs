@@ -323,6 +323,7 @@ impl Reenactment {
                 self.said.extend(said);
             }
             RecordLine::Abandon => self.flight.abandon(),
+            RecordLine::Stop => self.flight.stop(),
             RecordLine::End { t, change, .. } => {
                 let at = Duration::from_millis(*t);
                 self.pass(at + TICK);

@@ -84,6 +84,8 @@ pub enum FlightOutcome {
     /// The time was up before the objectives were met.
     #[serde(rename = "timed out")]
     TimedOut,
+    /// The instructor ended it; it is scored as it stood.
+    Stopped,
     /// The trainee gave up.
     Abandoned,
 }
@@ -101,6 +103,7 @@ impl FlightOutcome {
             Self::Passed => text!("mission-passed"),
             Self::Failed => text!("mission-failed"),
             Self::TimedOut => text!("mission-timed-out"),
+            Self::Stopped => text!("mission-stopped"),
             Self::Abandoned => text!("mission-abandoned"),
         }
     }

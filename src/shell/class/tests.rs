@@ -139,6 +139,23 @@ async fn orders_reach_two_seats_and_a_new_desk_gets_the_whole_journal() {
     }
     assert!(!anna.console.app.state().session().is_paused());
 
+    // A seat stands still until the desk has given its order up: it is not carried out later.
+    desk.say("class freeze @all").await;
+    run(&mut [&mut desk, &mut bohdan], 12).await;
+    let last = |desk: &Member, seat: usize| {
+        let order = desk.seats()[seat].orders().next_back();
+        order.map(|it| it.state)
+    };
+    assert_eq!(last(&desk, 0), Some(OrderState::Unanswered));
+    assert_eq!(last(&desk, 1), Some(OrderState::Ended(Outcome::Done)));
+    run(&mut [&mut desk, &mut anna, &mut bohdan], 4).await;
+    assert!(!anna.console.app.state().session().is_paused());
+    // One that is still wanted is repeated.
+    desk.say("class message @all land").await;
+    run(&mut [&mut desk, &mut bohdan], 4).await;
+    run(&mut [&mut desk, &mut anna, &mut bohdan], 4).await;
+    assert_eq!(last(&desk, 0), Some(OrderState::Ended(Outcome::Done)));
+
     // The desk is killed; a flight goes on without it.
     drop(desk);
     anna.say("all arm").await;

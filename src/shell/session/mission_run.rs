@@ -348,6 +348,13 @@ impl RunningSession {
             mission_run.driver.flight_mut().abandon();
         }
     }
+
+    /// Ends the mission for the instructor; its report comes with the next tick.
+    pub fn stop(&mut self) {
+        if let Some(mission_run) = &mut self.mission_run {
+            mission_run.driver.flight_mut().stop();
+        }
+    }
 }
 
 #[cfg(test)]

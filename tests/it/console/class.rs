@@ -77,7 +77,7 @@ fn journal(console: &Console) -> Vec<Happening> {
 /// The outcomes of orders so far, by number.
 fn outcomes(console: &Console) -> Vec<(u32, Outcome)> {
     let ended = journal(console).into_iter().filter_map(|what| match what {
-        Happening::Order { id, outcome } => Some((id.number, outcome)),
+        Happening::Order { id, outcome, .. } => Some((id.number, outcome)),
         _ => None,
     });
     ended.collect()
@@ -172,7 +172,35 @@ fn a_frozen_flight_is_not_resumed_by_the_trainee_while_the_desk_is_there() {
     assert_eq!(stage(&console), Some(Stage::Frozen));
     console.press("p");
     assert_eq!(session_effects(&console), Vec::<&SessionEffect>::new());
+    for line in ["class leave", "restart", "1 arm"] {
+        console.give(line);
+        let screen = console.screen(120, 40);
+        assert!(screen.contains("petro has frozen"), "{line} {screen}");
+        console.press("esc");
+    }
+    assert!(console.state().class_role().watcher().is_some());
     console.hear(ClassEvent::Lost);
+    assert!(
+        console
+            .screen(120, 40)
+            .contains("`continue` lets your flight go on")
+    );
+    console.press("p");
+    assert_eq!(session_effects(&console), [&SessionEffect::Continue]);
+}
+
+#[test]
+fn a_silent_desk_does_not_hold_a_flight() {
+    let mut console = flying_mission(Stake::Graded);
+    order(&mut console, 1, Deed::Freeze);
+    console.hear(SessionEvent::Paused(true));
+    for _ in 0..3 {
+        pass(&mut console, 8);
+        console.hear(ClassEvent::Said(DeskMessage::Here));
+    }
+    console.press("p");
+    assert_eq!(session_effects(&console), Vec::<&SessionEffect>::new());
+    pass(&mut console, 10);
     console.press("p");
     assert_eq!(session_effects(&console), [&SessionEffect::Continue]);
 }
@@ -223,7 +251,7 @@ fn in_an_exam_only_a_message_and_the_end_are_carried_out() {
     order(&mut console, 5, Deed::Message { text });
     assert_eq!(outcomes(&console)[4], (5, Outcome::Done));
     order(&mut console, 6, Deed::End);
-    assert_eq!(session_effects(&console), [&SessionEffect::Abandon]);
+    assert_eq!(session_effects(&console), [&SessionEffect::Stop]);
     let report = Box::new(fixtures::report());
     console.hear(SessionEvent::MissionEnded(report));
     let ended: Vec<(u32, Outcome)> = outcomes(&console).split_off(5);
@@ -245,6 +273,10 @@ fn a_hint_of_the_desk_is_an_order_in_the_ledger() {
     let entries = console.state().session().ledger().entries();
     let lines: Vec<String> = entries.map(|entry| entry.line.clone()).collect();
     assert_eq!(lines, ["all hint"]);
+    let is_command = |what: &Happening| matches!(what, Happening::Command { .. });
+    assert!(!journal(&console).iter().any(is_command));
+    let flight = console.state().seat_report(false).flight;
+    assert_eq!(flight.map(|it| it.last_command), Some(None));
     for vehicle in console.sent_to() {
         console.row(vehicle, RowState::Done, None);
     }
@@ -445,10 +477,12 @@ fn a_line_names_a_seat_or_all_of_them() {
     console.press("m").write("all of you").press("enter");
     let text = "all of you".into();
     assert!(deeds(&console).contains(&("anna".to_owned(), Deed::Message { text })));
-    console.give("class freeze @nobody");
-    let screen = console.screen(120, 40);
-    assert!(screen.contains("nobody"), "{screen}");
-    assert_eq!(deeds(&console).len(), 5);
+    for line in ["class freeze @nobody", "class message @nobody hello"] {
+        console.give(line);
+        let screen = console.screen(120, 40);
+        assert!(screen.contains("nobody"), "{screen}");
+        assert_eq!(deeds(&console).len(), 5, "{line}");
+    }
 }
 
 #[test]

@@ -17,6 +17,8 @@ use crate::vehicle::Severity;
 
 mod injects;
 
+/// The time without a line of the desk, which says something every 2 s, after which it no longer holds a flight.
+const DESK_SILENT: Duration = Duration::from_secs(10);
 /// How long the effect of an order may take.
 const SEEN_WITHIN: Duration = Duration::from_secs(5);
 
@@ -37,6 +39,9 @@ pub fn given(state: &mut State, order: Order) -> Effects {
                 due: state.wall + SEEN_WITHIN,
             };
             if let Some(place) = state.class.seat_mut() {
+                if let OrderTrace::Entry(entry) = pending.trace {
+                    place.desk_entries.insert(entry);
+                }
                 place.pending.push(pending);
             }
             begun.effects
@@ -87,7 +92,7 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, Refusal> {
         Deed::Resume => Err(Refusal::NotFrozen),
         Deed::Inject { name, when } => injects::inject(state, order.id, name, when.as_ref()),
         Deed::Disarm { name } => injects::disarm(state, order.id, name.as_ref()),
-        Deed::End => abandon(state),
+        Deed::End => stop(state),
     }
 }
 
@@ -166,7 +171,7 @@ fn freeze(state: &mut State) -> Result<BegunOrder, Refusal> {
     })
 }
 
-fn abandon(state: &State) -> Result<BegunOrder, Refusal> {
+fn stop(state: &State) -> Result<BegunOrder, Refusal> {
     let session = &state.session;
     if state.flown_mission().is_none() || session.task.over || state.replay.is_some() {
         return Err(Refusal::NoMission);
@@ -174,7 +179,7 @@ fn abandon(state: &State) -> Result<BegunOrder, Refusal> {
     if !session.has_flight_begun() {
         return Err(Refusal::NotFlying);
     }
-    Ok(SessionEffect::Abandon.into())
+    Ok(SessionEffect::Stop.into())
 }
 
 /// Ends the orders whose effect is seen, or was not seen in time.
@@ -279,12 +284,12 @@ pub fn begun(state: &mut State, id: OrderId, refusal: Option<Refusal>) -> Effect
 fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects {
     let line = DeskRecord {
         by: instructor(state),
-        deed,
+        deed: deed.clone(),
         outcome,
     };
     let clock_s = clock_s(state);
     if let Some(place) = state.class.seat_mut() {
-        place.seat.settle(clock_s, id, outcome);
+        place.seat.settle(clock_s, Order { id, deed }, outcome);
     }
     // The trainee has just read a message.
     if !line.deed.is_hidden() && !matches!(line.deed, Deed::Message { .. }) {
@@ -293,11 +298,10 @@ fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects 
     Effects::from(Effect::Class(ClassEffect::Note(line)))
 }
 
-/// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, the trainee can.
+/// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, or if it is silent, the trainee can.
 pub fn keeps_frozen(state: &State) -> Option<Text> {
     let place = state.class.seat()?;
     let instructor = state.class.watcher()?;
-    place
-        .is_frozen
-        .then(|| text!("class-frozen", instructor = instructor))
+    let is_held = place.is_frozen && state.wall < place.heard_at + DESK_SILENT;
+    is_held.then(|| text!("class-frozen", instructor = instructor))
 }

@@ -20,7 +20,11 @@ pub fn draw(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
     let orders = seat.orders().rev().take(ORDERS).map(order);
     let missing = seat.journal.missing();
     let missing = (missing > 0).then(|| (text!("class-missing", count = missing), Role::Warning));
-    let journal = seat.journal.entries().rev().filter_map(entry);
+    let journal = seat
+        .journal
+        .entries()
+        .rev()
+        .filter_map(|it| entry(it, seat));
     let lines = armed(seat).chain(orders).chain(missing).chain(journal);
     draw_lines(lines, panel.at(inner), buffer);
 }
@@ -93,8 +97,9 @@ fn order(given: &GivenOrder) -> (Text, Role) {
     (text!("class-order", deed = deed, state = state), role)
 }
 
-/// An entry of the journal; `None` for the outcome of an order, which is shown with the order.
-fn entry(entry: &Entry) -> Option<(Text, Role)> {
+/// An entry of the journal; `None` for the outcome of an order that is shown with the order. Orders of a desk that was
+/// open before are known from their outcomes only.
+fn entry(entry: &Entry, seat: &SeatRecord) -> Option<(Text, Role)> {
     let (what, role) = match &entry.what {
         Happening::Started {
             mission: Some(mission),
@@ -119,7 +124,14 @@ fn entry(entry: &Entry) -> Option<(Text, Role)> {
             score,
             passed: false,
         } => (text!("class-not-passed", score = *score), Role::Warning),
-        Happening::Order { .. } => return None,
+        Happening::Order { id, .. } if seat.orders().any(|it| it.order.id == *id) => return None,
+        Happening::Order { deed, outcome, .. } => {
+            let (deed, state) = (deed_text(deed), outcome_text(*outcome));
+            (
+                text!("class-order", deed = deed, state = state),
+                Role::Muted,
+            )
+        }
     };
     let time = entry
         .clock_s
