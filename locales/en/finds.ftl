@@ -21,7 +21,10 @@ contact-harmless = { $contact }: harmless
 # Reports of finds.
 detect-result = F{ $beta } { $score }: { $found }/{ $there } found, { $wrong } false, { $repeated } repeated
 detect-result-cost = F{ $beta } { $score } ({ $measure } less { $cost } for false reports): { $found }/{ $there } found, { $wrong } false, { $repeated } repeated
-detect-outlook = { $count } reported
+detect-outlook = { $count ->
+    [0] no report yet
+   *[other] judged later: { $count }
+}
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds

@@ -27,7 +27,10 @@ fire-wetted = the ground there is wet
 fire-none-there = nothing is burning there
 
 # Locating a source.
-locate-reports = reported: { $count }
+locate-reports = { $count ->
+    [0] no report yet
+   *[other] judged later: { $count }
+}
 locate-off = { $distance } m off
 locate-missed = not found
 locate-wrong = { $count ->

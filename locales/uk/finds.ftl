@@ -21,7 +21,10 @@ contact-harmless = { $contact }: безпечне
 # Повідомлення про знахідки.
 detect-result = F{ $beta } { $score }: знайдено { $found }/{ $there }, хибних { $wrong }, повторних { $repeated }
 detect-result-cost = F{ $beta } { $score } ({ $measure } мінус { $cost } за хибні повідомлення): знайдено { $found }/{ $there }, хибних { $wrong }, повторних { $repeated }
-detect-outlook = повідомлено: { $count }
+detect-outlook = { $count ->
+    [0] не повідомлено
+   *[other] оцінка потім: { $count }
+}
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
 detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки

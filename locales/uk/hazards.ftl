@@ -27,7 +27,10 @@ fire-wetted = там земля мокра
 fire-none-there = там нічого не горить
 
 # Пошук джерела.
-locate-reports = повідомлено: { $count }
+locate-reports = { $count ->
+    [0] не повідомлено
+   *[other] оцінка потім: { $count }
+}
 locate-off = похибка { $distance } m
 locate-missed = не знайдено
 locate-wrong = хибних: { $count }

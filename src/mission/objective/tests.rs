@@ -61,7 +61,7 @@ fn how_near_a_report_is_comes_out_after_landing_only() {
     let first = pilot.flight.progress().objectives.remove(0);
     assert_eq!(first.state, ObjectiveState::Open);
     assert!(first.fraction.abs() < 1e-9);
-    assert_eq!(first.detail, "reported: 1");
+    assert_eq!(first.detail, "judged later: 1");
     fly_home(&mut pilot);
     assert_eq!(pilot.flight.outcome(), FlightOutcome::Passed);
     assert_eq!(pilot.report().objectives[0].result, "5.0 m off");
@@ -141,7 +141,7 @@ fn in_flight_a_report_is_counted_but_not_judged() {
     };
     let (mut pilot, right, score) = shown(1.0);
     assert_eq!(right.state, ObjectiveState::Open);
-    assert_eq!(right.detail, "1 reported");
+    assert_eq!(right.detail, "judged later: 1");
     let (_, wrong, score_of_wrong) = shown(30.0);
     assert_eq!(
         (right, score),
