@@ -274,6 +274,32 @@ fn vehicles_that_return_are_not_told_to_go_on() {
 }
 
 #[test]
+fn on_the_way_home_only_what_the_flight_can_still_do_is_open() {
+    let drill = include_str!("../../../missions/drills/d05-tell-apart.toml");
+    let tables: Vec<&str> = drill.split("[[").collect();
+    let without_area = tables
+        .into_iter()
+        .filter(|it| !it.contains("id = \"area\""));
+    let source = without_area.collect::<Vec<_>>().join("[[");
+    let mut pilot = Pilot::flying(Mission::parse(&source).expect("it is good"), 1);
+    pilot.take_off(20.0);
+    pilot.set_mode("RTL");
+    pilot.wait(1.0);
+    let hint = |pilot: &Pilot| pilot.flight.progress().hint.map(|it| it.to_string());
+    let early = hint(&pilot).expect("a hint");
+    assert!(early.contains("objectives are still open"), "{early}");
+    let subject = Subject::Spot(Spot::Here);
+    let deed = Deed::Mark {
+        subject,
+        kind: None,
+    };
+    drop(pilot.flight.act(EntryId(0), &deed, &[1]));
+    pilot.wait(1.0);
+    let home = hint(&pilot).expect("a hint");
+    assert!(home.contains("ends after the last landing"), "{home}");
+}
+
+#[test]
 fn a_return_by_failsafe_is_not_to_be_cancelled() {
     let mut pilot = Pilot::new(1);
     pilot.take_off(20.0);

@@ -140,12 +140,11 @@ impl Flight {
         }
         if self.all_come_down() && !self.is_over() {
             let forced = self.crafts.iter().find(|it| it.flies() && it.in_failsafe);
-            return Some(match (phase, forced) {
-                (Phase::Done, _) => text!("mission-returning"),
-                (_, Some(craft)) => text!("mission-returning-failsafe", vehicle = craft.id),
-                (Phase::Ground | Phase::Armed | Phase::Air, None) => {
-                    text!("mission-returning-early")
-                }
+            let needs_nothing = self.settle_themselves(standings).iter().all(|it| *it);
+            return Some(match forced {
+                _ if needs_nothing => text!("mission-returning"),
+                Some(craft) => text!("mission-returning-failsafe", vehicle = craft.id),
+                None => text!("mission-returning-early"),
             });
         }
         let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();
