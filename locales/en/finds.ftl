@@ -49,12 +49,18 @@ coverage-advice = Fly lines no further apart than the width of the sensor's stri
 coverage-advice-lines = Fly lines over the whole zone, no further apart than the width of the sensor's strip.
 
 # Keeping a distance from a structure.
-standoff-result = { $share } % of { $near } s, too close for { $close } s
+standoff-result = { $close ->
+    [0] { $share } % of { $near } s
+   *[other] { $share } % of { $near } s, too close for { $close } s
+}
 standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
 standoff-advice = Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
 
 # Delivering loads.
-deliver-kits = { $done } helped, { $lost } too late
+deliver-kits = { $lost ->
+    [0] { $done } helped
+   *[other] { $done } helped, { $lost } late
+}
 deliver-nodes = { $done } placed
 deliver-kits-target = { $target ->
     [one] { $target } person
