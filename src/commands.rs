@@ -62,7 +62,7 @@ pub use device::DeviceCommand;
 pub use effect::Effect;
 pub use explain::{AckResult, explain};
 pub use file::{FileCommand, folder_of, last_part, path_in};
-pub use find_kind::{CONTACT_STEMS, FindKind, is_contact_name};
+pub use find_kind::{CONTACT_STEMS, FindKind, PEAK_PLACE, is_contact_name, is_peak_name};
 pub use flight::FlightCommand;
 pub use log::{LogChoice, LogCommand, LogGroup};
 pub use manoeuvre::{Datum, FarEnd, Ground, Manoeuvre, Pattern, Shape};

@@ -17,7 +17,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 use std::time::Duration;
 
+use crate::alert::crash;
 use crate::geo::maths;
+use crate::text::Text;
 use crate::wire::{ComponentId, GROUND_STATION_SYSTEM, MavAddress, SystemId};
 
 mod announced;
@@ -328,6 +330,18 @@ impl Vehicle {
     /// Whether the vehicle is known to run PX4.
     pub fn runs_px4(&self) -> bool {
         self.heartbeat.is_some_and(|heartbeat| heartbeat.is_px4())
+    }
+
+    /// The crash since the vehicle was last armed, as its texts report it. While it is armed, texts of an unknown
+    /// beginning may be about an earlier flight.
+    pub fn crash(&self) -> Option<Text> {
+        let arming = |line: &StatusText| line.text.contains("Arming motors");
+        let begin = self.texts.iter().rposition(arming);
+        if self.armed() && begin.is_none() {
+            return None;
+        }
+        let mut since_armed = self.texts.iter().skip(begin.unwrap_or(0)).rev();
+        since_armed.find_map(|line| crash(&line.text))
     }
 
     /// Whether an arm command should succeed in the current mode: the pre-arm bit is set and the filter has a

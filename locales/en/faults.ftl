@@ -140,6 +140,7 @@ check-no-load = { $count ->
 }
 check-no-sensor = no vehicle carries a sensor
 check-no-detector = no vehicle carries a sensor that finds things
+check-no-probe = no vehicle carries a sensor that measures a quantity
 check-too-long = the mission lasts only { $limit } s
 check-too-far = at { $speed } m/s in straight lines this takes { $needed } s, but the mission lasts { $limit } s
 check-pads-near = this pad is { $near } m from another one; vehicles must keep { $apart } m apart

@@ -21,7 +21,10 @@ contact-harmless = { $contact }: harmless
 # Reports of finds.
 detect-result = F{ $beta } { $score }: { $found }/{ $there } found, { $wrong } false, { $repeated } repeated
 detect-result-cost = F{ $beta } { $score } ({ $measure } less { $cost } for false reports): { $found }/{ $there } found, { $wrong } false, { $repeated } repeated
-detect-outlook = { $count } reported
+detect-outlook = { $count ->
+    [0] no report yet
+   *[other] judged later: { $count }
+}
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
@@ -46,12 +49,18 @@ coverage-advice = Fly lines no further apart than the width of the sensor's stri
 coverage-advice-lines = Fly lines over the whole zone, no further apart than the width of the sensor's strip.
 
 # Keeping a distance from a structure.
-standoff-result = { $share } % of { $near } s, too close for { $close } s
+standoff-result = { $close ->
+    [0] { $share } % of { $near } s
+   *[other] { $share } % of { $near } s, too close for { $close } s
+}
 standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
 standoff-advice = Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
 
 # Delivering loads.
-deliver-kits = { $done } helped, { $lost } too late
+deliver-kits = { $lost ->
+    [0] { $done } helped
+   *[other] { $done } helped, { $lost } late
+}
 deliver-nodes = { $done } placed
 deliver-kits-target = { $target ->
     [one] { $target } person

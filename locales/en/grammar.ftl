@@ -57,6 +57,7 @@ grammar-no-plan-field = unknown parameter `{ $word }`
 grammar-no-place = unknown place `{ $place }`
 grammar-no-contact = no contact `{ $contact }`; known: { $known }
 grammar-no-contact-yet = no contact `{ $contact }`: no contact has been found yet
+grammar-no-peak-yet = no `{ $peak }`: nothing has been measured yet; it is the place of the sensor's highest reading, so search with the sensor first
 grammar-no-parameter = `{ $word }` is not a parameter name: use 1 to 16 letters, digits and `_`
 grammar-no-message = unknown message `{ $word }`
 grammar-no-message-id = `{ $word }` is not a message id: the highest is { $highest }

@@ -27,16 +27,23 @@ fire-wetted = the ground there is wet
 fire-none-there = nothing is burning there
 
 # Locating a source.
-locate-reports = reported: { $count }
+locate-reports = { $count ->
+    [0] no report yet
+   *[other] judged later: { $count }
+}
 locate-off = { $distance } m off
 locate-missed = not found
 locate-wrong = { $count ->
     [one] 1 false report
    *[other] { $count } false reports
 }
+locate-blind = { $count ->
+    [one] 1 report without a measurement near it
+   *[other] { $count } reports without a measurement near them
+}
 locate-quality = report only when you are sure, and fly over the place slowly first
 locate-target = { $count } within { $within } m
-locate-advice = Cross the area from two sides, fly slowly where the reading is highest, and report the place: `mark peak`.
+locate-advice = Cross the area from two sides, fly slowly where the reading is highest, and report the place: `mark peak`. Only places near which a sensor has measured something count; withdraw a wrong report with `unmark`.
 
 # The edge of a fire.
 perimeter-none = no map yet

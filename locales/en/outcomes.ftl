@@ -43,6 +43,7 @@ outcome-not-seen-within = not seen within { $seconds } s: { $effect }
 outcome-offboard-kept = still in OFFBOARD 5 s after the command to hold; setpoints are no longer sent, so its failsafe decides
 outcome-other-target = the vehicle keeps its earlier target; is the new one outside its fence?
 outcome-overtaken = by { $mode }
+outcome-crashed = by a crash
 outcome-disarmed = by disarming
 outcome-disarmed-idle = by disarming: { $reason }
 outcome-armed = by arming

@@ -30,6 +30,7 @@ scoring-missed-capped = missed: { $objectives }; a mandatory objective is missed
 scoring-needs-objectives = needs { $percent } % of the objectives
 scoring-seconds = s
 scoring-watt-hours = Wh
+scoring-at-par = at par
 scoring-inside-par = { $by } { $unit } under par
 scoring-over-par = { $by } { $unit } over par
 scoring-no-rule-broken = no rule broken

@@ -140,6 +140,7 @@ check-no-load = { $count ->
 }
 check-no-sensor = жоден апарат не має датчика
 check-no-detector = жоден апарат не має датчика, що знаходить об'єкти
+check-no-probe = жоден апарат не має датчика, що вимірює якусь величину
 check-too-long = завдання триває лише { $limit } s
 check-too-far = зі швидкістю { $speed } m/s по прямій на це треба { $needed } s, а завдання триває { $limit } s
 check-pads-near = цей майданчик за { $near } m від іншого; апарати мають триматися за { $apart } m один від одного

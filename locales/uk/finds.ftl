@@ -21,7 +21,10 @@ contact-harmless = { $contact }: безпечне
 # Повідомлення про знахідки.
 detect-result = F{ $beta } { $score }: знайдено { $found }/{ $there }, хибних { $wrong }, повторних { $repeated }
 detect-result-cost = F{ $beta } { $score } ({ $measure } мінус { $cost } за хибні повідомлення): знайдено { $found }/{ $there }, хибних { $wrong }, повторних { $repeated }
-detect-outlook = повідомлено: { $count }
+detect-outlook = { $count ->
+    [0] не повідомлено
+   *[other] оцінка потім: { $count }
+}
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
 detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки
@@ -29,7 +32,7 @@ detect-advice-missed = Огляньте ділянку ще раз, нижче �
 detect-advice-wrong = Перш ніж повідомляти, підтверджуйте кожен контакт іншим датчиком або зблизька (хибних повідомлень: { $wrong }).
 
 # Огляд зблизька перед повідомленням.
-checked-result = { $count }/{ $all } повідомлень
+checked-result = { $count } із { $all }
 checked-target = усі повідомлення
 checked-advice = Перш ніж повідомити про місце, протримайтеся { $dwell } s не далі як за { $radius } m від нього на швидкості до { $speed } m/s.
 checked-advice-cross = { $count ->
@@ -46,12 +49,18 @@ coverage-advice = Відстань між лініями не має перев�
 coverage-advice-lines = Обстежте всю ділянку лініями, відстань між якими не перевищує ширини смуги датчика.
 
 # Дотримання відстані.
-standoff-result = { $share } % із { $near } s, заблизько { $close } s
+standoff-result = { $close ->
+    [0] { $share } % із { $near } s
+   *[other] { $share } % із { $near } s, заблизько { $close } s
+}
 standoff-target = { $share } % часу на відстані від { $nearest } до { $farthest } m
 standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m (заблизько: { $close } s).
 
 # Доставлення.
-deliver-kits = вчасно: { $done }, запізно: { $lost }
+deliver-kits = { $lost ->
+    [0] вчасно: { $done }
+   *[other] вчасно: { $done }, ні: { $lost }
+}
 deliver-nodes = установлено: { $done }
 deliver-kits-target = { $target ->
     [one] допомогти { $target } людині

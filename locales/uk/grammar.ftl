@@ -57,6 +57,7 @@ grammar-no-plan-field = невідомий параметр `{ $word }`
 grammar-no-place = невідоме місце `{ $place }`
 grammar-no-contact = контакту `{ $contact }` немає; відомі: { $known }
 grammar-no-contact-yet = контакту `{ $contact }` немає: жодного контакту ще не знайдено
+grammar-no-peak-yet = немає `{ $peak }`: ще нічого не виміряно; це місце, де датчик показав найбільше, тож спершу шукайте з датчиком
 grammar-no-parameter = `{ $word }` — не назва параметра: пишіть від 1 до 16 літер, цифр і `_`
 grammar-no-message = невідоме повідомлення `{ $word }`
 grammar-no-message-id = `{ $word }` — не номер повідомлення: найбільший — { $highest }

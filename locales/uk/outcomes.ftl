@@ -44,6 +44,7 @@ outcome-not-seen-within = за { $seconds } s не помічено: { $effect }
 outcome-offboard-kept = за 5 s після команди зависнути режим не змінився з OFFBOARD; цілі більше не надсилаються, тож діє захист апарата
 outcome-other-target = апарат і далі летить до попередньої цілі; чи не лежить нова за межами його геозони?
 outcome-overtaken = режим { $mode }
+outcome-crashed = аварія
 outcome-disarmed = двигуни деактивовано
 outcome-disarmed-idle = двигуни деактивовано: { $reason }
 outcome-armed = двигуни активовано

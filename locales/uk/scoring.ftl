@@ -30,6 +30,7 @@ scoring-missed-capped = не досягнуто: { $objectives }; не біль�
 scoring-needs-objectives = зараховується, коли досягнуто { $percent } % цілей
 scoring-seconds = s
 scoring-watt-hours = Wh
+scoring-at-par = на рівні норми
 scoring-inside-par = краще за норму на { $by } { $unit }
 scoring-over-par = гірше за норму на { $by } { $unit }
 scoring-no-rule-broken = правил не порушено

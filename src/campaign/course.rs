@@ -221,7 +221,8 @@ impl MissionCourse {
 
     /// The recommended skill, and the best open mission for it. The skill is one that is due for a refresher; otherwise
     /// the weakest one that the easiest new mission trains; without new missions, the weakest one that the easiest
-    /// passed mission trains. Weak skills get drills first, better ones get whole missions.
+    /// passed mission trains. Weak skills get drills first, better ones get whole missions. The last flight leads on:
+    /// drills of other missions come after new missions, and of equally easy ones, those that it opens come first.
     pub fn next(&self, standing: &CareerStanding, day: i64) -> Option<(Skill, &Offer)> {
         let mut skills: Vec<(bool, f64, Skill)> = Skill::ALL
             .iter()
@@ -241,12 +242,23 @@ impl MissionCourse {
                         && (may_be_known(!is_fresh) || !is_known(offer))
                         && (offer.drill_of.is_none() || chance < SHAKY)
                 });
-                let best = trains.min_by_key(|offer| self.rank(offer, standing, chance));
+                let rank = |offer: &&Offer| {
+                    let rank = self.rank(offer, standing, chance);
+                    (
+                        is_known(offer),
+                        is_aside(offer, standing),
+                        rank,
+                        !follows(offer, standing),
+                    )
+                };
+                let best = trains.min_by_key(rank);
                 best.map(|offer| (is_fresh, skill, offer))
             });
-            // Due skills first, then new and easy missions; among these, the weakest skill.
-            let first =
-                best.min_by_key(|(is_fresh, _, offer)| (*is_fresh, is_known(offer), tier(offer)));
+            // Due skills first, then new and easy missions that follow; among these, the weakest skill.
+            let first = best.min_by_key(|(is_fresh, _, offer)| {
+                let (is_aside, follows) = (is_aside(offer, standing), follows(offer, standing));
+                (*is_fresh, is_known(offer), is_aside, tier(offer), !follows)
+            });
             first.map(|(_, skill, offer)| (skill, offer))
         };
         advice(&|is_due| is_due).or_else(|| advice(&|_| true))
@@ -296,6 +308,19 @@ impl MissionCourse {
 fn is_advisable(offer: &Offer, standing: &CareerStanding) -> bool {
     let of = offer.drill_of.as_deref();
     of.is_none_or(|mission| standing.best(mission).is_some())
+}
+
+/// Whether a mission or drill continues the last flight: the drill of its mission, or a mission that it opens.
+fn follows(offer: &Offer, standing: &CareerStanding) -> bool {
+    standing.last_mission().is_some_and(|last| {
+        let mut required = offer.requires.missions.iter();
+        offer.drill_of.as_deref() == Some(last) || required.any(|mission| mission == last)
+    })
+}
+
+/// Whether a drill prepares for another mission than the one flown last.
+fn is_aside(offer: &Offer, standing: &CareerStanding) -> bool {
+    offer.drill_of.is_some() && !follows(offer, standing)
 }
 
 /// Below this probability, a drill suits a skill better than a whole mission.

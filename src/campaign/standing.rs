@@ -22,6 +22,8 @@ pub struct CareerStanding {
     skills: Skills,
     licence: u8,
     flights: u32,
+    /// The mission of the last flight that counted; for a drill, the mission that it prepares for.
+    last: Option<String>,
 }
 
 /// A trainee's best results in one mission, without practice.
@@ -102,6 +104,7 @@ impl Default for CareerStanding {
             skills: Skills::new(),
             licence: 1,
             flights: 0,
+            last: None,
         }
     }
 }
@@ -158,6 +161,8 @@ impl CareerStanding {
                 .or_default()
                 .take(flight);
             self.licence = self.earned_licence();
+            let mission = flight.drill_of.as_ref().unwrap_or(&flight.mission);
+            self.last = Some(mission.clone());
         }
     }
 
@@ -257,6 +262,11 @@ impl CareerStanding {
     /// The number of a mission's exams that were taken, including abandoned ones.
     pub fn exams(&self, mission: &str) -> u32 {
         self.best(mission).map_or(0, |best| best.exams)
+    }
+
+    /// The mission of the last flight that counted; for a drill, the mission that it prepares for.
+    pub fn last_mission(&self) -> Option<&str> {
+        self.last.as_deref()
     }
 
     /// Whether a mission was passed.

@@ -85,6 +85,7 @@ impl Claim {
         }
         match (self.armed, now.armed) {
             (Some(true), false) => Some(match vehicle.idle_disarm {
+                _ if vehicle.crash().is_some() => text!("outcome-crashed"),
                 Some(cause) => text!("outcome-disarmed-idle", reason = cause.text()),
                 None => text!("outcome-disarmed"),
             }),

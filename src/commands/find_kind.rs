@@ -71,6 +71,16 @@ pub fn is_contact_name(word: &str) -> bool {
     })
 }
 
+/// The name of the place with a sensor's highest reading of all vehicles; with a vehicle's number
+/// after it, of that one.
+pub const PEAK_PLACE: &str = "peak";
+
+/// Whether a word names a place with a sensor's highest reading, such as `peak` or `peak2`.
+pub fn is_peak_name(word: &str) -> bool {
+    let number = word.strip_prefix(PEAK_PLACE);
+    number.is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -10,7 +10,7 @@ use super::argument::{Kind, Unit, Value};
 use super::lexer::Word;
 use super::modes::mode_named;
 use super::{Context, VehicleChoice};
-use crate::commands::{command_by_name, is_contact_name};
+use crate::commands::{command_by_name, is_contact_name, is_peak_name};
 use crate::config::TableSort;
 use crate::draft::Items;
 use crate::geo::{LatLon, Outline};
@@ -288,8 +288,12 @@ fn point(words: &[Word], context: &Context) -> Result<(Value, usize), Misread> {
     Ok((Value::Point(LatLon::new(lat_deg, lon_deg)), 2))
 }
 
-/// The fault of an unknown place. The name of a contact can be no other argument, so its fault names the contacts.
+/// The fault of an unknown place. The name of a contact can be no other argument, so its fault names the contacts; the
+/// place of the highest reading has a name before it is known.
 fn no_place(word: &str, places: &BTreeMap<String, LatLon>) -> Misread {
+    if is_peak_name(word) {
+        return Misread::value(text!("grammar-no-peak-yet", peak = word));
+    }
     if !is_contact_name(word) {
         return Misread::kind(text!("grammar-no-place", place = word));
     }

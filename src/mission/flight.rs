@@ -60,7 +60,6 @@ pub use injects::{Inject, InjectFault, Injected, check_condition};
 use journal::{FlightJournal, JournalEntry};
 use loads::{Loads, LoadsScene};
 use orders::OrderCount;
-pub use places::PEAK_PLACE;
 use search::Search;
 use swarm::SwarmAccount;
 use threats::Threats;

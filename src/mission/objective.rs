@@ -137,6 +137,11 @@ pub(crate) trait Tracker: Debug + Send + Sync {
     /// The state of the objective.
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding;
 
+    /// Whether the objective can certainly not be met any more.
+    fn is_out_of_reach(&self, _scene: &ObjectiveScene<'_>) -> bool {
+        false
+    }
+
     /// The state of the objective for people.
     fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails;
 

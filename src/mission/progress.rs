@@ -141,7 +141,7 @@ pub struct ObjectiveProgress {
 pub enum ObjectiveState {
     Open,
     Met,
-    /// Not reached when the flight ended.
+    /// Not reached at the end of the flight, or out of reach before.
     Missed,
 }
 

@@ -289,8 +289,16 @@ fn percent(share: f64) -> String {
 }
 
 fn against_par(used: f64, par: f64, unit: Text) -> Text {
-    let by = format!("{:.0}", (used - par).abs());
-    if used <= par {
+    let apart = (used - par).abs();
+    // What is over par costs points, so it is never shown as 0.
+    let by = if apart < 1.0 {
+        format!("{:.1}", (apart * 10.0 - 1e-6).ceil() / 10.0)
+    } else {
+        format!("{apart:.0}")
+    };
+    if used <= par && apart < 0.5 {
+        text!("scoring-at-par")
+    } else if used <= par {
         text!("scoring-inside-par", by = by, unit = unit)
     } else {
         text!("scoring-over-par", by = by, unit = unit)

@@ -354,3 +354,24 @@ fn a_flight_that_never_takes_off_earns_nothing_for_keeping_still() {
     let value = score(&rules(), &facts).value(Component::Utilisation);
     assert_eq!(value, Some(0.0));
 }
+
+#[test]
+fn what_is_over_par_is_never_shown_as_nothing() {
+    for (used_wh, words) in [
+        (20.3, "0.3 Wh over par"),
+        (24.6, "5 Wh over par"),
+        (20.0, "at par"),
+        (19.8, "at par"),
+        (15.0, "5 Wh under par"),
+    ] {
+        let facts = Facts {
+            energy_wh: Some(used_wh),
+            ..perfect()
+        };
+        let score = score(&rules(), &facts);
+        let mut components = score.components.iter();
+        let energy = components.find(|it| it.component == Component::Energy);
+        let energy = energy.expect("it applies");
+        assert_eq!(energy.moved_by.to_string(), words);
+    }
+}

@@ -6,7 +6,7 @@ use std::time::Duration;
 use super::mission_fence::FenceBreach;
 use super::separation::CloseVehicle;
 use super::traffic::TrafficConflict;
-use crate::alert::{AlertKind, crash};
+use crate::alert::AlertKind;
 use crate::text;
 use crate::text::{Text, figure};
 use crate::vehicle::{
@@ -125,20 +125,10 @@ fn recent_failsafe(vehicle: &Vehicle, now: Duration) -> Option<&str> {
 /// vehicle is armed again. A vehicle that falls with a dead motor often stays armed on the ground.
 fn crashed(vehicle: &Vehicle) -> Option<Alert> {
     let says = |text| Some(condition(AlertKind::Crash, Severity::Emergency, text));
-    let armed = vehicle.armed();
-    if !armed && vehicle.heartbeat.is_some() && vehicle.landed == LandedState::InAir {
+    if !vehicle.armed() && vehicle.heartbeat.is_some() && vehicle.landed == LandedState::InAir {
         return says(text!("alert-motors-stopped"));
     }
-    let arming = |line: &StatusText| line.text.contains("Arming motors");
-    let begin = vehicle.texts.iter().rposition(arming);
-    if armed && begin.is_none() {
-        // Earlier data may be from an earlier flight.
-        return None;
-    }
-    let mut since_armed = vehicle.texts.iter().skip(begin.unwrap_or(0)).rev();
-    since_armed
-        .find_map(|line| crash(&line.text))
-        .and_then(says)
+    vehicle.crash().and_then(says)
 }
 
 /// The alert that a vehicle is silent, or was heard from another sender than before.

@@ -107,3 +107,31 @@ fn the_drill_of_a_mission_that_is_locked_again_is_not_advised() {
     let standing = standing(&tries.map(CareerEntry::Flight));
     assert_eq!(course.next(&standing, 1), None);
 }
+
+#[test]
+fn the_next_lesson_follows_from_the_last_one_flown() {
+    let trains = |id: &str, skill, after: &[&str]| Offer {
+        skills: vec![skill],
+        ..offer(id, 1, after, &[])
+    };
+    let course = MissionCourse::new([
+        trains("wing", Skill::K3, &[]),
+        trains("plume", Skill::K6, &[]),
+        trains("mast", Skill::K3, &["wing"]),
+        trains("line", Skill::K7, &["plume"]),
+        Offer {
+            drill_of: Some("wing".to_owned()),
+            ..trains("give way", Skill::K5, &[])
+        },
+    ]);
+    let mut entries = Vec::new();
+    let mut next = |flown: &str| {
+        entries.push(CareerEntry::Flight(flight(&course, flown, 900, 1)));
+        let (_, offer) = course.next(&standing(&entries), 1).expect("something");
+        offer.id.clone()
+    };
+    assert_eq!(next("wing"), "give way", "a weak skill gets a drill");
+    assert_eq!(next("plume"), "line", "the drill is of an earlier mission");
+    assert_eq!(next("line"), "mast", "the only new mission");
+    assert_eq!(next("mast"), "give way", "nothing else is new");
+}

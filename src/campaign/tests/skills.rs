@@ -85,7 +85,7 @@ fn what_a_kept_flight_has_shown_is_named_in_all_languages() {
     let ukrainian = Locale::new(Language::Ukrainian);
     let named = course.translated(kept).evidence;
     let words = |at: usize| ukrainian.text(&named[at].what);
-    assert_eq!(words(0), "активувати двигуни за хвилину");
+    assert_eq!(words(0), "активація за хвилину");
     assert_eq!(words(1), "as it was called");
     assert_eq!(words(2), "as it was called");
 }

@@ -346,6 +346,26 @@ fn check_with(read: impl Fn(&str) -> Result<Statement, Diagnostic>, cases: &[Cas
 }
 
 #[test]
+fn the_place_of_the_highest_reading_is_no_unknown_place_before_there_is_one() {
+    let places = std::collections::BTreeMap::new();
+    let context = Context {
+        places: Some(&places),
+        ..Context::default()
+    };
+    for (line, name) in [("1 mark peak as leak", "peak"), ("1 goto peak2", "peak2")] {
+        let fault = parse(line, &context).expect_err("nothing was measured");
+        let said = fault.message.to_string();
+        let reason = format!("no `{name}`: nothing has been measured yet");
+        assert!(said.contains(&reason), "{said}");
+        assert!(
+            fault.help.is_none(),
+            "no lesson in grammar: {:?}",
+            fault.help
+        );
+    }
+}
+
+#[test]
 fn a_contact_that_does_not_exist_is_named_with_those_that_do() {
     check(&[
         ("1 goto c10", "c10", "no contact `c10`; known: c3", ""),

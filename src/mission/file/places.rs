@@ -1,7 +1,6 @@
 //! `[[places]]`: named points.
 
-use crate::commands::CONTACT_STEMS;
-use crate::mission::PEAK_PLACE;
+use crate::commands::{CONTACT_STEMS, PEAK_PLACE};
 use crate::mission::format::{Draft, FileTable, NamedPlace, point, text_by};
 use crate::mission::objective::NEXT_PLACE;
 use crate::mission::pad;

@@ -39,6 +39,14 @@ impl Goals {
         trackers.map(|tracker| tracker.standing(scene)).collect()
     }
 
+    /// For each objective, whether it can certainly not be met any more.
+    pub fn out_of_reach(&self, scene: &ObjectiveScene<'_>) -> Vec<bool> {
+        let trackers = self.trackers.iter();
+        trackers
+            .map(|tracker| tracker.is_out_of_reach(scene))
+            .collect()
+    }
+
     pub fn details(&self, scene: &ObjectiveScene<'_>) -> Vec<ObjectiveDetails> {
         let trackers = self.trackers.iter();
         trackers.map(|tracker| tracker.details(scene)).collect()

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::Flight;
+use crate::commands::PEAK_PLACE;
 use crate::geo::LatLon;
 use crate::mission::Mission;
 use crate::mission::contact::Contacts;
@@ -11,8 +12,6 @@ use crate::vehicle::VehicleId;
 
 /// The number of contacts that a script may name before they are found.
 const NAMED_CONTACTS: usize = 200;
-/// The name of the place with a sensor's highest reading of all vehicles; with a vehicle's number after it, of that one.
-pub const PEAK_PLACE: &str = "peak";
 
 impl Flight {
     /// The places known so far: contacts (`c1`, `fire1`), the highest reading of all vehicles

@@ -7,10 +7,11 @@ use super::*;
 use crate::commands::{Deed, Goal, GoalComponent, Spot, Subject};
 use crate::language;
 use crate::ledger::{EntryId, Given, Risk, RowState};
+use crate::mission::ObjectiveState;
 use crate::mission::fake::{Pilot, fly_the_cells};
 use crate::scoring::{AlertFact, SafetyEvent, SafetyKind};
 use crate::text::Text;
-use crate::vehicle::{LandedState, SystemStatus, Unheard, Vehicle};
+use crate::vehicle::{Ekf, EkfFlags, Health, LandedState, SystemStatus, Unheard, Vehicle};
 
 impl Flight {
     pub(in crate::mission) fn alert_facts(&self) -> &[AlertFact] {
@@ -271,6 +272,60 @@ fn vehicles_that_return_are_not_told_to_go_on() {
     pilot.set_mode("GUIDED");
     pilot.wait(1.0);
     assert_eq!(hint(&pilot).expect("a hint"), on_task);
+}
+
+#[test]
+fn on_the_way_home_only_what_the_flight_can_still_do_is_open() {
+    let drill = include_str!("../../../missions/drills/d05-tell-apart.toml");
+    let tables: Vec<&str> = drill.split("[[").collect();
+    let without_area = tables
+        .into_iter()
+        .filter(|it| !it.contains("id = \"area\""));
+    let source = without_area.collect::<Vec<_>>().join("[[");
+    let mut pilot = Pilot::flying(Mission::parse(&source).expect("it is good"), 1);
+    pilot.take_off(20.0);
+    pilot.set_mode("RTL");
+    pilot.wait(1.0);
+    let hint = |pilot: &Pilot| pilot.flight.progress().hint.map(|it| it.to_string());
+    let early = hint(&pilot).expect("a hint");
+    assert!(early.contains("objectives are still open"), "{early}");
+    let subject = Subject::Spot(Spot::Here);
+    let deed = Deed::Mark {
+        subject,
+        kind: None,
+    };
+    drop(pilot.flight.act(EntryId(0), &deed, &[1]));
+    pilot.wait(1.0);
+    let home = hint(&pilot).expect("a hint");
+    assert!(home.contains("ends after the last landing"), "{home}");
+}
+
+#[test]
+fn an_objective_out_of_reach_is_missed_at_once() {
+    let source = include_str!("../../../missions/00-first-flight.toml");
+    let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 1);
+    let state = |pilot: &Pilot| pilot.flight.progress().objectives[0].state;
+    let vehicle = pilot.vehicle();
+    vehicle.health = Some(Health {
+        present: Health::PREARM,
+        enabled: Health::PREARM,
+        healthy: Health::PREARM,
+        load_percent: f32::NAN,
+        at: Duration::ZERO,
+    });
+    vehicle.ekf = Some(Ekf {
+        flags: EkfFlags(EkfFlags::POSITION_HORIZONTAL_ABSOLUTE),
+        velocity_variance: 0.0,
+        position_horizontal_variance: 0.0,
+        position_vertical_variance: 0.0,
+        compass_variance: 0.0,
+        at: Duration::ZERO,
+    });
+    pilot.wait(50.0);
+    assert_eq!(state(&pilot), ObjectiveState::Open);
+    pilot.wait(30.0);
+    assert!(!pilot.flight.is_over());
+    assert_eq!(state(&pilot), ObjectiveState::Missed);
 }
 
 #[test]

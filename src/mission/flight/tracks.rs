@@ -15,7 +15,7 @@ const TRACK_POINTS: usize = 2000;
 pub(super) struct Tracks {
     /// Each vehicle's track, in the order of the vehicles.
     tracks: Vec<Vec<Point>>,
-    /// The highest reading of each vehicle's first sensor, and its place.
+    /// The highest reading of each vehicle's first sensor, and its place; none until the sensor has measured something.
     peaks: BTreeMap<VehicleId, Peak>,
 }
 
@@ -34,7 +34,7 @@ impl Tracks {
             let Some(at) = craft.at.filter(|_| craft.airborne) else {
                 continue;
             };
-            if let Some(probe) = craft.probes.first() {
+            if let Some(probe) = craft.probes.first().filter(|probe| probe.has_signal()) {
                 let known = self.peaks.get(&craft.id);
                 if known.is_none_or(|known| probe.shown > known.shown) {
                     let shown = probe.shown;

@@ -44,20 +44,24 @@ impl Flight {
         }
     }
 
-    /// Whether the flight ends without any further command: all vehicles are down, and each
-    /// mandatory objective is settled, concerns the landing, or will be settled once the reports
-    /// are final.
+    /// Whether the flight ends without any further command: all vehicles are down, and every
+    /// mandatory objective settles itself.
     pub(super) fn ends_itself(&self, standings: &[ObjectiveStanding]) -> bool {
-        if !self.is_down_again() {
-            return false;
-        }
+        let settling = self.settle_themselves(standings).into_iter();
+        let mut objectives = self.mission.objectives.iter().zip(settling);
+        self.is_down_again()
+            && objectives.all(|(objective, settles)| settles || !objective.mandatory)
+    }
+
+    /// For each objective, whether it needs no further command: it is settled, concerns the landing,
+    /// or will be settled once the reports are final.
+    pub(super) fn settle_themselves(&self, standings: &[ObjectiveStanding]) -> Vec<bool> {
         let in_the_end = self.final_standings();
         let has_reports = !self.search.marks().is_empty();
-        let is_due = |(now, later): (&ObjectiveStanding, &ObjectiveStanding)| {
+        let settles = |(now, later): (&ObjectiveStanding, &ObjectiveStanding)| {
             now.settled || now.landing || (has_reports && later.settled)
         };
-        let mut mandatory = self.mandatory(standings).zip(self.mandatory(&in_the_end));
-        mandatory.all(is_due)
+        standings.iter().zip(&in_the_end).map(settles).collect()
     }
 
     fn mandatory<'a>(

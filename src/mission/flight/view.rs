@@ -55,23 +55,29 @@ impl Flight {
     }
 
     fn objective_progress(&self, standings: &[ObjectiveStanding]) -> Vec<ObjectiveProgress> {
-        let details = self.goals.details(&self.scene());
+        let scene = self.scene();
+        let ends = self.goals.out_of_reach(&scene).into_iter();
+        let details = self.goals.details(&scene).into_iter().zip(ends);
         let states = standings.iter().zip(details);
         let objectives = self.mission.objectives.iter().zip(states);
         objectives
-            .map(|(objective, (standing, details))| ObjectiveProgress {
-                title: objective.title.clone(),
-                state: match (standing.met, self.is_over()) {
-                    (true, _) => ObjectiveState::Met,
-                    (false, false) => ObjectiveState::Open,
-                    (false, true) => ObjectiveState::Missed,
+            .map(
+                |(objective, (standing, (details, is_out_of_reach)))| ObjectiveProgress {
+                    title: objective.title.clone(),
+                    state: if standing.met {
+                        ObjectiveState::Met
+                    } else if self.is_over() || is_out_of_reach {
+                        ObjectiveState::Missed
+                    } else {
+                        ObjectiveState::Open
+                    },
+                    detail: match (details.outlook, self.is_over()) {
+                        (Some(outlook), false) => outlook,
+                        _ => details.result,
+                    },
+                    fraction: standing.fraction,
                 },
-                detail: match (details.outlook, self.is_over()) {
-                    (Some(outlook), false) => outlook,
-                    _ => details.result,
-                },
-                fraction: standing.fraction,
-            })
+            )
             .collect()
     }
 
@@ -140,12 +146,11 @@ impl Flight {
         }
         if self.all_come_down() && !self.is_over() {
             let forced = self.crafts.iter().find(|it| it.flies() && it.in_failsafe);
-            return Some(match (phase, forced) {
-                (Phase::Done, _) => text!("mission-returning"),
-                (_, Some(craft)) => text!("mission-returning-failsafe", vehicle = craft.id),
-                (Phase::Ground | Phase::Armed | Phase::Air, None) => {
-                    text!("mission-returning-early")
-                }
+            let needs_nothing = self.settle_themselves(standings).iter().all(|it| *it);
+            return Some(match forced {
+                _ if needs_nothing => text!("mission-returning"),
+                Some(craft) => text!("mission-returning-failsafe", vehicle = craft.id),
+                None => text!("mission-returning-early"),
             });
         }
         let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();

@@ -127,6 +127,11 @@ impl Tracker for ArmTracker {
         }
     }
 
+    fn is_out_of_reach(&self, scene: &ObjectiveScene<'_>) -> bool {
+        let standing = self.standing(scene);
+        standing.settled && !standing.met
+    }
+
     fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
         let within = format!("{:.0}", self.within_s);
         ObjectiveDetails {

@@ -77,6 +77,10 @@ impl Tracker for Deliver {
         self.judged(self.care(scene))
     }
 
+    fn is_out_of_reach(&self, scene: &ObjectiveScene<'_>) -> bool {
+        self.is_hopeless(self.care(scene))
+    }
+
     fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
         let Delivered { done, lost } = self.delivered(self.care(scene));
         ObjectiveDetails {
@@ -121,6 +125,11 @@ impl Deliver {
                 lost: 0,
             },
         }
+    }
+
+    /// Whether too few people are left for the target.
+    fn is_hopeless(&self, care: Care) -> bool {
+        self.what == What::Kit && care.people.saturating_sub(care.lost) < self.target.met_at
     }
 
     fn judged(&self, care: Care) -> ObjectiveStanding {

@@ -58,6 +58,8 @@ pub(crate) enum Equipment {
     AnySensor,
     /// A sensor that finds objects.
     Detector,
+    /// A sensor that measures a quantity.
+    Probe,
 }
 
 /// Places listed under a key of the mission file.
@@ -96,6 +98,7 @@ impl Equipment {
             }
             Self::AnySensor => has_sensor(|_| true),
             Self::Detector => has_sensor(|sensor| sensor.detector().is_some()),
+            Self::Probe => has_sensor(|sensor| sensor.probe().is_some()),
         }
     }
 
@@ -115,6 +118,7 @@ impl Equipment {
             }
             Self::AnySensor => text!("check-no-sensor"),
             Self::Detector => text!("check-no-detector"),
+            Self::Probe => text!("check-no-probe"),
         }
     }
 }

@@ -96,6 +96,10 @@ impl Tracker for DoseTracker {
         }
     }
 
+    fn is_out_of_reach(&self, _: &ObjectiveScene<'_>) -> bool {
+        self.most_usv() > self.limit_usv
+    }
+
     fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
         ObjectiveDetails {
             product: None,

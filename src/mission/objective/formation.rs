@@ -159,6 +159,11 @@ impl Tracker for FormationTracker {
         }
     }
 
+    fn is_out_of_reach(&self, scene: &ObjectiveScene<'_>) -> bool {
+        let standing = self.standing(scene);
+        standing.settled && !standing.met
+    }
+
     fn details(&self, _: &ObjectiveScene<'_>) -> ObjectiveDetails {
         let count = self.gates.len();
         let [low, high] = self.keep.spacing_m;

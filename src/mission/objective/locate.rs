@@ -1,6 +1,11 @@
 //! `locate`: report the position of an object as accurately as it can be estimated from a distance.
 //!
+//! A report counts only if a sensor has measured something near its place, so that a guess earns nothing. A wrong report
+//! that is not withdrawn costs half an object, so that a grid of reports earns nothing either.
+//!
 //! The accuracy of reports is revealed only after the flight; otherwise reporting would be a way to find out.
+
+use std::collections::BTreeMap;
 
 use super::{
     Demands, Equipment, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought,
@@ -11,11 +16,13 @@ use crate::mission::Point;
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::ground_truth::Object;
 use crate::mission::report::{Mark, distance_m};
+use crate::mission::sensor::Probe;
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::scoring::Product;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 #[derive(Debug, Clone)]
 struct Locate {
@@ -36,17 +43,25 @@ struct LocateTarget {
 struct LocateTracker {
     plan: Locate,
     wanted: Vec<LocateTarget>,
+    /// The places where each vehicle's sensors have measured something.
+    measured: BTreeMap<VehicleId, Vec<Point>>,
 }
 
 struct LocateReports {
     /// The distance from each object to its nearest report; `None` without a report close enough to count.
     distances_m: Vec<Option<f64>>,
+    /// The number of other reports of measured places.
     wrong: usize,
+    /// The number of reports of places near which no sensor has measured anything.
+    blind: usize,
 }
+
+/// The minimum spacing of the places where something was measured, in metres; it keeps long flights cheap.
+const MEASURED_APART_M: f64 = 1.0;
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "locate",
-    about: "met when each source or leak has been reported near enough to its position, with at most one wrong report for each; the result is shown after the flight. Its reports are a product",
+    about: "met when each source or leak has been reported near enough to its position, with at most one wrong report for each. A report counts only if a sensor has measured something within `partial_to` of its place, and each wrong report costs half an object; `unmark` withdraws a report. The result is shown after the flight. Its reports are a product",
     read,
 };
 
@@ -75,7 +90,7 @@ impl ObjectiveKind for Locate {
     }
 
     fn demands(&self) -> Demands<'_> {
-        Demands::equipment(Equipment::AnySensor)
+        Demands::equipment(Equipment::Probe)
     }
 
     fn sought(&self) -> Option<Sought> {
@@ -99,6 +114,7 @@ impl ObjectiveKind for Locate {
         Box::new(LocateTracker {
             wanted: objects.iter().filter_map(wanted).collect(),
             plan: self.clone(),
+            measured: BTreeMap::new(),
         })
     }
 }
@@ -111,18 +127,25 @@ impl LocateTracker {
         })
     }
 
+    /// Whether a sensor has measured something near a report's place.
+    fn is_measured(&self, mark: &Mark) -> bool {
+        let mut places = self.measured.values().flatten();
+        places.any(|&place| distance_m(place, mark.at) <= self.plan.partial_to_m)
+    }
+
     fn found(&self, marks: &[Mark]) -> LocateReports {
+        let (measured, blind): (Vec<&Mark>, Vec<&Mark>) =
+            self.reports(marks).partition(|mark| self.is_measured(mark));
         let nearest = |wanted: &LocateTarget| {
-            let distances = self
-                .reports(marks)
-                .map(|mark| distance_m(mark.at, wanted.at));
+            let distances = measured.iter().map(|mark| distance_m(mark.at, wanted.at));
             let nearest = distances.min_by(f64::total_cmp);
             nearest.filter(|&nearest| nearest <= self.plan.partial_to_m)
         };
         let distances_m: Vec<Option<f64>> = self.wanted.iter().map(nearest).collect();
         let right = distances_m.iter().flatten().count();
         LocateReports {
-            wrong: self.reports(marks).count().saturating_sub(right),
+            wrong: measured.len().saturating_sub(right),
+            blind: blind.len(),
             distances_m,
         }
     }
@@ -130,11 +153,6 @@ impl LocateTracker {
     /// The reports as they count now: none of them before the end of the flight.
     fn judged(&self, scene: &ObjectiveScene<'_>) -> LocateReports {
         self.found(if scene.over { scene.marks } else { &[] })
-    }
-
-    /// The number of wrong reports beyond one per object, which count as guesses.
-    fn guesses(&self, found: &LocateReports) -> usize {
-        found.wrong.saturating_sub(self.wanted.len())
     }
 
     fn is_settled(&self, scene: &ObjectiveScene<'_>) -> bool {
@@ -147,8 +165,7 @@ impl LocateTracker {
             distance.map_or(0.0, |distance| partial_credit(distance, far, near))
         };
         let sum: f64 = found.distances_m.iter().map(credit).sum();
-        // A guess costs as much as half a miss, so that a grid of reports earns nothing.
-        let cost = 0.5 * self.guesses(found) as f64;
+        let cost = 0.5 * found.all_wrong() as f64;
         (sum - cost).max(0.0) / self.wanted.len().max(1) as f64
     }
 
@@ -165,11 +182,35 @@ impl LocateTracker {
         if found.wrong > 0 {
             words.push(text!("locate-wrong", count = found.wrong));
         }
+        if found.blind > 0 {
+            words.push(text!("locate-blind", count = found.blind));
+        }
         Text::joined(", ", words)
     }
 }
 
+impl LocateReports {
+    /// The number of all reports that are not right.
+    fn all_wrong(&self) -> usize {
+        self.wrong + self.blind
+    }
+}
+
 impl Tracker for LocateTracker {
+    fn step(&mut self, scene: &ObjectiveScene<'_>) {
+        for craft in scene.vehicles {
+            let has_signal = craft.can_see() && craft.probes.iter().any(Probe::has_signal);
+            let Some(at) = craft.at.filter(|_| has_signal) else {
+                continue;
+            };
+            let measured = self.measured.entry(craft.id).or_default();
+            let last = measured.last();
+            if last.is_none_or(|&last| distance_m(last, at) >= MEASURED_APART_M) {
+                measured.push(at);
+            }
+        }
+    }
+
     fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let found = self.judged(scene);
         let near = |distance: &&Option<f64>| {
@@ -182,7 +223,7 @@ impl Tracker for LocateTracker {
         ObjectiveStanding {
             fraction: self.fraction(&found),
             measure: located as f64,
-            met: located == wanted && wanted > 0 && self.guesses(&found) == 0,
+            met: located == wanted && wanted > 0 && found.all_wrong() <= wanted,
             settled: self.is_settled(scene),
             landing: false,
         }
@@ -191,8 +232,6 @@ impl Tracker for LocateTracker {
     fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
         let found = self.judged(scene);
         let wanted = self.wanted.len();
-        // A wrong report costs as much as half a miss.
-        let wrong = 0.5 * found.wrong as f64 / wanted.max(1) as f64;
         let result = if scene.over {
             Self::words(&found)
         } else {
@@ -201,7 +240,7 @@ impl Tracker for LocateTracker {
         };
         ObjectiveDetails {
             product: Some(Product {
-                quality: (self.fraction(&found) - wrong).max(0.0),
+                quality: self.fraction(&found),
                 words: result.clone(),
                 advice: text!("locate-quality"),
                 is_measured: false,

@@ -200,6 +200,13 @@ impl Tracker for PerimeterTracker {
         }
     }
 
+    fn is_out_of_reach(&self, _: &ObjectiveScene<'_>) -> bool {
+        // Each map still to come fits perfectly at best.
+        let missing = self.plan.times.len() - self.fits.len();
+        let best = self.fits.iter().sum::<f64>() + missing as f64;
+        best < self.plan.target.met_at * self.plan.times.len() as f64
+    }
+
     fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
         let times = self.plan.times.iter();
         let times: Vec<String> = times.map(|time| time.as_secs().to_string()).collect();

@@ -171,6 +171,11 @@ impl Tracker for PlanStarts {
         }
     }
 
+    fn is_out_of_reach(&self, scene: &ObjectiveScene<'_>) -> bool {
+        let standing = self.standing(scene);
+        standing.settled && !standing.met
+    }
+
     fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
         let good = self.good(scene.vehicles);
         ObjectiveDetails {

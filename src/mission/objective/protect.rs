@@ -149,6 +149,10 @@ impl Tracker for Protect {
         }
     }
 
+    fn is_out_of_reach(&self, scene: &ObjectiveScene<'_>) -> bool {
+        self.damage(scene).lost > 0
+    }
+
     fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
         let ZoneDamage {
             lost,

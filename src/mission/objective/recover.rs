@@ -78,6 +78,11 @@ impl Tracker for Recover {
         }
     }
 
+    fn is_out_of_reach(&self, scene: &ObjectiveScene<'_>) -> bool {
+        let mut vehicles = scene.vehicles.iter();
+        vehicles.any(|craft| craft.lost && !self.is_home(craft))
+    }
+
     fn details(&self, scene: &ObjectiveScene<'_>) -> ObjectiveDetails {
         ObjectiveDetails {
             product: None,

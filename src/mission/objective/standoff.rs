@@ -141,7 +141,7 @@ impl Tracker for Standoff {
                 "standoff-result",
                 share = percent(self.share()),
                 near = seconds(self.near),
-                close = seconds(self.too_near),
+                close = self.too_near.as_secs_f64().round() as u64,
             ),
             outlook: None,
             target: text!(
@@ -154,7 +154,7 @@ impl Tracker for Standoff {
                 "standoff-advice",
                 nearest = nearest,
                 farthest = farthest,
-                close = seconds(self.too_near),
+                close = self.too_near.as_secs_f64().round() as u64,
             ),
         }
     }

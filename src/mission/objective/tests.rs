@@ -38,18 +38,31 @@ fn mark_as(pilot: &mut Pilot, [east_m, north_m]: Point, kind: FindKind) {
     pilot.flight.act(entry, &deed, &[1]);
 }
 
-#[test]
-fn how_near_a_report_is_comes_out_after_landing_only() {
+/// A vehicle that has flown through the plume near its source, and the place of the source.
+fn in_the_plume() -> (Pilot, Point) {
     let mut pilot = Pilot::flying(mission(PLUME), 4);
     let [east, north] = truth(PLUME, 4);
     pilot.take_off(12.0);
+    pilot.goto(north, east + 10.0, 10.0);
+    pilot.wait(3.0);
+    (pilot, [east, north])
+}
+
+fn fly_home(pilot: &mut Pilot) {
+    pilot.goto(0.0, 0.0, 10.0);
+    pilot.land();
+}
+
+#[test]
+fn how_near_a_report_is_comes_out_after_landing_only() {
+    let (mut pilot, [east, north]) = in_the_plume();
     mark(&mut pilot, [east + 5.0, north]);
     pilot.wait(1.0);
     let first = pilot.flight.progress().objectives.remove(0);
     assert_eq!(first.state, ObjectiveState::Open);
     assert!(first.fraction.abs() < 1e-9);
-    assert_eq!(first.detail, "reported: 1");
-    pilot.land();
+    assert_eq!(first.detail, "judged later: 1");
+    fly_home(&mut pilot);
     assert_eq!(pilot.flight.outcome(), FlightOutcome::Passed);
     assert_eq!(pilot.report().objectives[0].result, "5.0 m off");
 }
@@ -57,26 +70,61 @@ fn how_near_a_report_is_comes_out_after_landing_only() {
 #[test]
 fn reports_lose_worth_with_distance_and_by_those_that_are_wrong() {
     let score = |offsets_m: &[f64]| {
-        let mut pilot = Pilot::flying(mission(PLUME), 4);
-        let [east, north] = truth(PLUME, 4);
-        pilot.take_off(12.0);
+        let (mut pilot, [east, north]) = in_the_plume();
         for offset_m in offsets_m {
             mark(&mut pilot, [east, north + offset_m]);
         }
-        pilot.land();
+        fly_home(&mut pilot);
         let report = pilot.report();
-        (report.objectives[0].points, report.score)
+        (report.objectives[0].points, report.passed)
     };
     let (near, middle, far) = (score(&[10.0]), score(&[30.0]), score(&[80.0]));
     assert!((near.0 - 60.0).abs() < 0.1 && (middle.0 - 30.0).abs() < 0.1 && far.0.abs() < 0.1);
+    // A wrong report costs half an object; the mission is passed with one for each.
     let corrected = score(&[80.0, 10.0]);
-    assert!((corrected.0 - near.0).abs() < 0.1);
-    assert!(corrected.1 < near.1, "{corrected:?} {near:?}");
-    // Wrong reports beyond one per source count as guesses.
-    let guessed = score(&[10.0, 80.0, -90.0]);
-    assert!((guessed.0 - near.0 / 2.0).abs() < 0.1, "{guessed:?}");
-    let grid = score(&[10.0, 30.0, 50.0, 70.0, -30.0, -50.0]);
-    assert!(grid.0.abs() < 0.1, "{grid:?}");
+    assert!(
+        (corrected.0 - 30.0).abs() < 0.1 && corrected.1,
+        "{corrected:?}"
+    );
+    let grid = score(&[10.0, 30.0, 50.0]);
+    assert!(grid.0.abs() < 0.1 && !grid.1, "{grid:?}");
+}
+
+#[test]
+fn a_wrong_report_that_is_withdrawn_costs_nothing() {
+    let (mut pilot, [east, north]) = in_the_plume();
+    mark(&mut pilot, [east, north + 40.0]);
+    let entry = pilot.ledger.open(pilot.now, given("1 arm"), &[1]);
+    let wrong = Spot::Offset {
+        north_m: north + 40.0,
+        east_m: east,
+    };
+    let rows = pilot.flight.act(entry, &Deed::Unmark { spot: wrong }, &[1]);
+    assert_eq!(rows[0].state, RowState::Done);
+    mark(&mut pilot, [east, north]);
+    pilot.land();
+    assert_eq!(pilot.report().objectives[0].result, "0.0 m off");
+}
+
+/// A lucky guess from the pad earns nothing.
+#[test]
+fn a_report_without_a_measurement_near_it_is_wrong_however_near_it_is() {
+    let mut pilot = Pilot::flying(mission(PLUME), 4);
+    pilot.take_off(12.0);
+    pilot.wait(5.0);
+    assert!(
+        !pilot.flight.places().contains_key("peak"),
+        "noise is no reading"
+    );
+    mark(&mut pilot, truth(PLUME, 4));
+    pilot.land();
+    let report = pilot.report();
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Failed);
+    assert_eq!(
+        report.objectives[0].result,
+        "not found, 1 report without a measurement near it"
+    );
+    assert!(report.objectives[0].points.abs() < 1e-9);
 }
 
 #[test]
@@ -93,7 +141,7 @@ fn in_flight_a_report_is_counted_but_not_judged() {
     };
     let (mut pilot, right, score) = shown(1.0);
     assert_eq!(right.state, ObjectiveState::Open);
-    assert_eq!(right.detail, "1 reported");
+    assert_eq!(right.detail, "judged later: 1");
     let (_, wrong, score_of_wrong) = shown(30.0);
     assert_eq!(
         (right, score),

@@ -51,6 +51,8 @@ pub(crate) struct Noise {
 
 /// The speed above which rotor wash reaches the inlet.
 const WASH_FROM_M_S: f64 = 5.0;
+/// The lowest reading that cannot be noise, as a multiple of the noise floor.
+const SIGNAL_FROM_FLOORS: f64 = 5.0;
 /// The share of a reading left under rotor wash.
 const WASH_SHARE: f64 = 0.7;
 /// The additional lag from rotor wash, in seconds.
@@ -85,6 +87,15 @@ impl Probe {
     /// Whether it measures along a beam down to the ground.
     pub fn looks_down(&self) -> bool {
         matches!(self.spec.response, Response::Beam(_))
+    }
+
+    /// Whether the sensor has measured something: its reading stands out from its noise. Each count of a counter is real.
+    pub fn has_signal(&self) -> bool {
+        let least = match self.spec.response {
+            Response::Inlet(noise) | Response::Beam(noise) => SIGNAL_FROM_FLOORS * noise.floor,
+            Response::Counter { .. } => 0.0,
+        };
+        self.shown > least
     }
 
     /// Advances by `dt_s` with the given amount of its quantity.

@@ -50,6 +50,16 @@ fn a_goto_is_overtaken_when_the_motors_are_switched_off() {
 }
 
 #[test]
+fn a_goto_that_a_crash_has_ended_says_so() {
+    let mut scene = under_way();
+    scene.heartbeat(GUIDED, true);
+    scene.text("Crash: Disarming: AngErr=79>30, Accel=0.8<3.0");
+    scene.heartbeat(GUIDED, false);
+    assert_eq!(last(&scene, 1), RowState::Overtaken);
+    assert_eq!(scene.explanation(1), "by a crash");
+}
+
+#[test]
 fn an_order_of_ours_takes_the_place_of_a_goto_also_if_the_mode_shows_before_the_answer() {
     let mut scene = under_way();
     scene.heartbeat(GUIDED, true);

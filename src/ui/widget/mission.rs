@@ -350,6 +350,10 @@ impl<'a> Grid<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::commands::{Deed, Spot, Subject};
+    use crate::ledger::EntryId;
+    use crate::mission::{Flight, Mission};
+    use crate::text::{Language, Locale};
     use ratatui::layout::Rect;
 
     #[test]
@@ -363,6 +367,59 @@ mod tests {
         let lines = objective_lines(&[objective], 40, false, &Look::default());
         let shown: Vec<String> = lines.iter().map(ToString::to_string).collect();
         assert_eq!(shown, ["[ ] distance to…  12 % of 14 s, too clo…"]);
+    }
+
+    /// The rows of the shipped missions' objectives, as the pane of *Fly* shows them on 80 columns, that are cut.
+    fn cut_rows(language: Language) -> Vec<String> {
+        let look = Look {
+            locale: Arc::new(Locale::new(language)),
+            ..Look::default()
+        };
+        let mut cut = Vec::new();
+        for number in ["00", "01", "02", "03", "04", "05"] {
+            let mission = mission(number);
+            let mut flight = Flight::new(Arc::new(mission), 1);
+            for reports in 0..2 {
+                let lines = objective_lines(&flight.progress().objectives, 39, false, &look);
+                let shown = lines.iter().map(ToString::to_string);
+                let is_cut = |row: &String| row.contains('…');
+                cut.extend(
+                    shown
+                        .filter(is_cut)
+                        .map(|row| format!("{number}, {reports}: {row}")),
+                );
+                let subject = Subject::Spot(Spot::Offset {
+                    north_m: 50.0,
+                    east_m: 0.0,
+                });
+                let mark = Deed::Mark {
+                    subject,
+                    kind: None,
+                };
+                flight.act(EntryId(0), &mark, &[1]);
+            }
+        }
+        cut
+    }
+
+    fn mission(number: &str) -> Mission {
+        let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/missions");
+        let files = std::fs::read_dir(folder).expect("it is there");
+        let mut paths = files.map(|file| file.expect("a file").path());
+        let is_it = |path: &std::path::PathBuf| {
+            let name = path.file_name().and_then(|name| name.to_str());
+            name.is_some_and(|name| name.starts_with(&format!("{number}-")))
+        };
+        let path = paths.find(is_it).expect("it is shipped");
+        let text = std::fs::read_to_string(path).expect("it can be read");
+        Mission::parse(&text).expect("it is good")
+    }
+
+    #[test]
+    fn the_objectives_of_the_first_missions_fit_their_rows() {
+        let mut cut = cut_rows(Language::English);
+        cut.extend(cut_rows(Language::Ukrainian));
+        assert!(cut.is_empty(), "{cut:#?}");
     }
 
     #[test]

@@ -27,12 +27,12 @@ fn an_alert_says_what_and_since_when_until_it_is_over() {
         screen.contains("! 2: LINK LOST, since 0:42  x acknowledges"),
         "{screen}"
     );
-    assert!(screen.contains("!LINK LOST, 0:42") || screen.contains("!LINK LOST, since 0:42"));
+    assert!(screen.contains("! LINK LOST (0:42)") || screen.contains("! LINK LOST, since 0:42"));
     console.at(60).press("x");
     let screen = first_lines(&console);
     assert!(!screen.contains("acknowledges"), "{screen}");
     assert!(
-        screen.contains(" LINK LOST") && !screen.contains("!LINK"),
+        screen.contains(" LINK LOST") && !screen.contains("! LINK"),
         "{screen}"
     );
     console.vehicle(fixtures::airborne(2, 50.0, 20.0));

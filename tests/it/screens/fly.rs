@@ -110,7 +110,7 @@ fn without_colour_nothing_is_lost() {
     assert!(!has_colour);
     assert_eq!(screen, console.screen(80, 24));
     assert!(
-        screen.contains("!BATTERY 9 %") && screen.contains(" LINK LOST"),
+        screen.contains("! BATTERY 9 %") && screen.contains(" LINK LOST"),
         "{screen}"
     );
 }

@@ -311,7 +311,7 @@ fn alert(row: &Row<'_>, look: &Look, room: usize) -> Cell {
     };
     let calm = session.alerts().is_calm(one);
     let is_serious = one.alert.severity <= Severity::Error;
-    let mark = if is_serious && !calm { "!" } else { "" };
+    let mark = if is_serious && !calm { "! " } else { "" };
     let role = if calm {
         Role::Muted
     } else if is_serious {
@@ -336,7 +336,7 @@ pub fn since(one: &Standing, at: Duration, look: &Look, room: usize) -> String {
     if width(&long) <= room {
         return long;
     }
-    let short = format!("{what}, {clock}");
+    let short = format!("{what} ({clock})");
     if width(&short) <= room {
         return short;
     }
