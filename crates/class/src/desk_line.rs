@@ -9,11 +9,16 @@ use super::{ConnectionId, Desk, Order, OrderState, SeatRecord};
 /// How long the desk waits for entries or the outcome of an order before it asks again.
 const ASK_AGAIN: Duration = Duration::from_secs(2);
 
+/// How long the desk waits for a whole picture before it asks for one again.
+const WATCH_AGAIN: Duration = Duration::from_millis(500);
+
 /// A desk's half of one connection. A new connection needs a new one.
 #[derive(Debug, Clone, Default)]
 pub struct DeskLine {
     has_greeted: bool,
     asked: Option<Asked>,
+    /// When the seat was asked for its screen, while the desk watches it.
+    watched: Option<Duration>,
     /// When each order without an outcome was sent, by its number.
     ordered: BTreeMap<u32, Duration>,
 }
@@ -46,7 +51,33 @@ impl DeskLine {
                 from: seat.journal.next_number(),
             });
         }
+        if let Some(on) = self.has_to_watch(desk, connection, now) {
+            return Some(DeskMessage::Watch { on });
+        }
         self.next_order(seat, now).map(DeskMessage::Order)
+    }
+
+    /// Whether the seat has to begin, to begin again or to end sending its screen.
+    fn has_to_watch(
+        &mut self,
+        desk: &Desk,
+        connection: ConnectionId,
+        now: Duration,
+    ) -> Option<bool> {
+        let wanted = desk
+            .watched()
+            .filter(|&it| desk.index_of(connection) == Some(it));
+        let Some(seat) = wanted.and_then(|index| desk.seats().get(index)) else {
+            return self.watched.take().map(|_| false);
+        };
+        let is_due = match self.watched {
+            None => true,
+            Some(at) => seat.screen.is_lost() && now.saturating_sub(at) >= WATCH_AGAIN,
+        };
+        is_due.then(|| {
+            self.watched = Some(now);
+            true
+        })
     }
 
     /// An order without an outcome that was not sent, or not lately.
