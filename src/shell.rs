@@ -37,6 +37,7 @@ use crate::store::{History, UnsavedDrafts};
 use crate::terminal::{Keyboard, Screen};
 use crate::text;
 use crate::text::Text;
+use crate::ui;
 
 mod api;
 mod begin;
@@ -117,8 +118,10 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
             break;
         }
         programs.tell(console.app.state());
-        class.tell(console.app.state());
+        screen.keep_frames(console.app.state().class_role().is_screen_watched());
         console.draw(&mut screen).await?;
+        let picture = || screen.frame().map(ui::picture);
+        class.tell(console.app.state(), &picture);
     }
     console.close().await;
     programs.close(console.app.state()).await;

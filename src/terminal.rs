@@ -19,6 +19,7 @@ use crossterm::terminal::{
     enable_raw_mode,
 };
 use crossterm::{cursor, event, execute, queue};
+use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::{Terminal, TerminalOptions, Viewport};
 
@@ -64,6 +65,8 @@ pub struct Screen {
     /// Whether the terminal's window has a title that may be set, and the last title that was set.
     has_title: bool,
     title: String,
+    /// A copy of the last frame, for others; `None` unless somebody wants it.
+    kept: Option<Buffer>,
 }
 
 impl Screen {
@@ -93,6 +96,7 @@ impl Screen {
             mouse,
             has_title: Environment::of_process().has_window_title(),
             title: String::new(),
+            kept: None,
         };
         screen.enter()?;
         Ok(screen)
@@ -137,6 +141,7 @@ impl Screen {
             mouse: false,
             has_title: false,
             title: String::new(),
+            kept: None,
         })
     }
 
@@ -175,12 +180,27 @@ impl Screen {
         self.traffic.bytes()
     }
 
+    /// Keeps a copy of each frame from now on, or no longer.
+    pub fn keep_frames(&mut self, keeps: bool) {
+        if keeps != self.kept.is_some() {
+            self.kept = keeps.then(Buffer::default);
+        }
+    }
+
+    /// The copy of the last frame; `None` if none has been drawn since the copies are kept.
+    pub fn frame(&self) -> Option<&Buffer> {
+        self.kept.as_ref().filter(|frame| !frame.area.is_empty())
+    }
+
     /// Draws one frame; only the changes are written.
     ///
     /// # Errors
     /// The terminal is gone.
     pub fn draw(&mut self, render: impl FnOnce(&mut ratatui::Frame)) -> io::Result<()> {
-        self.terminal.draw(render)?;
+        let frame = self.terminal.draw(render)?;
+        if let Some(kept) = &mut self.kept {
+            kept.clone_from(frame.buffer);
+        }
         if self.terminal.backend_mut().end_frame()? {
             self.send()?;
         }

@@ -8,7 +8,8 @@
 //!   theme files; `look` brings theme, texts and symbols to every widget, and gives drones and teams their own
 //!   colours and signs.
 //! - How it reaches cells: `panel` divides an area and writes into it, `hits` records what a click means, `ascii`
-//!   replaces characters that the terminal lacks, `window` sets the title of the terminal's window.
+//!   replaces characters that the terminal lacks, `picture` makes of a screen what an instructor sees elsewhere,
+//!   `window` sets the title of the terminal's window.
 
 use ratatui::Frame;
 
@@ -21,6 +22,7 @@ pub mod ascii;
 mod hits;
 mod look;
 mod panel;
+mod picture;
 mod screen;
 mod theme;
 mod widget;
@@ -28,6 +30,7 @@ mod window;
 
 pub use hits::Hits;
 pub use look::{Badge, Look};
+pub use picture::picture;
 pub use theme::{ColourDepth, Role, Theme, ThemeError, ThemeFile, Themes};
 pub use window::window_title;
 

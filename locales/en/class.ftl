@@ -10,6 +10,8 @@ argument-seat = @seat or @all; by default the marked seats
 argument-condition = a condition as in mission files
 
 # Keys on the last line
+class-key-watch = watch
+class-key-board = back to the board
 class-key-mark = mark seat
 class-key-message = message
 class-key-hint = hint
@@ -74,6 +76,12 @@ class-injects-title = { $seat }: injects
 class-inject = { $name }: { $title }
 class-no-injects = the mission permits no injects
 
+class-watch-title = screen of { $seat }
+class-watch-none = waiting for the first picture
+class-watch-cut = cut: columns { $left }–{ $right } of { $columns }, rows { $top }–{ $bottom } of { $rows } (arrows move)
+class-watch-stale = old: nothing has come for { $time }
+class-watch-gone = old: the seat has left
+
 # Orders
 class-deed-message = message “{ $text }”
 class-deed-hint = hint
@@ -118,11 +126,13 @@ class-ask-end-reason = the flights of these trainees end now and are scored
 # At a seat
 header-watched = desk: { $instructor }
 header-watched-short = desk
+header-screen-watched = { $instructor } watches this screen
+header-screen-watched-short = watched
 header-frozen = FROZEN
 class-none = no class is configured: start the console with `--class NAME`
 class-waits = waiting for the desk of the class
 class-ask = Join the class of { $instructor }?
-class-ask-reason = the instructor sees your flight, and can freeze and end it
+class-ask-reason = the instructor sees your flight and your screen, and can freeze and end the flight
 class-joining = joining the class
 class-joined = in class { $class }: { $instructor } sees your flight
 class-left = not in the class: join with `class join`

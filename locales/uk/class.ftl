@@ -10,6 +10,8 @@ argument-seat = @місце або @all; без нього — позначен�
 argument-condition = умова, як у файлах завдань
 
 # Клавіші в останньому рядку
+class-key-watch = екран
+class-key-board = до таблиці
 class-key-mark = позначити
 class-key-message = повідомлення
 class-key-hint = підказка
@@ -75,6 +77,12 @@ class-injects-title = { $seat }: події
 class-inject = { $name }: { $title }
 class-no-injects = завдання не дозволяє вводити події
 
+class-watch-title = екран: { $seat }
+class-watch-none = очікується перша картинка
+class-watch-cut = обрізано: стовпці { $left }–{ $right } із { $columns }, рядки { $top }–{ $bottom } із { $rows } (рухати стрілками)
+class-watch-stale = застаріло: нічого не надходить { $time }
+class-watch-gone = застаріло: учень від'єднався
+
 # Вказівки
 class-deed-message = повідомлення «{ $text }»
 class-deed-hint = підказка
@@ -119,11 +127,13 @@ class-ask-end-reason = польоти цих учнів завершаться �
 # На місці учня
 header-watched = пульт: { $instructor }
 header-watched-short = пульт
+header-screen-watched = { $instructor } бачить цей екран
+header-screen-watched-short = бачать екран
 header-frozen = ЧАС ЗУПИНЕНО
 class-none = клас не налаштовано: запустіть консоль із `--class НАЗВА`
 class-waits = очікується пульт класу
 class-ask = Приєднатися до класу, який веде { $instructor }?
-class-ask-reason = інструктор бачитиме ваш політ і зможе зупинити його час або завершити його
+class-ask-reason = інструктор бачитиме ваш політ і ваш екран і зможе зупинити час польоту або завершити його
 class-joining = приєднання до класу
 class-joined = у класі { $class }: { $instructor } бачить ваш політ
 class-left = не в класі: приєднатися можна командою `class join`

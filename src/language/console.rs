@@ -165,6 +165,10 @@ pub enum ClassLine {
     Leave,
     /// At the desk: show the injects that the mission of the seat under the cursor permits.
     Injects,
+    /// At the desk: show the screen of a seat.
+    Watch(SeatChoice),
+    /// At the desk: show the board again.
+    Unwatch,
     /// At the desk: give an order to seats.
     Give { seats: SeatChoice, deed: Deed },
 }

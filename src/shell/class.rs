@@ -18,7 +18,9 @@ use crate::carrier::{
     ClassFault, ClassPlace, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort, unix,
 };
 use crate::class::protocol::{Denial, DeskMessage};
-use crate::class::{ConnectionId, Consent, Desk, DeskLine, Refusal, Seat, SeatLine};
+use crate::class::{
+    ConnectionId, Consent, Desk, DeskLine, Picture, Refusal, Seat, SeatLine, SeatReport, SeatSource,
+};
 use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
 use crate::scoring::FlownBy;
@@ -187,10 +189,12 @@ impl ClassEnd {
         }
     }
 
-    /// Says what the other side does not know yet.
-    pub fn tell(&mut self, state: &State) {
+    /// Says what the other side does not know yet. `picture` takes the screen, if there is one.
+    pub fn tell(&mut self, state: &State, picture: &dyn Fn() -> Option<Picture>) {
         match (self, state.class_role()) {
-            (Self::Seat(end), ClassRole::Seat(place)) => end.tell(place.seat(), state),
+            (Self::Seat(end), ClassRole::Seat(place)) => {
+                end.tell(place.seat(), state, picture);
+            }
             (Self::Desk(end), ClassRole::Desk(desk)) => end.tell(desk, state),
             _ => {}
         }
@@ -198,7 +202,7 @@ impl ClassEnd {
 }
 
 impl SeatEnd {
-    fn tell(&mut self, seat: &Seat, state: &State) {
+    fn tell(&mut self, seat: &Seat, state: &State, picture: &dyn Fn() -> Option<Picture>) {
         self.pauses.note(state.wall());
         if seat.consent() == Consent::Declined {
             (self.port, self.open) = (None, None);
@@ -210,13 +214,34 @@ impl SeatEnd {
         let Some(OpenLine { outbox, line }) = &mut self.open else {
             return;
         };
+        let view = SeatView {
+            state,
+            by_script: self.by_script,
+            picture,
+        };
         while outbox.has_room() {
-            let report = || state.seat_report(self.by_script);
-            match line.next(seat, report, state.wall()) {
+            match line.next(seat, &view, state.wall()) {
                 Some(message) => outbox.send(&message),
                 None => return,
             }
         }
+    }
+}
+
+/// What a seat tells its desk.
+struct SeatView<'a> {
+    state: &'a State,
+    by_script: bool,
+    picture: &'a dyn Fn() -> Option<Picture>,
+}
+
+impl SeatSource for SeatView<'_> {
+    fn report(&self) -> SeatReport {
+        self.state.seat_report(self.by_script)
+    }
+
+    fn picture(&self) -> Option<Picture> {
+        (self.picture)()
     }
 }
 

@@ -102,7 +102,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
             },
         }
         programs.tell(plain.console.app.state());
-        class.tell(plain.console.app.state());
+        class.tell(plain.console.app.state(), &|| None);
     }
     plain.console.close().await;
     programs.close(plain.console.app.state()).await;

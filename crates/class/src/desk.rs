@@ -19,6 +19,8 @@ pub struct Desk {
     class: Words,
     seats: Vec<SeatRecord>,
     orders: u32,
+    /// The seat whose screen is watched.
+    watched: Option<usize>,
 }
 
 impl Desk {
@@ -29,6 +31,7 @@ impl Desk {
             class,
             seats: Vec::new(),
             orders: 0,
+            watched: None,
         }
     }
 
@@ -47,7 +50,7 @@ impl Desk {
         self.index_of(connection).map(|index| &self.seats[index])
     }
 
-    fn index_of(&self, connection: ConnectionId) -> Option<usize> {
+    pub(super) fn index_of(&self, connection: ConnectionId) -> Option<usize> {
         let here = Presence::Here(connection);
         self.seats.iter().position(|seat| seat.presence == here)
     }
@@ -87,8 +90,18 @@ impl Desk {
                 seat.hear(&new);
                 Ok(())
             }
+            (SeatMessage::Screen(part), Some(index)) => {
+                // What was on its way when the desk stopped watching is not wanted any more.
+                if self.watched == Some(index) {
+                    self.seats[index].see(&part, now);
+                }
+                Ok(())
+            }
             (SeatMessage::Hello(_), Some(_))
-            | (SeatMessage::Report { .. } | SeatMessage::Entries(_), None) => Err(Denial::NoHello),
+            | (
+                SeatMessage::Report { .. } | SeatMessage::Entries(_) | SeatMessage::Screen(_),
+                None,
+            ) => Err(Denial::NoHello),
         }
     }
 
@@ -148,6 +161,19 @@ impl Desk {
             seat.presence = Presence::Gone(now);
             seat.attention = Attention::new(now);
         }
+    }
+
+    /// Watches the screen of a seat, instead of another one; `None` watches none.
+    pub fn watch(&mut self, seat: Option<usize>) {
+        self.watched = seat.filter(|&it| it < self.seats.len());
+        if let Some(seat) = seat.and_then(|it| self.seats.get_mut(it)) {
+            seat.forget_screen();
+        }
+    }
+
+    /// The seat whose screen is watched.
+    pub fn watched(&self) -> Option<usize> {
+        self.watched
     }
 
     /// Gives an order to a seat.

@@ -11,6 +11,8 @@ const ASK_AGAIN: Duration = Duration::from_secs(2);
 
 /// How often a desk says something at least.
 const SAY_EVERY: Duration = Duration::from_secs(2);
+/// How long the desk waits for a whole picture before it asks for one again.
+const WATCH_AGAIN: Duration = Duration::from_millis(500);
 
 /// A desk's half of one connection. A new connection needs a new one.
 #[derive(Debug, Clone, Default)]
@@ -19,6 +21,8 @@ pub struct DeskLine {
     /// When the last line was said.
     said_at: Duration,
     asked: Option<Asked>,
+    /// When the seat was asked for its screen, while the desk watches it.
+    watched: Option<Duration>,
     /// When each order without an outcome was sent, by its number.
     ordered: BTreeMap<u32, Duration>,
 }
@@ -38,14 +42,15 @@ impl DeskLine {
         connection: ConnectionId,
         now: Duration,
     ) -> Option<DeskMessage> {
-        let message = self.due(desk.seat_of(connection)?, desk, now);
+        let message = self.due(desk, connection, now);
         if message.is_some() {
             self.said_at = now;
         }
         message
     }
 
-    fn due(&mut self, seat: &SeatRecord, desk: &Desk, now: Duration) -> Option<DeskMessage> {
+    fn due(&mut self, desk: &Desk, connection: ConnectionId, now: Duration) -> Option<DeskMessage> {
+        let seat = desk.seat_of(connection)?;
         if !self.has_greeted {
             self.has_greeted = true;
             return Some(DeskMessage::Welcome {
@@ -58,8 +63,34 @@ impl DeskLine {
                 from: seat.journal.next_number(),
             });
         }
+        if let Some(on) = self.has_to_watch(desk, connection, now) {
+            return Some(DeskMessage::Watch { on });
+        }
         let order = self.next_order(seat, now).map(DeskMessage::Order);
         order.or_else(|| (now >= self.said_at + SAY_EVERY).then_some(DeskMessage::Here))
+    }
+
+    /// Whether the seat has to begin, to begin again or to end sending its screen.
+    fn has_to_watch(
+        &mut self,
+        desk: &Desk,
+        connection: ConnectionId,
+        now: Duration,
+    ) -> Option<bool> {
+        let wanted = desk
+            .watched()
+            .filter(|&it| desk.index_of(connection) == Some(it));
+        let Some(seat) = wanted.and_then(|index| desk.seats().get(index)) else {
+            return self.watched.take().map(|_| false);
+        };
+        let is_due = match self.watched {
+            None => true,
+            Some(at) => seat.screen.is_lost() && now.saturating_sub(at) >= WATCH_AGAIN,
+        };
+        is_due.then(|| {
+            self.watched = Some(now);
+            true
+        })
     }
 
     /// An order without an outcome that was not sent, or not lately.

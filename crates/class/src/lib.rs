@@ -9,6 +9,7 @@
 //!
 //! # How the parts fit
 //! - What is said: `report`, `journal`, `order`; `words` is text from the other side, cleaned.
+//! - What is seen: `watch`, the screen of a seat.
 //! - How it is said: [`protocol`], as lines of JSON.
 //! - Who knows what: [`Seat`] is the state of a seat's side, [`Desk`] that of the desk, with a [`SeatRecord`] for each
 //!   seat; `need` orders them.
@@ -29,6 +30,7 @@ mod report;
 mod seat;
 mod seat_line;
 mod seat_record;
+mod watch;
 mod words;
 
 #[cfg(test)]
@@ -43,6 +45,9 @@ pub use report::{
     ArmedInject, Danger, DangerKind, FlightReport, LastCommand, OfferedInject, SeatReport, Stage,
 };
 pub use seat::{Consent, Seat};
-pub use seat_line::{REPORT_EVERY, SeatLine};
+pub use seat_line::{REPORT_EVERY, SeatLine, SeatSource};
 pub use seat_record::{GivenOrder, OrderState, Presence, SeatRecord};
+pub use watch::{
+    CellStyle, Picture, PictureCell, PicturePart, PictureReceiver, PictureSender, STALE_AFTER,
+};
 pub use words::Words;

@@ -8,7 +8,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::{JournalBatch, Order, SeatReport, Words};
+use super::{JournalBatch, Order, PicturePart, SeatReport, Words};
 
 /// The version of the protocol; it increases with every change that is not an addition.
 pub const VERSION: u32 = 1;
@@ -30,6 +30,8 @@ pub enum SeatMessage {
     },
     /// Entries of the journal.
     Entries(JournalBatch),
+    /// The screen, while the desk watches it.
+    Screen(PicturePart),
 }
 
 /// The first line of a seat, which asks to join.
@@ -58,6 +60,11 @@ pub enum DeskMessage {
     Ask {
         /// The number of the first entry.
         from: u64,
+    },
+    /// Send the screen from now on, beginning with a whole picture, or do not send it any more.
+    Watch {
+        /// Whether it is to be sent.
+        on: bool,
     },
     /// Carry out an order, unless it was carried out before.
     Order(Order),

@@ -25,6 +25,7 @@ pub struct Seat {
     consent: Consent,
     instructor: Option<String>,
     class: Option<Words>,
+    is_screen_watched: bool,
     journal: Journal,
     seen: VecDeque<OrderId>,
 }
@@ -37,6 +38,7 @@ impl Seat {
             consent,
             instructor: None,
             class: None,
+            is_screen_watched: false,
             journal: Journal::default(),
             seen: VecDeque::new(),
         }
@@ -75,6 +77,17 @@ impl Seat {
     pub fn lose(&mut self) {
         self.instructor = None;
         self.class = None;
+        self.is_screen_watched = false;
+    }
+
+    /// The desk begins or ends to watch the screen.
+    pub fn let_watch(&mut self, on: bool) {
+        self.is_screen_watched = on;
+    }
+
+    /// Whether the desk watches the screen.
+    pub fn is_screen_watched(&self) -> bool {
+        self.is_screen_watched
     }
 
     /// Whose desk there is; `None` while there is none.

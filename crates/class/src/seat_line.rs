@@ -3,10 +3,19 @@
 use std::time::Duration;
 
 use super::protocol::{DeskMessage, Hello, SeatMessage, VERSION};
+use super::watch::{Picture, PictureSender};
 use super::{Consent, Seat, SeatReport};
 
 /// The time between two reports.
 pub const REPORT_EVERY: Duration = Duration::from_millis(500);
+
+/// Where a seat's state and screen come from, when they are needed.
+pub trait SeatSource {
+    /// The state of the seat.
+    fn report(&self) -> SeatReport;
+    /// The screen as the trainee sees it; `None` without one.
+    fn picture(&self) -> Option<Picture>;
+}
 
 /// A seat's half of one connection. A new connection needs a new one.
 #[derive(Debug, Clone, Default)]
@@ -15,13 +24,20 @@ pub struct SeatLine {
     /// The number of the next entry; `None` until the desk has asked.
     next_entry: Option<u64>,
     next_report: Option<Duration>,
+    /// What the desk has seen of the screen, while it watches.
+    screen: Option<PictureSender>,
 }
 
 impl SeatLine {
     /// Takes in a line of the desk, as far as it concerns what is to be said. The rest is for [`Seat`].
     pub fn hear(&mut self, message: &DeskMessage) {
-        if let DeskMessage::Ask { from } = message {
-            self.next_entry = Some(*from);
+        match message {
+            DeskMessage::Ask { from } => self.next_entry = Some(*from),
+            DeskMessage::Watch { on } => self.screen = on.then(PictureSender::default),
+            DeskMessage::Welcome { .. }
+            | DeskMessage::Denied(_)
+            | DeskMessage::Order(_)
+            | DeskMessage::Here => {}
         }
     }
 
@@ -29,7 +45,7 @@ impl SeatLine {
     pub fn next(
         &mut self,
         seat: &Seat,
-        report: impl FnOnce() -> SeatReport,
+        source: &impl SeatSource,
         now: Duration,
     ) -> Option<SeatMessage> {
         if seat.consent() != Consent::Given {
@@ -47,8 +63,13 @@ impl SeatLine {
             self.next_report = Some(now + REPORT_EVERY);
             return Some(SeatMessage::Report {
                 last: seat.journal().last(),
-                report: Box::new(report()),
+                report: Box::new(source.report()),
             });
+        }
+        if let Some(screen) = &mut self.screen
+            && let Some(part) = screen.next(|| source.picture(), now)
+        {
+            return Some(SeatMessage::Screen(part));
         }
         let batch = seat.journal().from(self.next_entry?)?;
         self.next_entry = batch.entries.last().map(|entry| entry.number + 1);

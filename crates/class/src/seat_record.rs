@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use super::watch::{Picture, PicturePart, PictureReceiver};
 use super::{
     Attention, ConnectionId, Deed, Entry, Happening, JournalCopy, Order, OrderId, Outcome,
     SeatReport,
@@ -64,6 +65,9 @@ pub struct SeatRecord {
     pub(super) announced: u64,
     /// Why it needs the instructor.
     pub attention: Attention,
+    pub(super) screen: PictureReceiver,
+    /// When something of its screen last came.
+    pub(super) seen_at: Option<Duration>,
     orders: VecDeque<GivenOrder>,
 }
 
@@ -79,6 +83,8 @@ impl SeatRecord {
             journal: JournalCopy::default(),
             announced: 0,
             attention: Attention::new(now),
+            screen: PictureReceiver::default(),
+            seen_at: None,
             orders: VecDeque::new(),
         }
     }
@@ -94,6 +100,28 @@ impl SeatRecord {
         }
         self.presence = Presence::Here(connection);
         self.heard_at = now;
+        self.forget_screen();
+    }
+
+    pub(super) fn forget_screen(&mut self) {
+        self.screen = PictureReceiver::default();
+        self.seen_at = None;
+    }
+
+    /// Takes in a part of the seat's screen.
+    pub(super) fn see(&mut self, part: &PicturePart, now: Duration) {
+        self.screen.receive(part);
+        self.seen_at = Some(now);
+    }
+
+    /// The screen of the seat, while the desk watches it and a picture has come.
+    pub fn picture(&self) -> Option<&Picture> {
+        self.screen.picture()
+    }
+
+    /// For how long nothing of the watched screen has come; `None` before the first picture.
+    pub fn unseen_for(&self, now: Duration) -> Option<Duration> {
+        Some(now.saturating_sub(self.seen_at?))
     }
 
     /// Whether the seat is connected.

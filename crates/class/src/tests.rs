@@ -25,6 +25,19 @@ fn seconds(count: u64) -> Duration {
     Duration::from_secs(count)
 }
 
+/// A seat without a flight.
+struct Idle;
+
+impl SeatSource for Idle {
+    fn report(&self) -> SeatReport {
+        SeatReport::default()
+    }
+
+    fn picture(&self) -> Option<Picture> {
+        Some(Picture::blank(3, 2))
+    }
+}
+
 fn joined(desk: &mut Desk, connection: u64, user: &str, sitting: u64) {
     let outcome = desk.hear(
         ConnectionId(connection),
@@ -155,14 +168,42 @@ fn an_order_to_a_seat_that_is_gone_is_not_sent_after_ten_seconds() {
 fn nothing_is_said_before_the_trainee_agrees() {
     let mut seat = Seat::new(1, Consent::Unasked);
     let mut line = SeatLine::default();
-    assert_eq!(line.next(&seat, SeatReport::default, seconds(1)), None);
+    assert_eq!(line.next(&seat, &Idle, seconds(1)), None);
     seat.decide(false);
-    assert_eq!(line.next(&seat, SeatReport::default, seconds(1)), None);
+    assert_eq!(line.next(&seat, &Idle, seconds(1)), None);
     seat.decide(true);
-    let said = line.next(&seat, SeatReport::default, seconds(1));
+    let said = line.next(&seat, &Idle, seconds(1));
     assert_eq!(said, Some(hello(1)));
     // And nothing but the hello before the desk has welcomed the seat.
-    assert_eq!(line.next(&seat, SeatReport::default, seconds(1)), None);
+    assert_eq!(line.next(&seat, &Idle, seconds(1)), None);
+}
+
+#[test]
+fn a_seat_sends_its_screen_only_while_it_is_watched_and_again_after_a_break() {
+    let mut rig = Rig::new(Vec::new());
+    let run = |rig: &mut Rig, steps: u32| (0..steps).for_each(|_| rig.step());
+    run(&mut rig, 5);
+    assert_eq!(rig.desk.seats()[0].picture(), None);
+    rig.desk.watch(Some(0));
+    run(&mut rig, 3);
+    assert!(rig.seat.is_screen_watched());
+    assert_eq!(rig.desk.seats()[0].picture(), Some(&Picture::blank(3, 2)));
+    rig.reconnect();
+    assert!(!rig.seat.is_screen_watched());
+    run(&mut rig, 5);
+    assert_eq!(rig.desk.seats()[0].picture(), Some(&Picture::blank(3, 2)));
+    rig.desk.watch(None);
+    run(&mut rig, 3);
+    assert!(!rig.seat.is_screen_watched());
+    assert!(rig.desk.seats()[0].unseen_for(rig.now) >= Some(STEP * 2));
+    // Watched again before the seat has heard that it was not.
+    rig.desk.watch(Some(0));
+    run(&mut rig, 3);
+    rig.desk.watch(None);
+    rig.desk.watch(Some(0));
+    assert_eq!(rig.desk.seats()[0].picture(), None);
+    run(&mut rig, 20);
+    assert_eq!(rig.desk.seats()[0].picture(), Some(&Picture::blank(3, 2)));
 }
 
 #[test]
@@ -280,10 +321,7 @@ impl Rig {
 
     fn step(&mut self) {
         self.now += STEP;
-        while let Some(message) = self
-            .seat_line
-            .next(&self.seat, SeatReport::default, self.now)
-        {
+        while let Some(message) = self.seat_line.next(&self.seat, &Idle, self.now) {
             let Some(lines) = self.carry(&line(&message)) else {
                 return self.reconnect();
             };
@@ -322,6 +360,7 @@ impl Rig {
                 *self.done.entry(order.id).or_default() += 1;
                 self.seat.settle(None, order.clone(), Outcome::Done);
             }
+            DeskMessage::Watch { on } => self.seat.let_watch(on),
             DeskMessage::Order(_)
             | DeskMessage::Ask { .. }
             | DeskMessage::Denied(_)

@@ -3,11 +3,18 @@
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 
+use crossterm::event::KeyCode;
+
 use crate::app::State;
 use crate::app::action::{Action, ClassAction, Step};
-use crate::app::keymap::{ESCAPE, KeyHint, KeyRow, Meaning, does, hint, hint_words, key, writes};
+use crate::app::keymap::{
+    ENTER, ESCAPE, KeyHint, KeyRow, Meaning, Press, does, hint, hint_words, key, writes,
+};
 use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
 use crate::class::Desk;
+
+/// The number of columns by which the view moves sideways.
+const SIDEWAYS: usize = 8;
 
 /// The state of the room. Seats are meant by their index at the desk, which does not change when rows move.
 #[derive(Debug, Clone, Default)]
@@ -18,6 +25,8 @@ pub struct ClassRoom {
     pub(in crate::app) marked: BTreeSet<usize>,
     /// Whether the injects of the seat under the cursor are shown, instead of what happened there.
     pub(in crate::app) shows_injects: bool,
+    /// The first column and the first row of the watched screen that are to be shown.
+    view: (u16, u16),
 }
 
 impl ClassRoom {
@@ -31,6 +40,11 @@ impl ClassRoom {
         self.marked.contains(&seat)
     }
 
+    /// The first column and the first row of the watched screen that are to be shown.
+    pub fn view(&self) -> (u16, u16) {
+        self.view
+    }
+
     /// Whether the injects of the seat under the cursor are shown, instead of what happened there.
     pub fn shows_injects(&self) -> bool {
         self.shows_injects
@@ -42,14 +56,49 @@ impl ClassRoom {
     }
 }
 
-/// The seats to which an order without seats goes: the marked ones, otherwise the one under the cursor.
+/// The seats to which an order without seats goes: the watched one, otherwise the marked ones, otherwise the one under
+/// the cursor.
 pub fn addressed(state: &State) -> Vec<usize> {
     let room = &state.rooms.class;
-    if room.marked.is_empty() {
+    let watched = state.class.desk().and_then(Desk::watched);
+    if let Some(seat) = watched {
+        vec![seat]
+    } else if room.marked.is_empty() {
         room.cursor.into_iter().collect()
     } else {
         room.marked.iter().copied().collect()
     }
+}
+
+/// Shows the screen of a seat; orders without seats go to it.
+pub fn watch(state: &mut State, seat: usize) {
+    let room = &mut state.rooms.class;
+    room.cursor = Some(seat);
+    room.view = (0, 0);
+    if let Some(desk) = state.class.desk_mut() {
+        desk.watch(Some(seat));
+    }
+}
+
+/// Moves the view over the watched screen.
+fn move_view(state: &mut State, seat: usize, step: Step) {
+    let desk = state.class.desk();
+    let picture = desk.and_then(|desk| desk.seats().get(seat)?.picture());
+    let Some(picture) = picture else {
+        return;
+    };
+    let (columns, rows) = state.display.size();
+    // Header, title and footer take one row each.
+    let hidden = |all: u16, shown: u16| usize::from(all.saturating_sub(shown));
+    let right = hidden(picture.columns(), columns);
+    let below = hidden(picture.rows(), rows.saturating_sub(3));
+    let view = &mut state.rooms.class.view;
+    let (column, row) = (usize::from(view.0), usize::from(view.1));
+    *view = match step {
+        Step::Left => (column.saturating_sub(SIDEWAYS) as u16, view.1),
+        Step::Right => ((column + SIDEWAYS).min(right) as u16, view.1),
+        _ => (view.0, step.apply(row, below + 1) as u16),
+    };
 }
 
 /// Puts the cursor on the first row if it is on none.
@@ -66,6 +115,7 @@ const DESK_HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
     footer_keys::MOVE,
+    hint(&[Action::Submit], "class-key-watch"),
     hint(&[Action::Class(ClassAction::MarkSeat)], "class-key-mark"),
     hint_words("class message ", "class-key-message"),
     hint_words("class hint", "class-key-hint"),
@@ -75,6 +125,17 @@ const DESK_HINTS: &[KeyHint] = &[
     hint_words("class inject ", "class-key-inject"),
     hint_words("class end", "class-key-end"),
     hint(&[Action::Quit], "hint-quit"),
+];
+
+const WATCH_HINTS: &[KeyHint] = &[
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    hint(&[Action::Escape], "class-key-board"),
+    hint_words("class message ", "class-key-message"),
+    hint_words("class freeze", "class-key-freeze"),
+    hint_words("class resume", "class-key-resume"),
+    hint_words("class mark ", "class-key-bookmark"),
+    hint_words("class inject ", "class-key-inject"),
 ];
 
 const SEAT_HINTS: &[KeyHint] = &[footer_keys::COMMAND, footer_keys::HELP, footer_keys::BACK];
@@ -103,6 +164,9 @@ pub(super) fn act(state: &mut State, action: ClassAction) -> Vec<RoomRequest> {
 impl RoomModel for ClassRoom {
     const KEYS: &'static [KeyRow] = &[
         does(key(' '), Action::Class(ClassAction::MarkSeat)),
+        does(ENTER, Action::Submit),
+        does(Press::Plain(KeyCode::Left), Action::Move(Step::Left)),
+        does(Press::Plain(KeyCode::Right), Action::Move(Step::Right)),
         does(key('*'), Action::Class(ClassAction::MarkAllSeats)),
         writes('m', "class message "),
         gives('h', "class hint"),
@@ -117,14 +181,18 @@ impl RoomModel for ClassRoom {
     ];
 
     fn hints(state: &State) -> &'static [KeyHint] {
-        if state.class.desk().is_some() {
-            DESK_HINTS
-        } else {
-            SEAT_HINTS
+        match state.class.desk() {
+            Some(desk) if desk.watched().is_some() => WATCH_HINTS,
+            Some(_) => DESK_HINTS,
+            None => SEAT_HINTS,
         }
     }
 
     fn step(state: &mut State, step: Step) -> Answer {
+        if let Some(seat) = state.class.desk().and_then(Desk::watched) {
+            move_view(state, seat, step);
+            return Some(Vec::new());
+        }
         let board = state.class.desk().map(Desk::board).unwrap_or_default();
         let room = &mut state.rooms.class;
         let row = board.iter().position(|&seat| Some(seat) == room.cursor);
@@ -133,9 +201,22 @@ impl RoomModel for ClassRoom {
         Some(Vec::new())
     }
 
+    fn submit(state: &mut State) -> Answer {
+        let desk = state.class.desk()?;
+        let seat = state.rooms.class.cursor?;
+        if desk.watched().is_none() && desk.seats().get(seat)?.is_here() {
+            watch(state, seat);
+        }
+        Some(Vec::new())
+    }
+
     fn escape(state: &mut State) -> Answer {
         state.hush();
-        state.class.desk()?;
+        let desk = state.class.desk_mut()?;
+        if desk.watched().is_some() {
+            desk.watch(None);
+            return Some(Vec::new());
+        }
         let room = &mut state.rooms.class;
         if !std::mem::take(&mut room.shows_injects) {
             room.marked.clear();

@@ -156,6 +156,12 @@ impl ClassRole {
         seat.class().and(seat.instructor())
     }
 
+    /// Whether the desk watches the screen of this seat.
+    pub fn is_screen_watched(&self) -> bool {
+        self.seat()
+            .is_some_and(|place| place.seat.is_screen_watched())
+    }
+
     /// Whether the desk has frozen the flight.
     pub fn is_frozen(&self) -> bool {
         self.seat().is_some_and(|place| place.is_frozen)

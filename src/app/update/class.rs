@@ -92,6 +92,11 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
             tell(state, Severity::Warning, text);
         }
         DeskMessage::Order(given) => return orders::given(state, given),
+        DeskMessage::Watch { on } => {
+            if let Some(place) = state.class.seat_mut() {
+                place.seat.let_watch(on);
+            }
+        }
         // What is to be sent is a matter of the connection.
         DeskMessage::Ask { .. } | DeskMessage::Here => {}
     }
@@ -211,6 +216,8 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         }
         ClassLine::Give { seats, deed } => desk::give(state, seats, deed),
         ClassLine::Injects => desk::show_injects(state),
+        ClassLine::Watch(choice) => desk::watch(state, &choice),
+        ClassLine::Unwatch => desk::unwatch(state),
     }
 }
 

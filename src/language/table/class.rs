@@ -24,6 +24,7 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class inject gust when t > 60",
         "class injects",
         "class disarm",
+        "class watch @anna",
         "class join",
     ],
     forms: &[
@@ -62,6 +63,12 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
                 instruct(given, Deed::Disarm { name })
             },
         ),
+        Form::new(&[Argument::flag("watch", ""), SEAT], |given| {
+            console(ConsoleLine::Class(ClassLine::Watch(seats(given))))
+        }),
+        Form::new(&[Argument::flag("unwatch", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::Unwatch))
+        }),
         Form::new(&[Argument::flag("end", ""), SEAT], |given| {
             give(given, |_| Deed::End)
         }),
@@ -91,10 +98,14 @@ fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
 }
 
 fn instruct(given: &Arguments, deed: Deed) -> Built {
-    let seats = match given.word("@seat") {
+    let seats = seats(given);
+    console(ConsoleLine::Class(ClassLine::Give { seats, deed }))
+}
+
+fn seats(given: &Arguments) -> SeatChoice {
+    match given.word("@seat") {
         None => SeatChoice::Addressed,
         Some(ALL) => SeatChoice::All,
         Some(name) => SeatChoice::Named(name.trim_start_matches('@').to_owned()),
-    };
-    console(ConsoleLine::Class(ClassLine::Give { seats, deed }))
+    }
 }

@@ -5,13 +5,16 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use crossterm::event::KeyCode;
+use ratatui::Terminal;
+use ratatui::backend::TestBackend;
 
 use super::*;
 use crate::app::event::TerminalEvent;
-use crate::class::{Deed, Happening as Noted, OrderState, Outcome, SeatRecord};
+use crate::class::{Deed, Happening as Noted, OrderState, Outcome, PictureCell, SeatRecord};
 use crate::mission::Mission;
 use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
+use crate::ui;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
 const WITH_INJECTS: &str = include_str!("../../../missions/12-relay-chain.toml");
@@ -43,9 +46,15 @@ impl Member {
         let moment = Duration::from_millis(2);
         while let Ok(arrival) = tokio::time::timeout(moment, self.end.next()).await {
             self.console.attend(&mut self.end, arrival).await;
-            self.end.tell(self.console.app.state());
+            self.tell();
         }
-        self.end.tell(self.console.app.state());
+        self.tell();
+    }
+
+    fn tell(&mut self) {
+        let console = &self.console;
+        let picture = || Some(drawn(console));
+        self.end.tell(console.app.state(), &picture);
     }
 
     async fn say(&mut self, line: &str) {
@@ -63,6 +72,24 @@ impl Member {
         let role = self.console.app.state().class_role();
         role.seat().expect("a seat")
     }
+}
+
+/// The screen of a console.
+fn drawn(console: &Console) -> Picture {
+    let (columns, rows) = console.app.state().display().size();
+    let backend = TestBackend::new(columns, rows);
+    let mut terminal = Terminal::new(backend).expect("a terminal");
+    let look = &console.sight.look;
+    let frame = terminal.draw(|frame| ui::draw(console.app.state(), look, frame));
+    ui::picture(frame.expect("it draws").buffer)
+}
+
+fn text(picture: &Picture) -> String {
+    let row = |row| -> String {
+        let cells = (0..picture.columns()).filter_map(|column| picture.cell(column, row));
+        cells.map(PictureCell::symbol).collect::<String>() + "\n"
+    };
+    (0..picture.rows()).map(row).collect()
 }
 
 fn class(folder: &Path, part: ClassPart) -> ClassOptions {
@@ -210,4 +237,33 @@ async fn an_inject_takes_effect_in_the_flight_of_one_seat() {
     let injected = progress.expect("it flies").injected.iter();
     let injected: Vec<&str> = injected.map(|it| it.name.as_str()).collect();
     assert_eq!(injected, ["gust", "motor_fail"]);
+}
+
+#[tokio::test(start_paused = true)]
+async fn the_desk_sees_the_screen_of_a_seat_while_it_watches() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut desk = Box::pin(self::desk(folder.path())).await;
+    let mut anna = Box::pin(seat(folder.path())).await;
+    run(&mut [&mut desk, &mut anna], 4).await;
+    assert_eq!(desk.seats()[0].picture(), None);
+    desk.console.feed(key(KeyCode::Enter)).await;
+    run(&mut [&mut desk, &mut anna], 1).await;
+    assert!(anna.place().seat().is_screen_watched());
+    let shown = desk.seats()[0].picture().expect("a picture");
+    assert_eq!((shown.columns(), shown.rows()), (120, 40));
+    assert!(text(shown).contains("this screen"), "{}", text(shown));
+
+    anna.console.feed(key(KeyCode::Char('?'))).await;
+    for member in [&mut anna, &mut desk] {
+        tokio::time::sleep(TICK).await;
+        Box::pin(member.turn()).await;
+    }
+    let shown = desk.seats()[0].picture();
+    assert_eq!(shown, Some(&drawn(&anna.console)));
+    let at_desk = text(&drawn(&desk.console));
+    assert!(at_desk.contains("screen of"), "{at_desk}");
+
+    desk.console.feed(key(KeyCode::Esc)).await;
+    run(&mut [&mut desk, &mut anna], 1).await;
+    assert!(!anna.place().seat().is_screen_watched());
 }

@@ -17,6 +17,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, row_of, short_clock, width, wrap};
 
 mod detail;
+mod watch;
 
 /// The least height of the part about one seat.
 const DETAIL: u16 = 6;
@@ -48,6 +49,11 @@ fn draw_seat(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn draw_desk(state: &State, desk: &Desk, panel: Panel<'_>, buffer: &mut Buffer) {
+    let watched = desk.watched().and_then(|seat| desk.seats().get(seat));
+    if let Some(seat) = watched {
+        watch::draw(state, seat, panel, buffer);
+        return;
+    }
     let board = desk.board();
     let most = panel.area.height.saturating_sub(DETAIL);
     let rows = (board.len().max(1) as u16 + 2).min(most);

@@ -197,7 +197,15 @@ fn vehicles(state: &State, short: bool) -> Option<Text> {
 
 /// Who watches this seat of a class.
 fn watched(state: &State, short: bool) -> Option<Text> {
-    let instructor = state.class_role().watcher()?;
+    let role = state.class_role();
+    let instructor = role.watcher()?;
+    if role.is_screen_watched() {
+        return Some(if short {
+            text!("header-screen-watched-short")
+        } else {
+            text!("header-screen-watched", instructor = instructor)
+        });
+    }
     Some(if short {
         text!("header-watched-short")
     } else {

@@ -7,7 +7,7 @@ use sortie::class::{
 };
 use sortie::text::Language;
 
-use crate::console::class::{desk, flight, flight_with_injects, join, report, say};
+use crate::console::class::{desk, flight, flight_with_injects, join, report, say, send_screen};
 use crate::harness::Console;
 
 /// A seat in each state.
@@ -104,6 +104,19 @@ fn the_injects_of_a_seat_can_be_shown() {
         console.press("i");
         for (width, height) in [(80, 24), (120, 40)] {
             let name = format!("injects_{}_{width}x{height}", language.code());
+            insta::assert_snapshot!(name, console.screen(width, height));
+        }
+    }
+}
+
+#[test]
+fn the_screen_of_a_seat_is_shown_as_it_is() {
+    for language in Language::ALL {
+        let mut console = desk(language);
+        console.press("enter");
+        send_screen(&mut console, 1, "anna", (100, 30));
+        for (width, height) in [(80, 24), (120, 40)] {
+            let name = format!("watch_{}_{width}x{height}", language.code());
             insta::assert_snapshot!(name, console.screen(width, height));
         }
     }

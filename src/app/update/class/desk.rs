@@ -41,9 +41,15 @@ pub fn left(state: &mut State, connection: ConnectionId) {
     }
 }
 
-/// Gives up waiting for answers to old orders.
+/// Gives up waiting for answers to old orders, and ends watching a screen that is not shown any more.
 pub fn tick(state: &mut State) {
     let wall = state.wall;
+    if state.room != Room::Class
+        && let Some(desk) = state.class.desk_mut()
+        && desk.watched().is_some()
+    {
+        desk.watch(None);
+    }
     if state.class.desk_mut().is_some_and(|desk| desk.expire(wall)) {
         state.touch();
     }
@@ -61,21 +67,7 @@ pub fn give(state: &mut State, choice: SeatChoice, deed: Deed) -> Result<Effects
     {
         check_condition(when.as_str()).map_err(|fault| fault.message)?;
     }
-    let seats = match choice {
-        SeatChoice::Addressed => class::addressed(state),
-        SeatChoice::All => (0..desk.seats().len()).collect(),
-        SeatChoice::Named(name) => {
-            let named = |seat: &SeatRecord| seat.name == name;
-            desk.seats().iter().position(named).into_iter().collect()
-        }
-    };
-    let here: Vec<usize> = seats
-        .into_iter()
-        .filter(|&seat| desk.seats().get(seat).is_some_and(SeatRecord::is_here))
-        .collect();
-    if here.is_empty() {
-        return Err(text!("class-no-seat"));
-    }
+    let here = connected(state, desk, &choice)?;
     if deed.is_final() {
         let names = names(state, &here);
         let question = text!("class-ask-end", seats = names);
@@ -84,6 +76,55 @@ pub fn give(state: &mut State, choice: SeatChoice, deed: Deed) -> Result<Effects
         return Ok(Effects::none());
     }
     instruct(state, &here, &deed);
+    Ok(Effects::none())
+}
+
+/// The connected seats that are meant.
+///
+/// # Errors
+/// There is none.
+fn connected(state: &State, desk: &Desk, choice: &SeatChoice) -> Result<Vec<usize>, Text> {
+    let seats = match choice {
+        SeatChoice::Addressed => class::addressed(state),
+        SeatChoice::All => (0..desk.seats().len()).collect(),
+        SeatChoice::Named(name) => {
+            let named = |seat: &SeatRecord| seat.name == *name;
+            desk.seats().iter().position(named).into_iter().collect()
+        }
+    };
+    let is_here = |seat: &usize| desk.seats().get(*seat).is_some_and(SeatRecord::is_here);
+    let here: Vec<usize> = seats.into_iter().filter(is_here).collect();
+    if here.is_empty() {
+        return Err(text!("class-no-seat"));
+    }
+    Ok(here)
+}
+
+/// Shows the screen of the seat that is meant: of several, the first one.
+///
+/// # Errors
+/// This console is no desk, or no connected seat is meant.
+pub fn watch(state: &mut State, choice: &SeatChoice) -> Result<Effects, Text> {
+    let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    let seat = match (choice, state.rooms.class.cursor()) {
+        (SeatChoice::Addressed, Some(cursor)) => cursor,
+        _ => connected(state, desk, choice)?[0],
+    };
+    if !desk.seats().get(seat).is_some_and(SeatRecord::is_here) {
+        return Err(text!("class-no-seat"));
+    }
+    show(state, Room::Class);
+    class::watch(state, seat);
+    Ok(Effects::none())
+}
+
+/// Shows the board again.
+///
+/// # Errors
+/// This console is no desk.
+pub fn unwatch(state: &mut State) -> Result<Effects, Text> {
+    let desk = state.class.desk_mut();
+    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
     Ok(Effects::none())
 }
 

@@ -49,7 +49,7 @@ pub fn draw_injects(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 /// The name of the seat, and that of the trainee.
-fn title(seat: &SeatRecord) -> String {
+pub(super) fn title(seat: &SeatRecord) -> String {
     let trainee = seat.report.as_ref().map(|report| report.trainee.as_str());
     let trainee = trainee.filter(|it| !it.is_empty() && *it != seat.name);
     match trainee {
