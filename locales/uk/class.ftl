@@ -78,7 +78,7 @@ class-inject = { $name }: { $title }
 class-no-injects = завдання не дозволяє вводити події
 
 class-watch-title = екран: { $seat }
-class-watch-none = очікується перша картинка
+class-watch-none = очікується перше зображення
 class-watch-cut = обрізано: стовпці { $left }–{ $right } із { $columns }, рядки { $top }–{ $bottom } із { $rows } (рухати стрілками)
 class-watch-stale = застаріло: нічого не надходить { $time }
 class-watch-gone = застаріло: учень від'єднався
@@ -128,7 +128,7 @@ class-ask-end-reason = польоти цих учнів завершаться �
 header-watched = пульт: { $instructor }
 header-watched-short = пульт
 header-screen-watched = { $instructor } бачить цей екран
-header-screen-watched-short = бачать екран
+header-screen-watched-short = екран видно
 header-frozen = ЧАС ЗУПИНЕНО
 class-none = клас не налаштовано: запустіть консоль із `--class НАЗВА`
 class-waits = очікується пульт класу

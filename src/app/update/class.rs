@@ -214,7 +214,7 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
             state.say(Severity::Notice, text);
             Ok(Effects::none())
         }
-        ClassLine::Give { seats, deed } => desk::give(state, seats, deed),
+        ClassLine::Give { seats, deed } => desk::give(state, &seats, deed),
         ClassLine::Injects => desk::show_injects(state),
         ClassLine::Watch(choice) => desk::watch(state, &choice),
         ClassLine::Unwatch => desk::unwatch(state),

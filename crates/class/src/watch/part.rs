@@ -1,5 +1,6 @@
 //! Changes of a picture, in messages that fit a line.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
@@ -68,14 +69,10 @@ fn style_of([foreground, background, attributes]: [u32; 3]) -> CellStyle {
 /// The parts that turn one picture into another; at least one.
 pub(super) fn parts(old: Option<&Picture>, new: &Picture) -> Vec<PicturePart> {
     let same_size = |it: &&Picture| (it.columns(), it.rows()) == (new.columns(), new.rows());
-    let blank;
-    let (size, old) = match old.filter(same_size) {
-        Some(old) => (None, old),
-        None => {
-            blank = Picture::blank(new.columns(), new.rows());
-            (Some([new.columns(), new.rows()]), &blank)
-        }
-    };
+    let old = old.filter(same_size);
+    let size = old.is_none().then(|| [new.columns(), new.rows()]);
+    let blank = || Cow::Owned(Picture::blank(new.columns(), new.rows()));
+    let old = old.map_or_else(blank, Cow::Borrowed);
     let mut parts = vec![PartDraft::default()];
     for run in changed(old.cells(), new.cells()) {
         let bytes = run.bytes() + STYLE_BYTES;

@@ -166,7 +166,7 @@ fn a_change_is_sent_at_once_but_no_more_than_ten_times_a_second() {
         let picture = if ms < 430 {
             calm.clone()
         } else {
-            motley(2, 2 + ms % 2)
+            motley(3 + ms % 97, 2)
         };
         if sender
             .next(|| Some(picture), Duration::from_millis(ms.into()))

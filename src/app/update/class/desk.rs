@@ -59,7 +59,7 @@ pub fn tick(state: &mut State) {
 ///
 /// # Errors
 /// This console is no desk, or no seat is meant.
-pub fn give(state: &mut State, choice: SeatChoice, deed: Deed) -> Result<Effects, Text> {
+pub fn give(state: &mut State, choice: &SeatChoice, deed: Deed) -> Result<Effects, Text> {
     let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     if let Deed::Inject {
         when: Some(when), ..
@@ -67,7 +67,7 @@ pub fn give(state: &mut State, choice: SeatChoice, deed: Deed) -> Result<Effects
     {
         check_condition(when.as_str()).map_err(|fault| fault.message)?;
     }
-    let here = connected(state, desk, &choice)?;
+    let here = connected(state, desk, choice)?;
     if deed.is_final() {
         let names = names(state, &here);
         let question = text!("class-ask-end", seats = names);
