@@ -6,7 +6,7 @@ action-load-parameters = load a file and show the differences
 action-compare-parameters = compare with a file or another vehicle
 action-apply-parameters = set the marked parameters
 action-fetch-parameters = read all parameters from the vehicle again
-action-read-documents = read the vehicle's documentation of its parameters
+action-read-documents = read the vehicle's parameter documentation
 
 parameters-not-finite = not sent: { $name } accepts only finite numbers
 parameters-not-whole = not sent: { $name } accepts only whole numbers ({ $kind })

@@ -3,8 +3,14 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
+use super::State;
 use crate::class::{Consent, Danger, Deed, Desk, Happening, OrderId, Seat, Words};
 use crate::ledger::EntryId;
+use crate::text;
+use crate::text::Text;
+
+/// The time without a line of the desk, which says something every 2 s, after which it no longer holds a flight.
+const DESK_SILENT: Duration = Duration::from_secs(10);
 
 /// What a console is in a class.
 #[derive(Debug, Clone, Default)]
@@ -165,5 +171,16 @@ impl ClassRole {
     /// Whether the desk has frozen the flight.
     pub fn is_frozen(&self) -> bool {
         self.seat().is_some_and(|place| place.is_frozen)
+    }
+}
+
+impl<R> State<R> {
+    /// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, or if it is silent, the trainee
+    /// can.
+    pub fn keeps_frozen(&self) -> Option<Text> {
+        let place = self.class.seat()?;
+        let instructor = self.class.watcher()?;
+        let is_held = place.is_frozen && self.wall < place.heard_at + DESK_SILENT;
+        is_held.then(|| text!("class-frozen", instructor = instructor))
     }
 }

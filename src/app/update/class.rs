@@ -21,7 +21,6 @@ mod orders;
 mod witness;
 
 pub use desk::instruct;
-pub use orders::keeps_frozen;
 pub use witness::witnessed;
 
 /// The interval between searches for dangers, in milliseconds.
@@ -198,7 +197,7 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
     match line {
         ClassLine::Join | ClassLine::Leave => {
             let joins = line == ClassLine::Join;
-            if !joins && let Some(reason) = orders::keeps_frozen(state) {
+            if !joins && let Some(reason) = state.keeps_frozen() {
                 return Err(reason);
             }
             let place = state.class.seat_mut().ok_or_else(|| text!("class-none"))?;

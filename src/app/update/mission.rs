@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::ending::{ask, guarded, leave, loss};
-use super::{class, replay};
+use super::replay;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
@@ -58,7 +58,7 @@ pub fn go_on(state: &mut State) -> Effects {
     if state.replay.is_some() {
         return replay::play(true);
     }
-    if let Some(reason) = class::keeps_frozen(state) {
+    if let Some(reason) = state.keeps_frozen() {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }
@@ -162,7 +162,7 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
         state.say(Severity::Notice, text!("restart-not-replay"));
         return Effects::none();
     }
-    if let Some(reason) = class::keeps_frozen(state) {
+    if let Some(reason) = state.keeps_frozen() {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }

@@ -1,7 +1,7 @@
 //! Commands to vehicles: their targets, the question before a dangerous command, and their ledger
 //! entries.
 
-use super::{class, own_fence};
+use super::own_fence;
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
@@ -99,7 +99,7 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
         ));
     }
     if state.session.is_paused() && !moves_nothing(state, statement) {
-        if let Some(reason) = class::keeps_frozen(state) {
+        if let Some(reason) = state.keeps_frozen() {
             return Err(Diagnostic::new(first_word(line), reason));
         }
         return Err(

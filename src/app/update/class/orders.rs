@@ -12,13 +12,10 @@ use crate::ledger::RowState;
 use crate::mission::Stake;
 use crate::record::DeskRecord;
 use crate::text;
-use crate::text::Text;
 use crate::vehicle::Severity;
 
 mod injects;
 
-/// The time without a line of the desk, which says something every 2 s, after which it no longer holds a flight.
-const DESK_SILENT: Duration = Duration::from_secs(10);
 /// How long the effect of an order may take.
 const SEEN_WITHIN: Duration = Duration::from_secs(5);
 
@@ -296,12 +293,4 @@ fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects 
         tell(state, Severity::Notice, line.text());
     }
     Effects::from(Effect::Class(ClassEffect::Note(line)))
-}
-
-/// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, or if it is silent, the trainee can.
-pub fn keeps_frozen(state: &State) -> Option<Text> {
-    let place = state.class.seat()?;
-    let instructor = state.class.watcher()?;
-    let is_held = place.is_frozen && state.wall < place.heard_at + DESK_SILENT;
-    is_held.then(|| text!("class-frozen", instructor = instructor))
 }
