@@ -29,7 +29,7 @@ const NAMES: &[&str] = &[
     // Keys.
     "Ctrl Enter Esc Tab WASD R1 g1 w3 w3/12 p3",
     // Parameters of rovers and planes.
-    "CIRC_RADIUS CIRC_SPEED WP_LOITER_RAD WP_SPEED AIRSPEED_MIN AIRSPEED_MAX",
+    "CIRC_RADIUS CIRC_SPEED WP_LOITER_RAD WP_SPEED AIRSPEED_MIN AIRSPEED_MAX TRIM_THROTTLE",
     // Formats of plans, and the programs that write them.
     "MPC_Z_VEL_MAX_UP MPC_Z_VEL_MAX_DN MPC_YAWRAUTO_MAX GF_ACTION OFFBOARD QGC WPL plan MAVProxy KML KMZ kml GeoJSON XML QGroundControl SRTM deflate NAV_DELAY DISARM_DELAY",
     // Units that are not part of an argument.
