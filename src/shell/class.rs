@@ -76,7 +76,7 @@ impl ClassOptions {
 /// The console's connections in a class.
 pub(super) enum ClassEnd {
     None,
-    Seat(SeatEnd),
+    Seat(Box<SeatEnd>),
     Desk(DeskEnd),
 }
 
@@ -160,13 +160,13 @@ impl ClassEnd {
             return Ok(Self::None);
         };
         Ok(match part {
-            ClassPart::Seat { .. } => Self::Seat(SeatEnd {
+            ClassPart::Seat { .. } => Self::Seat(Box::new(SeatEnd {
                 place: place.clone(),
                 by_script: flown_by != FlownBy::Hand,
                 pauses: ProcessPauses::default(),
                 port: None,
                 open: None,
-            }),
+            })),
             ClassPart::Desk { .. } => Self::Desk(DeskEnd {
                 port: unix::open(place)?,
                 open: BTreeMap::new(),
@@ -177,11 +177,12 @@ impl ClassEnd {
     /// Waits for the next arrival; without a class, it waits forever.
     pub async fn next(&mut self) -> ClassArrival {
         let arrival = match self {
-            Self::Seat(SeatEnd {
-                port: Some(port), ..
-            }) => port.next().await.map(ClassArrival::AtSeat),
+            Self::Seat(seat) => match &mut seat.port {
+                Some(port) => port.next().await.map(ClassArrival::AtSeat),
+                None => None,
+            },
             Self::Desk(desk) => desk.port.next().await.map(ClassArrival::AtDesk),
-            Self::None | Self::Seat(_) => None,
+            Self::None => None,
         };
         match arrival {
             Some(arrival) => arrival,
