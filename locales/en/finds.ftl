@@ -28,6 +28,7 @@ detect-outlook = { $count ->
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
+detect-quality-advice = confirm each contact with another sensor, or from a shorter distance, before you report it
 detect-advice-missed = Look again, lower and slower, and confirm each contact before you report it (missed: { $missed }, false reports: { $wrong }).
 detect-advice-wrong = Confirm each contact with another sensor, or from a shorter distance, before you report it (false reports: { $wrong }).
 

@@ -28,6 +28,7 @@ detect-outlook = { $count ->
 detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
 detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки
+detect-quality-advice = перш ніж повідомляти, підтверджуйте кожен контакт іншим датчиком або зблизька
 detect-advice-missed = Огляньте ділянку ще раз, нижче й повільніше, і підтверджуйте кожен контакт, перш ніж повідомляти (пропущено: { $missed }, хибних повідомлень: { $wrong }).
 detect-advice-wrong = Перш ніж повідомляти, підтверджуйте кожен контакт іншим датчиком або зблизька (хибних повідомлень: { $wrong }).
 

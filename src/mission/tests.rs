@@ -335,6 +335,18 @@ fn a_flight_can_be_given_up() {
 }
 
 #[test]
+fn a_flight_that_the_instructor_ends_keeps_its_points() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    let before = pilot.flight.progress().score_so_far.expect("it has begun");
+    pilot.flight.stop();
+    let report = pilot.report();
+    assert_eq!(report.outcome, FlightOutcome::Stopped);
+    assert!(!report.passed && !report.given_up);
+    assert!(report.score >= before, "{} {before}", report.score);
+}
+
+#[test]
 fn hints_follow_the_flight() {
     let mut pilot = Pilot::new(1);
     let hint = |pilot: &Pilot| pilot.flight.progress().hint.unwrap_or_default();

@@ -84,7 +84,9 @@ impl Flight {
     }
 
     pub(super) fn end(&mut self, outcome: FlightOutcome) {
-        for craft in &self.crafts {
+        // The instructor who ends a flight leaves the trainee no time to land.
+        let had_time = outcome != FlightOutcome::Stopped;
+        for craft in self.crafts.iter().filter(|_| had_time) {
             for (kind, text) in craft.unlanded_breaches(&self.mission) {
                 self.journal.break_rule(kind, craft.id, &text);
             }

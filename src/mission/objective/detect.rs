@@ -139,7 +139,7 @@ impl Tracker for Detect {
                     recall = format!("{recall:.2}"),
                     precision = format!("{precision:.2}")
                 ),
-                advice: tally.advice(),
+                advice: text!("detect-quality-advice"),
                 is_measured: true,
             }),
             result: self.result(tally, score),
