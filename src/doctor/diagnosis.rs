@@ -77,7 +77,7 @@ fn examine(chart: &Chart) -> Vec<Cause> {
     }
     let zero = has_system_zero(chart).then_some(Cause::SystemZero);
     if autopilots(chart).next().is_none() {
-        return vec![zero.unwrap_or_else(|| nobody(chart))];
+        return vec![zero.unwrap_or_else(|| silence(chart))];
     }
     let quality = Quality::of(chart);
     let queries = queries_without_doubt(quality.lost_share());
@@ -106,7 +106,7 @@ fn examine(chart: &Chart) -> Vec<Cause> {
 }
 
 /// Why no vehicle is heard.
-fn nobody(chart: &Chart) -> Cause {
+fn silence(chart: &Chart) -> Cause {
     if chart.up_for() < PATIENCE {
         return Cause::Listening;
     }

@@ -365,12 +365,12 @@ fn all_names_the_expected_vehicles_if_only_others_are_heard() {
         Targets::All.resolve(&[], &context)
     };
     assert_eq!(among(&[1, 2]), Ok(vec![2]));
-    let fault = among(&[1]).expect_err("nobody");
+    let fault = among(&[1]).expect_err("a vehicle that is missing");
     assert!(
         fault.contains("never heard: 2-4; heard, but not expected: 1"),
         "{fault}"
     );
-    let fault = among(&[]).expect_err("nobody");
+    let fault = among(&[]).expect_err("a vehicle that is missing");
     assert!(fault.contains("no vehicles yet"), "{fault}");
 }
 

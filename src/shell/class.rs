@@ -99,7 +99,7 @@ impl ProcessPauses {
         self.last_tick.is_some_and(|tick| now >= tick + STOOD_STILL)
     }
 
-    /// Whether the process goes on just now after it was stopped.
+    /// Whether the process was stopped, and has gone on for less than a second.
     fn is_fresh(&self, now: Duration) -> bool {
         self.is_now(now) || self.ended.is_some_and(|ended| now < ended + CATCHES_UP)
     }

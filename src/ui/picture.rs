@@ -1,7 +1,7 @@
 //! Screens as pictures that a class sends, and pictures as cells.
 
 use ratatui::buffer::{Buffer, Cell};
-use ratatui::layout::Rect;
+use ratatui::layout::{Position, Rect};
 use ratatui::style::{Color, Modifier, Style};
 
 use crate::class::{CellStyle, Picture, PictureCell};
@@ -75,10 +75,10 @@ fn colour_of(number: u32) -> Color {
 }
 
 /// Draws the part of a picture that begins at a column and a row.
-pub fn draw_picture(picture: &Picture, first: (u16, u16), area: Rect, buffer: &mut Buffer) {
+pub fn draw_picture(picture: &Picture, first: Position, area: Rect, buffer: &mut Buffer) {
     for row in 0..area.height {
         for column in 0..area.width {
-            let shown = picture.cell(first.0 + column, first.1 + row);
+            let shown = picture.cell(first.x + column, first.y + row);
             let (Some(shown), Some(cell)) =
                 (shown, buffer.cell_mut((area.x + column, area.y + row)))
             else {
@@ -125,7 +125,7 @@ mod tests {
         }
         screen.set_string(0, 1, "Київ 漢字 e\u{301}", Style::new());
         let mut again = Buffer::empty(area);
-        draw_picture(&picture(&screen), (0, 0), area, &mut again);
+        draw_picture(&picture(&screen), Position::ORIGIN, area, &mut again);
         assert_eq!(again, screen);
     }
 
@@ -136,7 +136,7 @@ mod tests {
         let picture = picture(&screen);
         let area = Rect::new(1, 1, 4, 1);
         let mut buffer = Buffer::with_lines(["......", "......", "......"]);
-        draw_picture(&picture, (1, 1), area, &mut buffer);
+        draw_picture(&picture, Position::new(1, 1), area, &mut buffer);
         assert_eq!(buffer, Buffer::with_lines(["......", ".bcd .", "......"]));
     }
 
@@ -149,7 +149,7 @@ mod tests {
         picture.set(2, 0, PictureCell::new("y", style));
         let area = Rect::new(0, 0, 3, 1);
         let mut buffer = Buffer::empty(area);
-        draw_picture(&picture, (0, 0), area, &mut buffer);
+        draw_picture(&picture, Position::ORIGIN, area, &mut buffer);
         assert_eq!(buffer, Buffer::with_lines(["  y"]));
     }
 }

@@ -65,7 +65,7 @@ pub struct FlightReport {
 pub struct OfferedInject {
     /// Its name in orders.
     pub name: Words,
-    /// What it does.
+    /// What it does, in the language of the trainee.
     pub title: Words,
 }
 

@@ -30,7 +30,7 @@ pub struct SeatPlace {
     pub(in crate::app) seat: Seat,
     /// Orders whose effect has not been seen yet.
     pub(in crate::app) pending: Vec<PendingOrder>,
-    /// Armed injects.
+    /// The injects of the desk that wait for their conditions.
     pub(in crate::app) armed: Vec<ArmedOrder>,
     /// The entries of the ledger that the desk has caused, which are no commands of the trainee.
     pub(in crate::app) desk_entries: BTreeSet<EntryId>,
@@ -71,7 +71,7 @@ pub(in crate::app) enum OrderTrace {
     Injected(usize),
 }
 
-/// An armed inject.
+/// An inject of the desk that waits for its condition.
 #[derive(Debug, Clone)]
 pub(in crate::app) struct ArmedOrder {
     pub id: OrderId,

@@ -103,7 +103,7 @@ fn a_profile_is_found_by_its_name_in_any_case_and_made_once() {
         profiles.create("anna", WHEN),
         Err(ProfileError::Exists { .. })
     ));
-    let unknown = profiles.find("Borys").expect_err("nobody");
+    let unknown = profiles.find("Borys").expect_err("no such profile");
     assert!(unknown.to_string().contains("Anna"), "{unknown}");
     for name in ["", "  ", "two\nlines", &"x".repeat(41)] {
         assert!(

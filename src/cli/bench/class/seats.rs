@@ -13,7 +13,7 @@ pub(super) struct Seats {
 
 /// A line that a seat has printed, and when.
 pub(super) struct SeatOutput {
-    /// The seat's index.
+    /// The index of the seat among those that were started.
     pub seat: usize,
     pub at: Instant,
     pub text: String,

@@ -1,6 +1,7 @@
 //! The screen of a seat as its trainee sees it.
 
 use ratatui::buffer::Buffer;
+use ratatui::layout::{Position, Size};
 use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
@@ -23,7 +24,7 @@ pub fn draw(state: &State, seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buf
         None => remarks.push((text!("class-watch-none"), Role::Muted)),
         Some(picture) => {
             let view = state.rooms().class().view();
-            let first = (
+            let first = Position::new(
                 first(view.0, picture.columns(), inner.width),
                 first(view.1, picture.rows(), inner.height),
             );
@@ -32,7 +33,7 @@ pub fn draw(state: &State, seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buf
                 let dim = panel.style(Role::Muted).add_modifier(Modifier::DIM);
                 buffer.set_style(inner, dim);
             }
-            remarks.extend(cut(picture, first, (inner.width, inner.height)));
+            remarks.extend(cut(picture, first, inner.as_size()));
         }
     }
     let name = text!("class-watch-title", seat = title(seat));
@@ -52,19 +53,19 @@ fn first(wanted: u16, all: u16, shown: u16) -> u16 {
 }
 
 /// Which part of the picture is shown, if not all of it.
-fn cut(picture: &Picture, first: (u16, u16), shown: (u16, u16)) -> Option<(Text, Role)> {
+fn cut(picture: &Picture, first: Position, shown: Size) -> Option<(Text, Role)> {
     let (columns, rows) = (picture.columns(), picture.rows());
-    if columns <= shown.0 && rows <= shown.1 {
+    if columns <= shown.width && rows <= shown.height {
         return None;
     }
     let last = |first: u16, shown: u16, all: u16| (first + shown).min(all);
     let text = text!(
         "class-watch-cut",
-        left = first.0 + 1,
-        right = last(first.0, shown.0, columns),
+        left = first.x + 1,
+        right = last(first.x, shown.width, columns),
         columns = columns,
-        top = first.1 + 1,
-        bottom = last(first.1, shown.1, rows),
+        top = first.y + 1,
+        bottom = last(first.y, shown.height, rows),
         rows = rows
     );
     Some((text, Role::Accent))

@@ -40,7 +40,7 @@ pub(super) fn inject(
     })
 }
 
-/// Disarms injects.
+/// Removes injects that wait for their conditions: those with this name, or all.
 pub(super) fn disarm(
     state: &State,
     id: OrderId,
