@@ -98,12 +98,15 @@ pub fn order_of(
     selection: &[VehicleId],
 ) -> Result<Order, Diagnostic> {
     let refused = |text: Text| Diagnostic::new(first_word(line), text);
-    let order = statement.into_order(selection, context).map_err(refused)?;
+    let mut order = statement.into_order(selection, context).map_err(refused)?;
     let mut targets = order.targets.iter();
-    match targets.find(|id| !context.vehicles.contains(id)) {
-        Some(missing) => Err(refused(text!("order-no-vehicle", vehicle = *missing))),
-        None => Ok(order),
+    if let Some(missing) = targets.find(|id| !context.vehicles.contains(id)) {
+        return Err(refused(text!("order-no-vehicle", vehicle = *missing)));
     }
+    if let Act::Deed(deed) = &order.act {
+        order.targets = deed.doers(&order.targets).to_vec();
+    }
+    Ok(order)
 }
 
 /// The first word of a line, at which a fault of the whole line is shown.

@@ -11,6 +11,7 @@ use super::FindKind;
 use crate::geo::LatLon;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle::VehicleId;
 
 /// A command to the mission.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -46,9 +47,17 @@ pub enum Deed {
 }
 
 impl Deed {
-    /// Whether the command has the same result for every vehicle, so the first one carries it out
-    /// for all.
-    pub fn is_of_all(&self) -> bool {
+    /// The vehicles that carry it out: the first one, if the result would be the same for every vehicle.
+    pub fn doers<'a>(&self, vehicles: &'a [VehicleId]) -> &'a [VehicleId] {
+        if self.is_of_all() {
+            &vehicles[..vehicles.len().min(1)]
+        } else {
+            vehicles
+        }
+    }
+
+    /// Whether the command has the same result for every vehicle.
+    fn is_of_all(&self) -> bool {
         match self {
             Self::Mark {
                 subject: Subject::Spot(spot),

@@ -57,6 +57,18 @@ fn a_line_without_targets_is_for_the_selection() {
 }
 
 #[test]
+fn a_report_that_is_the_same_for_all_has_one_row() {
+    for (line, targets) in [
+        ("all mark contacts", vec![1]),
+        ("all mark n 5 e 5 as mine", vec![1]),
+        ("all mark as mine", vec![1, 2, 3]),
+        ("all drop", vec![1, 2, 3]),
+    ] {
+        assert_eq!(read(line).expect(line).targets, targets, "{line}");
+    }
+}
+
+#[test]
 fn a_line_is_refused_where_its_first_word_is() {
     let groups = [("gone".to_owned(), vec![1, 9])].into();
     let context = Context {

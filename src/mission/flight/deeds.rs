@@ -27,6 +27,8 @@ impl Flight {
     /// Carries out a deed for each vehicle, at the mission time of the last step; returns the
     /// ledger's rows, in mission time.
     pub fn act(&mut self, entry: EntryId, deed: &Deed, vehicles: &[VehicleId]) -> Vec<RowUpdate> {
+        // Old records name all vehicles.
+        let vehicles = deed.doers(vehicles);
         if let Some(recorder) = &mut self.recorder {
             recorder.act(deed, vehicles);
         }
@@ -58,13 +60,7 @@ impl Flight {
             return vec![self.give_clue().map(Some); vehicles.len()];
         }
         let reports_before = self.search.marks().len();
-        let each = vehicles.iter().enumerate().map(|(at, &vehicle)| {
-            // The first vehicle has already done it for all.
-            if at > 0 && deed.is_of_all() {
-                return Ok(None);
-            }
-            self.act_with(vehicle, deed)
-        });
+        let each = vehicles.iter().map(|&vehicle| self.act_with(vehicle, deed));
         let mut outcomes: Vec<Done> = each.collect();
         // The reports of all vehicles are counted once.
         let count = self.search.marks().len().saturating_sub(reports_before);
@@ -241,8 +237,8 @@ mod tests {
                 .map(|row| row.explanation.map(|it| it.to_string()));
             words.collect::<Vec<_>>()
         };
-        assert_eq!(answers(5.0), [Some("1 reported".to_owned()), None]);
-        assert_eq!(answers(50.0), [Some("1 reported".to_owned()), None]);
+        assert_eq!(answers(5.0), [Some("1 reported".to_owned())]);
+        assert_eq!(answers(50.0), [Some("1 reported".to_owned())]);
     }
 
     #[test]
@@ -267,7 +263,7 @@ mod tests {
     }
 
     #[test]
-    fn contacts_and_places_are_reported_by_the_first_vehicle_and_refused_to_no_other() {
+    fn contacts_and_places_are_reported_by_the_first_vehicle_alone() {
         use RowState::{Done, Refused};
         let contacts = |confirmed| Deed::Mark {
             subject: Subject::Contacts { confirmed },
@@ -280,15 +276,15 @@ mod tests {
             }),
             kind: Some(FindKind::Mine),
         };
-        assert_eq!(states(&contacts(true)), [Refused, Done, Done]);
-        assert_eq!(states(&contacts(false)), [Refused, Done, Done]);
-        assert_eq!(states(&spot), [Done, Done, Done]);
+        assert_eq!(states(&contacts(true)), [Refused]);
+        assert_eq!(states(&contacts(false)), [Refused]);
+        assert_eq!(states(&spot), [Done]);
         let unmark = Deed::Unmark {
             spot: Spot::Offset {
                 north_m: 5.0,
                 east_m: 0.0,
             },
         };
-        assert_eq!(states(&unmark), [Refused, Done, Done]);
+        assert_eq!(states(&unmark), [Refused]);
     }
 }
