@@ -264,7 +264,7 @@ fn gold_missing(
 
 /// Rounds an amount, but returns `all` only if nothing was lost, so that an incomplete amount never
 /// looks complete.
-fn rounded_below(amount: f64, all: f64) -> f64 {
+pub(crate) fn rounded_below(amount: f64, all: f64) -> f64 {
     if amount < all - 1e-6 {
         amount.round().min(all - 1.0)
     } else {

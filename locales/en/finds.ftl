@@ -29,6 +29,10 @@ detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
 detect-quality-advice = confirm each contact with another sensor, or from a shorter distance, before you report it
+detect-advice-blind = { $count ->
+    [one] Report only what a sensor has found: 1 report was of a place where none had found anything.
+   *[other] Report only what a sensor has found: { $count } reports were of places where none had found anything.
+}
 detect-advice-missed = Look again, lower and slower, and confirm each contact before you report it (missed: { $missed }, false reports: { $wrong }).
 detect-advice-wrong = Confirm each contact with another sensor, or from a shorter distance, before you report it (false reports: { $wrong }).
 
@@ -55,7 +59,10 @@ standoff-result = { $close ->
    *[other] { $share } % of { $near } s, too close for { $close } s
 }
 standoff-target = { $share } % of the time { $nearest } to { $farthest } m away
-standoff-advice = Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
+standoff-advice = { $close ->
+    [0] Fly alongside the structure, { $nearest } to { $farthest } m away, for at least { $least } s.
+   *[other] Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
+}
 
 # Delivering loads.
 deliver-kits = { $lost ->

@@ -29,6 +29,7 @@ detect-quality = повнота { $recall }, точність { $precision }
 detect-target = F{ $beta } { $target }, у межах { $radius } m
 detect-target-cost = F{ $beta } { $target }, у межах { $radius } m; хибне повідомлення коштує { $cost } знахідки
 detect-quality-advice = перш ніж повідомляти, підтверджуйте кожен контакт іншим датчиком або зблизька
+detect-advice-blind = Повідомляйте лише про те, що знайшов датчик (повідомлень про місця, де датчик нічого не знайшов: { $count }).
 detect-advice-missed = Огляньте ділянку ще раз, нижче й повільніше, і підтверджуйте кожен контакт, перш ніж повідомляти (пропущено: { $missed }, хибних повідомлень: { $wrong }).
 detect-advice-wrong = Перш ніж повідомляти, підтверджуйте кожен контакт іншим датчиком або зблизька (хибних повідомлень: { $wrong }).
 
@@ -55,7 +56,10 @@ standoff-result = { $close ->
    *[other] { $share } % із { $near } s, заблизько { $close } s
 }
 standoff-target = { $share } % часу на відстані від { $nearest } до { $farthest } m
-standoff-advice = Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m (заблизько: { $close } s).
+standoff-advice = { $close ->
+    [0] Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m, щонайменше { $least } s.
+   *[other] Летіть уздовж споруди на відстані від { $nearest } до { $farthest } m (заблизько: { $close } s).
+}
 
 # Доставлення.
 deliver-kits = { $lost ->

@@ -21,6 +21,8 @@ const NEAR_GROUND_M: f64 = 3.0;
 const HARD_TOUCHDOWN_M_S: f64 = 2.5;
 /// The margin above a limit before it counts as exceeded: the height of a hovering vehicle varies by some decimetres.
 pub const SWING_M: f64 = 1.0;
+/// How near the battery may come to what is required at landing before a vehicle should land, in percentage points.
+pub const RUNNING_SHORT: f64 = 10.0;
 /// A landing farther than this from every pad costs safety points.
 const OFF_PAD_M: f64 = 3.0;
 
@@ -304,6 +306,12 @@ impl Craft {
             breaches.push((SafetyKind::LowReserve, text));
         }
         breaches
+    }
+
+    /// Whether the battery is so near the reserve required at landing that the vehicle should land.
+    pub fn runs_short(&self, mission: &Mission) -> bool {
+        let least = mission.rules.land_reserve_percent + RUNNING_SHORT;
+        self.battery_percent.is_some_and(|percent| percent < least)
     }
 
     /// The vehicle's battery in percent, if that is below the reserve required at landing.

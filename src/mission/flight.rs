@@ -400,6 +400,7 @@ impl Flight {
             vehicles: &self.crafts,
             surveys: self.surveys.all(),
             world: &self.world,
+            contacts: self.search.contacts(),
             marks: self.search.marks(),
             margins_db: self.threats.engine().margins_db(),
             releases: self.loads.releases(),

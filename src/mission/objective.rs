@@ -14,6 +14,7 @@ use std::fmt::Debug;
 use std::time::Duration;
 
 use super::Point;
+use super::contact::Contact;
 use super::craft::Craft;
 use super::format::{CountTarget, FileTable, KindOf, ObjectiveTarget, number};
 use super::ground_truth::Release;
@@ -175,6 +176,8 @@ pub(crate) struct ObjectiveScene<'a> {
     pub surveys: &'a [Survey],
     pub world: &'a World,
     pub marks: &'a [Mark],
+    /// The finds of the detectors.
+    pub contacts: &'a [Contact],
     /// Each vehicle's link margin in dB; empty if the mission does not model the radio.
     pub margins_db: &'a BTreeMap<VehicleId, f64>,
     pub releases: &'a [Release],
@@ -192,6 +195,7 @@ impl<'a> ObjectiveScene<'a> {
             surveys: &[],
             world,
             marks: &[],
+            contacts: &[],
             margins_db: const { &BTreeMap::new() },
             releases: &[],
             plans: const { &PlanLog::NONE },
@@ -235,6 +239,9 @@ pub(crate) struct ObjectiveDetails {
 
 /// The name of the next place to go to.
 pub const NEXT_PLACE: &str = "next";
+
+/// How long after the last report the reports become final, if all vehicles are on the ground.
+const FINAL_AFTER: Duration = Duration::from_secs(20);
 
 /// How long vehicles must be on the ground and disarmed before the flight counts as over.
 pub(crate) const DOWN_FOR: Duration = Duration::from_secs(2);

@@ -276,7 +276,7 @@ fn in_flight_the_way_home_and_the_battery_are_named() {
     assert_eq!(home(&pilot), "not landed yet");
     pilot.wait(270.0);
     pilot.goto(50.0, 0.0, 5.0);
-    assert!(home(&pilot).contains("needs 25 %, has "));
+    assert!(home(&pilot).contains(" % left, 25 % needed"));
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::mission::Clue;
 use crate::scoring::{
     AlertReport, CommandTally, ComponentReport, Facts, FlightBackend, FlightOutcome, HintReport,
     LedgerReport, ObjectiveFact, ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport,
-    improvements, score,
+    improvements, rounded_below, score,
 };
 
 use crate::text::rounded;
@@ -152,7 +152,14 @@ fn objectives(facts: &Facts) -> Vec<ObjectiveReport> {
         met: objective.met,
         result: objective.result.clone(),
         target: objective.target.clone(),
-        points: rounded(objective.value * objective.fraction, 1),
+        // A part never looks like the whole.
+        points: rounded(
+            rounded_below(
+                objective.value * objective.fraction * 10.0,
+                objective.value * 10.0,
+            ) / 10.0,
+            1,
+        ),
         points_max: rounded(objective.value, 1),
     };
     facts.objectives.iter().map(report).collect()

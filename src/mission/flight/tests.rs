@@ -275,6 +275,46 @@ fn vehicles_that_return_are_not_told_to_go_on() {
 }
 
 #[test]
+fn vehicles_that_return_with_a_low_battery_are_left_alone() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    pilot.set_mode("RTL");
+    let least = pilot.flight.mission().rules.land_reserve_percent as u8;
+    for (percent, words) in [(least + 20, "`guided` stops"), (least + 5, "let them land")] {
+        let battery = pilot.vehicle().batteries.first_mut();
+        battery.expect("it has one").remaining_percent = Some(percent);
+        pilot.tick();
+        let hint = pilot.flight.progress().hint.expect("a hint").to_string();
+        assert!(hint.contains(words), "{percent} %: {hint}");
+    }
+}
+
+#[test]
+fn after_the_last_landing_the_hint_sends_no_drone_home() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    pilot.survey();
+    pilot.look_above();
+    pilot.set_landed(LandedState::OnGround);
+    pilot.set_armed(false);
+    pilot.wait(1.0);
+    let hint = pilot.flight.progress().hint.expect("a hint").to_string();
+    assert!(hint.starts_with("Landed: the flight ends"), "{hint}");
+}
+
+#[test]
+fn a_fleet_that_waits_on_the_ground_for_the_time_limit_has_run_out_of_time() {
+    let source = include_str!("../../../missions/05-night-search.toml");
+    let mut pilot = Pilot::flying(Mission::parse(source).expect("it is good"), 1);
+    pilot.take_off(20.0);
+    pilot.land();
+    while !pilot.flight.is_over() {
+        pilot.tick();
+    }
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::TimedOut);
+}
+
+#[test]
 fn on_the_way_home_only_what_the_flight_can_still_do_is_open() {
     let drill = include_str!("../../../missions/drills/d05-tell-apart.toml");
     let tables: Vec<&str> = drill.split("[[").collect();

@@ -37,10 +37,10 @@ impl Flight {
         let harmed = broken.any(|event| event.kind.is_harm());
         if self.threats.have_failed_it() || harmed {
             self.end(FlightOutcome::Failed);
-        } else if all_lost || (settled && all_down) {
-            self.end(self.verdict(FlightOutcome::Failed));
         } else if now >= self.mission.rules.time_limit {
             self.end(self.verdict(FlightOutcome::TimedOut));
+        } else if all_lost || (settled && all_down) {
+            self.end(self.verdict(FlightOutcome::Failed));
         }
     }
 

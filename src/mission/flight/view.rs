@@ -138,18 +138,24 @@ impl Flight {
             let mut objectives = self.mission.objectives.iter();
             objectives.any(|objective| objective.kind.sought().is_some())
         };
-        if phase == Phase::Done && self.is_down_again() && !self.is_over() && takes_reports() {
-            return Some(text!("mission-landed"));
+        if phase == Phase::Done && self.is_down_again() && !self.is_over() {
+            return Some(if takes_reports() {
+                text!("mission-landed")
+            } else {
+                text!("mission-landed-last")
+            });
         }
         if self.has_touched_down() && !self.is_over() {
             return Some(text!("mission-touchdown"));
         }
         if self.all_come_down() && !self.is_over() {
             let forced = self.crafts.iter().find(|it| it.flies() && it.in_failsafe);
+            let runs_short = |craft: &Craft| craft.flies() && craft.runs_short(&self.mission);
             let needs_nothing = self.settle_themselves(standings).iter().all(|it| *it);
             return Some(match forced {
                 _ if needs_nothing => text!("mission-returning"),
                 Some(craft) => text!("mission-returning-failsafe", vehicle = craft.id),
+                None if self.crafts.iter().any(runs_short) => text!("mission-returning-short"),
                 None => text!("mission-returning-early"),
             });
         }

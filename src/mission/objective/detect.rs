@@ -1,7 +1,7 @@
 //! `detect`: report objects at their positions, without false alarms.
 //!
 //! A report within the radius of an object of its kind that no other report has found is a hit; every other report is a
-//! false alarm. With precision `P` and recall `R`, `F = (1 + beta^2) P R / (beta^2 P + R)`: with a beta of 2, a missed
+//! false alarm, and so is a guess: a report of a place where no detector has found anything. With precision `P` and recall `R`, `F = (1 + beta^2) P R / (beta^2 P + R)`: with a beta of 2, a missed
 //! mine costs far more than a false alarm. Only the first reports up to a budget count as hits, so that reporting
 //! everything earns nothing. A mission may raise the cost of wrong reports if a close look would have shown the error:
 //! each then costs `false_cost` finds.
@@ -9,11 +9,10 @@
 //! Which reports are correct is revealed only after the flight; otherwise reporting would be a way to find out.
 
 use std::collections::BTreeSet;
-use std::time::Duration;
 
 use super::{
-    Demands, Equipment, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Sought,
-    Tracker, Trying,
+    Demands, Equipment, FINAL_AFTER, ObjectiveDetails, ObjectiveKind, ObjectiveScene,
+    ObjectiveStanding, Sought, Tracker, Trying,
 };
 use crate::mission::format::{BetterMeasure, FileTable, KindOf, ObjectiveTarget, number};
 use crate::mission::ground_truth::Object;
@@ -27,6 +26,8 @@ use crate::text::Text;
 
 /// How many reports count, as a multiple of the number of objects.
 const BUDGET: f64 = 3.0;
+/// How far a report may be from the find that it is about, as a multiple of the radius of a correct report.
+const CONTACT_RADII: f64 = 2.0;
 
 #[derive(Debug, Clone)]
 struct Detect {
@@ -38,23 +39,22 @@ struct Detect {
     target: ObjectiveTarget,
 }
 
-/// How long after the last report the reports become final, if all vehicles are on the ground.
-const FINAL_AFTER: Duration = Duration::from_secs(20);
-
 /// The tally of the reports.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct DetectTally {
     pub there: usize,
     pub found: usize,
-    /// Reports of a place without an object of that kind.
+    /// Reports of a place without an object of that kind, and blind reports.
     pub false_alarms: usize,
+    /// Reports of a place where no detector has found anything.
+    pub blind: usize,
     /// Reports of objects reported before, and correct reports beyond the budget.
     pub repeated: usize,
 }
 
 pub(super) const KIND: KindOf<Box<dyn ObjectiveKind>> = KindOf {
     name: "detect",
-    about: "met when the F-measure of the reports, less the cost of wrong ones, reaches the target. It is scored at the end of the flight, which comes at the earliest 20 s after the last report. Its reports are a product",
+    about: "met when the F-measure of the reports, less the cost of wrong ones, reaches the target. A report counts only near a contact. It is scored at the end of the flight, which comes at the earliest 20 s after the last report. Its reports are a product",
     read,
 };
 
@@ -213,21 +213,32 @@ impl Detect {
                 .all(|craft| craft.lost || craft.is_down())
     }
 
-    /// Matches each report, in order, with the nearest unreported object of its kind within the
-    /// radius.
     /// The reports as they count now: none of them before the end of the flight.
     fn counted(&self, scene: &ObjectiveScene<'_>) -> DetectTally {
         let objects = scene.world.field(self.hazard).map(Field::objects);
         let counted = if scene.over { scene.marks } else { &[] };
-        self.tally(objects.unwrap_or_default(), counted)
+        let is_blind = |mark: &Mark| {
+            let mut contacts = scene.contacts.iter();
+            let near_m = CONTACT_RADII * self.radius_m;
+            !contacts.any(|contact| distance_m(contact.at, mark.at) <= near_m)
+        };
+        self.tally(objects.unwrap_or_default(), counted, is_blind)
     }
 
-    fn tally(&self, objects: &[Object], marks: &[Mark]) -> DetectTally {
+    /// Matches each report, in order, with the nearest unreported object of its kind within the
+    /// radius.
+    fn tally(
+        &self,
+        objects: &[Object],
+        marks: &[Mark],
+        is_blind: impl Fn(&Mark) -> bool,
+    ) -> DetectTally {
         let sought: Vec<&Object> = objects
             .iter()
             .filter(|object| object.class.kind().is_some())
             .collect();
-        let (mut found, mut repeated, mut wrong) = (BTreeSet::new(), 0, 0);
+        let mut found = BTreeSet::new();
+        let (mut repeated, mut wrong, mut blind) = (0, 0, 0);
         let kinds: BTreeSet<_> = sought
             .iter()
             .filter_map(|object| object.class.kind())
@@ -235,6 +246,10 @@ impl Detect {
         let about = |mark: &&Mark| mark.kind.is_none_or(|kind| kinds.contains(&kind));
         let budget = (self.budget * sought.len() as f64).floor() as usize;
         for (order, mark) in marks.iter().filter(about).enumerate() {
+            if is_blind(mark) {
+                blind += 1;
+                continue;
+            }
             let near = sought.iter().enumerate().filter_map(|(index, object)| {
                 let same = mark.kind.is_none() || mark.kind == object.class.kind();
                 let distance = distance_m(mark.at, object.at);
@@ -253,7 +268,8 @@ impl Detect {
         DetectTally {
             there: sought.len(),
             found: found.len(),
-            false_alarms: wrong,
+            false_alarms: wrong + blind,
+            blind,
             repeated,
         }
     }
@@ -298,7 +314,9 @@ impl DetectTally {
     fn advice(self) -> Text {
         let missed = self.there.saturating_sub(self.found);
         let wrong = self.false_alarms + self.repeated;
-        if missed > 0 {
+        if self.blind > 0 {
+            text!("detect-advice-blind", count = self.blind)
+        } else if missed > 0 {
             text!("detect-advice-missed", missed = missed, wrong = wrong)
         } else {
             text!("detect-advice-wrong", wrong = wrong)
@@ -308,6 +326,8 @@ impl DetectTally {
 
 #[cfg(test)]
 mod tests {
+    use std::time::Duration;
+
     use super::*;
     use crate::commands::FindKind;
     use crate::mission::Point;
@@ -344,7 +364,7 @@ mod tests {
 
     fn tally(marks: &[(Point, Option<FindKind>)]) -> DetectTally {
         let marks: Vec<Mark> = marks.iter().map(|&(at, kind)| mark(at, kind)).collect();
-        DETECT.tally(&mines(), &marks)
+        DETECT.tally(&mines(), &marks, |_| false)
     }
 
     #[test]
@@ -362,6 +382,7 @@ mod tests {
             there: 4,
             found: 2,
             false_alarms: 2,
+            blind: 0,
             repeated: 1,
         };
         assert_eq!(counted, expected);
@@ -382,6 +403,7 @@ mod tests {
                 there: 4,
                 found,
                 false_alarms: wrong,
+                blind: 0,
                 repeated: 0,
             };
             assert!(
@@ -397,6 +419,7 @@ mod tests {
             there: 4,
             found,
             false_alarms,
+            blind: 0,
             repeated: 0,
         };
         let worth = |found, wrong| tally(found, wrong).worth(2.0, 1.5);

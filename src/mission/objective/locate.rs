@@ -50,6 +50,8 @@ struct LocateTracker {
 struct LocateReports {
     /// The distance from each object to its nearest report; `None` without a report close enough to count.
     distances_m: Vec<Option<f64>>,
+    /// The distance from each object to its nearest report of a measured place, however far.
+    nearest_m: Vec<Option<f64>>,
     /// The number of other reports of measured places.
     wrong: usize,
     /// The number of reports of places near which no sensor has measured anything.
@@ -138,15 +140,17 @@ impl LocateTracker {
             self.reports(marks).partition(|mark| self.is_measured(mark));
         let nearest = |wanted: &LocateTarget| {
             let distances = measured.iter().map(|mark| distance_m(mark.at, wanted.at));
-            let nearest = distances.min_by(f64::total_cmp);
-            nearest.filter(|&nearest| nearest <= self.plan.partial_to_m)
+            distances.min_by(f64::total_cmp)
         };
-        let distances_m: Vec<Option<f64>> = self.wanted.iter().map(nearest).collect();
+        let nearest_m: Vec<Option<f64>> = self.wanted.iter().map(nearest).collect();
+        let counts = |nearest: &Option<f64>| nearest.filter(|it| *it <= self.plan.partial_to_m);
+        let distances_m: Vec<Option<f64>> = nearest_m.iter().map(counts).collect();
         let right = distances_m.iter().flatten().count();
         LocateReports {
             wrong: measured.len().saturating_sub(right),
             blind: blind.len(),
             distances_m,
+            nearest_m,
         }
     }
 
@@ -178,9 +182,10 @@ impl LocateTracker {
             }
             None => text!("locate-missed"),
         };
-        let mut words: Vec<Text> = found.distances_m.iter().map(one).collect();
-        if found.wrong > 0 {
-            words.push(text!("locate-wrong", count = found.wrong));
+        let mut words: Vec<Text> = found.nearest_m.iter().map(one).collect();
+        let wrong = found.wrong.saturating_sub(found.far_off());
+        if wrong > 0 {
+            words.push(text!("locate-wrong", count = wrong));
         }
         if found.blind > 0 {
             words.push(text!("locate-blind", count = found.blind));
@@ -190,6 +195,14 @@ impl LocateTracker {
 }
 
 impl LocateReports {
+    /// The number of objects whose nearest report is too far away to count.
+    fn far_off(&self) -> usize {
+        let pairs = self.nearest_m.iter().zip(&self.distances_m);
+        pairs
+            .filter(|(nearest, counted)| nearest.is_some() && counted.is_none())
+            .count()
+    }
+
     /// The number of all reports that are not right.
     fn all_wrong(&self) -> usize {
         self.wrong + self.blind

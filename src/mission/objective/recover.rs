@@ -3,16 +3,12 @@
 use super::{
     DOWN_FOR, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker, Trying,
 };
-use crate::mission::craft::Craft;
+use crate::mission::craft::{Craft, RUNNING_SHORT};
 use crate::mission::format::{FileTable, KindOf, number};
 use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 use crate::text::Text;
-
-/// The battery is shown instead of the distance when it is less than this many percentage points
-/// above the requirement.
-const RUNNING_SHORT: f64 = 10.0;
 
 #[derive(Debug, Clone)]
 struct Recover {

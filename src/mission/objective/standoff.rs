@@ -6,10 +6,11 @@
 use std::time::Duration;
 
 use super::{
-    DemandedTime, Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding,
-    Tracker,
+    DemandedTime, Demands, FINAL_AFTER, ObjectiveDetails, ObjectiveKind, ObjectiveScene,
+    ObjectiveStanding, Tracker,
 };
 use crate::mission::TICK;
+use crate::mission::craft::Craft;
 use crate::mission::format::{
     BetterMeasure, FileTable, KindOf, LONGEST_S, ObjectiveTarget, number, rising, seconds,
 };
@@ -98,6 +99,14 @@ impl Standoff {
         }
     }
 
+    /// Whether vehicles have been near the structure, and all of them have landed since, to stay.
+    fn is_given_up(&self, scene: &ObjectiveScene<'_>) -> bool {
+        let is_down = |craft: &Craft| {
+            craft.lost || (craft.is_down() && (scene.over || craft.down_for >= FINAL_AFTER))
+        };
+        !self.near.is_zero() && scene.vehicles.iter().all(is_down)
+    }
+
     /// The share of time at the right distance; if the required time is not reached, the missing
     /// part counts as spent at a wrong distance.
     fn share(&self) -> f64 {
@@ -120,13 +129,13 @@ impl Tracker for Standoff {
         }
     }
 
-    fn standing(&self, _: &ObjectiveScene<'_>) -> ObjectiveStanding {
+    fn standing(&self, scene: &ObjectiveScene<'_>) -> ObjectiveStanding {
         let share = self.share();
         ObjectiveStanding {
             fraction: self.target.credit(share),
             measure: share,
             met: share >= self.target.met_at,
-            settled: self.near >= self.least,
+            settled: self.near >= self.least || self.is_given_up(scene),
             landing: false,
         }
     }
@@ -154,6 +163,7 @@ impl Tracker for Standoff {
                 "standoff-advice",
                 nearest = nearest,
                 farthest = farthest,
+                least = seconds(self.least),
                 close = self.too_near.as_secs_f64().round() as u64,
             ),
         }

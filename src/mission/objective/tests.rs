@@ -79,7 +79,7 @@ fn reports_lose_worth_with_distance_and_by_those_that_are_wrong() {
         (report.objectives[0].points, report.passed)
     };
     let (near, middle, far) = (score(&[10.0]), score(&[30.0]), score(&[80.0]));
-    assert!((near.0 - 60.0).abs() < 0.1 && (middle.0 - 30.0).abs() < 0.1 && far.0.abs() < 0.1);
+    assert!((near.0 - 60.0).abs() < 0.1 && (middle.0 - 25.7).abs() < 0.1 && far.0.abs() < 0.1);
     // A wrong report costs half an object; the mission is passed with one for each.
     let corrected = score(&[80.0, 10.0]);
     assert!(
@@ -127,12 +127,69 @@ fn a_report_without_a_measurement_near_it_is_wrong_however_near_it_is() {
     assert!(report.objectives[0].points.abs() < 1e-9);
 }
 
+/// One report is judged in the same words by both objectives, however far it has to be from the source to count.
+#[test]
+fn a_report_that_is_too_far_away_for_an_objective_is_shown_with_its_distance() {
+    let (mut pilot, [east, north]) = in_the_plume();
+    mark(&mut pilot, [east + 17.0, north]);
+    fly_home(&mut pilot);
+    let objectives = pilot.report().objectives;
+    for objective in &objectives[..2] {
+        assert_eq!(objective.result, "17.0 m off", "{}", objective.id);
+    }
+    assert!(objectives[1].points.abs() < 1e-9);
+}
+
+#[test]
+fn an_objective_that_is_nearly_met_has_not_all_points() {
+    let (mut pilot, [east, north]) = in_the_plume();
+    mark(&mut pilot, [east, north + 3.03]);
+    fly_home(&mut pilot);
+    let close = pilot.report().objectives.remove(1);
+    assert_eq!(
+        (close.met, close.points, close.points_max),
+        (false, 14.9, 15.0)
+    );
+}
+
+/// Guesses earn nothing, even those that are right.
+#[test]
+fn a_report_of_a_place_where_no_detector_has_found_anything_is_wrong() {
+    let mut pilot = Pilot::flying(mission(SEARCH), 4);
+    pilot.take_off(30.0);
+    mark_as(&mut pilot, truth(SEARCH, 4), FindKind::Person);
+    pilot.land();
+    pilot.flight.abandon();
+    let find = pilot.report().objectives.remove(0);
+    assert!(
+        find.result.to_string().contains("0/5 found, 1 false"),
+        "{}",
+        find.result
+    );
+}
+
+#[test]
+fn a_line_left_too_early_keeps_no_flight_open_after_the_landing() {
+    let source = include_str!("../../../missions/04-line-inspection.toml");
+    let mut pilot = Pilot::flying(mission(source), 1);
+    pilot.take_off(18.0);
+    pilot.goto(33.0, 0.0, 8.0);
+    pilot.wait(5.0);
+    mark_as(&mut pilot, [0.0, 40.0], FindKind::Defect);
+    fly_home(&mut pilot);
+    pilot.wait(25.0);
+    assert_eq!(pilot.flight.outcome(), FlightOutcome::Failed);
+    assert!(pilot.now.as_secs() < 200, "{:?}", pilot.now);
+}
+
 #[test]
 fn in_flight_a_report_is_counted_but_not_judged() {
     let shown = |offset_m: f64| {
         let mut pilot = Pilot::flying(mission(SEARCH), 4);
         let [east, north] = truth(SEARCH, 4);
         pilot.take_off(30.0);
+        pilot.goto(north, east, 10.0);
+        pilot.wait(10.0);
         mark_as(&mut pilot, [east, north + offset_m], FindKind::Person);
         pilot.wait(1.0);
         let progress = pilot.flight.progress();
