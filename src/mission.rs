@@ -234,6 +234,8 @@ impl Mission {
                 let fit = fits.last().cloned().unwrap_or_default();
                 fits.resize(self.seats.count, fit);
             }
+            let kind = self.seats.kinds.last().copied().unwrap_or_default();
+            self.seats.kinds.resize(self.seats.count, kind);
             if let Some(last) = self.seats.designs.last().cloned() {
                 self.seats.designs.resize(self.seats.count, last);
             }
@@ -252,7 +254,7 @@ impl Mission {
         WorldConfig {
             starts: self.starts(),
             airframes: self.airframes(),
-            kinds: Vec::new(),
+            kinds: self.seats.kinds.clone(),
             seed,
             obstacles: Vec::new(),
             realistic_boot: false,

@@ -10,7 +10,7 @@ use std::ops::RangeInclusive;
 use serde::{Deserialize, Serialize};
 use strum::{IntoStaticStr, VariantArray, VariantNames};
 
-use crate::sim::{Airframe, Start};
+use crate::sim::{Airframe, Start, VehicleKind};
 use models::SitlModel;
 
 mod defaults;
@@ -57,6 +57,15 @@ pub enum SitlKind {
     Plane,
     Rover,
     Sub,
+}
+
+impl From<VehicleKind> for SitlKind {
+    fn from(kind: VehicleKind) -> Self {
+        match kind {
+            VehicleKind::Copter => Self::Copter,
+            VehicleKind::Rover(_) => Self::Rover,
+        }
+    }
 }
 
 impl SitlKind {

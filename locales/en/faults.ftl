@@ -178,6 +178,7 @@ name-sensor = sensor
 name-skill = skill
 name-task-zone = task zone
 name-threat = threat
+name-vehicle-kind = kind of vehicle
 name-zone = zone
 name-zone-kind = zone kind
 

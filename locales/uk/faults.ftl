@@ -178,6 +178,7 @@ name-sensor = датчик
 name-skill = навичка
 name-task-zone = зона завдання
 name-threat = загроза
+name-vehicle-kind = вид апарата
 name-zone = зона
 name-zone-kind = вид зони
 

@@ -75,8 +75,8 @@ pub(super) struct RunArguments {
     designs: DesignArguments,
     #[command(flatten)]
     backend: BackendArguments,
-    /// Set the number of this attempt at the mission, from 1: on the first, only the third hint costs points. With
-    /// --profile, the profile counts the attempts, and this option is refused.
+    /// Set the number of this attempt at the mission, from 1: on the first, only the third hint costs points, and none
+    /// in 00 and 01. With --profile, the profile counts the attempts, and this option is refused.
     #[arg(long = "try", value_name = "NUMBER", value_parser = clap::value_parser!(u32).range(1..=9999))]
     attempt: Option<u32>,
     /// Record the run in this folder instead of the data folder, and never delete its files automatically. Refused

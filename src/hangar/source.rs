@@ -135,9 +135,13 @@ impl VehicleBackend {
         let world = self.of(world);
         let systems = 1..=crate::wire::SystemId::MAX;
         let launch = |(at, (&start, system)): (usize, (&Start, u8))| {
+            let kind = world.kind(at);
             let airframe = world.airframes.get(at).or(world.airframes.last());
+            let airframe = airframe.filter(|_| kind == VehicleKind::Copter);
             let parameters = airframe.map_or(&[][..], |it| it.parameters());
             Launch {
+                kind: kind.into(),
+                model: (kind != VehicleKind::Copter).then(|| kind.name().to_owned()),
                 frame: airframe.and_then(|it| it.file().cloned()),
                 parameters: parameters
                     .iter()

@@ -44,7 +44,10 @@ pub(crate) struct Craft {
     /// Whether its pre-arm checks pass.
     pub ready: bool,
     pub armed: bool,
-    pub airborne: bool,
+    /// Whether it is in the air or, as a ground robot or a boat, has set out and is still armed.
+    pub under_way: bool,
+    /// Whether it moves on the ground or on water.
+    pub on_surface: bool,
     /// Whether it is in the mode that flies plans.
     pub in_auto: bool,
     /// Whether its mode makes the vehicle return or land on its own.
@@ -90,7 +93,8 @@ impl Craft {
             course: CraftCourse::default(),
             ready: false,
             armed: false,
-            airborne: false,
+            under_way: false,
+            on_surface: false,
             in_auto: false,
             comes_down: false,
             in_failsafe: false,
@@ -113,22 +117,28 @@ impl Craft {
 
     /// Whether the vehicle is disarmed on the ground after flying.
     pub fn is_down(&self) -> bool {
-        self.flown && !self.lost && !self.armed && !self.airborne
+        self.flown && !self.lost && !self.armed && !self.under_way
     }
 
-    /// Whether the vehicle is in the air and has not crashed.
+    /// Whether a ground robot or a boat is back on its pad and waits there to be disarmed.
+    pub fn awaits_disarming(&self) -> bool {
+        let is_home = self.pad_distance_m.is_some_and(|far| far <= OFF_PAD_M);
+        self.on_surface && self.under_way && is_home && self.comes_down && self.speed_m_s < 0.3
+    }
+
+    /// Whether the vehicle is under way and not lost.
     pub fn flies(&self) -> bool {
-        self.airborne && !self.lost
+        self.under_way && !self.lost
     }
 
     /// Whether the vehicle's detectors work and its radio delivers their results.
     pub fn can_see(&self) -> bool {
-        self.heard && self.airborne && !self.lost
+        self.heard && self.under_way && !self.lost
     }
 
     /// Whether the vehicle flies a plan.
     pub fn flies_plan(&self) -> bool {
-        self.in_auto && self.airborne && !self.lost
+        self.in_auto && self.under_way && !self.lost
     }
 
     /// The vehicle's true position, even while the operator does not receive it; `None` before the
@@ -163,7 +173,7 @@ impl Craft {
     /// Takes a snapshot of the vehicle; `active` marks the zones that are active now. Returns the rules that it breaks
     /// now.
     pub fn step(&mut self, vehicle: &Vehicle, mission: &Mission, active: &[bool]) -> Vec<Breach> {
-        let (was_armed, was_airborne, old_height_m) = (self.armed, self.airborne, self.height_m);
+        let (was_armed, was_under_way, old_height_m) = (self.armed, self.under_way, self.height_m);
         self.take(vehicle, mission);
         let texts = self.listener.listen(vehicle);
         if self.lost {
@@ -173,21 +183,22 @@ impl Craft {
             .iter()
             .filter_map(|text| from_text(&text.text))
             .collect();
-        if was_armed && !self.armed && was_airborne && self.airborne && old_height_m > FALL_FROM_M {
+        if was_armed && !self.armed && was_under_way && self.under_way && old_height_m > FALL_FROM_M
+        {
             let text = text!(
                 "mission-motors-stopped",
                 height = format!("{old_height_m:.0}")
             );
             breaches.push((SafetyKind::DisarmInFlight, text));
         }
-        if was_airborne && !self.airborne && self.sink_m_s > HARD_TOUCHDOWN_M_S {
+        if was_under_way && !self.under_way && self.sink_m_s > HARD_TOUCHDOWN_M_S {
             breaches.push(hit_ground(self.sink_m_s));
         }
         if let Some(loss) = breaches.iter().position(|(kind, _)| kind.is_loss()) {
             self.lost = true;
             return vec![breaches.swap_remove(loss)];
         }
-        if self.airborne {
+        if self.under_way {
             breaches.extend(self.place_breaches(mission, active));
         }
         if was_armed && self.is_down() {
@@ -205,11 +216,16 @@ impl Craft {
         self.heard = !vehicle.link.lost;
         self.ready = vehicle.ready_to_arm();
         self.armed = vehicle.armed();
-        self.airborne = vehicle.airborne();
+        self.on_surface = vehicle.is_on_surface();
+        self.under_way = if self.on_surface {
+            self.armed && (self.under_way || vehicle.moves())
+        } else {
+            vehicle.airborne()
+        };
         self.in_auto = vehicle.flies_plan();
         self.comes_down = vehicle.mode().is_some_and(Mode::comes_down);
         self.in_failsafe = vehicle.in_failsafe();
-        self.flown |= self.airborne && self.armed;
+        self.flown |= self.under_way && self.armed;
         self.speed_m_s = vehicle.ground_speed_m_s().map_or(0.0, f64::from);
         let sound =
             |global: &GlobalPosition| global.at_point.is_valid() && global.altitude_m.is_finite();
@@ -219,10 +235,15 @@ impl Craft {
             self.pad_distance_m = distances.min_by(f64::total_cmp);
             self.at = Some(at);
             self.course.turn(&global);
-            self.height_m = global.altitude_m;
+            // A ground robot or a boat is on the surface, whatever its autopilot takes for its home's height.
+            self.height_m = if self.on_surface {
+                0.0
+            } else {
+                global.altitude_m
+            };
             if self.height_m > NEAR_GROUND_M {
                 self.sink_m_s = 0.0;
-            } else if self.airborne {
+            } else if self.under_way {
                 self.sink_m_s = self.sink_m_s.max(f64::from(global.down_m_s));
             }
         }
@@ -294,8 +315,13 @@ impl Craft {
         if self.lost || !self.flown || self.is_down() {
             return breaches;
         }
-        if self.airborne {
-            breaches.push((SafetyKind::NotLanded, text!("mission-not-landed")));
+        if self.under_way {
+            let text = if self.on_surface {
+                text!("mission-not-stopped")
+            } else {
+                text!("mission-not-landed")
+            };
+            breaches.push((SafetyKind::NotLanded, text));
         }
         if let Some(percent) = self.below_reserve(mission) {
             let text = text!(

@@ -33,8 +33,8 @@ impl Mission {
         }
     }
 
-    /// The same mission flown with built drones: one design for all seats, or one per seat, where
-    /// the last one also fills the seats that follow. Without any design, the mission's own drones
+    /// The same mission flown with built drones: one design for all drones, or one per drone, where
+    /// the last one also fills the seats that follow. Ground robots and boats are the mission's own. Without any design, the mission's own drones
     /// fly it.
     ///
     /// # Errors
@@ -44,15 +44,21 @@ impl Mission {
         let Some(last) = fleet.last().cloned() else {
             return Ok(self);
         };
-        if fleet.len() > self.seats.count {
-            let (seats, designs) = (self.seats.count, fleet.len());
-            return Err(vec![text!("fleet-many", seats = seats, designs = designs)]);
+        let drones = self.seats.are_drones().filter(|it| *it).count();
+        if fleet.len() > drones {
+            let designs = fleet.len();
+            return Err(vec![text!("fleet-many", seats = drones, designs = designs)]);
         }
-        fleet.resize(self.seats.count, last);
+        fleet.resize(drones, last.clone());
         let mut faults = faults(&fleet, self.air());
         faults.extend(too_dear(&fleet, self.seats.outlay.budget));
         if faults.is_empty() {
-            Ok(self.flown_by(fleet))
+            let mut designs = fleet.into_iter();
+            let of_seat = |is_drone| if is_drone { designs.next() } else { None };
+            let all = self.seats.are_drones().map(of_seat);
+            let all = all.map(|design| design.unwrap_or_else(|| last.clone()));
+            let all = all.collect();
+            Ok(self.flown_by(all))
         } else {
             Err(faults)
         }
@@ -72,7 +78,14 @@ impl Mission {
         });
         let seats = fleet.iter().zip(&self.seats.asked);
         self.seats.fits = seats
-            .map(|(design, asked)| Fit::of(design, asked, radio.own))
+            .zip(self.seats.are_drones())
+            .map(|((design, asked), is_drone)| {
+                if is_drone {
+                    Fit::of(design, asked, radio.own)
+                } else {
+                    asked.clone()
+                }
+            })
             .collect();
         let mut all = Fit::default();
         let carried = self.seats.fits.iter().flat_map(|fit| &fit.sensors);

@@ -126,6 +126,15 @@ impl Load {
         }
     }
 
+    /// The maximum height of a release in metres: from higher up, the wind carries spray away, a kit misses the person
+    /// that it is meant for, and other pieces land anywhere.
+    pub fn highest_m(self) -> f64 {
+        match self {
+            Self::Spray | Self::Kit => 20.0,
+            Self::Ball | Self::Node => 40.0,
+        }
+    }
+
     /// The load's name on the screen.
     pub fn name(self) -> Text {
         match self {

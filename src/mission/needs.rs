@@ -70,7 +70,9 @@ impl Mission {
     pub fn needs(&self) -> Vec<Need> {
         let mut needs: Vec<Need> = Vec::new();
         let far_m = self.farthest_m();
-        for (vehicle, asked) in (1..).zip(&self.seats.asked) {
+        let drones = self.seats.are_drones().filter(|it| *it).count();
+        let seats = (1..).zip(&self.seats.asked).zip(self.seats.are_drones());
+        for ((vehicle, asked), _) in seats.filter(|(_, is_drone)| *is_drone) {
             let need = Need {
                 seats: vec![vehicle],
                 sensors: asked.sensors.iter().map(|sensor| sensor.id).collect(),
@@ -86,7 +88,7 @@ impl Mission {
                     .seats
                     .outlay
                     .budget
-                    .map(|all| all / self.seats.count as u32),
+                    .map(|all| all / drones.max(1) as u32),
             };
             let alike = |it: &&mut Need| it.sensors == need.sensors && it.loads == need.loads;
             match needs.iter_mut().find(alike) {

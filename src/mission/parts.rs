@@ -9,6 +9,7 @@ use super::zone::Zone;
 use super::{Clue, Hint, LessonStep, Origin, Outlay, Point, Requires, Rewards};
 use super::{fit, radio, weather};
 use crate::diagnostic::Diagnostic;
+use crate::sim::VehicleKind;
 use crate::text::Text;
 use crate::workshop::Design;
 
@@ -102,12 +103,19 @@ pub struct MissionSeats {
     pub(crate) fits: Vec<fit::Fit>,
     /// The equipment of the mission's own drones, which built drones must also provide.
     pub(crate) asked: Vec<fit::Fit>,
+    /// The kind of each vehicle, in the order of the pads.
+    pub(crate) kinds: Vec<VehicleKind>,
     /// The designs of the drones built for the mission, in the order of the pads; empty if the
-    /// mission's own drones fly.
+    /// mission's own drones fly. Those of ground robots and boats, which are not built, are not used.
     pub(crate) designs: Vec<Design>,
 }
 
 impl MissionSeats {
+    /// Whether each vehicle, in the order of the pads, is a drone, which a trainee may build.
+    pub(crate) fn are_drones(&self) -> impl Iterator<Item = bool> {
+        self.kinds.iter().map(|kind| *kind == VehicleKind::Copter)
+    }
+
     /// Whether the vehicles carry two kinds of detectors, so that one can confirm the finds of the other.
     pub(crate) fn can_confirm(&self) -> bool {
         let sensors = self.sensors.iter();

@@ -173,7 +173,7 @@ impl Set {
             at: [east_m, north_m],
             height_m: up_m,
             gain_dbi: self.gain_dbi,
-            relays: self.relays && craft.airborne && !craft.lost,
+            relays: self.relays && craft.under_way && !craft.lost,
         })
     }
 }

@@ -49,7 +49,7 @@ impl WorldConfig {
     }
 
     /// The kind of a vehicle.
-    pub(super) fn kind(&self, vehicle: usize) -> VehicleKind {
+    pub fn kind(&self, vehicle: usize) -> VehicleKind {
         let own = self.kinds.get(vehicle).or(self.kinds.last());
         own.copied().unwrap_or_default()
     }

@@ -20,7 +20,9 @@ pub(super) fn check(examined: &mut Examined<'_>) {
         .seats
         .fits
         .iter()
-        .map(|fit| vehicle + price(fit))
+        .zip(mission.seats.are_drones())
+        .filter(|(_, is_drone)| *is_drone)
+        .map(|(fit, _)| vehicle + price(fit))
         .collect();
     prices.sort_unstable();
     let bought = prices

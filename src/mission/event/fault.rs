@@ -130,7 +130,7 @@ impl Victim {
             Self::One(index) => crafts.get(index).into_iter().collect(),
             Self::All => crafts.iter().collect(),
             Self::Chance => {
-                let flies = |craft: &&Craft| craft.airborne && !craft.lost;
+                let flies = |craft: &&Craft| craft.under_way && !craft.lost;
                 let flying: Vec<&Craft> = crafts.iter().filter(flies).collect();
                 let among = if flying.is_empty() {
                     crafts.iter().collect()

@@ -66,7 +66,7 @@ impl<'a> Scope<'a> {
     /// The vehicles in the air.
     pub fn flying(&self) -> impl Iterator<Item = &'a Craft> {
         let crafts = self.sight.crafts.iter();
-        crafts.filter(|craft| craft.airborne && !craft.lost)
+        crafts.filter(|craft| craft.under_way && !craft.lost)
     }
 
     /// The state of an objective.

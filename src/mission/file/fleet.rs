@@ -11,6 +11,7 @@ use crate::mission::format::{
 use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
 use crate::mission::{Outlay, Point};
+use crate::sim::VehicleKind;
 use crate::text;
 
 /// The maximum number of vehicles, more than a console can fly.
@@ -25,6 +26,8 @@ pub(super) struct FleetSection {
     pub pads: Vec<Point>,
     /// One fit for each pad.
     pub fits: Vec<Fit>,
+    /// The kind of vehicle on each pad.
+    pub kinds: Vec<VehicleKind>,
     pub outlay: Outlay,
 }
 
@@ -33,6 +36,12 @@ pub(super) struct FleetSection {
 struct Carried {
     sensors: Vec<&'static Sensor>,
     loads: BTreeMap<Load, u32>,
+}
+
+/// One vehicle as the file lists it.
+struct ListedVehicle {
+    kind: VehicleKind,
+    carried: Carried,
 }
 
 impl FleetSection {
@@ -53,6 +62,7 @@ impl FleetSection {
             pads: self.pads,
             asked: self.fits.clone(),
             fits: self.fits,
+            kinds: self.kinds,
             designs: Vec::new(),
         }
     }
@@ -96,15 +106,16 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
         table.fault_of("vehicles", fault);
     }
     let common = common.added_to(Fit::default());
+    let usual = || ListedVehicle {
+        kind: VehicleKind::Copter,
+        carried: Carried::default(),
+    };
+    let own = own.unwrap_or_else(|| pads.iter().map(|_| usual()).collect());
+    let fit = |vehicle: &ListedVehicle| vehicle.carried.added_to(common.clone());
     Some(FleetSection {
         outlay,
-        fits: match own {
-            Some(own) => own
-                .into_iter()
-                .map(|own| own.added_to(common.clone()))
-                .collect(),
-            None => vec![common; pads.len()],
-        },
+        fits: own.iter().map(fit).collect(),
+        kinds: own.iter().map(|vehicle| vehicle.kind).collect(),
         pads,
     })
 }
@@ -140,16 +151,29 @@ fn sensors() -> ListValue<NamedValue<&'static Sensor>> {
     )
 }
 
-fn vehicle(table: &mut FileTable<'_>) -> Option<Carried> {
+fn vehicle(table: &mut FileTable<'_>) -> Option<ListedVehicle> {
+    let kind = table.or(
+        "kind",
+        named(
+            NameKind::VehicleKind,
+            VehicleKind::names,
+            VehicleKind::named,
+        ),
+        VehicleKind::Copter,
+        "kind of vehicle: a drone, a ground robot or a boat",
+    );
     let sensors = table.may("sensors", sensors(), "additional sensors of this vehicle");
     let loads = table.may(
         "loads",
         table_of(loads),
         "loads of this vehicle instead of the fleet's",
     );
-    Some(Carried {
-        sensors: sensors.unwrap_or_default(),
-        loads: loads.unwrap_or_default(),
+    Some(ListedVehicle {
+        kind,
+        carried: Carried {
+            sensors: sensors.unwrap_or_default(),
+            loads: loads.unwrap_or_default(),
+        },
     })
 }
 

@@ -16,10 +16,6 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
-/// The maximum height of a drop: from higher up, a piece may land anywhere.
-const DROP_UP_TO_M: f64 = 40.0;
-/// The maximum height for spraying: higher up, the wind carries the spray away.
-const SPRAY_UP_TO_M: f64 = 20.0;
 const ON_PAD_M: f64 = 3.0;
 /// How long a vehicle must stay disarmed on a pad before its loads are replaced.
 const TURN_AROUND: Duration = Duration::from_secs(20);
@@ -66,7 +62,7 @@ impl CraftLoads {
     /// Advances the service on a pad by a tick; returns true when that refills the loads.
     fn serve(&mut self, craft: &Craft) -> bool {
         let on_pad = craft.pad_distance_m.is_some_and(|far| far <= ON_PAD_M);
-        let stands = on_pad && !craft.armed && !craft.airborne && !craft.lost;
+        let stands = on_pad && !craft.armed && !craft.under_way && !craft.lost;
         if !stands || self.left == self.full {
             self.served = Duration::ZERO;
             return false;
@@ -125,9 +121,10 @@ impl Loads {
     }
 
     pub fn drop_piece(&mut self, vehicle: VehicleId, scene: &mut LoadsScene<'_>) -> Done {
-        let Able { seat, at } = scene.able(vehicle, DROP_UP_TO_M)?;
+        let piece = self.holds[scene.seat(vehicle)?].piece();
+        let load = piece.ok_or_else(|| text!("deed-no-load"))?;
+        let Able { seat, at } = scene.able(vehicle, load)?;
         let hold = &mut self.holds[seat];
-        let load = hold.piece().ok_or_else(|| text!("deed-no-load"))?;
         if !hold.take(load) {
             return Err(text!("load-empty", load = load.name()));
         }
@@ -145,7 +142,7 @@ impl Loads {
             let left = shut.ok_or_else(|| text!("load-shut"))?;
             return Ok(Some(text!("load-spray-left", left = left)));
         }
-        let able = scene.able(vehicle, SPRAY_UP_TO_M)?;
+        let able = scene.able(vehicle, Load::Spray)?;
         let hold = &mut self.holds[able.seat];
         if !hold.full.contains_key(&Load::Spray) {
             return Err(text!("deed-no-load"));
@@ -161,7 +158,7 @@ impl Loads {
     /// Advances the sprayers and the service on the pads by a tick.
     pub fn step(&mut self, scene: &mut LoadsScene<'_>) {
         for (index, craft) in scene.crafts.iter().enumerate() {
-            if !craft.airborne || craft.lost {
+            if !craft.under_way || craft.lost {
                 self.holds[index].spraying = None;
             }
             if self.holds[index].serve(craft) {
@@ -172,7 +169,10 @@ impl Loads {
                 });
             }
             if self.holds[index].spray() {
-                if let Some(at) = craft.at.filter(|_| craft.height_m <= SPRAY_UP_TO_M) {
+                if let Some(at) = craft
+                    .at
+                    .filter(|_| craft.height_m <= Load::Spray.highest_m())
+                {
                     self.release(craft.id, Load::Spray, at, scene);
                 }
                 if self.holds[index].left(Load::Spray) == 0 {
@@ -233,7 +233,7 @@ impl LoadsScene<'_> {
     /// Takes a sample: records and returns the readings of a vehicle's sensors. The vehicle must be
     /// in the air, and no faster than 1 m/s.
     pub fn take_sample(&mut self, vehicle: VehicleId) -> Done {
-        let able = self.able(vehicle, f64::INFINITY)?;
+        let able = self.under_way(vehicle)?;
         let craft = &self.crafts[able.seat];
         if craft.probes.is_empty() {
             return Err(text!("deed-no-load"));
@@ -266,17 +266,24 @@ impl LoadsScene<'_> {
     }
 
     /// Checks that a vehicle is in the air, no higher than `up_to_m`.
-    fn able(&self, vehicle: VehicleId, up_to_m: f64) -> Result<Able, Text> {
+    fn able(&self, vehicle: VehicleId, load: Load) -> Result<Able, Text> {
+        let able = self.under_way(vehicle)?;
+        let (height_m, up_to_m) = (self.crafts[able.seat].height_m, load.highest_m());
+        if height_m > up_to_m {
+            let (height, limit) = (format!("{height_m:.0}"), format!("{up_to_m:.0}"));
+            return Err(text!("load-too-high", height = height, limit = limit));
+        }
+        Ok(able)
+    }
+
+    /// A vehicle that is under way and heard.
+    fn under_way(&self, vehicle: VehicleId) -> Result<Able, Text> {
         let seat = self.seat(vehicle)?;
         let craft = &self.crafts[seat];
         let heard = craft.at.filter(|_| craft.heard && !craft.lost);
         let at = heard.ok_or_else(|| text!("deed-no-position"))?;
-        if !craft.airborne {
+        if !craft.under_way {
             return Err(text!("load-on-ground"));
-        }
-        if craft.height_m > up_to_m {
-            let (height, limit) = (format!("{:.0}", craft.height_m), format!("{up_to_m:.0}"));
-            return Err(text!("load-too-high", height = height, limit = limit));
         }
         Ok(Able { seat, at })
     }

@@ -37,7 +37,7 @@ impl SwarmAccount {
     pub fn step(&mut self, crafts: &[Craft], surveys: &Surveys, ledger: &Ledger, now: Duration) {
         let commanded = self.note_orders(ledger, now);
         for (craft, usage) in crafts.iter().zip(&mut self.usage) {
-            let flies = craft.airborne && !craft.lost;
+            let flies = craft.under_way && !craft.lost;
             // Samples taken while the radio is cut do not count.
             let samples = craft.can_see() && surveys.want(craft);
             let newest = self.latest.get(&craft.id);

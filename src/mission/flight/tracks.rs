@@ -31,7 +31,7 @@ impl Tracks {
     pub fn step(&mut self, crafts: &[Craft]) {
         self.tracks.resize(crafts.len(), Vec::new());
         for (craft, track) in crafts.iter().zip(&mut self.tracks) {
-            let Some(at) = craft.at.filter(|_| craft.airborne) else {
+            let Some(at) = craft.at.filter(|_| craft.under_way) else {
                 continue;
             };
             if let Some(probe) = craft.probes.first().filter(|probe| probe.has_signal()) {

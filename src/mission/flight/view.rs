@@ -145,6 +145,10 @@ impl Flight {
                 text!("mission-landed-last")
             });
         }
+        let waits = self.crafts.iter().find(|craft| craft.awaits_disarming());
+        if let Some(craft) = waits.filter(|_| !self.is_over()) {
+            return Some(text!("mission-home-armed", vehicle = craft.id));
+        }
         if self.has_touched_down() && !self.is_over() {
             return Some(text!("mission-touchdown"));
         }
@@ -175,7 +179,7 @@ impl Flight {
     /// landed on its own are still running.
     fn has_touched_down(&self) -> bool {
         let stops_soon = |craft: &Craft| craft.flown && craft.armed && craft.comes_down;
-        self.crafts.iter().any(stops_soon) && !self.crafts.iter().any(|it| it.airborne)
+        self.crafts.iter().any(stops_soon) && !self.crafts.iter().any(|it| it.under_way)
     }
 
     /// Whether vehicles are in the air, and all of them are returning or landing on their own.
@@ -186,7 +190,7 @@ impl Flight {
 
     /// The newest failsafe of a vehicle that is down, once no vehicle is armed or in the air.
     fn grounding(&self) -> Option<&SafetyEvent> {
-        let is_active = |craft: &Craft| !craft.lost && (craft.armed || craft.airborne);
+        let is_active = |craft: &Craft| !craft.lost && (craft.armed || craft.under_way);
         if self.crafts.iter().any(is_active) {
             return None;
         }
@@ -207,7 +211,7 @@ impl Flight {
         let waits = !self.search.marks().is_empty() && self.is_down_again();
         if !open || waits {
             Phase::Done
-        } else if self.crafts.iter().any(|craft| craft.airborne) {
+        } else if self.crafts.iter().any(|craft| craft.under_way) {
             Phase::Air
         } else if self.crafts.iter().any(|craft| craft.armed) {
             Phase::Armed

@@ -23,6 +23,7 @@ pub(in crate::mission) enum NameKind {
     Skill,
     TaskZone,
     Threat,
+    VehicleKind,
     Zone,
     ZoneKind,
 }
@@ -48,6 +49,7 @@ impl NameKind {
             Self::Skill => "skill",
             Self::TaskZone => "task zone",
             Self::Threat => "threat",
+            Self::VehicleKind => "kind of vehicle",
             Self::Zone => "zone",
             Self::ZoneKind => "zone kind",
         }
@@ -73,6 +75,7 @@ impl NameKind {
             Self::Skill => text!("name-skill"),
             Self::TaskZone => text!("name-task-zone"),
             Self::Threat => text!("name-threat"),
+            Self::VehicleKind => text!("name-vehicle-kind"),
             Self::Zone => text!("name-zone"),
             Self::ZoneKind => text!("name-zone-kind"),
         }

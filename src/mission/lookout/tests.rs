@@ -14,7 +14,7 @@ fn craft(id: VehicleId, sensor_id: &str, height_m: f64, speed_m_s: f64) -> Craft
     let mut craft = Craft::new(id, &[sensor(sensor_id)], 1);
     craft.at = Some([0.0, -10.0]);
     craft.heard = true;
-    craft.airborne = true;
+    craft.under_way = true;
     craft.height_m = height_m;
     craft.speed_m_s = speed_m_s;
     craft
@@ -137,7 +137,7 @@ fn false_alarms_come_by_the_area_that_is_swept() {
         (f64::from(alarms) - expected).abs() < 4.0 * expected.sqrt(),
         "{alarms}, not {expected}"
     );
-    craft.airborne = false;
+    craft.under_way = false;
     assert!(lookout.step(&craft, &world, &[], TICK * 200_001).is_empty());
 }
 

@@ -304,7 +304,7 @@ mod tests {
     fn line(sweep: &mut Sweep, east_m: f64, height_m: f64, speed_m_s: f64) {
         let sensors: Vec<_> = Sensor::by_id("s_mag").into_iter().collect();
         let mut craft = Craft::new(1, &sensors, 1);
-        (craft.heard, craft.airborne) = (true, true);
+        (craft.heard, craft.under_way) = (true, true);
         (craft.height_m, craft.speed_m_s) = (height_m, speed_m_s);
         let step_m = speed_m_s * TICK.as_secs_f64();
         for step in 0..(22.0 / step_m) as u32 {
@@ -362,7 +362,7 @@ mod tests {
             };
             let sensors: Vec<_> = Sensor::by_id("s_mag").into_iter().collect();
             let mut craft = Craft::new(1, &sensors, 1);
-            (craft.heard, craft.airborne, craft.in_auto) = (true, true, in_auto);
+            (craft.heard, craft.under_way, craft.in_auto) = (true, true, in_auto);
             (craft.height_m, craft.speed_m_s) = (1.5, 2.0);
             craft.at = Some([10.0, 10.0]);
             sweep.pass(&craft, Light::Day);

@@ -91,12 +91,13 @@ impl ObjectiveKind for FormationObjective {
 }
 
 fn position(craft: &Craft) -> Option<[f64; 3]> {
-    let [east_m, north_m] = craft.at.filter(|_| craft.airborne && !craft.lost)?;
+    let [east_m, north_m] = craft.at.filter(|_| craft.under_way && !craft.lost)?;
     Some([east_m, north_m, craft.height_m])
 }
 
+/// The distance over ground: vehicles that fly one above the other are in no formation.
 fn distance_m(a: &[f64; 3], b: &[f64; 3]) -> f64 {
-    maths::hypot(maths::hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2])
+    maths::hypot(a[0] - b[0], a[1] - b[1])
 }
 
 impl FormationTracker {

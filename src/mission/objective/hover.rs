@@ -97,7 +97,7 @@ impl Hover {
         let [low, high] = self.heights_m;
         let at = craft
             .at
-            .filter(|_| craft.airborne && !craft.lost)
+            .filter(|_| craft.under_way && !craft.lost)
             .filter(|_| (low..=high).contains(&craft.height_m));
         let Some(at) = at else {
             (hold.around, hold.now_s) = (None, 0.0);

@@ -102,7 +102,7 @@ impl Tracker for LinkTracker {
         for craft in scene
             .vehicles
             .iter()
-            .filter(|craft| craft.airborne && !craft.lost)
+            .filter(|craft| craft.under_way && !craft.lost)
         {
             let most_m = self.link.max_height_m.unwrap_or(f64::INFINITY);
             let at = craft.truly_at().filter(|_| craft.height_m <= most_m);

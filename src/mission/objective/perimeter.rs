@@ -108,7 +108,7 @@ impl PerimeterTracker {
     /// Maps the ground below the vehicles.
     fn look(&mut self, scene: &ObjectiveScene<'_>, grid: &FireGrid) {
         let flying = scene.vehicles.iter();
-        for craft in flying.filter(|craft| craft.heard && craft.airborne && !craft.lost) {
+        for craft in flying.filter(|craft| craft.heard && craft.under_way && !craft.lost) {
             let swath_m = self.plan.sensor.swath_m(craft.height_m);
             let (Some(at), Some(swath_m)) = (craft.at, swath_m) else {
                 continue;

@@ -45,7 +45,7 @@ struct Stop {
 
 impl Stop {
     fn is_reached_by(&self, craft: &Craft) -> bool {
-        let Some([east_m, north_m]) = craft.at.filter(|_| craft.airborne && !craft.lost) else {
+        let Some([east_m, north_m]) = craft.at.filter(|_| craft.under_way && !craft.lost) else {
             return false;
         };
         let level_m = maths::hypot(east_m - self.at[0], north_m - self.at[1]);

@@ -46,7 +46,10 @@ pub(super) fn arm_or_disarm(
         return MavResult::MAV_RESULT_UNSUPPORTED;
     }
     let forced = (command.p[1] - FORCE).abs() < 0.5;
-    let allowed = forced || autopilot.vehicle.safety.landed || !autopilot.vehicle.safety.armed;
+    let safety = &autopilot.vehicle.safety;
+    // A rover is disarmed wherever it is.
+    let drives = autopilot.vehicle.kind.chassis().is_some();
+    let allowed = forced || safety.landed || !safety.armed || drives;
     if allowed {
         autopilot.disarm();
     }

@@ -95,6 +95,19 @@ fn a_rover_drives_to_a_place_and_stops_there() {
 }
 
 #[test]
+fn a_rover_is_disarmed_on_its_way_too() {
+    for chassis in ALL {
+        let mut ground = guided(chassis);
+        ground.goto([40.0, 10.0, 0.0]);
+        ground.run(4.0);
+        assert!(speed(&ground.truth()) > 0.5, "{chassis:?}");
+        let disarm = ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [0.0]);
+        assert_eq!(disarm, MavResult::MAV_RESULT_ACCEPTED, "{chassis:?}");
+        assert!(!ground.truth().armed);
+    }
+}
+
+#[test]
 fn a_velocity_ends_three_seconds_after_the_last_setpoint() {
     let mut ground = guided(Chassis::Ackermann);
     for _ in 0..100 {

@@ -45,7 +45,7 @@ impl Field {
         let is = |of: fn(&Craft) -> bool| PartValue::Bool(craft.is_some_and(of));
         let number = |value: Option<f64>| PartValue::Number(value.unwrap_or(f64::NAN));
         match self {
-            Self::Airborne => is(|craft| craft.airborne),
+            Self::Airborne => is(|craft| craft.under_way),
             Self::Armed => is(|craft| craft.armed),
             Self::Lost => is(|craft| craft.lost),
             Self::Heard => is(|craft| craft.heard),

@@ -32,12 +32,12 @@ fn crafts() -> Vec<Craft> {
         craft.at = Some(at);
         craft.height_m = height_m;
         craft.speed_m_s = speed_m_s;
-        craft.airborne = true;
+        craft.under_way = true;
         craft.battery_percent = Some(60.0);
         craft
     };
     let mut parked = craft(3, [0.0, -50.0], 0.0, 0.0);
-    parked.airborne = false;
+    parked.under_way = false;
     vec![
         craft(1, [3.0, 4.0], 12.0, 5.0),
         craft(2, [100.0, 0.0], 30.0, 0.2),
