@@ -144,12 +144,12 @@ impl BoardColumn {
     const NARROW: &[(Self, usize)] = &[
         (Self::Seat, 10),
         (Self::State, 16),
-        (Self::Mission, 8),
+        (Self::Mission, 11),
         (Self::Clock, 5),
         (Self::Score, 5),
         (Self::Objectives, 4),
         (Self::Air, 4),
-        (Self::Command, 17),
+        (Self::Command, 13),
     ];
     const WIDE: &[(Self, usize)] = &[
         (Self::Seat, 14),
