@@ -25,6 +25,7 @@ mod panel;
 mod picture;
 mod screen;
 mod theme;
+mod underline;
 mod widget;
 mod window;
 
@@ -37,6 +38,7 @@ pub use window::window_title;
 /// Draws the whole console, with only the characters that the terminal supports.
 pub fn draw(state: &State, look: &Look, frame: &mut Frame<'_>) {
     draw_all(state, look, frame);
+    underline::keep_below_words(frame.buffer_mut());
     if look.symbols == Symbols::Ascii {
         ascii::map(frame.buffer_mut());
     }

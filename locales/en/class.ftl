@@ -29,7 +29,7 @@ class-title = class { $class }: { $here } of { $count } { $count ->
         [0] {""}
        *[other] , { $marked } marked
     }
-class-empty = No trainee has joined yet. They join with `sortie --class NAME`.
+class-empty = No trainee has joined yet. They join with `sortie --class { $class }`.
 class-column-seat = seat
 class-column-state = state
 class-column-mission = mission
@@ -75,6 +75,7 @@ class-armed-inject = armed: { $name } when { $when }
 class-injects-title = { $seat }: injects
 class-inject = { $name }: { $title }
 class-no-injects = the mission permits no injects
+class-no-mission = no mission is being flown: injects belong to missions
 
 class-watch-title = screen of { $seat }
 class-watch-none = waiting for the first picture
@@ -129,7 +130,7 @@ header-watched-short = desk
 header-screen-watched = { $instructor } watches this screen
 header-screen-watched-short = watched
 header-frozen = FROZEN
-class-none = no class is configured: start the console with `--class NAME`
+class-none = no class is configured: start the console with `--class` and the name of the class
 class-waits = waiting for the desk of the class
 class-ask = Join the class of { $instructor }?
 class-ask-reason = the instructor sees your flight and your screen, and can freeze and end the flight

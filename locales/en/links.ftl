@@ -7,6 +7,7 @@ links-in = in B/s
 links-out = out B/s
 links-lost = lost
 links-state = state
+links-check = check
 links-error = error
 links-up = up
 links-silent = no data

@@ -72,6 +72,7 @@ vehicle-throttle = throttle
 
 vehicle-estimate = GPS, EKF, vibration
 vehicle-gps = { $fix } { $satellites } sat HDOP { $hdop }
+vehicle-gps-unfixed = { $fix } { $satellites } sat
 vehicle-gps-error = GPS error
 vehicle-ekf-position = position known
 vehicle-ekf-lost = no position
@@ -106,6 +107,7 @@ vehicle-texts = status texts
 
 vehicle-sensors = sensors and functions
 sensor-good = ok
+sensor-poor = poor
 sensor-bad = BAD
 sensor-off = off
 sensor-gyro = gyroscope

@@ -120,7 +120,7 @@ measure-spare = spare lift
 
 workshop-parts = parts
 workshop-figures = figures
-workshop-findings = problems
+workshop-findings = problems as built
 workshop-none = none: it can fly
 workshop-polar = power by speed
 workshop-slot = unknown slot `{ $slot }`; slots: { $known }

@@ -29,7 +29,7 @@ class-title = клас { $class }: на зв'язку { $here } із { $count } 
         [0] {""}
        *[other] , позначено { $marked }
     }
-class-empty = Ще ніхто не приєднався. Для цього є `sortie --class НАЗВА`.
+class-empty = Ще ніхто не приєднався. Для цього є `sortie --class { $class }`.
 class-column-seat = місце
 class-column-state = стан
 class-column-mission = завдання
@@ -76,6 +76,7 @@ class-armed-inject = підготовлено: { $name } за умови { $when
 class-injects-title = { $seat }: події
 class-inject = { $name }: { $title }
 class-no-injects = завдання не дозволяє вводити події
+class-no-mission = завдання не виконують: події бувають лише в завданнях
 
 class-watch-title = екран: { $seat }
 class-watch-none = очікується перше зображення
@@ -130,7 +131,7 @@ header-watched-short = пульт
 header-screen-watched = { $instructor } бачить цей екран
 header-screen-watched-short = екран видно
 header-frozen = ЧАС ЗУПИНЕНО
-class-none = клас не налаштовано: запустіть консоль із `--class НАЗВА`
+class-none = клас не налаштовано: запустіть консоль із `--class` та назвою класу
 class-waits = очікується пульт класу
 class-ask = Приєднатися до класу, який веде { $instructor }?
 class-ask-reason = інструктор бачитиме ваш політ і ваш екран і зможе зупинити час польоту або завершити його

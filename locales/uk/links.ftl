@@ -7,6 +7,7 @@ links-in = прийом B/s
 links-out = перед. B/s
 links-lost = втрат
 links-state = стан
+links-check = огляд
 links-error = помилка
 links-up = працює
 links-silent = без даних

@@ -72,6 +72,7 @@ vehicle-throttle = газ
 
 vehicle-estimate = GPS, EKF, вібрація
 vehicle-gps = { $fix } { $satellites }  HDOP { $hdop }
+vehicle-gps-unfixed = { $fix }, видно { $satellites }
 vehicle-gps-error = похибка GPS
 vehicle-ekf-position = позиція відома
 vehicle-ekf-lost = позиція невідома
@@ -106,6 +107,7 @@ vehicle-texts = повідомлення апарата
 
 vehicle-sensors = датчики та функції
 sensor-good = норма
+sensor-poor = слаб.
 sensor-bad = ЗБІЙ
 sensor-off = вимк.
 sensor-gyro = гіроскоп

@@ -120,7 +120,7 @@ measure-spare = запас підйому
 
 workshop-parts = деталі
 workshop-figures = показники
-workshop-findings = вади
+workshop-findings = вади складеного дрона
 workshop-none = немає: літатиме
 workshop-polar = потужність залежно від швидкості
 workshop-slot = невідоме місце `{ $slot }`; місця: { $known }

@@ -330,6 +330,7 @@ pub struct Started {
     pub processes: Option<usize>,
     /// The speed-up of simulated time over the wall clock.
     pub speedup: f64,
-    /// Whether the user restarted the previous session; if so, a mission begins without its brief.
+    /// Whether the user restarted the previous session; if so, a mission begins without its brief, except from the
+    /// debrief.
     pub is_again: bool,
 }

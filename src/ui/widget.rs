@@ -106,9 +106,9 @@ pub fn alert_role(severity: Severity) -> Role {
 /// A medal as stars: three for gold.
 pub fn stars(medal: Option<Medal>) -> &'static str {
     match medal {
-        Some(Medal::Gold) => "***",
-        Some(Medal::Silver) => "**",
-        Some(Medal::Bronze) => "*",
+        Some(Medal::Gold) => "★★★",
+        Some(Medal::Silver) => "★★",
+        Some(Medal::Bronze) => "★",
         None => "",
     }
 }

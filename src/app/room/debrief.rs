@@ -227,17 +227,17 @@ impl State {
 
 const HINTS: &[KeyHint] = &[
     footer_keys::SCROLL,
-    hint(&[Action::Debrief(DebriefAction::TruthMap)], "hint-truth"),
-    hint(&[Action::Replay(ReplayAction::ReviewNewest)], "hint-review"),
-    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
-    hint(&[Action::Again], "hint-new-try"),
-    hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
-    hint(&[Action::Leave], "hint-home"),
     hint(
         &[Action::Debrief(DebriefAction::NextSection)],
         "hint-section",
     ),
+    hint(&[Action::Debrief(DebriefAction::TruthMap)], "hint-truth"),
+    hint(&[Action::Again], "hint-new-try"),
     hint(&[Action::AgainAlike], "hint-alike"),
+    hint(&[Action::Debrief(DebriefAction::NextMission)], "hint-next"),
+    hint(&[Action::Replay(ReplayAction::ReviewNewest)], "hint-review"),
+    hint(&[Action::Replay(ReplayAction::ReplayNewest)], "hint-replay"),
+    hint(&[Action::Leave], "hint-home"),
     hint(&[Action::Start(StartAction::Drill)], "hint-drill"),
     footer_keys::COMMAND,
     footer_keys::HELP,

@@ -35,7 +35,9 @@ fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
         None => state.clock,
     };
     let mut session = session(state, started);
-    session.first_room = first_room(&session, is_again, replay.as_ref());
+    // A debrief has been read in the meantime: a flight from there begins with its brief, like a chosen one.
+    let is_at_once = replay.is_some() || is_again && !is_from_debrief;
+    session.first_room = first_room(&session, is_at_once, replay.as_ref());
     if session.first_room == Room::Mission {
         session.timing.flow = TimeFlow::AwaitsReader;
     }
@@ -82,11 +84,11 @@ fn session(state: &State, started: Started) -> FlightView {
 }
 
 /// The first room of a session: the review if the recording was opened for it, the brief of a
-/// mission that was not restarted, otherwise the flight.
-fn first_room(session: &FlightView, is_again: bool, replay: Option<&ReplayView>) -> Room {
+/// mission that does not begin at once, otherwise the flight.
+fn first_room(session: &FlightView, is_at_once: bool, replay: Option<&ReplayView>) -> Room {
     if replay.is_some_and(|it| it.is_review) {
         Room::Review
-    } else if session.task.listing.is_some() && !is_again {
+    } else if session.task.listing.is_some() && !is_at_once {
         Room::Mission
     } else {
         Room::Fly

@@ -19,6 +19,8 @@ use crate::ui::widget::{aligned, below, put, row_of, short_clock, width, wrap};
 mod detail;
 mod watch;
 
+/// The columns before the first column of the board: the cursor, the mark and a blank.
+const MARKS: usize = 3;
 /// The least height of the part about one seat.
 const DETAIL: u16 = 6;
 /// The width from which all columns fit.
@@ -84,7 +86,7 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
     put(buffer, inner, 0, &heading(&columns, panel));
     let inner = below(inner, 1);
     if board.is_empty() {
-        let text = panel.say("class-empty");
+        let text = panel.text(&text!("class-empty", class = desk.class().as_str()));
         for (row, line) in (0..).zip(wrap(&text, usize::from(inner.width))) {
             put(
                 buffer,
@@ -109,8 +111,11 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
             now: state.wall(),
             look: panel.look,
         };
-        let mark = if room.is_marked(seat) { "*" } else { " " };
-        put(buffer, place, 0, &view.line(&columns, mark));
+        let marks = [
+            if Some(at) == cursor { ">" } else { " " },
+            if room.is_marked(seat) { "*" } else { " " },
+        ];
+        put(buffer, place, 0, &view.line(&columns, marks));
         if Some(at) == cursor {
             panel.at(place).mark_cursor(buffer);
         }
@@ -139,12 +144,12 @@ impl BoardColumn {
     const NARROW: &[(Self, usize)] = &[
         (Self::Seat, 10),
         (Self::State, 16),
-        (Self::Mission, 8),
+        (Self::Mission, 11),
         (Self::Clock, 5),
         (Self::Score, 5),
         (Self::Objectives, 4),
         (Self::Air, 4),
-        (Self::Command, 17),
+        (Self::Command, 13),
     ];
     const WIDE: &[(Self, usize)] = &[
         (Self::Seat, 14),
@@ -171,7 +176,7 @@ impl BoardColumn {
         let mut fitting = known.to_vec();
         let used: usize = known.iter().map(|(_, width)| width + 1).sum();
         if let Some((_, last)) = fitting.last_mut() {
-            *last += usize::from(columns).saturating_sub(used + 2);
+            *last += usize::from(columns).saturating_sub(used + MARKS);
         }
         fitting
     }
@@ -207,7 +212,7 @@ fn heading(columns: &[(BoardColumn, usize)], panel: Panel<'_>) -> Line<'static> 
         let title = panel.say(column.title());
         aligned(&title, width, column.is_right()) + " "
     });
-    let text = format!("  {}", titles.collect::<String>());
+    let text = format!("   {}", titles.collect::<String>());
     Line::styled(text, panel.style(Role::Muted))
 }
 
@@ -219,16 +224,16 @@ struct SeatLineView<'a> {
 }
 
 impl SeatLineView<'_> {
-    fn line(&self, columns: &[(BoardColumn, usize)], mark: &str) -> Line<'static> {
+    fn line(&self, columns: &[(BoardColumn, usize)], [cursor, mark]: [&str; 2]) -> Line<'static> {
         let base = if self.seat.is_here() {
             Role::Text
         } else {
             Role::Muted
         };
-        let mut line = Line::from(Span::styled(
-            format!("{mark} "),
-            self.look.style(Role::Selected),
-        ));
+        let mut line = Line::from(vec![
+            Span::raw(cursor.to_owned()),
+            Span::styled(format!("{mark} "), self.look.style(Role::Selected)),
+        ]);
         for &(column, columns) in columns {
             let (text, role) = match column {
                 BoardColumn::State => self.state(),
@@ -295,7 +300,7 @@ impl SeatLineView<'_> {
         match column {
             BoardColumn::Seat | BoardColumn::State => String::new(),
             BoardColumn::Mission => match &flight.mission {
-                Some(mission) => mission.to_string(),
+                Some(mission) => short_mission(mission.as_str(), columns),
                 None => self.look.say("class-free"),
             },
             BoardColumn::Clock => short_clock(seconds(flight.clock_s)),
@@ -325,6 +330,15 @@ impl SeatLineView<'_> {
         let name = self.seat.name.clone();
         both.filter(|both| width(both) <= columns).unwrap_or(name)
     }
+}
+
+/// As many of a mission's words as fit, such as `14-combined` of `14-combined-final`: its number comes first.
+fn short_mission(mission: &str, columns: usize) -> String {
+    let ends = mission.rmatch_indices('-').map(|(at, _)| at);
+    let words = [mission.len()].into_iter().chain(ends);
+    let mut words = words.map(|end| &mission[..end]);
+    let fitting = words.find(|words| !words.is_empty() && width(words) <= columns);
+    fitting.unwrap_or(mission).to_owned()
 }
 
 /// The newest command with its age; the command is cut, and the age is not.
@@ -372,5 +386,23 @@ fn age(age_s: f64) -> String {
         format!("{seconds} s")
     } else {
         format!("{}:{:02}", seconds / 60, seconds % 60)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short_mission;
+
+    #[test]
+    fn a_mission_is_cut_between_its_words() {
+        for (mission, columns, shown) in [
+            ("14-combined-final", 20, "14-combined-final"),
+            ("14-combined-final", 13, "14-combined"),
+            ("08-fire-watch", 8, "08-fire"),
+            ("10-radiation-source", 8, "10"),
+            ("training", 4, "training"),
+        ] {
+            assert_eq!(short_mission(mission, columns), shown);
+        }
     }
 }

@@ -23,7 +23,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     let beside = debrief.is_beside(panel.area.width);
     if beside {
-        let truth = columns(panel.area, TEXT_WIDTH + 1, panel.area.width);
+        // The scroll marks of the text stand in the gap, apart from the map's legend.
+        let truth = columns(panel.area, TEXT_WIDTH + 2, panel.area.width);
         draw_truth(&debrief.report().truth, panel.at(truth), buffer);
     } else if debrief.shows_map() {
         return draw_truth(&debrief.report().truth, panel, buffer);

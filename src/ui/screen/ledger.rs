@@ -11,8 +11,10 @@ use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::ledger::{entry_role, none, summary};
-use crate::ui::widget::{aligned, below, clip, clock, put, row_of, row_role, wrap};
+use crate::ui::widget::ledger::{none, summary, summary_spans};
+use crate::ui::widget::{
+    aligned, below, clip, clock, put, row_of, row_role, width as width_of, wrap,
+};
 use crate::vehicle_id::{parse_ranges, ranges};
 
 /// The minimum width for showing the rows of a command beside the list.
@@ -63,7 +65,8 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.focused(&title(state, panel.look), !is_opened, buffer);
     // The last column is for the marks of a list that continues.
     let width = usize::from(inner.width).saturating_sub(1);
-    put(buffer, inner, 0, &headings(panel.look, width));
+    let columns = ledger_columns(state, width, panel.look);
+    put(buffer, inner, 0, &headings(panel.look, columns));
     let list = below(inner, 1);
     if room.shown().is_empty() {
         let nothing = if state.session().ledger().newest_first().next().is_none() {
@@ -85,9 +88,11 @@ fn draw_list(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     for (row, (at, &key)) in seen.enumerate() {
         let is_chosen = at == place;
         let line = match state.session().ledger().item(key) {
-            Some(LedgerItem::Own(entry)) => entry_line(entry, state, is_chosen, width, panel.look),
+            Some(LedgerItem::Own(entry)) => {
+                entry_line(entry, state, is_chosen, columns, panel.look)
+            }
             Some(LedgerItem::Foreign(command)) => {
-                foreign_line(command, state, is_chosen, width, panel.look)
+                foreign_line(command, state, is_chosen, columns, panel.look)
             }
             None => continue,
         };
@@ -136,15 +141,39 @@ fn title(state: &State, look: &Look) -> String {
 }
 
 /// The widths of a command and of its outcome, in columns.
-fn split(width: usize) -> (usize, usize) {
-    let fixed = 2 + TIME_WIDTH + COUNT_WIDTH + ANSWER_WIDTH + TRIES_WIDTH + 2;
-    let free = width.saturating_sub(fixed);
-    let outcome = (free / 2).max(OUTCOME_LEAST).min(free);
-    (free - outcome, outcome)
+#[derive(Clone, Copy)]
+struct LedgerColumns {
+    line: usize,
+    outcome: usize,
 }
 
-fn headings(look: &Look, width: usize) -> Line<'static> {
-    let (line, outcome) = split(width);
+impl LedgerColumns {
+    /// The widths if the longest outcome has `longest` columns.
+    fn new(width: usize, longest: usize) -> Self {
+        let fixed = 2 + TIME_WIDTH + COUNT_WIDTH + ANSWER_WIDTH + TRIES_WIDTH + 2;
+        let free = width.saturating_sub(fixed);
+        // Up to three fifths for outcomes, so that enough of the commands is left.
+        let wanted = (longest + 1).min(free * 3 / 5);
+        let outcome = (free / 2).max(OUTCOME_LEAST).max(wanted).min(free);
+        Self {
+            line: free - outcome,
+            outcome,
+        }
+    }
+}
+
+/// The widths for the commands in the list.
+fn ledger_columns(state: &State, width: usize, look: &Look) -> LedgerColumns {
+    let keys = state.rooms().ledger().shown().iter();
+    let outcomes = keys.filter_map(|&key| match state.session().ledger().item(key)? {
+        LedgerItem::Own(entry) => Some(width_of(&summary(entry, look, false))),
+        LedgerItem::Foreign(_) => None,
+    });
+    LedgerColumns::new(width, outcomes.max().unwrap_or(0))
+}
+
+fn headings(look: &Look, columns: LedgerColumns) -> Line<'static> {
+    let LedgerColumns { line, outcome } = columns;
     let text = format!(
         "  {}{} {}{} {}{}",
         aligned(&look.say("commands-time"), TIME_WIDTH, false),
@@ -165,10 +194,13 @@ fn entry_line(
     entry: &LedgerEntry,
     state: &State,
     under_cursor: bool,
-    width: usize,
+    columns: LedgerColumns,
     look: &Look,
 ) -> Line<'static> {
-    let (line, outcome) = split(width);
+    let LedgerColumns {
+        line: line_width,
+        outcome,
+    } = columns;
     let muted = look.style(Role::Muted);
     let mark = if under_cursor { "> " } else { "  " };
     let time = clock(state.session().time(entry.at));
@@ -176,21 +208,22 @@ fn entry_line(
     let answer = slowest.map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
     let tries = entry.rows.iter().map(|row| row.tries).max().unwrap_or(0);
     let count = entry.rows.len().to_string();
-    Line::from(vec![
+    let said = summary_spans(entry, look, outcome.saturating_sub(1));
+    // Blanks without the outcome's style: reversed, they would make the whole column a block.
+    let used: usize = said.iter().map(Span::width).sum();
+    let blanks = " ".repeat(outcome.saturating_sub(1 + used));
+    let mut line = Line::from(vec![
         Span::raw(mark),
         Span::styled(aligned(&time, TIME_WIDTH, false), muted),
-        Span::raw(aligned(&entry.line, line, false)),
+        Span::raw(aligned(&entry.line, line_width, false)),
         Span::styled(format!(" {}", aligned(&count, COUNT_WIDTH, true)), muted),
         Span::styled(aligned(&answer, ANSWER_WIDTH, true), muted),
-        Span::styled(
-            format!(
-                " {}",
-                aligned(&format!(" {}", summary(entry, look, false)), outcome, false)
-            ),
-            look.style(entry_role(entry)),
-        ),
-        Span::styled(aligned(&tries.to_string(), TRIES_WIDTH, true), muted),
-    ])
+        Span::raw("  "),
+    ]);
+    line.extend(said);
+    let tries = aligned(&tries.to_string(), TRIES_WIDTH, true);
+    line.extend([Span::raw(blanks), Span::styled(tries, muted)]);
+    line
 }
 
 /// A command of another station: its line begins with the station, and is drawn in the colour of
@@ -199,14 +232,14 @@ fn foreign_line(
     command: &ForeignCommand,
     state: &State,
     under_cursor: bool,
-    width: usize,
+    columns: LedgerColumns,
     look: &Look,
 ) -> Line<'static> {
-    let (line, outcome) = split(width);
+    let LedgerColumns { line, outcome } = columns;
     let muted = look.style(Role::Muted);
     let mark = if under_cursor { "> " } else { "  " };
     let time = clock(state.session().time(command.at));
-    let told = format!(" {}", look.text(&command.outcome()));
+    let told = look.text(&command.outcome());
     // It has one vehicle, which its line names, and no measured answer.
     let wide = line + 1 + COUNT_WIDTH + ANSWER_WIDTH;
     Line::from(vec![
@@ -216,8 +249,9 @@ fn foreign_line(
             aligned(&look.text(&command.line()), wide, false),
             look.style(Role::Accent),
         ),
+        Span::raw("  "),
         Span::styled(
-            format!(" {}", aligned(&told, outcome + TRIES_WIDTH, false)),
+            clip(&told, outcome + TRIES_WIDTH - 1),
             look.style(row_role(command.state)),
         ),
     ])
@@ -291,11 +325,13 @@ fn row_lines(
     let answer = row
         .answered_after
         .map_or("-".to_owned(), |time| seconds(time.as_secs_f64()));
-    let state = aligned(&look.text(&entry.state_of(row)), STATE_WIDTH, false);
+    let state = clip(&look.text(&entry.state_of(row)), STATE_WIDTH);
+    let blanks = " ".repeat(STATE_WIDTH.saturating_sub(width_of(&state)));
     let tries = text!("commands-sent-times", count = row.tries);
     let head = Line::from(vec![
         Span::raw(format!("{:>5}  ", row.vehicle)),
         Span::styled(state, look.style(row_role(row.state))),
+        Span::raw(blanks),
         Span::styled(aligned(&answer, ANSWER_WIDTH, true), muted),
         Span::styled(
             format!("  {}", aligned(&look.text(&tries), 10, false)),

@@ -73,13 +73,14 @@ fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer
     let inner = panel.focused(&title, true, buffer);
     let name_width = usize::from(inner.width).saturating_sub(46);
     let head = format!(
-        "{:>3} {:name_width$} {:>8} {:>8} {:>6}  {}",
+        "{:>3} {:name_width$} {:>8} {:>8} {:>6}  {:9} {}",
         "#",
         panel.say("links-address"),
         panel.say("links-in"),
         panel.say("links-out"),
         panel.say("links-lost"),
-        panel.say("links-state")
+        panel.say("links-state"),
+        panel.say("links-check")
     );
     put(
         buffer,

@@ -13,12 +13,16 @@ use crate::ui::theme::Role;
 use crate::ui::widget::map::{
     draw as draw_map, draw_cursor, draw_legend, length, next_place, stamp,
 };
-use crate::ui::widget::{below, clip_rows, columns, mission, put, row_of, upper, urgent, wrap};
+use crate::ui::widget::{
+    below, clip_rows, columns, mission, put, row_of, upper, urgent, width as width_of, wrap,
+};
 
 const LESSON_ROWS: usize = 3;
 /// The width of the north mark with a gap, in columns.
 const NORTH_MARK: u16 = 4;
 const SCALE_ROWS: u16 = 2;
+/// The free columns after the text of the task.
+const TASK_GAP: u16 = 3;
 
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let map = state.rooms().map();
@@ -84,8 +88,9 @@ fn draw_task(state: &State, view: &Viewport, panel: Panel<'_>, buffer: &mut Buff
     };
     for (row, line) in (first..).zip(&lines) {
         let here = room.at(row_of(room.area, row));
-        // Lines and names of the map would look like a part of the text.
-        here.clear(buffer);
+        // Lines and names of the map would look like a part of the text; beside it, they stay.
+        let written = here.columns(0, width_of(line) as u16 + TASK_GAP);
+        written.clear(buffer);
         stamp(line, panel.style(role), here, buffer);
     }
 }

@@ -23,6 +23,9 @@ mod remarks;
 
 use remarks::{explanations, outcome};
 
+#[cfg(test)]
+mod tests;
+
 const INDENT: usize = 2;
 
 /// Draws the newest entries that fit.
@@ -159,14 +162,24 @@ fn head_lines<'a>(
     let room = width.saturating_sub(time.width());
     let free = room.saturating_sub(Span::raw(&entry.line).width() + 2);
     let outcome = outcome(entry, look);
+    let is_told = outcome.is_some();
     let short = outcome
         .clone()
         .unwrap_or_else(|| summary(entry, look, false));
     let long = outcome.unwrap_or_else(|| summary(entry, look, true));
     let mut fitting = [long, short.clone()].into_iter();
     if let Some(text) = fitting.find(|text| text.chars().count() <= free) {
-        let line = Span::raw(format!("{}  ", entry.line));
-        return vec![Line::from(vec![time, line, Span::styled(text, style)])];
+        let mut line = Line::from(vec![time, Span::raw(format!("{}  ", entry.line))]);
+        if is_told {
+            line.push_span(Span::styled(text, style));
+        } else {
+            // The count of all vehicles before their states.
+            let states = summary(entry, look, false);
+            let count = text.strip_suffix(&states).unwrap_or_default().to_owned();
+            line.push_span(Span::styled(count, look.style(Role::Muted)));
+            line.extend(summary_spans(entry, look, free));
+        }
+        return vec![line];
     }
     let mut lines = vec![Line::from(vec![time, Span::raw(clip(&entry.line, room))])];
     let wrapped = wrap(&short, width.saturating_sub(INDENT));
@@ -203,13 +216,22 @@ fn indented<'a>(text: &str, style: Style) -> Line<'a> {
     Line::styled(format!("{:INDENT$}{text}", ""), style)
 }
 
-/// The number of vehicles in each state, as text.
-pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
+/// A state, with the number of vehicles in it if there are several.
+struct StateCount {
+    text: Text,
+    role: Role,
+}
+
+/// The states of a command's vehicles.
+fn states(entry: &LedgerEntry) -> Vec<StateCount> {
     if let [row] = entry.rows.as_slice() {
-        return look.text(&entry.state_of(row));
+        return vec![StateCount {
+            text: entry.state_of(row),
+            role: entry_role(entry),
+        }];
     }
     // The progress of each vehicle in percent would be too much here.
-    let mut counts: BTreeMap<(u8, bool), (Text, usize)> = BTreeMap::new();
+    let mut counts: BTreeMap<(u8, bool), (Text, Role, usize)> = BTreeMap::new();
     for row in &entry.rows {
         let name = if row.state.is_final() {
             entry.state_of(row)
@@ -222,13 +244,47 @@ pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
             state => state,
         };
         let at = (order(state), row.is_over());
-        let (_, count) = counts.entry(at).or_insert((name, 0));
+        let role = if row.is_over() {
+            Role::Muted
+        } else {
+            row_role(row.state)
+        };
+        let (_, _, count) = counts.entry(at).or_insert((name, role, 0));
         *count += 1;
     }
-    let parts: Vec<Text> = counts
-        .into_values()
-        .map(|(state, count)| text!("state-count", count = count, state = state))
-        .collect();
+    let counted = counts.into_values().map(|(state, role, count)| StateCount {
+        text: text!("state-count", count = count, state = state),
+        role,
+    });
+    counted.collect()
+}
+
+/// The number of vehicles in each state, each in its own role, within a width.
+pub fn summary_spans(entry: &LedgerEntry, look: &Look, room: usize) -> Vec<Span<'static>> {
+    let mut spans = Vec::new();
+    let mut left = room;
+    let mut push = |text: &str, role| {
+        let text = clip(text, left);
+        left -= text.width();
+        spans.push(Span::styled(text, look.style(role)));
+    };
+    for (at, state) in states(entry).iter().enumerate() {
+        if at > 0 {
+            push(", ", Role::Muted);
+        }
+        push(&look.text(&state.text), state.role);
+    }
+    spans
+}
+
+/// The number of vehicles in each state, as text.
+pub fn summary(entry: &LedgerEntry, look: &Look, with_count: bool) -> String {
+    let parts: Vec<Text> = states(entry).into_iter().map(|it| it.text).collect();
+    if let [only] = parts.as_slice()
+        && entry.rows.len() == 1
+    {
+        return look.text(only);
+    }
     let states = Text::joined(", ", parts);
     look.text(&if with_count {
         text!(
@@ -280,127 +336,4 @@ pub fn entry_role(entry: &LedgerEntry) -> Role {
             | RowState::Overtaken => 2,
         });
     worst.map_or(Role::Muted, row_role)
-}
-
-#[cfg(test)]
-mod tests {
-    use std::time::Duration;
-
-    use super::*;
-    use crate::language::verb;
-    use crate::ledger::{Given, Ledger, Risk, RowUpdate};
-    use crate::vehicle_id::VehicleId;
-
-    fn texts(lines: &[Line<'_>]) -> Vec<String> {
-        lines.iter().map(ToString::to_string).collect()
-    }
-
-    #[test]
-    fn sentences_that_differ_stand_below_each_other_and_values_on_one_line() {
-        let look = Look::default();
-        let told = |remarks: [&str; 2]| {
-            let mut ledger = Ledger::new();
-            let given = Given {
-                line: "all drop",
-                verb: verb("drop").expect("a verb"),
-                risk: Risk::None,
-            };
-            let id = ledger.open(Duration::ZERO, given, &[1, 2]);
-            for (vehicle, remark) in (1..).zip(remarks) {
-                ledger.apply(&RowUpdate {
-                    entry: id,
-                    vehicle,
-                    state: RowState::Done,
-                    tries: 1,
-                    at: Duration::ZERO,
-                    explanation: Some(Text::verbatim(remark)),
-                });
-            }
-            let entry = ledger.entries().next().expect("it was opened");
-            outcome(entry, &look)
-        };
-        assert_eq!(told(["= 500", "= 700"]).as_deref(), Some("1: 500   2: 700"));
-        let sentences = [
-            "a person 2 m away has it; 1 left",
-            "no one within 8 m; 1 left",
-        ];
-        assert_eq!(told(sentences), None);
-    }
-
-    /// A ledger with one command, done for both its vehicles; for the first `ended` of them, its
-    /// effect is over.
-    fn done_and_ended(line: &str, ended: VehicleId) -> Ledger {
-        let mut ledger = Ledger::new();
-        let given = Given {
-            line,
-            verb: verb("arm").expect("a verb"),
-            risk: Risk::None,
-        };
-        let entry = ledger.open(Duration::ZERO, given, &[1, 2]);
-        let mut report = |vehicle, state, explanation| {
-            ledger.apply(&RowUpdate {
-                entry,
-                vehicle,
-                state,
-                tries: 1,
-                at: Duration::ZERO,
-                explanation,
-            });
-        };
-        for vehicle in [1, 2] {
-            report(vehicle, RowState::Done, None);
-        }
-        for vehicle in 1..=ended {
-            let by = Some(Text::verbatim("disarming"));
-            report(vehicle, RowState::Overtaken, by);
-        }
-        ledger
-    }
-
-    #[test]
-    fn an_effect_that_has_ended_is_no_longer_shown_as_one() {
-        let look = Look::default();
-        for (ended, said, role) in [
-            (0, "2 effect seen", Role::Ok),
-            (1, "1 effect seen, 1 effect ended", Role::Ok),
-            (2, "2 effect ended", Role::Muted),
-        ] {
-            let ledger = done_and_ended("all arm", ended);
-            let entry = ledger.entries().next().expect("it was opened");
-            assert_eq!(summary(entry, &look, false), said);
-            assert_eq!(entry_role(entry), role, "{said}");
-        }
-    }
-
-    #[test]
-    fn on_a_single_row_the_state_of_a_command_is_not_cut() {
-        let look = Look::default();
-        let ledger = done_and_ended("all goto n 120.5 e -35.25 up 30 heading 270", 1);
-        let entry = ledger.entries().next().expect("it was opened");
-        let view = FlightView::default();
-        let line = short_line(entry, &view, 50, &look).to_string();
-        assert_eq!(line, "00:00 all goto n …  1 effect seen, 1 effect ended…");
-    }
-
-    #[test]
-    fn what_is_left_out_of_a_command_is_marked_in_the_last_line() {
-        let all = || {
-            vec![
-                Line::raw("00:01 2 mark"),
-                Line::raw("  refused, for it"),
-                Line::raw("  is late"),
-            ]
-        };
-        for (rows, width, last) in [
-            (3, 20, "  is late"),
-            (2, 20, "  refused, for it…"),
-            (2, 17, "  refused, for i…"),
-            (1, 20, "00:01 2 mark…"),
-        ] {
-            let mut lines = all();
-            cut(&mut lines, rows, width);
-            assert_eq!(lines.len(), rows);
-            assert_eq!(texts(&lines).pop().as_deref(), Some(last), "{rows} {width}");
-        }
-    }
 }

@@ -18,6 +18,8 @@ use crate::vehicle_id::ranges;
 
 /// The width of a severity, in columns.
 const SEVERITY_WIDTH: usize = 5;
+/// The maximum width of the vehicles before a text, in columns.
+const MOST_VEHICLES: usize = 12;
 /// The maximum number of lines of a notice that is not an error.
 const MOST_LINES: usize = 2;
 
@@ -89,7 +91,14 @@ pub fn lines<'a>(
     let notice = &line.notice;
     let vehicles = match ranges(line.vehicles.iter().copied()) {
         none if none.is_empty() => none,
-        some => format!("{}: ", clip(&some, 12)),
+        some => {
+            let vehicles = format!("{}: ", clip(&some, MOST_VEHICLES));
+            aligned(
+                &vehicles,
+                vehicles.len().max(vehicles_width(session)),
+                false,
+            )
+        }
     };
     let mut head = format!(
         "{} {} {vehicles}",
@@ -106,6 +115,12 @@ pub fn lines<'a>(
         ]));
     }
     lines
+}
+
+/// The width of all vehicles before a text, so that the texts of one and of all begin in the same column.
+fn vehicles_width(session: &FlightView) -> usize {
+    let all = ranges(session.vehicles().keys().copied());
+    all.len().min(MOST_VEHICLES) + 2
 }
 
 /// The text in at most this many lines, with its count.

@@ -144,5 +144,5 @@ fn without_a_desk_the_room_says_how_to_join() {
     let mut console = Console::new();
     console.press("K");
     let screen = console.screen(80, 24);
-    assert!(screen.contains("--class NAME"), "{screen}");
+    assert!(screen.contains("`--class` and the name"), "{screen}");
 }

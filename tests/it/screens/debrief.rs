@@ -1,11 +1,12 @@
 //! The room of the debrief: the truth on a map, earlier attempts, and its keys.
 
 use sortie::app::effect::{Effect, Launch, SessionEffect};
-use sortie::app::event::SessionEvent;
+use sortie::app::event::{SessionEvent, Started};
 use sortie::app::state::{Activity, Room};
 use sortie::campaign::Stake;
 use sortie::commands::FindKind;
 use sortie::config::Symbols;
+use sortie::mission::Mission;
 use sortie::scoring::{
     MarkReport, Medal, ObjectKind, ObjectReport, Report, SquareReport, TrackReport, TruthReport,
     TryReport,
@@ -270,6 +271,35 @@ fn keys_that_were_meant_for_the_flight_do_nothing_for_a_second() {
 }
 
 #[test]
+fn a_flight_from_the_debrief_begins_with_its_brief() {
+    let mission = include_str!("../../../missions/01-air-sample.toml");
+    let mission = Mission::parse(mission).expect("no faults");
+    let again = || {
+        SessionEvent::Started(Box::new(Started {
+            activity: Activity::Mission {
+                id: mission.id.clone(),
+                title: mission.title.clone(),
+                stake: Stake::Practice,
+            },
+            places: mission.places(),
+            areas: mission.areas(),
+            mission: Some(Box::new(mission.listing())),
+            processes: None,
+            speedup: 1.0,
+            is_again: true,
+        }))
+    };
+    let mut console = debriefed((80, 24));
+    console.hear(again());
+    assert_eq!(console.state().room(), Room::Mission);
+    assert!(console.screen(80, 24).contains("before takeoff"));
+    console.press("enter");
+    assert_eq!(console.state().room(), Room::Fly);
+    console.hear(again());
+    assert_eq!(console.state().room(), Room::Fly, "restarted in flight");
+}
+
+#[test]
 fn earlier_tries_are_in_the_debrief_in_the_brief_and_on_the_home_screen() {
     let mut console = debriefed((80, 24));
     assert!(shown(&console, Symbols::Ascii).contains("837 / 1000"));
@@ -277,7 +307,7 @@ fn earlier_tries_are_in_the_debrief_in_the_brief_and_on_the_home_screen() {
     let tries = console.state().training().tries("m01").to_vec();
     let mut console = Console::set_up(|setup| setup.tries = [("m01".to_owned(), tries)].into());
     let home = console.screen(80, 24);
-    assert!(home.contains(" 905 ***"), "{home}");
+    assert!(home.contains(" 905 ★★★"), "{home}");
     assert!(home.contains("Best so far: 905 points, gold."), "{home}");
     let brief = console.press("B").screen(80, 50);
     for line in [

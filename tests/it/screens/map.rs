@@ -123,20 +123,22 @@ fn the_room_of_the_map() {
     }
 }
 
-/// The fence once ran into the text.
+/// The fence once ran into the text, and was once hidden beside it.
 #[test]
-fn nothing_of_the_map_is_beside_the_next_objective() {
+fn the_fence_stays_apart_from_the_next_objective() {
+    let mut hides_fence = false;
     for size in [(80, 24), (200, 50)] {
         let console = resized(surveyed(), size);
         let text = drawn(&console, Symbols::Braille, Language::English, size);
         let row = text.lines().find_map(|row| row.strip_prefix("next: "));
         let row = row.expect("an objective");
         let before_north = row.split("N↑").next().unwrap_or_default();
-        assert_eq!(
-            before_north.trim(),
-            "Measure the air over the yard: 4/9 cells"
-        );
+        let beside = before_north.strip_prefix("Measure the air over the yard: 4/9 cells");
+        let beside = beside.expect("the objective");
+        assert!(beside.starts_with("   "), "{row}");
+        hides_fence |= beside.trim().is_empty();
     }
+    assert!(!hides_fence);
 }
 
 #[test]

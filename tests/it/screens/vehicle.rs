@@ -428,15 +428,15 @@ fn absurd_figures_stay_short() {
 
 /// `SYS_STATUS` calls a receiver without a fix healthy.
 #[test]
-fn a_healthy_receiver_without_a_fix_is_shown_as_both() {
+fn a_healthy_receiver_without_a_fix_is_shown_as_poor() {
     let mut vehicle = talkative(24.0);
     vehicle.gps.as_mut().expect("a report").fix = FixType::NoFix;
     if let Some(health) = &mut vehicle.health {
         health.healthy |= 1 << 5;
     }
     for (language, words) in [
-        (Language::English, "ok    GPS (no fix)"),
-        (Language::Ukrainian, "норма GPS (фікс: немає)"),
+        (Language::English, "poor  GPS (no fix)"),
+        (Language::Ukrainian, "слаб. GPS (фікс: немає)"),
     ] {
         let mut console = Console::flying(0);
         console.vehicle(vehicle.clone()).press("V");

@@ -36,7 +36,15 @@ pub fn draw_injects(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
     let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
     let offered = flight.map_or(&[][..], |it| &it.injects);
     let none = offered.is_empty();
-    let none = none.then(|| (text!("class-no-injects"), Role::Muted));
+    let in_mission = flight.is_some_and(|it| it.mission.is_some());
+    let why = || {
+        if in_mission {
+            text!("class-no-injects")
+        } else {
+            text!("class-no-mission")
+        }
+    };
+    let none = none.then(|| (why(), Role::Muted));
     let offered = offered.iter().map(|inject| {
         let (name, title) = (inject.name.as_str(), inject.title.as_str());
         (

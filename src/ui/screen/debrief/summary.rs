@@ -10,13 +10,13 @@ use ratatui::text::{Line, Span};
 use super::event_role;
 use crate::app::room::debrief::{Debrief, Summary};
 use crate::debrief::{self, StripCell, strip};
-use crate::scoring::{Medal, Report};
+use crate::scoring::Report;
 use crate::text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve};
 use crate::ui::widget::gauge::Gauge;
-use crate::ui::widget::{aligned, clip, clock, put, width};
+use crate::ui::widget::{aligned, clip, clock, put, stars, width};
 
 const PERFECT: f64 = 1000.0;
 /// The length of the score's bar, and of the bars of its components, in cells.
@@ -105,13 +105,11 @@ fn outcome(report: &Report, panel: Panel<'_>) -> Line<'static> {
     let badge = panel
         .style(role)
         .add_modifier(Modifier::BOLD | Modifier::REVERSED);
-    let (stars, medal) = match report.medal {
-        Some(medal) => (
-            shown_stars(medal),
-            panel.text(&medal.title()).to_uppercase(),
-        ),
-        None => ("", panel.say("debrief-no-medal")),
-    };
+    let stars = stars(report.medal);
+    let medal = report.medal.map_or_else(
+        || panel.say("debrief-no-medal"),
+        |medal| panel.text(&medal.title()).to_uppercase(),
+    );
     let gauge = Gauge {
         share: f64::from(report.score) / PERFECT,
         mark: None,
@@ -126,14 +124,6 @@ fn outcome(report: &Report, panel: Panel<'_>) -> Line<'static> {
     spans.extend(gauge.spans(SCORE_BAR, panel.look));
     spans.push(Span::styled(score, panel.style(Role::Title)));
     Line::from(spans)
-}
-
-fn shown_stars(medal: Medal) -> &'static str {
-    match medal {
-        Medal::Gold => "★★★",
-        Medal::Silver => "★★",
-        Medal::Bronze => "★",
-    }
 }
 
 /// A bar for each component with its share of the points.

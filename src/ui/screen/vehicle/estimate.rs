@@ -53,13 +53,21 @@ fn gps(subject: &VehicleSubject<'_>) -> [Line<'static>; 2] {
         let satellites = gps
             .satellites
             .map_or(UNKNOWN.to_owned(), |count| count.to_string());
-        let text = text!(
-            "vehicle-gps",
-            fix = gps.fix.text(),
-            satellites = satellites,
-            hdop = number(gps.hdop, 1)
-        );
-        look.text(&text)
+        // Without a fix there is no precision to speak of.
+        look.text(&if Grade::of_fix(gps.fix) == Grade::Good {
+            text!(
+                "vehicle-gps",
+                fix = gps.fix.text(),
+                satellites = satellites,
+                hdop = number(gps.hdop, 1)
+            )
+        } else {
+            text!(
+                "vehicle-gps-unfixed",
+                fix = gps.fix.text(),
+                satellites = satellites
+            )
+        })
     });
     let accuracy = vehicle.gps_accuracy;
     let error = accuracy.map_or(UNKNOWN.to_owned(), |accuracy| {

@@ -58,6 +58,8 @@ const NAMES: [&str; 31] = [
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Condition {
     Bad,
+    /// Healthy, but of little use now.
+    Poor,
     Good,
     Off,
 }
@@ -75,7 +77,8 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
         );
         return;
     };
-    let entries = fitted(&health);
+    let poor_fix = poor_fix(subject.vehicle);
+    let entries = fitted(&health, poor_fix);
     if entries.is_empty() {
         put(
             buffer,
@@ -88,15 +91,17 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
     let rows = usize::from(inner.height.max(1));
     let blocks = usize::from((inner.width / ENTRY).max(1));
     let width = usize::from(inner.width) / blocks;
+    let lines = entries.len().div_ceil(blocks);
+    Panel::new(look, inner).mark_scroll(0, lines, buffer);
     for (at, (condition, id)) in entries.into_iter().take(rows * blocks).enumerate() {
         let (word, role) = match condition {
             _ if subject.vehicle.link.lost => (look.say("vehicle-grade-old"), Role::Muted),
             Condition::Bad => (look.say("sensor-bad"), Role::Danger),
+            Condition::Poor => (look.say("sensor-poor"), Role::Warning),
             Condition::Good => (look.say("sensor-good"), Role::Ok),
             Condition::Off => (look.say("sensor-off"), Role::Muted),
         };
-        let poor_fix = poor_fix(subject.vehicle).filter(|_| id == GPS);
-        let (name, name_role) = match poor_fix {
+        let (name, name_role) = match poor_fix.filter(|_| id == GPS) {
             Some(fix) => (
                 look.text(&text!("sensor-gps-fix", fix = fix.text())),
                 Role::Warning,
@@ -113,14 +118,15 @@ pub(super) fn draw(subject: &VehicleSubject<'_>, area: Rect, buffer: &mut Buffer
     }
 }
 
-/// The fix of a receiver that has no good one. `SYS_STATUS` calls such a receiver healthy, so its fix is shown beside that.
+/// The fix of a receiver that has no good one. `SYS_STATUS` calls such a receiver healthy.
 fn poor_fix(vehicle: &Vehicle) -> Option<FixType> {
     let gps = vehicle.gps?;
     (Grade::of_fix(gps.fix) != Grade::Good).then_some(gps.fix)
 }
 
-/// The sensors that are fitted or in use, with their condition, most serious first.
-fn fitted(health: &Health) -> Vec<(Condition, &'static str)> {
+/// The sensors that are fitted or in use, with their condition, most serious first; the receiver's is
+/// poor with a poor fix.
+fn fitted(health: &Health, poor_fix: Option<FixType>) -> Vec<(Condition, &'static str)> {
     let mut entries: Vec<_> = NAMES
         .into_iter()
         .enumerate()
@@ -130,6 +136,7 @@ fn fitted(health: &Health) -> Vec<(Condition, &'static str)> {
                 return None;
             }
             let condition = match (health.enabled & bit != 0, health.healthy & bit != 0) {
+                (true, true) if id == GPS && poor_fix.is_some() => Condition::Poor,
                 (true, true) => Condition::Good,
                 (true, false) => Condition::Bad,
                 (false, _) => Condition::Off,
@@ -157,13 +164,28 @@ mod tests {
             at: Duration::ZERO,
         };
         assert_eq!(
-            fitted(&health),
+            fitted(&health, None),
             [
                 (Condition::Bad, "sensor-accelerometer"),
                 (Condition::Good, "sensor-gyro"),
                 (Condition::Good, "sensor-compass"),
                 (Condition::Off, "sensor-airspeed"),
             ]
+        );
+    }
+
+    #[test]
+    fn a_receiver_without_a_fix_is_not_called_well() {
+        let health = Health {
+            present: 0b10_0001,
+            enabled: 0b10_0001,
+            healthy: 0b10_0001,
+            load_percent: 0.0,
+            at: Duration::ZERO,
+        };
+        assert_eq!(
+            fitted(&health, Some(FixType::NoFix)),
+            [(Condition::Poor, GPS), (Condition::Good, "sensor-gyro")]
         );
     }
 }

@@ -166,10 +166,28 @@ fn faults_among(roles: &[Role], least: f64) -> Vec<String> {
 fn what_lies_on_a_map_and_the_drones_stay_apart_for_every_kind_of_colour_vision() {
     let faults = [
         faults_among(&MEANINGS, 12.0),
-        faults_among(&Role::DRONES, 12.0),
+        faults_among(&Role::DRONES, 19.0),
     ]
     .concat();
     assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn drones_stay_well_apart_from_one_another_and_from_armed_with_all_cones() {
+    let apart = |a, b| distance(&VISIONS[0].1, a, b);
+    for theme in themes() {
+        let name = theme.name();
+        let armed = colours(&theme, Role::Armed).1;
+        for (at, &drone) in Role::DRONES.iter().enumerate() {
+            let own = colours(&theme, drone).0;
+            let to_armed = apart(own, armed);
+            assert!(to_armed >= 30.0, "{name}: {drone:?} {to_armed:.1}");
+            for &other in &Role::DRONES[at + 1..] {
+                let between = apart(own, colours(&theme, other).0);
+                assert!(between >= 40.0, "{name}: {drone:?} {other:?} {between:.1}");
+            }
+        }
+    }
 }
 
 /// The minimum distance between a drone's colour and a colour with a meaning, with all cones: the

@@ -68,6 +68,23 @@ impl<'a> Board<'a> {
         fits && !self.taken[from..from + usize::from(width)].contains(&true)
     }
 
+    /// Writes a text after a sign if nothing follows it directly.
+    pub(super) fn write_apart(
+        &mut self,
+        sign: Range<u16>,
+        row: u16,
+        text: &str,
+        style: Style,
+    ) -> bool {
+        let (right, width) = (sign.end, text.len() as u16);
+        let gap = u16::from(right + width < self.panel.area.width);
+        let is_apart = self.is_free(right, row, width + gap);
+        if is_apart {
+            self.write(right, row, text, style);
+        }
+        is_apart
+    }
+
     /// Writes a text after a sign, or before it if nothing there could take it for its own.
     pub(super) fn write_beside(
         &mut self,

@@ -30,39 +30,59 @@ pub struct Canvas {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Stroke {
     pub role: Role,
-    /// The number of dots that are drawn before a gap.
-    pub on: u32,
-    pub of: u32,
+    /// The dots that are drawn, as the lowest bits, the first dot lowest.
+    pattern: u8,
+    /// The number of dots after which the pattern repeats.
+    of: u32,
 }
 
 impl Stroke {
     pub const fn solid(role: Role) -> Self {
-        Self { role, on: 1, of: 1 }
+        Self::of(role, 0b1, 1)
     }
 
     /// A line of dashes.
     pub const fn dashed(role: Role) -> Self {
-        Self { role, on: 3, of: 6 }
+        Self::of(role, 0b111, 6)
     }
 
     /// A line of long dashes with short gaps.
     pub const fn broken(role: Role) -> Self {
-        Self { role, on: 6, of: 8 }
+        Self::of(role, 0b11_1111, 8)
     }
 
     /// A line of dots close together.
     pub const fn dense(role: Role) -> Self {
-        Self { role, on: 1, of: 2 }
+        Self::of(role, 0b1, 2)
     }
 
     /// A line of dots.
     pub const fn dotted(role: Role) -> Self {
-        Self { role, on: 1, of: 3 }
+        Self::of(role, 0b1, 3)
     }
 
     /// A line of single dots far apart.
     pub const fn sparse(role: Role) -> Self {
-        Self { role, on: 1, of: 5 }
+        Self::of(role, 0b1, 5)
+    }
+
+    /// A line of dashes and dots in turn.
+    pub const fn dash_dot(role: Role) -> Self {
+        Self::of(role, 0b1_0111, 6)
+    }
+
+    const fn of(role: Role, pattern: u8, of: u32) -> Self {
+        Self { role, pattern, of }
+    }
+
+    /// Whether the line has a dot at this place.
+    const fn has_dot(self, at: u32) -> bool {
+        self.pattern >> (at % self.of) & 1 == 1
+    }
+
+    /// The same pattern in another role.
+    pub const fn with_role(self, role: Role) -> Self {
+        Self { role, ..self }
     }
 
     /// A few cells of a line with this stroke, for the legend.
@@ -96,7 +116,7 @@ impl Canvas {
         let steps = across.abs().max(down.abs()).ceil().max(1.0);
         let mut at = 0;
         while f64::from(at) <= steps {
-            if at / self.dots_seen % stroke.of < stroke.on {
+            if stroke.has_dot(at / self.dots_seen) {
                 self.dot(from.towards(to, f64::from(at) / steps), stroke.role);
             }
             at += 1;
@@ -244,19 +264,20 @@ mod tests {
             Stroke::dashed(Role::Text),
             Stroke::dotted(Role::Text),
             Stroke::dense(Role::Text),
+            Stroke::dash_dot(Role::Text),
         ];
         let samples = |symbols| strokes.map(|stroke| stroke.sample(symbols));
         assert_eq!(
             samples(Symbols::Braille),
-            ["⠤⠤⠤⠤⠤", "⠤⠄ ⠤⠄", "⠄⠠ ⠄⠠", "⠄⠄⠄⠄⠄"]
+            ["⠤⠤⠤⠤⠤", "⠤⠄ ⠤⠄", "⠄⠠ ⠄⠠", "⠄⠄⠄⠄⠄", "⠤⠄⠄⠤⠄"]
         );
         assert_eq!(
             samples(Symbols::Block),
-            ["▄▄▄▄▄", "▄▄▄  ", "▄  ▄ ", "▄ ▄ ▄"]
+            ["▄▄▄▄▄", "▄▄▄  ", "▄  ▄ ", "▄ ▄ ▄", "▄▄▄ ▄"]
         );
         assert_eq!(
             samples(Symbols::Ascii),
-            [".....", "...  ", ".  . ", ". . ."]
+            [".....", "...  ", ".  . ", ". . .", "... ."]
         );
     }
 

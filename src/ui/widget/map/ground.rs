@@ -33,7 +33,7 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
         SketchKind::Fence => Stroke::dashed(Role::Fence),
         SketchKind::KeepOut => Stroke::solid(Role::Danger),
         SketchKind::NoFly | SketchKind::Meeting => Stroke::dense(Role::Danger),
-        SketchKind::Jamming => Stroke::dashed(Role::Accent),
+        SketchKind::Jamming => Stroke::dash_dot(Role::Accent),
         SketchKind::People => Stroke::dotted(Role::Warning),
         SketchKind::Radio => Stroke::dotted(Role::Accent),
         SketchKind::Wire => WIRE,
@@ -47,9 +47,8 @@ pub const fn stroke(kind: SketchKind) -> Stroke {
 /// The stroke of a sketch: plans have the colours of their vehicles.
 pub fn stroke_of(sketch: &Sketch) -> Stroke {
     let usual = stroke(sketch.kind);
-    sketch.vehicle.map_or(usual, |vehicle| Stroke {
-        role: Badge::of_vehicle(vehicle).role,
-        ..usual
+    sketch.vehicle.map_or(usual, |vehicle| {
+        usual.with_role(Badge::of_vehicle(vehicle).role)
     })
 }
 

@@ -13,6 +13,9 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::put;
 
+#[cfg(test)]
+mod tests;
+
 /// A column and a row of the map.
 pub type MapCell = (u16, u16);
 
@@ -28,6 +31,8 @@ pub enum LabelKind {
     Signed,
     /// The sign and the name of a place: without room after the sign, the name is written elsewhere beside it.
     Place,
+    /// The name of a place apart from its sign.
+    Name,
     /// A number; next to another number, it would be read as part of that one.
     Number,
 }
@@ -49,7 +54,7 @@ impl Label {
     fn shorten(&mut self) -> bool {
         let sign = match self.kind {
             LabelKind::Signed | LabelKind::Place => self.text.chars().next(),
-            LabelKind::Word | LabelKind::Number => None,
+            LabelKind::Word | LabelKind::Name | LabelKind::Number => None,
         };
         self.text = sign.map(String::from).unwrap_or_default();
         sign.is_some()
@@ -69,7 +74,7 @@ impl Label {
         let spots = spots.into_iter().flatten().filter(|_| width > 0);
         let named = spots.map(|cell| Self {
             cell,
-            kind: LabelKind::Word,
+            kind: LabelKind::Name,
             text: name.to_owned(),
             role: self.role,
         });
@@ -199,10 +204,13 @@ pub fn part(panel: Panel<'_>, at: MapCell, buffer: &mut Buffer) {
 }
 
 /// The labels without those that would overlap another one: later labels take precedence. If there
-/// is no room for a name, only its sign stays. A name that would touch a vehicle is left out in the same way. The name of a place moves to the other sides of its sign first.
+/// is no room for a name, only its sign stays. A name that would touch a vehicle or the mark of another place is left
+/// out in the same way. The name of a place moves to the other sides of its sign first.
 fn readable(labels: Vec<Label>, vehicles: &[MapCell], size: GridSize) -> Vec<Label> {
+    let places = labels.iter().filter(|it| it.kind == LabelKind::Place);
     let mut board = LabelBoard {
         vehicles,
+        marks: places.map(|it| it.cell).collect(),
         size,
         taken: BTreeSet::new(),
         words: BTreeSet::new(),
@@ -219,6 +227,8 @@ fn readable(labels: Vec<Label>, vehicles: &[MapCell], size: GridSize) -> Vec<Lab
 /// The labels that can be read, and the cells that they cover.
 struct LabelBoard<'a> {
     vehicles: &'a [MapCell],
+    /// The cells of the marks of all places.
+    marks: BTreeSet<MapCell>,
     size: GridSize,
     taken: BTreeSet<MapCell>,
     words: BTreeSet<MapCell>,
@@ -266,8 +276,23 @@ impl LabelBoard<'_> {
         let margin = u16::from(width > 1);
         let around = column.saturating_sub(margin)..column + width + margin;
         let mut around = around.map(|at| (at, row));
-        let is_of_vehicle = |cell: &MapCell| self.vehicles.binary_search(cell).is_ok();
-        !around.any(|cell| self.taken.contains(&cell) || width > 1 && is_of_vehicle(&cell))
+        let is_crossed = |cell: &MapCell| {
+            width > 1 && (self.is_of_vehicle(*cell) || self.is_mark_of_other(*cell, label))
+        };
+        !around.any(|cell| self.taken.contains(&cell) || is_crossed(&cell))
+    }
+
+    fn is_of_vehicle(&self, cell: MapCell) -> bool {
+        self.vehicles.binary_search(&cell).is_ok()
+    }
+
+    /// Whether the cell has the mark of another place: a name never covers one.
+    fn is_mark_of_other(&self, cell: MapCell, label: &Label) -> bool {
+        let can_yield = match label.kind {
+            LabelKind::Place | LabelKind::Name | LabelKind::Signed => true,
+            LabelKind::Word | LabelKind::Number => false,
+        };
+        can_yield && cell != label.cell && self.marks.contains(&cell)
     }
 
     /// Adds a label, unless it would be misread; returns whether it did.
@@ -277,10 +302,13 @@ impl LabelBoard<'_> {
         } else {
             let mut around = beside(&label);
             let is_misread = match label.kind {
-                LabelKind::Word => false,
+                LabelKind::Word | LabelKind::Name => false,
                 // A sign would read as part of the word.
                 LabelKind::Signed | LabelKind::Place => around.any(|at| self.words.contains(&at)),
-                LabelKind::Number => around.any(|at| self.figures.contains(&at)),
+                // Beside a name or a vehicle, it would read as part of that.
+                LabelKind::Number => around.any(|at| {
+                    self.figures.contains(&at) || self.words.contains(&at) || self.is_of_vehicle(at)
+                }),
             };
             if is_misread {
                 return false;
@@ -292,145 +320,5 @@ impl LabelBoard<'_> {
         self.taken.extend(cells(&label));
         self.kept.push(label);
         true
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use ratatui::style::Modifier;
-
-    use super::*;
-    use crate::ui::look::Look;
-
-    const SIZE: GridSize = GridSize::new(80, 20);
-
-    fn label(column: u16, kind: LabelKind, text: &str) -> Label {
-        Label {
-            cell: (column, 0),
-            kind,
-            text: text.to_owned(),
-            role: Role::Danger,
-        }
-    }
-
-    #[test]
-    fn a_vehicle_leaves_no_piece_of_a_word() {
-        let kept = |vehicle: u16| -> Vec<String> {
-            let labels = vec![
-                label(10, LabelKind::Word, "peak4"),
-                label(20, LabelKind::Signed, "!c2"),
-                label(30, LabelKind::Word, "H"),
-            ];
-            let kept = readable(labels, &[(vehicle, 0)], SIZE);
-            kept.into_iter().rev().map(|label| label.text).collect()
-        };
-        assert_eq!(kept(41), ["peak4", "!c2", "H"]);
-        assert_eq!(kept(9), ["!c2", "H"]);
-        assert_eq!(kept(23), ["peak4", "!", "H"], "a sign says what is there");
-        assert_eq!(kept(30), ["peak4", "!c2", "H"], "a sign is never in pieces");
-    }
-
-    #[test]
-    fn the_name_of_a_place_moves_away_from_what_covers_it() {
-        let kept = |at: MapCell, target: MapCell, vehicle: MapCell| -> Vec<(MapCell, String)> {
-            let place = Label {
-                cell: at,
-                ..label(0, LabelKind::Place, "+gate2")
-            };
-            let target = Label {
-                cell: target,
-                ..label(0, LabelKind::Word, "x")
-            };
-            let number = (vehicle.0 + 1, vehicle.1);
-            let kept = readable(vec![place, target], &[vehicle, number], SIZE).into_iter();
-            let names = kept.filter(|label| label.text != "x");
-            names.map(|label| (label.cell, label.text)).collect()
-        };
-        let far = (0, 0);
-        let of = |cell, text: &str| (cell, text.to_owned());
-        let place = (10, 5);
-        assert_eq!(kept(place, far, far), [of(place, "+gate2")]);
-        assert_eq!(kept(place, place, far), [of((12, 5), "gate2")], "a target");
-        let left = [of(place, "+"), of((4, 5), "gate2")];
-        assert_eq!(kept(place, far, place), left, "a vehicle");
-        let corner = (0, 5);
-        let below = [of(corner, "+"), of((0, 6), "gate2")];
-        assert_eq!(kept(corner, far, corner), below, "at the left edge");
-        let two = |text: &str| Label {
-            cell: place,
-            ..label(0, LabelKind::Place, text)
-        };
-        let kept_of_two = readable(vec![two("+pad"), two("+pad1")], &[], SIZE);
-        let texts: Vec<&str> = kept_of_two.iter().map(|it| it.text.as_str()).collect();
-        assert_eq!(texts, ["+pad1"], "one place has one name");
-        let edge = (77, 5);
-        let left = [of(edge, "+"), of((71, 5), "gate2")];
-        assert_eq!(kept(edge, far, far), left, "the edge of the map");
-    }
-
-    #[test]
-    fn a_sign_never_stands_beside_a_word() {
-        let sign = |column, text| label(column, LabelKind::Signed, text);
-        let labels = vec![sign(13, "?"), sign(14, "?"), sign(10, "!c2")];
-        let kept = readable(labels, &[], SIZE);
-        let texts: Vec<&str> = kept.iter().rev().map(|it| it.text.as_str()).collect();
-        assert_eq!(texts, ["?", "!c2"]);
-        assert_eq!(kept[1].cell, (14, 0));
-    }
-
-    #[test]
-    fn labels_in_one_place_are_spread_over_the_rows_around_it() {
-        let at = |row| Label {
-            cell: (10, row),
-            ..label(10, LabelKind::Signed, "!1/2")
-        };
-        let rows = |labels, rows| -> Vec<u16> {
-            let spread = spread(labels, rows).into_iter();
-            spread.map(|label| label.cell.1).collect()
-        };
-        assert_eq!(rows(vec![at(5), at(5), at(5)], 20), [5, 6, 4]);
-        assert_eq!(rows(vec![at(0), at(0), at(9)], 10), [0, 1, 9]);
-    }
-
-    #[test]
-    fn two_figures_side_by_side_do_not_make_one_number() {
-        let kept = |kind| -> Vec<String> {
-            let labels = [(10, "3"), (11, "5"), (20, "7")];
-            let labels = labels.map(|(column, text)| label(column, kind, text));
-            let kept = readable(labels.into(), &[], SIZE).into_iter().rev();
-            kept.map(|label| label.text).collect()
-        };
-        assert_eq!(kept(LabelKind::Number), ["5", "7"]);
-        assert_eq!(
-            kept(LabelKind::Word),
-            ["3", "5", "7"],
-            "places of these names"
-        );
-    }
-
-    #[test]
-    fn a_label_takes_no_style_from_below_and_no_figure_from_beside() {
-        let look = Look::default();
-        let area = Rect::new(0, 0, 8, 1);
-        let mut buffer = Buffer::empty(area);
-        let below = Style::new().add_modifier(Modifier::BOLD | Modifier::REVERSED);
-        buffer.set_string(0, 0, "66666666", below);
-        let panel = Panel::new(&look, area);
-        draw(
-            vec![label(2, LabelKind::Word, "A3")],
-            &[],
-            panel,
-            &mut buffer,
-        );
-        let shown: String = buffer
-            .content
-            .iter()
-            .map(ratatui::buffer::Cell::symbol)
-            .collect();
-        assert_eq!(shown, "6 A3 666");
-        let style = look.style(Role::Text).patch(look.style(Role::Danger));
-        for cell in &buffer.content[2..4] {
-            assert_eq!(cell.modifier, style.add_modifier);
-        }
     }
 }

@@ -130,14 +130,16 @@ fn rows(state: &State, view: Option<&Viewport>, look: &Look) -> Vec<LegendRow> {
     let signs = [
         (
             arrow(45.0, look.symbols).into(),
-            Role::Text,
+            trail(FIRST).role,
             "map-legend-armed",
         ),
         ("o".to_owned(), Role::Muted, "map-legend-disarmed"),
         (LOST.into(), Role::Danger, "map-legend-lost"),
         ("[3]".to_owned(), Role::Cursor, "map-legend-cursor"),
+        ("[3+2]".to_owned(), Role::Cursor, "map-legend-hidden"),
         ("3*".to_owned(), Role::Selected, "map-legend-selected"),
         ("3!".to_owned(), Role::Warning, "map-legend-alert"),
+        ("3!".to_owned(), Role::Danger, "map-legend-critical"),
         (tally(4), Role::Text, "map-legend-several"),
         ("H".to_owned(), Role::Title, "map-legend-home"),
         ("┼".to_owned(), Role::Cursor, "map-legend-pointer"),
@@ -242,10 +244,7 @@ fn strokes(state: &State, seen: &[Sketch]) -> [(bool, Stroke, &'static str); 16]
     let map = state.rooms().map();
     let has = |kind| seen.iter().any(|sketch| sketch.kind == kind);
     // The colours are those of the vehicles, as with trails.
-    let plan = |kind| Stroke {
-        role: trail(FIRST).role,
-        ..stroke(kind)
-    };
+    let plan = |kind| stroke(kind).with_role(trail(FIRST).role);
     let trails = !map.hides_trails() && !map.trails().is_empty();
     let mut vehicles = state.session().vehicles().values();
     let ghost = state.ghost_time().is_some();

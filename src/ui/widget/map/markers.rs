@@ -5,6 +5,7 @@ use std::ops::Range;
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Position;
+use ratatui::style::Modifier;
 
 use super::board::{Board, NumberSpots};
 use super::labels::MapCell;
@@ -328,12 +329,17 @@ pub fn tally(count: usize) -> String {
     format!("(×{count})")
 }
 
-/// Writes a vehicle's number at its sign if there is room. If its marks do not fit, the number comes first, and
+/// Writes a vehicle's number at its sign if there is room: beside it, or above or below it if the next sign is close.
+/// If its marks do not fit, the number comes first, and
 /// an alert replaces the sign; without room for the number, only the marks are written.
 fn name(marker: &Marker, board: &mut Board<'_>, look: &Look) {
     let (number, style) = (marker.id.to_string(), look.style(marker.role));
     let whole = format!("{number}{}", marker.marks);
-    if board.write_beside(marker.cells(), marker.row, &whole, style) {
+    // In a dense swarm, signs and numbers without gaps would read as one word.
+    if board.write_apart(marker.cells(), marker.row, &whole, style)
+        || board.write_over(marker.cells(), marker.row, &whole, style)
+        || board.write_beside(marker.cells(), marker.row, &whole, style)
+    {
         return;
     }
     let has_marks = !marker.marks.is_empty();
@@ -344,7 +350,7 @@ fn name(marker: &Marker, board: &mut Board<'_>, look: &Look) {
             SELECTED
         };
         board.put(marker.column, marker.row, &mark.to_string(), style);
-    } else if !board.write_over(marker.cells(), marker.row, &whole, style) && has_marks {
+    } else if has_marks {
         board.write_beside(marker.cells(), marker.row, &marker.marks, style);
     }
 }
@@ -353,6 +359,8 @@ fn name(marker: &Marker, board: &mut Board<'_>, look: &Look) {
 fn list(group: &Group<'_>, board: &mut Board<'_>, look: &Look) {
     let Some(list) = group.list() else { return };
     let style = look.style(worst_role(group.markers.iter().copied()));
+    // Without colours, the sign is reversed already.
+    let style = style.remove_modifier(Modifier::REVERSED);
     if !board.write_over(group.cells.clone(), group.row, &list, style) {
         board.write_beside(group.cells.clone(), group.row, &list, style);
     }

@@ -310,11 +310,15 @@ fn link(vehicle: &Vehicle, state: &State) -> Text {
         let silent = state.now().saturating_sub(heard);
         text!("telemetry-link-lost", seconds = silent.as_secs())
     } else {
-        format!("{} %", link.percent()).into()
+        // Fixed widths, so that the gauge does not change its length with every digit.
+        format!("{:>3} %", link.percent()).into()
     };
-    let trip = link
-        .round_trip
-        .map(|trip| text!("telemetry-round-trip", ms = trip.as_millis() as u64));
+    let trip = link.round_trip.map(|trip| {
+        text!(
+            "telemetry-round-trip",
+            ms = format!("{:>3}", trip.as_millis())
+        )
+    });
     let parts = [Some(quality), trip].into_iter().flatten();
     Text::joined("  ", parts.collect())
 }

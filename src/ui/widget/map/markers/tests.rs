@@ -49,11 +49,41 @@ fn no_number_stands_between_two_signs_unless_it_follows_its_own() {
 }
 
 #[test]
+fn neighbours_without_a_gap_have_their_numbers_above_and_below() {
+    let vehicles = [(1, 1, ""), (3, 2, ""), (5, 3, "")];
+    assert_eq!(
+        drawn_in(3, &vehicles),
+        [" 1 2      ", " ^ ^ ^3   ", "          "]
+    );
+}
+
+#[test]
+fn the_numbers_of_a_group_are_not_reversed_like_their_sign() {
+    let look = Look {
+        theme: crate::ui::theme::Theme::named("monochrome").expect("a theme"),
+        ..Look::default()
+    };
+    let area = Rect::new(0, 0, 12, 3);
+    let mut buffer = Buffer::empty(area);
+    let mut board = Board::new(Panel::new(&look, area), NumberSpots::Around, &mut buffer);
+    let markers = [marker_at(4, 2, "!"), marker_at(4, 3, "")];
+    let group = Group {
+        row: 1,
+        cells: 4..8,
+        markers: markers.iter().collect(),
+    };
+    list(&group, &mut board, &look);
+    let is_reversed = |cell: &ratatui::buffer::Cell| cell.modifier.contains(Modifier::REVERSED);
+    assert_eq!(buffer[(4, 0)].symbol(), "2");
+    assert!(!buffer.content.iter().any(is_reversed));
+}
+
+#[test]
 fn where_signs_are_close_the_numbers_stand_above_or_below_them() {
     let vehicles = [(1, 2, ""), (3, 3, ""), (4, 4, ""), (6, 5, "!"), (7, 6, "")];
     assert_eq!(
         drawn_in(3, &vehicles),
-        ["   3  5!  ", " ^2^^4^^6 ", "          "]
+        [" 2 3  5!  ", " ^ ^^ ^^6 ", "    4     "]
     );
 }
 
