@@ -71,6 +71,7 @@ group-empty = no vehicle to put into the group: select some first, or name them,
 group-is = @{ $name } is now { $members }
 group-unknown = no group `{ $name }`
 group-name = `{ $name }` is not a name: use letters, digits, - and _
+order-hint-price = the next hint, level { $level }, costs { $percent } % of the score
 order-question = { $count ->
     [1] { $verb } vehicle { $vehicles }
    *[other] { $verb } vehicles { $vehicles }

@@ -27,6 +27,7 @@ scoring-all-met = { $count ->
 }
 scoring-missed = missed: { $objectives }
 scoring-missed-capped = missed: { $objectives }; a mandatory objective is missed, so capped at { $most }
+scoring-needs-mandatory = needs all mandatory objectives
 scoring-needs-objectives = needs { $percent } % of the objectives
 scoring-seconds = s
 scoring-watt-hours = Wh

@@ -75,6 +75,7 @@ group-empty = немає апаратів для цієї групи: сперш
 group-is = @{ $name } тепер { $members }
 group-unknown = немає групи `{ $name }`
 group-name = `{ $name }` не годиться як назва: лише літери, цифри, - та _
+order-hint-price = наступна підказка, рівень { $level }, коштує { $percent } % балів
 order-question = { $count ->
     [1] { $verb } апарат { $vehicles }
    *[other] { $verb } апарати { $vehicles }

@@ -27,6 +27,7 @@ scoring-all-met = { $count ->
 }
 scoring-missed = не досягнуто: { $objectives }
 scoring-missed-capped = не досягнуто: { $objectives }; не більше ніж { $most } (обов'язкова ціль)
+scoring-needs-mandatory = зараховується, коли досягнуто всіх обов'язкових цілей
 scoring-needs-objectives = зараховується, коли досягнуто { $percent } % цілей
 scoring-seconds = s
 scoring-watt-hours = Wh

@@ -1,7 +1,5 @@
 //! The components: their values and the main causes.
 
-use std::time::Duration;
-
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
@@ -135,8 +133,8 @@ pub(super) fn all(rules: &ScoreRules, facts: &Facts) -> Vec<ComponentScore> {
     let values: [Option<(f64, Text)>; 8] = [
         Some(reached),
         quality(facts).map(|product| if_flown(facts, |_| product)),
-        Some(time(rules, facts.elapsed, objective)),
-        facts.energy_wh.map(|used| energy(rules, used, objective)),
+        Some(time(rules, facts, objective)),
+        energy(rules, facts, objective),
         Some(if_flown(facts, |facts| {
             (safety_value(&facts.safety), safety_words(facts))
         })),
@@ -244,20 +242,24 @@ fn quality(facts: &Facts) -> Option<(f64, Text)> {
     (!values.is_empty()).then(|| (sum / values.len() as f64, Text::joined(", ", words)))
 }
 
-fn time(rules: &ScoreRules, elapsed: Duration, objective: f64) -> (f64, Text) {
+/// Why a component earns nothing while too few objectives are reached.
+fn too_few(facts: &Facts, needed: f64) -> (f64, Text) {
+    let words = if is_capped(facts) {
+        text!("scoring-needs-mandatory")
+    } else {
+        text!("scoring-needs-objectives", percent = percent(needed))
+    };
+    (0.0, words)
+}
+
+fn time(rules: &ScoreRules, facts: &Facts, objective: f64) -> (f64, Text) {
     let (used, par, limit) = (
-        elapsed.as_secs_f64(),
+        facts.elapsed.as_secs_f64(),
         rules.par_time.as_secs_f64(),
         rules.time_limit.as_secs_f64(),
     );
     if objective < TIME_NEEDS_OBJECTIVES {
-        return (
-            0.0,
-            text!(
-                "scoring-needs-objectives",
-                percent = percent(TIME_NEEDS_OBJECTIVES)
-            ),
-        );
+        return too_few(facts, TIME_NEEDS_OBJECTIVES);
     }
     let value = if used <= par {
         1.0
@@ -267,21 +269,16 @@ fn time(rules: &ScoreRules, elapsed: Duration, objective: f64) -> (f64, Text) {
     (value, against_par(used, par, text!("scoring-seconds")))
 }
 
-fn energy(rules: &ScoreRules, used_wh: f64, objective: f64) -> (f64, Text) {
+fn energy(rules: &ScoreRules, facts: &Facts, objective: f64) -> Option<(f64, Text)> {
+    let used_wh = facts.energy_wh?;
     if objective < ENERGY_NEEDS_OBJECTIVES {
-        return (
-            0.0,
-            text!(
-                "scoring-needs-objectives",
-                percent = percent(ENERGY_NEEDS_OBJECTIVES)
-            ),
-        );
+        return Some(too_few(facts, ENERGY_NEEDS_OBJECTIVES));
     }
     let value = (1.0 - (used_wh / rules.par_energy_wh - 1.0) / 0.6).clamp(0.0, 1.0);
-    (
+    Some((
         value,
         against_par(used_wh, rules.par_energy_wh, text!("scoring-watt-hours")),
-    )
+    ))
 }
 
 fn percent(share: f64) -> String {

@@ -164,6 +164,29 @@ fn a_missed_mandatory_objective_says_that_it_caps_the_others() {
     assert!(value < 0.5 && !why.contains("no more than"), "{why}");
 }
 
+/// With 90 of 100 points for objectives, "needs 60 % of the objectives" would be no reason.
+#[test]
+fn time_and_energy_of_a_capped_flight_name_the_mandatory_objectives() {
+    let facts = Facts {
+        objectives: vec![
+            objective(0.0, true),
+            ObjectiveFact {
+                value: 150.0,
+                ..objective(1.0, false)
+            },
+        ],
+        ..perfect()
+    };
+    let components = score(&rules(), &facts).components;
+    let why = |of: Component| {
+        let mut found = components.iter().filter(|it| it.component == of);
+        found.next().expect("it counts").moved_by.to_string()
+    };
+    for of in [Component::Time, Component::Energy] {
+        assert_eq!(why(of), "needs all mandatory objectives");
+    }
+}
+
 #[test]
 fn who_never_takes_off_earns_nothing_by_breaking_no_rule() {
     let idle = Facts {

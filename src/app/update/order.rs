@@ -8,7 +8,7 @@ use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
 use crate::app::room::{Room, files, parameters};
 use crate::app::state::{Confirm, Consequence, Overlay};
-use crate::commands::{Act, Command, Order, PlanCommand, PlanDeed};
+use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ConsoleLine, Meaning, Statement, words};
 use crate::ledger::EntryId;
@@ -150,7 +150,18 @@ pub fn announced(state: &State, order: &Order) -> Text {
 /// The reason to ask before an order is sent, beyond the danger of its verb; `None` without one.
 fn hazard(state: &State, order: &Order) -> Option<Text> {
     let doubt = || parameters::order_doubt(state, order);
-    own_fence::hazard(state, order).or_else(doubt)
+    let price = || hint_price(state, order);
+    own_fence::hazard(state, order)
+        .or_else(doubt)
+        .or_else(price)
+}
+
+/// What the hint that an order requests costs; `None` if it is free.
+fn hint_price(state: &State, order: &Order) -> Option<Text> {
+    let (level, price) = state.session.mission()?.clues.next?;
+    let asks = order.act == Act::Deed(Deed::Hint) && price > 0.0;
+    let percent = (price * 100.0).round() as u32;
+    asks.then(|| text!("order-hint-price", level = level, percent = percent))
 }
 
 /// Sends a command, or asks before a dangerous one.

@@ -19,17 +19,22 @@ pub(super) struct CluesGiven {
     given: Vec<GivenClue>,
 }
 
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 struct GivenClue {
     at: Duration,
     /// Its index among the mission's hints on request.
     index: usize,
-    /// The hint or lesson step shown at that time.
-    beside: Running,
+    /// The advice at that time.
+    beside: RunningAdvice,
 }
 
-/// The automatic advice that is shown: the phase of the flight, and the index of the lesson's step.
-type Running = (Phase, Option<usize>);
+/// The automatic advice: the phase of the flight, the index of the lesson's step, and the hint.
+#[derive(Debug, Clone, PartialEq)]
+struct RunningAdvice {
+    phase: Phase,
+    lesson_step: Option<usize>,
+    hint: Option<Text>,
+}
 
 impl Default for CluesGiven {
     fn default() -> Self {
@@ -112,14 +117,23 @@ impl Flight {
             given: given
                 .map(|(_, clue)| (clue.level, self.filled(&clue.text)))
                 .collect(),
-            is_news: self.clues.given.last().map(|it| it.beside) == Some(self.running_advice()),
+            is_news: self
+                .clues
+                .given
+                .last()
+                .is_some_and(|it| it.beside == self.running_advice()),
             next: next.map(|level| (level, used.price(level))),
             factor: used.factor(),
         }
     }
 
-    fn running_advice(&self) -> Running {
-        (self.phase(&self.standings()), self.lesson_step)
+    fn running_advice(&self) -> RunningAdvice {
+        let standings = self.standings();
+        RunningAdvice {
+            phase: self.phase(&standings),
+            lesson_step: self.lesson_step,
+            hint: self.hint(&standings),
+        }
     }
 
     fn next_clue(&self) -> Option<usize> {

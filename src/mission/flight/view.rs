@@ -123,7 +123,7 @@ impl Flight {
         (!self.is_over()).then(|| step.clone())
     }
 
-    fn hint(&self, standings: &[ObjectiveStanding]) -> Option<Text> {
+    pub(super) fn hint(&self, standings: &[ObjectiveStanding]) -> Option<Text> {
         let phase = self.phase(standings);
         let grounding = self.grounding().filter(|_| phase == Phase::Ground);
         if let Some(event) = grounding.filter(|_| !self.is_over()) {

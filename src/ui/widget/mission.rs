@@ -116,7 +116,7 @@ pub fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String>
     let shown = if progress.clues.is_news {
         given.or(running)
     } else {
-        running.or(given)
+        running
     };
     let lines = shown.map(|text| wrap(&look.text(&text), width));
     lines.unwrap_or_default()
@@ -367,6 +367,19 @@ mod tests {
         let lines = objective_lines(&[objective], 40, false, &Look::default());
         let shown: Vec<String> = lines.iter().map(ToString::to_string).collect();
         assert_eq!(shown, ["[ ] distance to…  12 % of 14 s, too clo…"]);
+    }
+
+    /// Advice that is no longer shown to a practised trainee leaves no room for an old hint.
+    #[test]
+    fn a_requested_hint_disappears_when_the_advice_changes() {
+        let mut flight = Flight::new(Arc::new(mission("04")), 1);
+        flight.act(EntryId(0), &Deed::Hint, &[1]);
+        let mut progress = flight.progress();
+        progress.hint = None;
+        let shown = |progress: &Progress| hint_lines(progress, 200, &Look::default());
+        assert!(shown(&progress)[0].starts_with("hint 1: "));
+        progress.clues.is_news = false;
+        assert!(shown(&progress).is_empty(), "{:?}", shown(&progress));
     }
 
     /// The rows of the shipped missions' objectives, as the pane of *Fly* shows them on 80 columns, that are cut.

@@ -385,6 +385,22 @@ fn the_room_of_the_mission_tells_what_the_next_hint_takes() {
 }
 
 #[test]
+fn a_hint_that_costs_points_is_asked_about_and_a_free_one_is_not() {
+    for (price, asks) in [(0.10, true), (0.0, false)] {
+        let mut console = resized(crowded(), (80, 24));
+        let mut progress = progress();
+        progress.clues.next = Some((3, price));
+        console.hear(SessionEvent::Mission(Box::new(progress)));
+        console.write(":hint").press("enter");
+        let text = drawn(&console, Symbols::Ascii, Language::English, (80, 24));
+        assert_eq!(text.contains("costs 10 % of the score"), asks, "{text}");
+        let sent = console.effects.iter();
+        let sent = sent.filter(|effect| matches!(effect, Effect::Order { .. }));
+        assert_eq!(sent.count(), usize::from(!asks));
+    }
+}
+
+#[test]
 fn what_an_instructor_may_have_happen_is_offered_by_name() {
     let mut console = crowded();
     console.press("e");
