@@ -21,6 +21,7 @@ mod protocol;
 mod retracing;
 mod serials;
 mod signing;
+mod storms;
 mod sweep;
 mod switches;
 mod takeoff;
