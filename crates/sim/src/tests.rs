@@ -11,6 +11,7 @@ mod failsafes;
 mod faults;
 mod files;
 mod flight;
+mod following;
 mod ground;
 mod links;
 mod messages;
