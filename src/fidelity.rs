@@ -1,4 +1,4 @@
-//! Compares the embedded simulator with a recording of the real `ArduCopter`: the same commands at
+//! Compares the embedded simulator with a recording of a real `ArduCopter` or `ArduRover`: the same commands at
 //! the same times.
 //!
 //! A recording holds the messages of a vehicle and of a ground station, both with times. [`replay`]

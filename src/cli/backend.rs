@@ -29,7 +29,7 @@ pub(super) enum SimulatorChoice {
 #[derive(Debug, Clone, Default, Args)]
 #[command(next_help_heading = "What flies")]
 pub(super) struct BackendArguments {
-    /// Use this simulator; by default the embedded one, unless a hangar, a program or another kind of vehicle is named.
+    /// Use this simulator; by default the embedded one, unless a hangar, a program or a vehicle that it lacks is named.
     #[arg(long, value_enum)]
     backend: Option<SimulatorChoice>,
     #[command(flatten)]
@@ -43,41 +43,43 @@ pub(super) struct BackendArguments {
 }
 
 impl BackendArguments {
-    /// The chosen simulator for a kind of vehicle, with its files read and its program found.
+    /// The chosen simulator for a flight, with its files read and its program found.
     ///
     /// # Errors
     /// A frame file is faulty or not for this kind, or the program does not exist.
     pub fn choose(
         &self,
-        kind: SitlKind,
+        flight: &FreeFlight,
         settings: &CliSettings,
     ) -> Result<VehicleBackend, Failure> {
+        let kind = flight.kind;
         if kind != SitlKind::Copter && !self.frames.is_empty() {
             let unfit = SitlUnfit::AirframeOf(kind);
             return Err(Failure::Invalid(format!("sortie: {unfit}")));
         }
         let frames: Result<_, Failure> = self.frames.iter().map(|path| frame(path)).collect();
         Ok(VehicleBackend {
-            ardupilot: self.source(kind, settings)?,
+            ardupilot: self.source(flight, settings)?,
             airframes: frames?,
             free: FreeFlight::default(),
         })
     }
 
-    fn is_ardupilot(&self, kind: SitlKind) -> bool {
+    fn is_ardupilot(&self, flight: &FreeFlight) -> bool {
         if let Some(simulator) = self.backend {
             return simulator == SimulatorChoice::Ardupilot;
         }
         let is_named = self.services.is_given() || self.programs.is_given();
-        is_named || kind != SitlKind::Copter
+        let is_embedded = flight.kind == SitlKind::Copter || flight.embedded().is_some();
+        is_named || !is_embedded
     }
 
     fn source(
         &self,
-        kind: SitlKind,
+        flight: &FreeFlight,
         settings: &CliSettings,
     ) -> Result<Option<SitlSource>, Failure> {
-        if !self.is_ardupilot(kind) {
+        if !self.is_ardupilot(flight) {
             return Ok(None);
         }
         if self.services.is_given() && self.programs.is_given() {
@@ -90,7 +92,7 @@ impl BackendArguments {
             self.services.remotes(settings)?
         };
         if services.is_empty() {
-            let own = own(kind, &self.programs, settings)?;
+            let own = own(flight.kind, &self.programs, settings)?;
             return Ok(Some(SitlSource::Own(Box::new(own))));
         }
         Ok(Some(SitlSource::Far(services)))
@@ -168,4 +170,36 @@ fn missing_program(kind: SitlKind, missing: &Missing) -> Failure {
         "sortie: {missing}\n  name it with --{program} FILE or SORTIE_{variable}, or build it, in a checkout of ArduPilot:\n    \
          ./waf configure --board sitl && ./waf {name}   makes build/sitl/bin/{program}{embedded}"
     ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_embedded_simulator_flies_what_it_has_unless_another_is_named() {
+        let flight = |kind, model: Option<&str>| FreeFlight {
+            kind,
+            model: model.map(str::to_owned),
+            ..FreeFlight::default()
+        };
+        let usual = BackendArguments::default();
+        for (kind, model, is_ardupilot) in [
+            (SitlKind::Copter, None, false),
+            (SitlKind::Rover, None, false),
+            (SitlKind::Rover, Some("rover-skid"), false),
+            (SitlKind::Rover, Some("motorboat"), false),
+            (SitlKind::Rover, Some("sailboat"), true),
+            (SitlKind::Plane, None, true),
+            (SitlKind::Sub, None, true),
+        ] {
+            let flight = flight(kind, model);
+            assert_eq!(usual.is_ardupilot(&flight), is_ardupilot, "{flight:?}");
+        }
+        let named = BackendArguments {
+            backend: Some(SimulatorChoice::Ardupilot),
+            ..usual
+        };
+        assert!(named.is_ardupilot(&flight(SitlKind::Rover, None)));
+    }
 }

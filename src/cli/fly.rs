@@ -171,7 +171,9 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
         None => Opening::Free,
     };
     // Faults are reported before the screen opens.
-    let backend = arguments.backend.choose(arguments.free.kind(), &settings)?;
+    let backend = arguments
+        .backend
+        .choose(&arguments.free.asked(), &settings)?;
     let options = ConsoleOptions {
         forwards: arguments.forwards.or_configured(&settings)?,
         api: arguments.api.options(),

@@ -37,9 +37,15 @@ pub(super) struct FreeOptions {
 }
 
 impl FreeOptions {
-    /// The kind of vehicle.
-    pub fn kind(&self) -> SitlKind {
-        self.kind.into()
+    /// What was asked for, not checked.
+    pub fn asked(&self) -> FreeFlight {
+        let usual = self.kind.model().map(str::to_owned);
+        FreeFlight {
+            kind: self.kind.into(),
+            model: self.model.clone().or(usual),
+            parameters: self.parameters.iter().cloned().collect(),
+            start: self.home.map(|home| home.0),
+        }
     }
 
     /// What flies, checked as far as possible before any process starts.
@@ -47,13 +53,7 @@ impl FreeOptions {
     /// # Errors
     /// An option needs ArduPilot's SITL, or SITL cannot start such a vehicle.
     pub fn flight(&self, is_ardupilot: bool) -> Result<FreeFlight, Failure> {
-        let usual = self.kind.model().map(str::to_owned);
-        let flight = FreeFlight {
-            kind: self.kind(),
-            model: self.model.clone().or(usual),
-            parameters: self.parameters.iter().cloned().collect(),
-            start: self.home.map(|home| home.0),
-        };
+        let flight = self.asked();
         if is_ardupilot {
             check(&flight)?;
         } else {

@@ -18,12 +18,11 @@ use super::{Failure, parse_speedup, trainee};
 use crate::campaign::{Attempt, AttemptMeans, AttemptRefusal, AttemptTerms, Stake, script_stake};
 use crate::debrief;
 use crate::exercise::{Exercise, read_script};
-use crate::hangar::VehicleBackend;
+use crate::hangar::{FreeFlight, VehicleBackend};
 use crate::language::Script;
 use crate::mission::record::Occasion;
 use crate::mission::{Mission, Report};
 use crate::scoring::{FlownBy, TruthReport};
-use crate::sitl::SitlKind;
 use crate::store::{self, Records, Runs, Source, StoreError, day_of, utc};
 use crate::text;
 use crate::text::{Locale, Text};
@@ -164,7 +163,7 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     let pilot = store::pilot(&options.pilot).map_err(|error| invalid(&error))?;
     let flown_by = store::script_kind(&pilot);
     let script = script_of(&pilot, &mission)?;
-    let backend = options.backend.choose(SitlKind::Copter, settings)?;
+    let backend = options.backend.choose(&FreeFlight::default(), settings)?;
     let mut trainee = RunTrainee::named(settings, &locale)?;
     let request = RunRequest {
         options,

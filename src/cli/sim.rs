@@ -88,7 +88,7 @@ impl FromStr for HostPort {
 }
 
 /// Parses a kind of vehicle.
-fn parse_kind(text: &str) -> Result<VehicleKind, String> {
+pub(super) fn parse_kind(text: &str) -> Result<VehicleKind, String> {
     VehicleKind::named(text).ok_or_else(|| {
         let names = VehicleKind::ALL.map(VehicleKind::name);
         format!("there is no such kind: use {}", names.join(", "))

@@ -226,6 +226,13 @@ impl<'a> ManoeuvrePair<'a> {
                 .filter(|(at, _)| *at <= to_s)?;
             return Some(at - from_s);
         }
+        if let Aim::Told(words) = self.manoeuvre.aim {
+            let mut after = observed.texts.iter().filter(|said| said.at_s > from_s);
+            let said = after
+                .find(|said| said.text.contains(words))
+                .filter(|said| said.at_s <= to_s)?;
+            return Some(said.at_s - from_s);
+        }
         let goal = self.goal()?;
         let steps = ((self.to_s - from_s) / STEP_S) as u32;
         let there = (0..=steps)
@@ -243,7 +250,7 @@ impl<'a> ManoeuvrePair<'a> {
             Aim::Height(height) => ManoeuvreGoal::Height(height),
             Aim::Place(place) => ManoeuvreGoal::Place(place),
             Aim::Heading => ManoeuvreGoal::Heading(self.real.attitude_deg.at(asked_s)?[2]),
-            Aim::Velocity | Aim::Landed => {
+            Aim::Velocity | Aim::Landed | Aim::Told(_) => {
                 let wanted = self.real.velocity_ned_m_s.at(asked_s)?;
                 let before = self.real.velocity_ned_m_s.at(self.manoeuvre.from_s)?;
                 let change = length(minus(wanted, before));

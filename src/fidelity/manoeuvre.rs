@@ -1,8 +1,5 @@
 //! A flight divided into manoeuvres by its commands.
 
-use mavlink::dialects::ardupilotmega::CopterMode::{
-    COPTER_MODE_AUTO, COPTER_MODE_LAND, COPTER_MODE_RTL,
-};
 use mavlink::dialects::ardupilotmega::{
     COMMAND_INT_DATA, COMMAND_LONG_DATA, MavCmd, MavFrame, MavMessage, PositionTargetTypemask,
     SET_POSITION_TARGET_LOCAL_NED_DATA,
@@ -27,6 +24,8 @@ pub enum Aim {
     Heading,
     /// Be on the ground and disarmed.
     Landed,
+    /// Report the end with this text.
+    Told(&'static str),
 }
 
 /// One manoeuvre: from its command to the command of the next manoeuvre.
@@ -90,17 +89,11 @@ pub(super) fn cut(sent: &[Timed], real: &Observed) -> Vec<Manoeuvre> {
     all
 }
 
-/// A mode of `ArduCopter` by its number.
-pub(super) fn copter_mode(number: u32) -> Mode {
-    Mode {
-        class: VehicleClass::Copter,
-        number,
-    }
-}
-
 fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Aim)> {
     match message {
-        MavMessage::COMMAND_LONG(data) if real.accepted(data.command as u16, at_s) => long(data),
+        MavMessage::COMMAND_LONG(data) if real.accepted(data.command as u16, at_s) => {
+            long(data, real.class())
+        }
         MavMessage::COMMAND_INT(data) if real.accepted(data.command as u16, at_s) => {
             int(data, real)
         }
@@ -124,17 +117,8 @@ fn asked(message: &MavMessage, real: &Observed, at_s: f64) -> Option<(String, Ai
     }
 }
 
-fn long(data: &COMMAND_LONG_DATA) -> Option<(String, Aim)> {
-    let mode = |number: u8| {
-        let mode = copter_mode(u32::from(number));
-        let ends_on_ground = mode.comes_down() || number == COPTER_MODE_AUTO as u8;
-        let aim = if ends_on_ground {
-            Aim::Landed
-        } else {
-            Aim::Velocity
-        };
-        Some((mode.to_string(), aim))
-    };
+fn long(data: &COMMAND_LONG_DATA, class: VehicleClass) -> Option<(String, Aim)> {
+    let named = |name: &str| class.mode(name).map(entered);
     match data.command {
         MavCmd::MAV_CMD_NAV_TAKEOFF => {
             let name = format!("takeoff {} m", data.param7);
@@ -144,16 +128,30 @@ fn long(data: &COMMAND_LONG_DATA) -> Option<(String, Aim)> {
             let relative = if data.param4 > 0.0 { " more" } else { "" };
             Some((format!("yaw {}{relative}", data.param1), Aim::Heading))
         }
-        MavCmd::MAV_CMD_DO_SET_MODE => mode(data.param2 as u8),
-        MavCmd::MAV_CMD_NAV_LAND => mode(COPTER_MODE_LAND as u8),
-        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH => mode(COPTER_MODE_RTL as u8),
-        MavCmd::MAV_CMD_MISSION_START => mode(COPTER_MODE_AUTO as u8),
+        MavCmd::MAV_CMD_DO_SET_MODE => Some(entered(Mode {
+            class,
+            number: data.param2 as u32,
+        })),
+        MavCmd::MAV_CMD_NAV_LAND => named("LAND"),
+        MavCmd::MAV_CMD_NAV_RETURN_TO_LAUNCH => named("RTL"),
+        MavCmd::MAV_CMD_MISSION_START => named("AUTO"),
         MavCmd::MAV_CMD_DO_PAUSE_CONTINUE if data.param1 > 0.0 => {
             Some(("continue".to_owned(), Aim::Velocity))
         }
         MavCmd::MAV_CMD_DO_PAUSE_CONTINUE => Some(("pause".to_owned(), Aim::Velocity)),
         _ => None,
     }
+}
+
+/// The manoeuvre that begins with a mode.
+fn entered(mode: Mode) -> (String, Aim) {
+    let aim = match mode.class {
+        VehicleClass::Rover if mode.comes_down() => Aim::Told("Reached destination"),
+        VehicleClass::Rover if mode.flies_plan() => Aim::Told("Mission Complete"),
+        VehicleClass::Copter if mode.comes_down() || mode.flies_plan() => Aim::Landed,
+        _ => Aim::Velocity,
+    };
+    (mode.to_string(), aim)
 }
 
 fn int(data: &COMMAND_INT_DATA, real: &Observed) -> Option<(String, Aim)> {

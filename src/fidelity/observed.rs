@@ -1,13 +1,20 @@
 //! A flight as a ground station can observe it.
 
 use mavlink::MessageData as _;
-use mavlink::dialects::ardupilotmega::{COMMAND_ACK_DATA, MavMessage, MavModeFlag};
+use mavlink::dialects::ardupilotmega::{
+    COMMAND_ACK_DATA, HEARTBEAT_DATA, MavMessage, MavModeFlag, MavType,
+};
 
 use super::answers::Said;
 use super::{Series, Timed};
 use crate::geo::{LatLon, wrap_180};
-use crate::sim::Start;
+use crate::sim::{Chassis, Start, VehicleKind};
+use crate::vehicle::{Mode, VehicleClass};
 use crate::wire::Content;
+
+/// The parameter with the function of the first output, and its value for the motors of the left side.
+const FIRST_OUTPUT: &str = "SERVO1_FUNCTION";
+const LEFT_MOTORS: f32 = 73.0;
 
 const COMMAND_ACK: u32 = COMMAND_ACK_DATA::ID;
 
@@ -32,7 +39,9 @@ pub struct Observed {
     pub(super) results: Vec<(f64, u16, u8)>,
     end_s: f64,
     origin: Option<(LatLon, f64)>,
-    mode: Option<u32>,
+    mode: Option<Mode>,
+    vehicle_type: Option<MavType>,
+    is_skid_steered: bool,
 }
 
 impl Observed {
@@ -75,6 +84,26 @@ impl Observed {
         })
     }
 
+    /// What the vehicle is: a copter, unless it reports another type. A rover with steered wheels and one that turns on
+    /// the spot differ by the function of their first output.
+    pub fn kind(&self) -> VehicleKind {
+        match self.vehicle_type {
+            Some(MavType::MAV_TYPE_SURFACE_BOAT) => VehicleKind::Rover(Chassis::Boat),
+            Some(MavType::MAV_TYPE_GROUND_ROVER) if self.is_skid_steered => {
+                VehicleKind::Rover(Chassis::Skid)
+            }
+            Some(MavType::MAV_TYPE_GROUND_ROVER) => VehicleKind::Rover(Chassis::Ackermann),
+            _ => VehicleKind::Copter,
+        }
+    }
+
+    /// The class that names the vehicle's modes.
+    pub(super) fn class(&self) -> VehicleClass {
+        self.vehicle_type.map_or(VehicleClass::Copter, |kind| {
+            VehicleClass::from_mav_type(kind as u8)
+        })
+    }
+
     /// Whether the vehicle accepted a command sent at a time (true without an answer).
     pub(super) fn accepted(&self, command: u16, sent_s: f64) -> bool {
         self.results
@@ -104,10 +133,10 @@ impl Observed {
                     .get_or_insert((at, f64::from(data.altitude) / 1000.0));
             }
             MavMessage::HEARTBEAT(data) => {
-                let armed = data
-                    .base_mode
-                    .contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
-                self.note_heartbeat(at_s, data.custom_mode, armed);
+                self.note_heartbeat(at_s, data);
+            }
+            MavMessage::PARAM_VALUE(data) if data.param_id.to_str() == Ok(FIRST_OUTPUT) => {
+                self.is_skid_steered = data.param_value == LEFT_MOTORS;
             }
             _ => self.note_answer(at_s, message),
         }
@@ -162,14 +191,19 @@ impl Observed {
         self.acks.push(Said::new(at_s, format!("{name} {word}")));
     }
 
-    fn note_heartbeat(&mut self, at_s: f64, mode: u32, armed: bool) {
+    fn note_heartbeat(&mut self, at_s: f64, data: &HEARTBEAT_DATA) {
+        self.vehicle_type.get_or_insert(data.mavtype);
+        let mode = Mode {
+            class: self.class(),
+            number: data.custom_mode,
+        };
         if self.mode != Some(mode) {
             self.mode = Some(mode);
-            self.modes.push(Said::new(
-                at_s,
-                super::manoeuvre::copter_mode(mode).to_string(),
-            ));
+            self.modes.push(Said::new(at_s, mode.to_string()));
         }
+        let armed = data
+            .base_mode
+            .contains(MavModeFlag::MAV_MODE_FLAG_SAFETY_ARMED);
         if self.armed.last().is_none_or(|(_, last)| *last != armed) {
             self.armed.push((at_s, armed));
         }

@@ -35,6 +35,7 @@ pub fn replay(recording: &Recording, real: &Observed) -> Vec<Timed> {
     // The recorded vehicles had no frame file.
     let mut world = World::new(&WorldConfig {
         airframes: vec![Airframe::shared_default()],
+        kinds: vec![real.kind()],
         ..WorldConfig::row(1, start)
     });
     let mut port = world.connect(0);

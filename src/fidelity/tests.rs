@@ -156,6 +156,70 @@ fn a_refused_command_begins_no_manoeuvre() {
 }
 
 #[test]
+fn a_rover_is_known_by_its_type_and_by_its_first_output() {
+    use crate::sim::{Chassis, VehicleKind};
+    use mavlink::dialects::ardupilotmega::{MavType, PARAM_VALUE_DATA};
+
+    let beat = |mavtype| {
+        let data = HEARTBEAT_DATA {
+            mavtype,
+            custom_mode: 11,
+            ..Default::default()
+        };
+        said(0.0, MavMessage::HEARTBEAT(data))
+    };
+    let output = |param_value| {
+        let data = PARAM_VALUE_DATA {
+            param_id: CharArray::from("SERVO1_FUNCTION"),
+            param_value,
+            ..Default::default()
+        };
+        said(0.1, MavMessage::PARAM_VALUE(data))
+    };
+    for (mavtype, function, kind, mode) in [
+        (
+            MavType::MAV_TYPE_QUADROTOR,
+            33.0,
+            VehicleKind::Copter,
+            "DRIFT",
+        ),
+        (
+            MavType::MAV_TYPE_GROUND_ROVER,
+            26.0,
+            VehicleKind::Rover(Chassis::Ackermann),
+            "RTL",
+        ),
+        (
+            MavType::MAV_TYPE_GROUND_ROVER,
+            73.0,
+            VehicleKind::Rover(Chassis::Skid),
+            "RTL",
+        ),
+        (
+            MavType::MAV_TYPE_SURFACE_BOAT,
+            26.0,
+            VehicleKind::Rover(Chassis::Boat),
+            "RTL",
+        ),
+    ] {
+        let observed = Observed::new(&[beat(mavtype), output(function)]);
+        assert_eq!(observed.kind(), kind);
+        assert_eq!(observed.modes[0].text, mode);
+    }
+}
+
+#[test]
+fn a_rover_is_there_when_it_says_so() {
+    let mut heard = flight(1.0, 0.0);
+    heard.push(text(4.5, "Reached destination"));
+    let real = Observed::new(&heard);
+    let compared = compare(&[manoeuvre(Aim::Told("Reached destination"))], &real, &real);
+    assert_eq!(compared.manoeuvres[0].recorded_reach_s, Some(3.5));
+    let compared = compare(&[manoeuvre(Aim::Told("Mission Complete"))], &real, &real);
+    assert_eq!(compared.manoeuvres[0].recorded_reach_s, None);
+}
+
+#[test]
 fn a_recording_is_read_from_tlogs_and_addressed_to_the_simulated_vehicle() {
     let heartbeat = MavMessage::HEARTBEAT(HEARTBEAT_DATA {
         base_mode: MavModeFlag::empty(),

@@ -157,8 +157,20 @@ fn another_kind_flies_with_its_own_program_only() {
     place.file("frame.json", "{}\n", 0o644);
     let program = place.file("ardurover", STAND_IN, 0o755);
     let rover = program.to_str().expect("text");
-    let cases: [(&[&str], &str); 8] = [
-        (&["--kind", "rover"], "name it with --ardurover FILE"),
+    let cases: [(&[&str], &str); 10] = [
+        (
+            &["--kind", "rover", "--backend", "ardupilot"],
+            "name it with --ardurover FILE",
+        ),
+        (
+            &["--kind", "rover", "--model", "sailboat"],
+            "name it with --ardurover FILE",
+        ),
+        // Without the option, it is a rover of the embedded simulator.
+        (
+            &["--kind", "rover", "--param", "WP_SPEED=3"],
+            "`param set` in the console",
+        ),
         (&["--kind", "plane"], "./waf plane"),
         (
             &["--kind", "plane", "--backend", "embedded"],

@@ -234,6 +234,19 @@ impl PositionControl {
         self.accel_m_s2 = accel_m_s2;
     }
 
+    /// Brings the path nearer to a body that has been blown far away from it (`AC_P_2D::update_all`); returns by how much
+    /// it moved.
+    pub(super) fn drag_along(&mut self, body: &Body, limits: &Limits) -> Option<DVec3> {
+        let off_m = (self.path_m - body.position_m).truncate();
+        let furthest_m = furthest_m(limits);
+        if off_m.length_squared() <= furthest_m * furthest_m {
+            return None;
+        }
+        let shift_m = (off_m.clamp_length_max(furthest_m) - off_m).extend(0.0);
+        self.path_m += shift_m;
+        Some(shift_m)
+    }
+
     /// The acceleration that makes the body follow the path, within the allowed lean. A large position error is
     /// corrected with a limited acceleration (`correction_m_s2`).
     pub(super) fn demand(
@@ -307,6 +320,16 @@ impl PositionControl {
         self.path_m += delta_m;
         self.velocity_m_s += delta_m_s;
     }
+}
+
+/// The distance from which the feedback would ask for more than the highest speed.
+fn furthest_m(limits: &Limits) -> f64 {
+    let linear_m_s = limits.accel_m_s2 / POSITION_P;
+    if limits.speed_m_s <= linear_m_s {
+        return limits.speed_m_s / POSITION_P;
+    }
+    let speed_2 = limits.speed_m_s * limits.speed_m_s;
+    (linear_m_s / POSITION_P + speed_2 / limits.accel_m_s2) * 0.5
 }
 
 /// An acceleration limited to `most`: the part across the path takes precedence over the part along

@@ -80,6 +80,7 @@ impl Vehicle {
             boot,
             log: _,
             adsb,
+            following,
             outbox,
             steps,
         } = self;
@@ -93,6 +94,9 @@ impl Vehicle {
         }
         if let Some(adsb) = adsb {
             add(adsb);
+        }
+        if let Some(following) = following {
+            add(following);
         }
     }
 }

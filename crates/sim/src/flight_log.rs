@@ -56,7 +56,8 @@ pub(super) struct FlightLog {
     /// Whether samples are written now; after a flight the log pauses until the next one.
     is_writing: bool,
     is_armed: bool,
-    armed_at: Duration,
+    /// When the vehicle was last armed, if it was since boot.
+    armed_at: Option<Duration>,
     /// The number of logs so far.
     written: u16,
     /// The last requested file.
@@ -73,10 +74,11 @@ impl FlightLog {
         }
     }
 
-    /// Deletes all logs; the numbers continue.
+    /// Deletes all logs; the numbers begin again, with a new log if one is being written.
     pub(super) fn erase(&mut self) {
         *self = Self {
-            written: self.written,
+            is_armed: self.is_armed,
+            armed_at: self.armed_at,
             ..Self::default()
         };
     }
@@ -95,10 +97,11 @@ impl FlightLog {
         now: Duration,
     ) -> bool {
         if armed {
-            self.armed_at = now;
+            self.armed_at = Some(now);
             self.open = None;
         }
-        let persists = self.recording && now.saturating_sub(self.armed_at) < PERSISTS_FOR;
+        let since_flight = self.armed_at.map(|at| now.saturating_sub(at));
+        let persists = since_flight.is_some_and(|since| since < PERSISTS_FOR);
         let wants = rules.enabled && (armed || rules.while_disarmed || persists);
         self.is_writing = wants;
         if wants && !self.recording {

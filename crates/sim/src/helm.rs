@@ -7,7 +7,7 @@ mod rules;
 use glam::DVec2;
 
 use self::pid::Pid;
-pub(super) use self::rules::{HelmRules, PIVOT_WITHIN_DEG};
+pub(super) use self::rules::{CircleRules, HelmRules, PIVOT_WITHIN_DEG};
 use super::body::Body;
 use super::control::FlatMotion;
 use super::kind::{Chassis, VehicleKind};

@@ -13,6 +13,7 @@ use self::fields::{Addressed, StationRequest};
 use super::autopilot::Autopilot;
 use super::autopilot::telemetry;
 use super::commands::{self, Command};
+use super::leader::LeaderReport;
 use super::link::Link;
 use super::operator::{self, REQUEST_CONTROL, Refusal};
 use super::parameters::BY_NAME;
@@ -148,6 +149,11 @@ fn converse(autopilot: &mut Autopilot, link: &mut Link, frame: &Frame, message: 
     let is_pilot = matches!(message, MavMessage::HEARTBEAT(_)) || !is_barred(autopilot, frame);
     if is_pilot && frame.system == autopilot.vehicle.tuning.ground_station {
         hear_pilot(autopilot, message);
+    }
+    if frame.system != autopilot.vehicle.system
+        && let Some(report) = LeaderReport::read(message)
+    {
+        autopilot.vehicle.hear_leader(frame.system, &report);
     }
     let own = |target: u8| target == 0 || target == autopilot.vehicle.system;
     match message {

@@ -48,7 +48,7 @@
 //!   `body`; `upset` and `mixer` after the loss of a motor.
 //! - Facts: `config` (the content of a world), `parameters`, `mode`, `cmd`, `frame` and `mask` (the
 //!   numbers of MAVLink), `plan` (lists of items), `place` (points and places on the earth),
-//!   `radio` (sticks), `texts`, `payload`.
+//!   `leader` (the vehicle to follow), `radio` (sticks), `texts`, `payload`.
 //! - Parts that own their state, get the state of others as arguments, and return their requests
 //!   (`reaction`): `estimator` (the estimated motion), `control` and `yaw` (the path and the
 //!   heading), `helm` (the steering of rovers), `task` (the current task, with a cockpit lent to it), `trail`, `rally`, `fence`,
@@ -93,6 +93,7 @@ mod input;
 mod inventory;
 mod kind;
 mod kinematics;
+mod leader;
 mod link;
 mod mask;
 mod mixer;

@@ -26,6 +26,7 @@ use super::body::Body;
 use super::control::{FlatMotion, Limits, PositionControl};
 use super::fence::Geofence;
 use super::kinematics::STEP_S;
+use super::leader::Leader;
 use super::radio::Sticks;
 use super::rally::Rally;
 use super::trail::Trail;
@@ -61,6 +62,8 @@ pub(super) struct Cockpit<'a> {
     pub(super) fence: &'a mut Geofence,
     pub(super) trail: &'a mut Trail,
     pub(super) rally: Rally<'a>,
+    /// The vehicle to follow, if one was heard.
+    pub(super) leader: Option<&'a Leader>,
 }
 
 /// The drive of the motors in this step.

@@ -3,6 +3,7 @@
 
 mod flight;
 mod fly;
+mod follow;
 mod plant;
 mod roll;
 mod traffic;
@@ -72,6 +73,8 @@ pub(super) struct Vehicle {
     pub(super) log: FlightLog,
     /// The traffic around the vehicle, if there is any.
     pub(super) adsb: Option<Box<Adsb>>,
+    /// The vehicle to follow, once one was heard.
+    pub(super) following: Option<Box<follow::Following>>,
     /// Messages for every link, in order.
     pub(super) outbox: Vec<MavMessage>,
     pub(super) steps: u64,
@@ -101,6 +104,7 @@ impl Vehicle {
             boot: Boot::new(build.kind, false),
             log: FlightLog::default(),
             adsb,
+            following: None,
             outbox: Vec::new(),
             steps: 0,
         }
@@ -239,6 +243,7 @@ impl Vehicle {
             tuning: &self.tuning.flight,
             fence: &mut self.fence,
             trail: &mut self.flight.trail,
+            leader: self.following.as_deref().and_then(|it| it.leader.as_ref()),
             rally: Rally {
                 items: &self.plans.rally,
                 start: &self.datum.start,

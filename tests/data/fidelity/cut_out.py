@@ -2,7 +2,7 @@
 
     python cut_out.py FOLDER_OF_RECORDINGS NAME...
 
-From NAME.tlog it keeps acks, texts, origins, changes of mode and of arming, and of position, attitude and voltage the
+From NAME.tlog it keeps acks, texts, origins, changes of mode and of arming, the function of the first output, and of position, attitude and voltage the
 samples between which a straight line is nearer to all the others than the tolerances below. NAME.tx.tlog is copied.
 """
 
@@ -15,6 +15,8 @@ from pathlib import Path
 from pymavlink import mavutil
 
 KEPT = {"COMMAND_ACK", "MISSION_ACK", "MISSION_ITEM_REACHED", "STATUSTEXT"}
+# It tells a rover that turns on the spot from one with steered wheels.
+KEPT_PARAMETER = "SERVO1_FUNCTION"
 # Position 3 cm and velocity 5 cm/s, attitude 0.3 degrees, voltage 20 mV.
 THINNED = {
     "LOCAL_POSITION_NED": lambda m: [m.x / 0.03, m.y / 0.03, m.z / 0.03, m.vx / 0.05, m.vy / 0.05, m.vz / 0.05],
@@ -78,6 +80,8 @@ def cut(folder, name, into):
     for time, message in records(folder / f"{name}.tlog"):
         kind = message.get_type()
         if kind in KEPT:
+            kept.append((time, message))
+        elif kind == "PARAM_VALUE" and message.param_id == KEPT_PARAMETER:
             kept.append((time, message))
         elif kind in thinners:
             kept += thinners[kind].add(time, message)

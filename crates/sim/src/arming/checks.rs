@@ -174,6 +174,9 @@ impl ArmingChecks<'_> {
         self.power_obstacles(&mut reasons);
         reasons.extend(self.mission_obstacle());
         reasons.extend(values.servos.iter().cloned());
+        if self.rules.has(Check::Voltage) {
+            reasons.extend(values.board.clone());
+        }
         reasons.extend(self.terrain_obstacle());
         reasons.extend(self.workbench.iter().map(|reason| Reason::from(*reason)));
         reasons.extend(self.fence.map(Reason::from));

@@ -8,6 +8,8 @@ use crate::parameters::Parameters;
 /// Frames of a multicopter (`FRAME_CLASS`): quad, hexa, octa, octa quad, Y6, tri, dodecahexa, deca.
 const FRAME_CLASSES: [i32; 8] = [1, 2, 3, 4, 5, TRICOPTER, 12, 14];
 const TRICOPTER: i32 = 7;
+/// The largest number of an arrangement of motors (`FRAME_TYPE`).
+const FRAME_TYPE_MAX: i32 = 19;
 /// The `SERVOn_FUNCTION` of the first motor.
 const MOTOR_1: i32 = 33;
 const SERVOS: usize = 16;
@@ -16,6 +18,9 @@ const SPIN_MIN_MAX: f64 = 0.3;
 /// A calibrated stick reaches beyond these, in microseconds.
 const STICK_MIN_US: f64 = 1300.0;
 const STICK_MAX_US: f64 = 1700.0;
+/// The voltage of the board, and the highest one that is in range.
+const BOARD_V: f64 = 5.0;
+const BOARD_MAX_V: f64 = 5.8;
 /// The number of receiver channels that are checked.
 const CHANNELS: usize = 8;
 
@@ -28,6 +33,7 @@ pub(super) struct ValueChecks {
     pub(super) controllers: Option<Reason>,
     pub(super) sticks: Vec<Reason>,
     pub(super) servos: Vec<Reason>,
+    pub(super) board: Option<Reason>,
     /// A source of the estimator that does not exist, for modes that need a position and for others.
     pub(super) sources: [Option<Reason>; 2],
 }
@@ -41,6 +47,7 @@ impl ValueChecks {
             controllers: flies.then(|| controllers(all)).flatten(),
             sticks: sticks(all),
             servos: servos(all),
+            board: board(all),
             sources: [true, false].map(|with_position| source(all, with_position)),
         }
     }
@@ -48,7 +55,8 @@ impl ValueChecks {
 
 fn motors(all: &Parameters) -> Option<String> {
     let class = all.value("FRAME_CLASS") as i32;
-    if !FRAME_CLASSES.contains(&class) {
+    let arrangement = all.value("FRAME_TYPE") as i32;
+    if !FRAME_CLASSES.contains(&class) || !(0..=FRAME_TYPE_MAX).contains(&arrangement) {
         return Some("Check frame class and type".to_owned());
     }
     let functions: Vec<i32> = (1..=SERVOS)
@@ -145,6 +153,13 @@ fn servos(all: &Parameters) -> Vec<Reason> {
         .filter(|servo| all.value(&format!("SERVO{servo}_FUNCTION")) > 0.0)
         .flat_map(|servo| limits(all, "SERVO", servo))
         .collect()
+}
+
+/// The reason if the board's voltage is below what the parameters ask for.
+fn board(all: &Parameters) -> Option<Reason> {
+    let least = all.value("BRD_VBUS_MIN");
+    let text = || format!("Board ({BOARD_V:.1}v) out of range {least:.1}-{BOARD_MAX_V:.1}v");
+    (least > BOARD_V).then(|| text().into())
 }
 
 /// The reasons if the trim of a channel is beyond its limits.

@@ -129,7 +129,13 @@ impl AutoPlan {
     }
 
     fn has_waited(&mut self, vehicle: &mut Vehicle, at: u16, item: &Item) -> bool {
-        if !matches!(&vehicle.flight.task, Task::Route(route) if route.reached) {
+        let is_there = match &vehicle.flight.task {
+            Task::Route(route) => route.reached,
+            // A boat holds the place where it arrived.
+            Task::Drive(Drive::Loiter(_)) => true,
+            _ => false,
+        };
+        if !is_there {
             return false;
         }
         let now = vehicle.uptime();

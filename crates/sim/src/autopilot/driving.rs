@@ -21,17 +21,20 @@ impl Autopilot {
         let is_lost = mode.needs_position() && vehicle.safety.armed && !vehicle.is_ready();
         let refuses = is_lost
             || match mode.id {
+                ModeId::Follow => vehicle.tuning.flight.follow.is_none(),
                 ModeId::Auto => !has_mission,
                 ModeId::Rtl => vehicle.datum.home().is_none(),
                 ModeId::SmartRtl => !vehicle.flight.trail.is_active(),
                 _ => false,
             };
-        if let ModeEntry::Refused(texts) = mode.entry {
-            for text in texts {
-                vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, text);
-            }
-            return true;
+        let reasons = match mode.entry {
+            ModeEntry::Refused(reasons) => Some(reasons),
+            _ => None,
+        };
+        for reason in reasons.into_iter().flatten() {
+            vehicle.say(MavSeverity::MAV_SEVERITY_NOTICE, reason);
         }
+        let refuses = refuses || reasons.is_some();
         if refuses {
             vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, REFUSAL);
         }
@@ -41,6 +44,9 @@ impl Autopilot {
     /// The task of the mode.
     pub(super) fn first_drive(&mut self) -> Task {
         let mode = self.vehicle.flight.mode.id;
+        if mode == ModeId::Circle {
+            self.warn_of_the_circle();
+        }
         Task::Drive(self.vehicle.with_cockpit(|_, cockpit| {
             let Some(rules) = cockpit.tuning.helm.as_deref() else {
                 return Drive::Hold;
@@ -56,14 +62,26 @@ impl Autopilot {
                 ModeId::Loiter => Drive::Loiter(Loiter::here(cockpit, rules)),
                 ModeId::Rtl => Drive::home(cockpit, rules),
                 ModeId::SmartRtl => Drive::retracing(cockpit, rules),
+                ModeId::Circle => Drive::circle(cockpit, rules),
+                ModeId::Follow => Drive::Follow(rules.speed_max_m_s),
                 _ => Drive::Hold,
             }
         }))
     }
 
+    /// Says what the parameters ask of a circle and cannot have.
+    fn warn_of_the_circle(&mut self) {
+        let tuning = &self.vehicle.tuning.flight;
+        let warnings = tuning.helm.as_deref().map(|rules| rules.circle.warnings());
+        for text in warnings.into_iter().flatten() {
+            self.vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
+        }
+    }
+
     /// Drives for one step, and reports what happened.
     pub(super) fn drive(&mut self) {
         let vehicle = &mut self.vehicle;
+        vehicle.keep_offset();
         match vehicle.drive() {
             Some(DriveNews::Reached) => {
                 let reached = MISSION_ITEM_REACHED_DATA { seq: 0 };

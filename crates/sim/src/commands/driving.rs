@@ -1,5 +1,7 @@
 //! Commands that a rover carries out in its own way.
 
+use std::sync::Arc;
+
 use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::motion;
@@ -24,6 +26,14 @@ pub(super) fn change_speed(
 
 /// Sets the speed along a path; `false` while there is none, or for a speed that is too low.
 fn set_speed(autopilot: &mut Autopilot, speed_m_s: f64) -> bool {
+    match &mut autopilot.vehicle.flight.task {
+        Task::Drive(Drive::Circle(_)) => return set_circle_speed(autopilot, speed_m_s),
+        Task::Drive(Drive::Follow(fastest_m_s)) if speed_m_s >= 0.0 => {
+            *fastest_m_s = speed_m_s;
+            return true;
+        }
+        _ => {}
+    }
     let flight = &mut autopilot.vehicle.flight;
     let on_path = match &flight.task {
         Task::Route(_) | Task::Drive(Drive::Goto(_) | Drive::Return(_)) => true,
@@ -34,6 +44,22 @@ fn set_speed(autopilot: &mut Autopilot, speed_m_s: f64) -> bool {
         flight.speeds.ground_m_s = Some(speed_m_s);
     }
     able
+}
+
+fn set_circle_speed(autopilot: &mut Autopilot, speed_m_s: f64) -> bool {
+    let vehicle = &mut autopilot.vehicle;
+    let tuning = Arc::clone(&vehicle.tuning);
+    let rules = tuning.flight.helm.as_deref().map(|helm| &helm.circle);
+    let Some(rules) = rules.filter(|_| speed_m_s > 0.0 && speed_m_s.is_finite()) else {
+        return false;
+    };
+    if let Some(text) = rules.speed_warning(speed_m_s) {
+        vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
+    }
+    if let Task::Drive(Drive::Circle(circle)) = &mut vehicle.flight.task {
+        circle.set_speed(speed_m_s, rules);
+    }
+    true
 }
 
 pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {

@@ -8,6 +8,11 @@ use crate::parameters::Parameters;
 /// An acceleration without a limit, in m/s².
 const ACCEL_UNLIMITED_M_S2: f64 = 20.0;
 
+/// The acceleration on a circle without a limit, in m/s².
+const CIRCLE_ACCEL_M_S2: f64 = 1.0;
+/// The smallest circle.
+const CIRCLE_RADIUS_MIN_M: f64 = 0.5;
+
 const PILOT_SPEED_MAX_M_S: f64 = 30.0;
 /// The value of `FRAME_CLASS` for a boat.
 const BOAT: i32 = 2;
@@ -51,6 +56,7 @@ pub(crate) struct HelmRules {
     pub(crate) acro_turn_deg_s: f64,
     /// The pilot's highest speed (`SPEED_MAX`); 0 for the one that full throttle gives.
     pilot_speed_max_m_s: f64,
+    pub(crate) circle: CircleRules,
     /// `LOIT_RADIUS`, and the speed per metre beyond it.
     pub(crate) loiter_radius_m: f64,
     pub(crate) loiter_speed_per_m: f64,
@@ -66,11 +72,15 @@ impl HelmRules {
         Self {
             accel_max_m_s2: accel,
             decel_max_m_s2: decel,
-            accel_m_s2: path_accel_m_s2([accel, decel], all.value("WP_ACCEL")),
+            accel_m_s2: path_accel_m_s2(
+                [accel, decel],
+                all.value("WP_ACCEL"),
+                ACCEL_UNLIMITED_M_S2,
+            ),
             speed_max_m_s: all.value("WP_SPEED").clamp(0.05, 100.0),
             turn_max_rad_s: rad("ATC_STR_RAT_MAX"),
             turn_accel_rad_s2: rad("ATC_STR_ACC_MAX"),
-            lateral_m_s2: all.value("ATC_TURN_MAX_G").max(0.1) * GRAVITY_M_S2,
+            lateral_m_s2: lateral_m_s2(all),
             heading_p: all.value("ATC_STR_ANG_P"),
             steering: PidGains::read(all, "ATC_STR_RAT"),
             steering_feed_forward: all.value("ATC_STR_RAT_FF"),
@@ -90,6 +100,7 @@ impl HelmRules {
             is_boat: all.value("FRAME_CLASS") as i32 == BOAT,
             acro_turn_deg_s: all.value("ACRO_TURN_RATE"),
             pilot_speed_max_m_s: all.value("SPEED_MAX"),
+            circle: CircleRules::read(all, [accel, decel]),
             loiter_radius_m: all.value("LOIT_RADIUS").max(0.0),
             loiter_speed_per_m: all.value("LOIT_SPEED_GAIN"),
         }
@@ -112,6 +123,70 @@ impl HelmRules {
     }
 }
 
+/// The circle of CIRCLE (`CIRC_*`).
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct CircleRules {
+    asked_radius_m: f64,
+    asked_speed_m_s: f64,
+    pub(crate) is_counterclockwise: bool,
+    pub(crate) accel_m_s2: f64,
+    lateral_m_s2: f64,
+    /// `TURN_RADIUS`, which also limits vehicles that turn on the spot.
+    pub(crate) turn_radius_m: f64,
+}
+
+impl CircleRules {
+    fn read(all: &Parameters, accels: [f64; 2]) -> Self {
+        let speed = all.value("CIRC_SPEED");
+        let asked_speed = if speed > 0.0 {
+            speed
+        } else {
+            all.value("WP_SPEED")
+        };
+        Self {
+            asked_radius_m: all.value("CIRC_RADIUS").abs().max(CIRCLE_RADIUS_MIN_M),
+            asked_speed_m_s: asked_speed.clamp(0.05, 100.0),
+            is_counterclockwise: all.value("CIRC_DIR") as i32 == 1,
+            accel_m_s2: path_accel_m_s2(accels, all.value("WP_ACCEL"), CIRCLE_ACCEL_M_S2),
+            lateral_m_s2: lateral_m_s2(all),
+            turn_radius_m: all.value("TURN_RADIUS").max(0.0),
+        }
+    }
+
+    pub(crate) fn radius_m(&self) -> f64 {
+        self.asked_radius_m.max(self.turn_radius_m)
+    }
+
+    /// The highest speed on the circle.
+    pub(crate) fn fastest_m_s(&self) -> f64 {
+        (self.lateral_m_s2 * self.radius_m()).sqrt()
+    }
+
+    pub(crate) fn speed_m_s(&self) -> f64 {
+        self.asked_speed_m_s.min(self.fastest_m_s())
+    }
+
+    /// The warning about a speed that the circle does not allow, if it is one.
+    pub(crate) fn speed_warning(&self, asked_m_s: f64) -> Option<String> {
+        let most = self.fastest_m_s();
+        (asked_m_s > most).then(|| format!("Circle: max speed is {most:4.1}"))
+    }
+
+    /// The warnings at the begin about what the circle does not allow.
+    pub(crate) fn warnings(&self) -> Vec<String> {
+        let turn_radius_m = self.turn_radius_m;
+        let is_narrow = self.asked_radius_m < turn_radius_m;
+        let wider = is_narrow
+            .then(|| format!("Circle: radius increased to TURN_RADIUS ({turn_radius_m:4.1})"));
+        let slower = self.speed_warning(self.asked_speed_m_s);
+        wider.into_iter().chain(slower).collect()
+    }
+}
+
+fn lateral_m_s2(all: &Parameters) -> f64 {
+    all.value("ATC_TURN_MAX_G").max(0.1) * GRAVITY_M_S2
+}
+
 /// The throttle for each metre per second: that of the cruise.
 fn throttle_per_m_s(all: &Parameters) -> f64 {
     let throttle = all.value("CRUISE_THROTTLE") * 0.01;
@@ -126,14 +201,11 @@ fn throttle_per_m_s(all: &Parameters) -> f64 {
 /// A turn on the spot ends within this angle of its heading.
 pub(crate) const PIVOT_WITHIN_DEG: f64 = 5.0;
 
-/// The acceleration along a path: that of the waypoints, unless the controller allows less.
-fn path_accel_m_s2([accel, decel]: [f64; 2], waypoints: f64) -> f64 {
+/// The acceleration along a path: that of the waypoints, unless the controller allows less; `unlimited` for a controller
+/// without a limit.
+fn path_accel_m_s2([accel, decel]: [f64; 2], waypoints: f64, unlimited: f64) -> f64 {
     let slower = if decel > 0.0 { accel.min(decel) } else { accel };
-    let controller = if slower > 0.0 {
-        slower
-    } else {
-        ACCEL_UNLIMITED_M_S2
-    };
+    let controller = if slower > 0.0 { slower } else { unlimited };
     if waypoints > 0.0 {
         waypoints.min(controller)
     } else {

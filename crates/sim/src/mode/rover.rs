@@ -66,7 +66,7 @@ pub(super) const MODES: &[Mode] = &[
         ModeId::Follow,
         RoverMode::ROVER_MODE_FOLLOW,
         "FOLLOW",
-        ModeEntry::Refused(&[REFUSAL]),
+        ModeEntry::Position,
     ),
     mode(
         ModeId::Simple,
@@ -78,13 +78,13 @@ pub(super) const MODES: &[Mode] = &[
         ModeId::Dock,
         RoverMode::ROVER_MODE_DOCK,
         "DOCK",
-        ModeEntry::Refused(&["Dock: target not acquired", REFUSAL]),
+        ModeEntry::Refused(&["Dock: target not acquired"]),
     ),
     mode(
         ModeId::Circle,
         RoverMode::ROVER_MODE_CIRCLE,
         "CIRCLE",
-        ModeEntry::Refused(&[REFUSAL]),
+        ModeEntry::Position,
     ),
     mode(
         ModeId::Auto,
@@ -114,6 +114,6 @@ pub(super) const MODES: &[Mode] = &[
         ModeId::Initialising,
         RoverMode::ROVER_MODE_INITIALIZING,
         "INITIALISING",
-        ModeEntry::Refused(&[REFUSAL]),
+        ModeEntry::Refused(&[]),
     ),
 ];

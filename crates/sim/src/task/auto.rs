@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use self::curve::{CurveBounds, SpeedCurve};
 pub(crate) use self::orbit::Orbit;
+use super::drive::rolling_point;
 use super::{Act, Cockpit};
 use crate::control::Limits;
 use crate::helm::HelmRules;
@@ -189,7 +190,10 @@ pub(crate) struct Route {
 impl Route {
     /// Stops at once and holds the place where the vehicle comes to rest.
     pub(crate) fn standing(cockpit: &mut Cockpit<'_>) -> Self {
-        let from_m = stopping_point(cockpit);
+        let from_m = match cockpit.tuning.helm.as_deref() {
+            Some(rules) => rolling_point(cockpit, rules),
+            None => stopping_point(cockpit),
+        };
         Self::waiting_at(from_m, cockpit)
     }
 

@@ -1,10 +1,14 @@
 //! What a rover does: driving to places, along legs and by a pilot's sticks, and standing still.
 
+mod circle;
+mod follow;
+
 use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
+use self::circle::DriveCircle;
 use super::{Cockpit, Route, Task};
 use crate::control::FlatMotion;
 use crate::helm::{Course, HelmRules, PIVOT_WITHIN_DEG, bearing_deg};
@@ -47,6 +51,10 @@ pub(crate) enum Drive {
     Loiter(Loiter),
     /// Drives home, or back along the path.
     Return(DriveHome),
+    /// Drives around a place.
+    Circle(DriveCircle),
+    /// Follows another vehicle, no faster than a speed in m/s.
+    Follow(f64),
 }
 
 /// A drive to a place.
@@ -113,6 +121,10 @@ impl Task {
     ) -> (Course, Option<DriveNews>) {
         match self {
             Self::Drive(drive) => drive.course(cockpit, rules),
+            Self::Route(route) if route.reached && rules.is_boat && !route.goes_on() => {
+                *self = Self::Drive(Drive::rest(cockpit, rules));
+                self.course(cockpit, rules)
+            }
             Self::Route(route) => (route.course(cockpit, rules), None),
             _ => (Course::Stop, None),
         }
@@ -140,6 +152,11 @@ impl Drive {
         } else {
             Self::Stop
         }
+    }
+
+    /// Around the place of the vehicle.
+    pub(crate) fn circle(cockpit: &Cockpit<'_>, rules: &HelmRules) -> Self {
+        Self::Circle(DriveCircle::here(cockpit, &rules.circle))
     }
 
     /// The way home, or to the best rally point.
@@ -174,13 +191,15 @@ impl Drive {
             Self::Loiter(loiter) => Some(loiter.place_m.extend(SURFACE_M)),
             Self::Return(home) if home.retraces && home.arrived => None,
             Self::Return(home) => Some(home.route.goal_m()),
+            Self::Circle(circle) => Some(circle.centre_m.extend(SURFACE_M)),
             Self::Hold
             | Self::Stop
             | Self::Manual
             | Self::Acro
             | Self::Steering
             | Self::Simple { .. }
-            | Self::Setpoint(_) => None,
+            | Self::Setpoint(_)
+            | Self::Follow(_) => None,
         }
     }
 
@@ -197,6 +216,8 @@ impl Drive {
             Self::Steering => (steering(sticks(cockpit), cockpit, rules), None),
             Self::Simple { ahead_deg } => (simple(sticks(cockpit), *ahead_deg, rules), None),
             Self::Loiter(loiter) => (loiter.course(cockpit, rules), None),
+            Self::Circle(circle) => (circle.course(cockpit, &rules.circle), None),
+            Self::Follow(fastest_m_s) => (follow::course(cockpit, *fastest_m_s), None),
             Self::Goto(goto) => {
                 let (course, arrives) = goto.course(cockpit, rules);
                 if goto.arrived && rules.is_boat {
@@ -224,19 +245,19 @@ impl Drive {
 
 /// A route that begins where the vehicle comes to rest.
 fn route_from_here(cockpit: &mut Cockpit<'_>, rules: &HelmRules) -> Route {
-    let from_m = stopping_point(cockpit, rules).extend(SURFACE_M);
-    Route::waiting_at(from_m, cockpit)
+    Route::waiting_at(rolling_point(cockpit, rules), cockpit)
 }
 
 /// The place where the vehicle comes to rest if it brakes now.
-fn stopping_point(cockpit: &Cockpit<'_>, rules: &HelmRules) -> DVec2 {
+pub(super) fn rolling_point(cockpit: &Cockpit<'_>, rules: &HelmRules) -> DVec3 {
     let moving = cockpit.body.velocity_m_s.truncate();
     let way_m = if rules.accel_max_m_s2 > 0.0 {
         0.5 * moving.length_squared() / rules.accel_max_m_s2
     } else {
         0.0
     };
-    cockpit.body.position_m.truncate() + moving.normalize_or_zero() * way_m
+    let here_m = cockpit.body.position_m.truncate();
+    (here_m + moving.normalize_or_zero() * way_m).extend(SURFACE_M)
 }
 
 impl Goto {
@@ -263,10 +284,6 @@ impl Goto {
 impl Route {
     fn course(&mut self, cockpit: &mut Cockpit<'_>, rules: &HelmRules) -> Course {
         let goal_m = self.goal_m().truncate();
-        if self.reached && rules.is_boat && !self.goes_on() {
-            let heading_deg = cockpit.body.yaw_deg;
-            return hold(goal_m, heading_deg, cockpit, rules);
-        }
         let bearing = bearing_deg(cockpit.body.position_m.truncate(), goal_m);
         let at_start = self.is_at_start();
         if must_pivot(&mut self.pivots, at_start, bearing, cockpit, rules) {
@@ -328,7 +345,7 @@ impl Loiter {
     /// Holds the place where the vehicle comes to rest.
     pub(crate) fn here(cockpit: &Cockpit<'_>, rules: &HelmRules) -> Self {
         Self {
-            place_m: stopping_point(cockpit, rules),
+            place_m: rolling_point(cockpit, rules).truncate(),
             heading_deg: cockpit.body.yaw_deg,
         }
     }

@@ -7,6 +7,7 @@ use crate::fence::FenceRules;
 use crate::helm::HelmRules;
 use crate::kind::VehicleKind;
 use crate::kinematics::GRAVITY_M_S2;
+use crate::leader::FollowRules;
 use crate::parameters::Parameters;
 use crate::radio::RadioRules;
 use crate::rally::RallyRules;
@@ -42,6 +43,8 @@ pub(crate) struct FlightTuning {
     pub(crate) rally: RallyRules,
     pub(crate) trail: TrailRules,
     pub(crate) auto: AutoRules,
+    /// How a rover follows another vehicle; `None` if it may not.
+    pub(crate) follow: Option<FollowRules>,
     /// How a rover steers; `None` for a vehicle that flies.
     pub(crate) helm: Option<Box<HelmRules>>,
 }
@@ -88,6 +91,7 @@ impl FlightTuning {
             rally: RallyRules::read(all),
             trail: TrailRules::read(all),
             auto: AutoRules::read(all),
+            follow: FollowRules::read(all),
             helm: None,
         }
         .with_helm(all)

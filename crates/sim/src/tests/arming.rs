@@ -46,6 +46,8 @@ fn wrong_parameters_forbid_arming_with_their_reason() {
             "Motors: Check MOT_PWM_MIN and MOT_PWM_MAX",
         ),
         ("FRAME_CLASS", 0.0, "Motors: Check frame class and type"),
+        ("FRAME_TYPE", 99.0, "Motors: Check frame class and type"),
+        ("BRD_VBUS_MIN", 5.5, "Board (5.0v) out of range 5.5-5.8v"),
         (
             "MOT_SPIN_MIN",
             0.4,

@@ -1,8 +1,8 @@
 //! Transfers of files and flight logs to a ground station.
 
 use mavlink::dialects::ardupilotmega::{
-    FILE_TRANSFER_PROTOCOL_DATA, LOG_REQUEST_DATA_DATA, LOG_REQUEST_LIST_DATA, MavCmd, MavMessage,
-    MavResult, PARAM_REQUEST_READ_DATA,
+    FILE_TRANSFER_PROTOCOL_DATA, LOG_ERASE_DATA, LOG_REQUEST_DATA_DATA, LOG_REQUEST_LIST_DATA,
+    MavCmd, MavMessage, MavResult, PARAM_REQUEST_READ_DATA,
 };
 use mavlink::types::CharArray;
 
@@ -99,6 +99,35 @@ fn files_written_to_the_parameters_and_the_mission_take_effect() {
     ftp(&mut ground, [12, 0, 1, 0], 0, b"");
     let point = download(&mut ground, MISSION, 2).expect("there again");
     assert!((point.z - 25.0).abs() < f32::EPSILON);
+}
+
+/// The number of the only log and the number of logs, as the vehicle lists them.
+fn listed_logs(ground: &mut Ground) -> Option<(u16, u16)> {
+    let first = ground.heard.len();
+    ground.say(MavMessage::LOG_REQUEST_LIST(LOG_REQUEST_LIST_DATA {
+        end: u16::MAX,
+        ..Default::default()
+    }));
+    let said = ground.messages_since(first).into_iter();
+    said.rev().find_map(|message| match message {
+        MavMessage::LOG_ENTRY(entry) => Some((entry.id, entry.num_logs)),
+        _ => None,
+    })
+}
+
+#[test]
+fn erasing_the_logs_begins_a_new_one_while_the_vehicle_still_writes() {
+    let mut ground = Ground::armed();
+    ground.run(3.0);
+    ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [0.0]);
+    ground.run(2.0);
+    let erase = || MavMessage::LOG_ERASE(LOG_ERASE_DATA::default());
+    for (wait_s, logs) in [(1.0, (1, 1)), (20.0, (0, 0))] {
+        ground.run(wait_s);
+        ground.say(erase());
+        ground.run(1.0);
+        assert_eq!(listed_logs(&mut ground), Some(logs), "after {wait_s} s");
+    }
 }
 
 #[test]

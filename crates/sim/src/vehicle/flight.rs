@@ -148,11 +148,17 @@ impl FlightState {
             Act::Idle => Demand::Off,
             Act::Throttle { share, lean_m_s2 } => Demand::Throttle { share, lean_m_s2 },
             Act::Accelerate(wanted) => Demand::Acceleration(wanted),
-            Act::Fly => Demand::Acceleration(self.control.demand(
-                believed,
-                tuning.lean_max_m_s2,
-                tuning.accel_m_s2,
-            )),
+            Act::Fly => {
+                let limits = self.limits(tuning);
+                if let Some(shift_m) = self.control.drag_along(believed, &limits) {
+                    self.shift_held_takeoff(shift_m);
+                }
+                Demand::Acceleration(self.control.demand(
+                    believed,
+                    tuning.lean_max_m_s2,
+                    tuning.accel_m_s2,
+                ))
+            }
             Act::Level => {
                 let down = self.control.demand_level(believed);
                 Demand::Acceleration(level_error_m_s2.extend(down))
@@ -214,7 +220,12 @@ impl FlightState {
     /// jumped.
     pub(super) fn follow_jump(&mut self, jump_m: DVec3) {
         self.control.path_m += jump_m;
-        // The height of a takeoff is held at the vehicle's own position, even if its estimate jumps.
+        self.shift_held_takeoff(jump_m);
+    }
+
+    /// Shifts the goal of a takeoff that is held: its height is held at the vehicle's own position, even if its estimate
+    /// jumps or the wind blows it away.
+    fn shift_held_takeoff(&mut self, jump_m: DVec3) {
         if let (Task::Goto { goal_m, .. }, Some(hold_m)) = (&mut self.task, &mut self.takeoff_m)
             && *goal_m == *hold_m
         {
