@@ -145,6 +145,56 @@ class-denial-version = the desk needs version { $desk } of the protocol; update 
 class-denial-full = the class is full
 class-denial-hello = the desk did not understand this console
 
+# Records that are handed in
+class-handed-in = the record of the flight is handed in
+class-handed-in-later = the record of the flight is not handed in yet: { $reason }; it stays here and is offered again
+class-not-handed-in = the record of the flight is not handed in: { $reason }; it stays here
+class-kept = { $user } has handed in { $mission }: score { $score }
+class-not-kept = the record { $record } of { $user } is not kept: { $reason }
+class-unscored = a record is kept, but cannot be scored: { $fault }
+class-submission-unwritable = the disk of the desk is full, or not available
+class-submission-damaged = it was damaged on the way
+class-submission-share = your records at the desk would exceed 1 GiB
+class-submission-impossible = the record of the mission is missing, or larger than 64 MiB
+class-submission-different = the desk keeps another record under this name
+
+# The results of a class
+class-no-records = no record was handed in to the class { $class } yet
+class-no-records-known = no record was handed in to the class { $class } yet; there are records of: { $known }
+class-report-title = Class { $class }: { $count } { $count ->
+        [one] trainee
+       *[other] trainees
+    }
+class-report-missions = Best score and tries per mission (✓ passed)
+class-report-skills = Probability that a skill is mastered
+class-report-spread = Best scores of the class
+class-report-objectives = Objectives, the least known first (each trainee's best flight)
+class-report-skill-spread = Skills, the least known first
+class-report-practice = practice
+class-report-trainees = trainees
+class-report-least = lowest
+class-report-median = median
+class-report-most = highest
+class-report-objective = objective
+class-report-objective-title = title
+class-report-met = met
+class-report-share = points
+class-report-mastered = mastered
+class-report-profile = profile
+class-report-revision = revision
+class-report-mandatory = mandatory
+class-report-points = points
+class-report-points-max = of points
+class-report-result = result
+class-report-began = began (UTC)
+class-report-record = record
+class-report-trainee = Class { $class }: { $count } { $count ->
+        [one] flight
+       *[other] flights
+    } handed in.
+class-report-of-profiles = Profile: { $profiles }.
+class-report-best = { $mission }: best flight, score { $score } ({ $when })
+
 # The socket
 class-no-socket = { $socket } exists and is not a socket: choose another name
 class-in-use = a desk is already open at { $socket }: choose another name, or close it

@@ -146,6 +146,58 @@ class-denial-version = пульт потребує версії { $desk } про
 class-denial-full = у класі немає вільних місць
 class-denial-hello = пульт не зрозумів цю консоль
 
+# Записи, що здаються
+class-handed-in = запис польоту здано
+class-handed-in-later = запис польоту ще не здано: { $reason }; він лишається тут і буде поданий знову
+class-not-handed-in = запис польоту не здано: { $reason }; він лишається тут
+class-kept = { $user }: запис { $mission } здано, бали { $score }
+class-not-kept = запис { $record } від { $user } не збережено: { $reason }
+class-unscored = запис збережено, але оцінити його не можна: { $fault }
+class-submission-unwritable = диск пульта переповнений або недоступний
+class-submission-damaged = його пошкоджено дорогою
+class-submission-share = ваші записи на пульті перевищили б 1 ГіБ
+class-submission-impossible = запису завдання немає, або він більший за 64 МіБ
+class-submission-different = пульт зберігає під цією назвою інший запис
+
+# Результати класу
+class-no-records = до класу { $class } ще не здано жодного запису
+class-no-records-known = до класу { $class } ще не здано жодного запису; є записи класів: { $known }
+class-report-title = Клас { $class }: { $count } { $count ->
+        [one] учень
+        [few] учні
+       *[other] учнів
+    }
+class-report-missions = Найкращі бали і спроби за завданнями (✓ пройдено)
+class-report-skills = Імовірність, що навичку засвоєно
+class-report-spread = Найкращі бали класу
+class-report-objectives = Цілі, спершу найменш засвоєні (найкращий політ кожного)
+class-report-skill-spread = Навички, спершу найменш засвоєні
+class-report-practice = тренувань
+class-report-trainees = учнів
+class-report-least = найнижчий
+class-report-median = медіана
+class-report-most = найвищий
+class-report-objective = ціль
+class-report-objective-title = назва
+class-report-met = досягнуто
+class-report-share = бали
+class-report-mastered = засвоїли
+class-report-profile = профіль
+class-report-revision = редакція
+class-report-mandatory = обов’язкова
+class-report-points = бали
+class-report-points-max = із балів
+class-report-result = результат
+class-report-began = початок (UTC)
+class-report-record = запис
+class-report-trainee = Клас { $class }: здано { $count } { $count ->
+        [one] політ
+        [few] польоти
+       *[other] польотів
+    }.
+class-report-of-profiles = Профіль: { $profiles }.
+class-report-best = { $mission }: найкращий політ, бали { $score } ({ $when })
+
 # Сокет
 class-no-socket = { $socket } уже існує і не є сокетом: виберіть іншу назву
 class-in-use = на { $socket } вже відкрито пульт: виберіть іншу назву або закрийте його

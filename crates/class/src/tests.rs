@@ -6,6 +6,7 @@ use std::time::Duration;
 use proptest::prelude::*;
 
 use super::protocol::{Denial, DeskMessage, Hello, SeatMessage, VERSION, line, read};
+use super::reception::tests::{MemoryShelf, piece, submission};
 use super::*;
 
 const STEP: Duration = Duration::from_millis(100);
@@ -28,6 +29,11 @@ fn seconds(count: u64) -> Duration {
 /// A seat without a flight.
 struct Idle;
 
+/// The content of the record that a seat hands in: three pieces and a half.
+fn content() -> Vec<u8> {
+    (0..PIECE * 7 / 2).map(|it| it as u8).collect()
+}
+
 impl SeatSource for Idle {
     fn report(&self) -> SeatReport {
         SeatReport::default()
@@ -35,6 +41,10 @@ impl SeatSource for Idle {
 
     fn picture(&self) -> Option<Picture> {
         Some(Picture::blank(3, 2))
+    }
+
+    fn piece(&self, request: &PieceRequest) -> Option<Piece> {
+        Some(piece(&content(), request))
     }
 }
 
@@ -45,7 +55,7 @@ fn joined(desk: &mut Desk, connection: u64, user: &str, sitting: u64) {
         hello(sitting),
         Duration::ZERO,
     );
-    assert_eq!(outcome, Ok(()));
+    assert_eq!(outcome, Ok(DeskHeard::Known));
 }
 
 fn report(flight: Option<FlightReport>) -> SeatMessage {
@@ -135,13 +145,16 @@ fn a_stuck_trainee_is_first_as_soon_as_its_report_comes() {
         let said = report(Some(flight(clock_s)));
         assert_eq!(
             desk.hear(ConnectionId(number), user, said, seconds(1)),
-            Ok(())
+            Ok(DeskHeard::Known)
         );
     }
     assert_eq!(names(&desk), ["vira", "anna", "bohdan"]);
     // Who has been stuck longest is first.
     let said = report(Some(flight(60.5)));
-    assert_eq!(desk.hear(ConnectionId(1), "anna", said, seconds(2)), Ok(()));
+    assert_eq!(
+        desk.hear(ConnectionId(1), "anna", said, seconds(2)),
+        Ok(DeskHeard::Known)
+    );
     assert_eq!(names(&desk), ["vira", "anna", "bohdan"]);
 }
 
@@ -276,6 +289,8 @@ struct Rig {
     delayed: Vec<Vec<u8>>,
     /// How often each order was carried out.
     done: BTreeMap<OrderId, u32>,
+    reception: Reception<MemoryShelf>,
+    kept: u32,
 }
 
 impl Rig {
@@ -290,6 +305,8 @@ impl Rig {
             fates: fates.into(),
             delayed: Vec::new(),
             done: BTreeMap::new(),
+            reception: Reception::new(MemoryShelf::default()),
+            kept: 0,
         }
     }
 
@@ -330,7 +347,15 @@ impl Rig {
                 let heard = read::<SeatMessage>(&line);
                 // A delayed line of the other side.
                 let Ok(heard) = heard else { continue };
-                if self.desk.hear(at, "anna", heard, self.now).is_err() {
+                let receipt = match self.desk.hear(at, "anna", heard, self.now) {
+                    Ok(DeskHeard::Known) => None,
+                    Ok(DeskHeard::Submission(it)) => Some(self.reception.begin(at, "anna", &it)),
+                    Ok(DeskHeard::Piece(it)) => self.reception.take(at, "anna", &it),
+                    Err(_) => return self.reconnect(),
+                };
+                if let Some(receipt) = receipt
+                    && !self.answer(&receipt)
+                {
                     return self.reconnect();
                 }
             }
@@ -352,6 +377,20 @@ impl Rig {
         }
     }
 
+    /// Sends what follows for a record; whether the connection holds.
+    fn answer(&mut self, receipt: &Receipt) -> bool {
+        self.kept += u32::from(matches!(receipt.news, Some(ReceiptNews::Kept(_))));
+        let Some(lines) = self.carry(&line(&receipt.answer)) else {
+            return false;
+        };
+        for line in lines {
+            if let Ok(heard) = read::<DeskMessage>(&line) {
+                self.obey(heard);
+            }
+        }
+        true
+    }
+
     fn obey(&mut self, message: DeskMessage) {
         self.seat_line.hear(&message);
         match message {
@@ -361,7 +400,12 @@ impl Rig {
                 self.seat.settle(None, order.clone(), Outcome::Done);
             }
             DeskMessage::Watch { on } => self.seat.let_watch(on),
+            DeskMessage::Settled { record, end } => {
+                let now = self.now;
+                self.seat.hand_in_mut().settle(&record, end, now);
+            }
             DeskMessage::Order(_)
+            | DeskMessage::Fetch(_)
             | DeskMessage::Ask { .. }
             | DeskMessage::Denied(_)
             | DeskMessage::Here => {}
@@ -378,6 +422,7 @@ proptest! {
         notes in prop::collection::vec(0_u8..40, 1..30),
     ) {
         let mut rig = Rig::new(fates);
+        rig.seat.hand_in_mut().offer(submission(&content()));
         let what = Happening::Started { mission: None };
         for count in notes {
             for _ in 0..count {
@@ -398,6 +443,10 @@ proptest! {
         prop_assert_eq!(record.journal.missing(), 0);
         prop_assert!(record.journal.entries().eq(rig.seat.journal().entries()));
         prop_assert!(rig.done.values().all(|count| *count == 1));
+        prop_assert!(rig.seat.hand_in().is_empty());
+        prop_assert_eq!(rig.kept, 1);
+        let files = &rig.reception.shelf().files;
+        prop_assert!(files.values().all(|(bytes, is_whole)| *is_whole && *bytes == content()));
         for given in record.orders() {
             prop_assert_eq!(given.state, OrderState::Ended(Outcome::Done));
         }

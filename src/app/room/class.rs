@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crossterm::event::KeyCode;
 
@@ -12,6 +13,7 @@ use crate::app::keymap::{
 };
 use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
 use crate::class::Desk;
+use crate::class_results::ClassResults;
 
 /// The number of columns by which the view moves sideways.
 const SIDEWAYS: usize = 8;
@@ -27,6 +29,8 @@ pub struct ClassRoom {
     pub(in crate::app) shows_injects: bool,
     /// The first column and the first row of the watched screen that are to be shown.
     view: (u16, u16),
+    /// The results of the class; `None` until the records are read.
+    pub(in crate::app) results: Option<Arc<ClassResults>>,
 }
 
 impl ClassRoom {

@@ -31,7 +31,7 @@ impl Member {
             class: Some(class),
             ..ConsoleOptions::for_test(opening)
         };
-        let end = ClassEnd::open(options.class.as_ref(), options.flown_by());
+        let end = ClassEnd::open(&options);
         let mut console = Console::new(options, true);
         let (columns, rows) = (120, 40);
         console.feed(TerminalEvent::Resize { columns, rows }).await;
@@ -52,6 +52,8 @@ impl Member {
     }
 
     fn tell(&mut self) {
+        let work = std::mem::take(&mut self.console.class_work);
+        self.end.carry_out(work);
         let console = &self.console;
         let picture = || Some(drawn(console));
         self.end.tell(console.app.state(), &picture);
