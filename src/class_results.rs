@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use crate::campaign::{
     CareerEntry, CareerFlight, CareerProgress, Mastery, MissionCourse, MissionProgress, Skill,
-    SkillProgress, is_practice,
+    SkillProgress, Stake, is_practice,
 };
 use crate::mission::Mission;
 use crate::mission::record::Head;
@@ -87,6 +87,19 @@ impl ClassFlight {
         }
     }
 
+    /// The entry in a career. A guest's flight by script claims to be graded, which a career would not have allowed.
+    fn entry(&self) -> CareerFlight {
+        let stake = if self.counts() {
+            self.flight.stake
+        } else {
+            Stake::Practice
+        };
+        CareerFlight {
+            stake,
+            ..self.flight.clone()
+        }
+    }
+
     /// Whether the flight counts as a try: practice and flights by script do not.
     pub fn counts(&self) -> bool {
         !is_practice(self.flight.stake, self.flight.flown_by)
@@ -116,10 +129,8 @@ impl ClassTrainee {
 
     /// The progress that the handed-in flights show.
     pub fn progress(&self, course: &MissionCourse, day: i64) -> CareerProgress {
-        let flights = self.flights.iter();
-        let history: Vec<CareerEntry> = flights
-            .map(|it| CareerEntry::Flight(it.flight.clone()))
-            .collect();
+        let flights = self.flights.iter().map(ClassFlight::entry);
+        let history: Vec<CareerEntry> = flights.map(CareerEntry::Flight).collect();
         CareerProgress::of(course, &history, day)
     }
 
@@ -301,10 +312,25 @@ impl TraineeResults {
         self.missions.iter().find(|it| it.id == id)
     }
 
+    /// The trainee's best score in a mission, if it was tried; 0 if no flight earned any points.
+    pub fn best(&self, id: &str) -> Option<u16> {
+        Some(self.mission(id)?.best.unwrap_or_default())
+    }
+
     /// The trainee's standing in a skill, if it was shown.
     pub fn skill(&self, skill: Skill) -> Option<&SkillProgress> {
         let mut known = self.skills.iter();
         known.find(|it| it.skill == skill && it.mastery != Mastery::Unknown)
+    }
+}
+
+/// A mission's number, which begins its id; the whole id if it has none.
+pub fn number_of_mission(id: &str) -> &str {
+    let number = id.split('-').next().unwrap_or(id);
+    if number.chars().any(|c| c.is_ascii_digit()) {
+        number
+    } else {
+        id
     }
 }
 
@@ -314,7 +340,9 @@ fn mission_spreads(trainees: &[TraineeResults]) -> Vec<MissionSpread> {
         by_mission.entry(&mission.id).or_default().push(mission);
     }
     let spreads = by_mission.into_iter().filter_map(|(id, results)| {
-        let best = results.iter().filter_map(|it| it.best).map(f64::from);
+        let best = results
+            .iter()
+            .map(|it| f64::from(it.best.unwrap_or_default()));
         Some(MissionSpread {
             mission: id.to_owned(),
             title: results.first()?.title.clone(),

@@ -20,6 +20,8 @@ class-key-resume = resume
 class-key-bookmark = bookmark
 class-key-inject = inject
 class-key-end = end mission
+class-key-results = results
+class-key-next-page = next page
 
 # The board
 class-title = class { $class }: { $here } of { $count } { $count ->
@@ -132,7 +134,7 @@ header-frozen = FROZEN
 class-none = no class is configured: start the console with `--class NAME`
 class-waits = waiting for the desk of the class
 class-ask = Join the class of { $instructor }?
-class-ask-reason = the instructor sees your flight and your screen, and can freeze and end the flight
+class-ask-reason = the instructor sees your flight and your screen, can freeze and end the flight, and gets its record
 class-joining = joining the class
 class-joined = in class { $class }: { $instructor } sees your flight
 class-left = not in the class: join with `class join`
@@ -194,6 +196,18 @@ class-report-trainee = Class { $class }: { $count } { $count ->
     } handed in.
 class-report-of-profiles = Profile: { $profiles }.
 class-report-best = { $mission }: best flight, score { $score } ({ $when })
+
+# The page with the results
+class-results-title = class { $class }, { $number } of { $count }: { $page }
+class-results-by-mission = Best score and tries per mission
+class-results-none = No trainee has handed in a record yet: a console does so when a flight of a mission ends.
+class-results-reading = The records of the class are being read.
+class-results-met = met by
+class-results-spread = lowest ─ middle half █ ─ highest
+class-results-left-out = { $count ->
+        [one] { $count } more column
+       *[other] { $count } more columns
+    }: widen the terminal, or use `sortie class report`
 
 # The socket
 class-no-socket = { $socket } exists and is not a socket: choose another name

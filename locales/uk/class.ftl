@@ -20,6 +20,8 @@ class-key-resume = продовжити
 class-key-bookmark = закладка
 class-key-inject = подія
 class-key-end = завершити
+class-key-results = результати
+class-key-next-page = наступна сторінка
 
 # Таблиця
 class-title = клас { $class }: на зв'язку { $here } із { $count } { $count ->
@@ -133,7 +135,7 @@ header-frozen = ЧАС ЗУПИНЕНО
 class-none = клас не налаштовано: запустіть консоль із `--class НАЗВА`
 class-waits = очікується пульт класу
 class-ask = Приєднатися до класу, який веде { $instructor }?
-class-ask-reason = інструктор бачитиме ваш політ і ваш екран і зможе зупинити час польоту або завершити його
+class-ask-reason = інструктор бачитиме ваш політ і ваш екран, зможе зупинити час польоту або завершити його й отримає його запис
 class-joining = приєднання до класу
 class-joined = у класі { $class }: { $instructor } бачить ваш політ
 class-left = не в класі: приєднатися можна командою `class join`
@@ -197,6 +199,19 @@ class-report-trainee = Клас { $class }: здано { $count } { $count ->
     }.
 class-report-of-profiles = Профіль: { $profiles }.
 class-report-best = { $mission }: найкращий політ, бали { $score } ({ $when })
+
+# Сторінка результатів
+class-results-title = клас { $class }, { $number } з { $count }: { $page }
+class-results-by-mission = Найкращі бали і спроби за завданнями
+class-results-none = Жоден учень ще не здав запису: консоль здає його, коли закінчується політ завдання.
+class-results-reading = Записи класу читаються.
+class-results-met = хто досяг
+class-results-spread = найнижчий ─ середина █ ─ найвищий
+class-results-left-out = { $count ->
+        [one] ще { $count } стовпець
+        [few] ще { $count } стовпці
+       *[other] ще { $count } стовпців
+    }: розширте термінал або запустіть `sortie class report`
 
 # Сокет
 class-no-socket = { $socket } уже існує і не є сокетом: виберіть іншу назву

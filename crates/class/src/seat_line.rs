@@ -119,7 +119,8 @@ impl SeatLine {
                 (submitted.asked, submitted.at) = (None, now);
                 return Some(SeatMessage::Piece(piece));
             }
-            if submitted.asked.is_some() || now < submitted.at + SUBMIT_AGAIN {
+            // Also if the piece could not be read: the desk then asks for it again.
+            if now < submitted.at + SUBMIT_AGAIN {
                 return None;
             }
         }

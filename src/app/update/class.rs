@@ -245,6 +245,7 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         }
         ClassLine::Give { seats, deed } => desk::give(state, &seats, deed),
         ClassLine::Injects => desk::show_injects(state),
+        ClassLine::Results => desk::show_results(state),
         ClassLine::Watch(choice) => desk::watch(state, &choice),
         ClassLine::Unwatch => desk::unwatch(state),
     }

@@ -1,7 +1,9 @@
 //! The tables of a class.
 
-use crate::campaign::{MissionProgress, Skill};
-use crate::class_results::{ClassResults, ClassTrainee, FlownObjective, Spread};
+use crate::campaign::Skill;
+use crate::class_results::{
+    ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults, number_of_mission,
+};
 use crate::cli::progress::answer;
 use crate::cli::table::{Side, TextTable};
 use crate::text;
@@ -14,7 +16,9 @@ const WIDTH: usize = 110;
 pub(super) fn by_mission(results: &ClassResults, locale: &Locale) -> TextTable {
     let missions = results.missions.iter();
     let ids: Vec<&str> = missions.map(|it| it.mission.as_str()).collect();
-    let numbered = ids.iter().map(|id| (number_of(id).into(), Side::Right));
+    let numbered = ids
+        .iter()
+        .map(|id| (number_of_mission(id).into(), Side::Right));
     let columns: Vec<(Text, Side)> = [
         (text!("progress-trainee"), Side::Left),
         (text!("class-report-practice"), Side::Right),
@@ -24,8 +28,7 @@ pub(super) fn by_mission(results: &ClassResults, locale: &Locale) -> TextTable {
     .collect();
     let mut table = TextTable::new(locale, &columns);
     for trainee in &results.trainees {
-        let cells = ids.iter().map(|id| trainee.mission(id));
-        let cells = cells.map(|it| it.map_or_else(|| "-".to_owned(), result_cell));
+        let cells = ids.iter().map(|id| result_cell(trainee, id));
         let head = [trainee.user.clone(), trainee.practice.to_string()];
         table.push(head.into_iter().chain(cells).collect());
     }
@@ -33,19 +36,12 @@ pub(super) fn by_mission(results: &ClassResults, locale: &Locale) -> TextTable {
 }
 
 /// The best score and the number of tries; a pass has a tick.
-fn result_cell(mission: &MissionProgress) -> String {
+fn result_cell(trainee: &TraineeResults, id: &str) -> String {
+    let Some((mission, best)) = trainee.mission(id).zip(trainee.best(id)) else {
+        return "-".to_owned();
+    };
     let tick = if mission.is_passed() { "✓" } else { "" };
-    let best = mission
-        .best
-        .map_or_else(|| "-".to_owned(), |best| best.to_string());
     format!("{tick}{best}/{}", mission.tries)
-}
-
-/// A mission's number, which begins its id, if it has one.
-fn number_of(id: &str) -> String {
-    let number = id.split('-').next().unwrap_or(id);
-    let is_number = number.chars().any(|c| c.is_ascii_digit());
-    if is_number { number } else { id }.to_owned()
 }
 
 /// A column for the trainee, and one for each skill that somebody has shown.
@@ -245,8 +241,9 @@ pub(super) fn moodle(results: &ClassResults, locale: &Locale) -> TextTable {
     let mut table = TextTable::new(locale, &columns);
     for trainee in &results.trainees {
         let grade = |id: &str| {
-            let best = trainee.mission(id).and_then(|it| it.best);
-            best.map(|best| format!("{:.1}", f64::from(best) / 10.0))
+            trainee
+                .best(id)
+                .map(|best| format!("{:.1}", f64::from(best) / 10.0))
         };
         let grades = results.missions.iter();
         let grades = grades.map(|it| grade(&it.mission).unwrap_or_default());

@@ -16,6 +16,8 @@ use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
 use crate::ui;
 
+mod records;
+
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
 const WITH_INJECTS: &str = include_str!("../../../missions/12-relay-chain.toml");
 
@@ -31,6 +33,10 @@ impl Member {
             class: Some(class),
             ..ConsoleOptions::for_test(opening)
         };
+        Self::with(options).await
+    }
+
+    async fn with(options: ConsoleOptions) -> Self {
         let end = ClassEnd::open(&options);
         let mut console = Console::new(options, true);
         let (columns, rows) = (120, 40);

@@ -144,6 +144,18 @@ pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
+/// Shows the results of the class, or their next page.
+///
+/// # Errors
+/// This console is no desk.
+pub fn show_results(state: &mut State) -> Result<Effects, Text> {
+    let desk = state.class.desk_mut();
+    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
+    show(state, Room::Class);
+    state.rooms.class.show_results();
+    Ok(Effects::none())
+}
+
 /// Gives an order to these seats.
 pub fn instruct(state: &mut State, seats: &[usize], deed: &Deed) {
     let wall = state.wall;
