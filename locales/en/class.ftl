@@ -167,6 +167,7 @@ class-report-title = Class { $class }: { $count } { $count ->
         [one] trainee
        *[other] trainees
     }
+class-report-none = No flight counts yet: practice and flights by script are no results.
 class-report-missions = Best score and tries per mission (✓ passed)
 class-report-skills = Probability that a skill is mastered
 class-report-spread = Best scores of the class

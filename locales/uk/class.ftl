@@ -169,6 +169,7 @@ class-report-title = Клас { $class }: { $count } { $count ->
         [few] учні
        *[other] учнів
     }
+class-report-none = Ще жоден політ не зараховано: тренування і польоти скрипту не є результатами.
 class-report-missions = Найкращі бали і спроби за завданнями (✓ пройдено)
 class-report-skills = Імовірність, що навичку засвоєно
 class-report-spread = Найкращі бали класу

@@ -10,7 +10,9 @@ use super::tables;
 use crate::class_results::ClassResults;
 use crate::cli::Failure;
 use crate::cli::settings::CliSettings;
+use crate::cli::table::TextTable;
 use crate::text;
+use crate::text::{Locale, Text};
 
 /// Options of `sortie class report`.
 #[derive(Debug, Args)]
@@ -51,29 +53,40 @@ pub(super) fn report(
     let count = results.trainees.len();
     let title = text!("class-report-title", class = class.name, count = count);
     say!("{}", locale.text(&title))?;
-    for (heading, table) in [
+    if results.missions.is_empty() {
+        say!("\n{}", locale.text(&text!("class-report-none")))?;
+    }
+    for (heading, table) in sections(&results, locale) {
+        if !table.is_empty() {
+            let heading = locale.text(&heading);
+            say!("\n{heading}\n{}", table.plain().trim_end())?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The tables with their headings.
+fn sections(results: &ClassResults, locale: &Locale) -> [(Text, TextTable); 5] {
+    [
         (
             text!("class-report-missions"),
-            tables::by_mission(&results, locale),
+            tables::by_mission(results, locale),
         ),
         (
             text!("class-report-skills"),
-            tables::by_skill(&results, locale),
+            tables::by_skill(results, locale),
         ),
         (
             text!("class-report-spread"),
-            tables::missions(&results, locale),
+            tables::missions(results, locale),
         ),
         (
             text!("class-report-objectives"),
-            tables::objectives(&results, locale),
+            tables::objectives(results, locale),
         ),
         (
             text!("class-report-skill-spread"),
-            tables::skills(&results, locale),
+            tables::skills(results, locale),
         ),
-    ] {
-        say!("\n{}\n{}", locale.text(&heading), table.plain().trim_end())?;
-    }
-    Ok(ExitCode::SUCCESS)
+    ]
 }

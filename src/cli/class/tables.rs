@@ -48,12 +48,18 @@ fn result_cell(trainee: &TraineeResults, id: &str) -> String {
 pub(super) fn by_skill(results: &ClassResults, locale: &Locale) -> TextTable {
     let is_shown = |skill: &&Skill| results.skills.iter().any(|it| it.skill == **skill);
     let skills: Vec<Skill> = Skill::ALL.iter().filter(is_shown).copied().collect();
+    // Without a skill there is nothing to show of a trainee.
+    let shown_to = if skills.is_empty() {
+        &[][..]
+    } else {
+        &results.trainees
+    };
     let coded = skills.iter().map(|it| (it.code().into(), Side::Right));
     let columns: Vec<(Text, Side)> = std::iter::once((text!("progress-trainee"), Side::Left))
         .chain(coded)
         .collect();
     let mut table = TextTable::new(locale, &columns);
-    for trainee in &results.trainees {
+    for trainee in shown_to {
         let cells = skills.iter().map(|skill| match trainee.skill(*skill) {
             Some(shown) => format!("{} %", shown.percent),
             None => "-".to_owned(),

@@ -33,7 +33,7 @@ impl Member {
             class: Some(class),
             ..ConsoleOptions::for_test(opening)
         };
-        Self::with(options).await
+        Box::pin(Self::with(options)).await
     }
 
     async fn with(options: ConsoleOptions) -> Self {

@@ -69,7 +69,7 @@ async fn a_desk_that_was_away_gets_the_record_from_the_next_console() {
     let mut anna = keeping(opening, class(folder.path(), part()), &own).await;
     anna.console.feed(key(KeyCode::Enter)).await;
     until(&mut [&mut anna], |members| members[0].is_flying()).await;
-    anna.quit().await;
+    Box::pin(anna.quit()).await;
     assert_eq!(marks(&own), 1, "it waits for the desk");
 
     let name = "9-A".to_owned();

@@ -235,11 +235,11 @@ impl ResultsDrawing<'_> {
     fn by_mission(&self) -> (String, Vec<Line<'static>>) {
         let missions = self.results.missions.iter();
         let ids: Vec<String> = missions.map(|it| it.mission.clone()).collect();
-        let heads = ids
+        let heads: Vec<String> = ids
             .iter()
             .map(|id| number_of_mission(id).to_owned())
             .collect();
-        self.matrix(heads, |trainee, column| {
+        self.matrix(&heads, |trainee, column| {
             result_cell(trainee, ids.get(column)?)
         })
     }
@@ -248,8 +248,8 @@ impl ResultsDrawing<'_> {
     fn by_skill(&self) -> (String, Vec<Line<'static>>) {
         let is_shown = |skill: &&Skill| self.results.skills.iter().any(|it| it.skill == **skill);
         let skills: Vec<Skill> = Skill::ALL.iter().filter(is_shown).copied().collect();
-        let heads = skills.iter().map(|it| it.code().to_owned()).collect();
-        self.matrix(heads, |trainee, column| {
+        let heads: Vec<String> = skills.iter().map(|it| it.code().to_owned()).collect();
+        self.matrix(&heads, |trainee, column| {
             let skill = trainee.skill(*skills.get(column)?)?;
             let role = if skill.percent < 50 {
                 Role::Warning
@@ -263,7 +263,7 @@ impl ResultsDrawing<'_> {
     /// A row for each trainee; columns that do not fit are left out.
     fn matrix(
         &self,
-        heads: Vec<String>,
+        heads: &[String],
         cell: impl Fn(&TraineeResults, usize) -> Option<(String, Role)>,
     ) -> (String, Vec<Line<'static>>) {
         let fitting = self.width.saturating_sub(NAME) / (FIGURE + 1);
