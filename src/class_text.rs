@@ -1,6 +1,6 @@
 //! The orders of an instructor's desk and their outcomes, as text.
 
-use crate::class::{Consent, Deed, Outcome, Refusal, Seat};
+use crate::class::{Consent, Deed, Outcome, Refusal, Seat, SubmissionRefusal};
 use crate::text;
 use crate::text::Text;
 
@@ -52,6 +52,17 @@ fn refusal_text(refusal: Refusal) -> Text {
         Refusal::NoInject => text!("class-refusal-no-inject"),
         Refusal::Condition => text!("class-refusal-condition"),
         Refusal::NotArmed => text!("class-refusal-not-armed"),
+    }
+}
+
+/// Why the desk does not keep a record.
+pub fn submission_refusal_text(refusal: SubmissionRefusal) -> Text {
+    match refusal {
+        SubmissionRefusal::Unwritable => text!("class-submission-unwritable"),
+        SubmissionRefusal::Damaged => text!("class-submission-damaged"),
+        SubmissionRefusal::Share => text!("class-submission-share"),
+        SubmissionRefusal::Impossible => text!("class-submission-impossible"),
+        SubmissionRefusal::Different => text!("class-submission-different"),
     }
 }
 

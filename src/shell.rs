@@ -22,14 +22,12 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use crate::app::effect::{ProgramAnswer, ProgramFault};
+use crate::app::effect::{ClassEffect, ProgramAnswer, ProgramFault};
 use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
 use crate::app::state::ClassRole;
 use crate::app::{App, Setup};
 use crate::campaign::{Attempt, Stake};
-use crate::class::ConnectionId;
-use crate::class::protocol::Denial;
 use crate::config::Config;
 use crate::fleet::FleetClock;
 use crate::replay::Replay;
@@ -121,9 +119,11 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         screen.keep_frames(console.app.state().class_role().is_screen_watched());
         console.draw(&mut screen).await?;
         let picture = || screen.frame().map(ui::picture);
+        class.carry_out(std::mem::take(&mut console.class_work));
         class.tell(console.app.state(), &picture);
     }
     console.close().await;
+    console.hand_in_rest(&mut class).await;
     programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
     console.require_stored()
@@ -134,8 +134,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
 /// # Errors
 /// The desk cannot be opened.
 fn open_class(options: &ConsoleOptions) -> anyhow::Result<ClassEnd> {
-    ClassEnd::open(options.class.as_ref(), options.flown_by())
-        .map_err(|fault| anyhow::anyhow!(options.look.text(&Text::from(&fault))))
+    ClassEnd::open(options).map_err(|fault| anyhow::anyhow!(options.look.text(&Text::from(&fault))))
 }
 
 /// The command history, oldest first. A history that cannot be read adds a warning.
@@ -192,8 +191,8 @@ struct Console {
     ghost: Option<ghost::GhostWork>,
     /// The drafts that are being flown in simulation.
     trial: Option<trials::TrialWork>,
-    /// Connections to seats that are to be ended, with the reason.
-    denials: Vec<(ConnectionId, Denial)>,
+    /// Work for the console's end of a class.
+    class_work: Vec<ClassEffect>,
     /// The unsaved drafts; `None` without a folder for data.
     drafts: Option<UnsavedDrafts>,
 }
@@ -253,7 +252,7 @@ impl Console {
             is_cut_off: false,
             ghost: None,
             trial: None,
-            denials: Vec::new(),
+            class_work: Vec::new(),
             drafts,
         };
         console.open_careers(course, false);
@@ -331,6 +330,10 @@ impl Console {
         };
         for event in flown {
             self.feed(event).await;
+        }
+        let running = self.running.as_mut();
+        if let Some(record) = running.and_then(|running| running.take_complete_record(now)) {
+            self.note_record(record);
         }
         if let Some(finished) = self
             .running

@@ -13,6 +13,8 @@
 //! - A flight: `records` writes frames and journal while it is flown, `runs` the mission's own record; `settlement`
 //!   turns a finished or abandoned flight into an entry of a career, which `profiles` stores; `signature` signs
 //!   records, `sharing` lets a group read results.
+//! - A class: `waiting_records` are the records that a seat has to hand in, `class_records` those that the desk keeps;
+//!   `class_results` reads the results from them.
 //! - What else the user keeps: `plans`, `unsaved` (drafts), `history` (typed lines), `logs` and `transferred` (files
 //!   from vehicles), `terrain`, `keys` (of MAVLink signing).
 
@@ -27,6 +29,8 @@ use crate::scoring::{FlownBy, MissionFile, Report};
 use crate::workshop::Design;
 
 mod append;
+mod class_records;
+mod class_results;
 mod closed;
 mod folders;
 mod history;
@@ -50,7 +54,10 @@ mod terrain;
 mod tests;
 mod transferred;
 mod unsaved;
+mod waiting_records;
 
+pub use class_records::{ClassRecords, KeptRecord};
+pub use class_results::{class_flight, class_trainees};
 pub use closed::{closed_folders, unreadable_below};
 pub use folders::Folders;
 pub use history::History;
@@ -81,6 +88,7 @@ pub use source::{
 pub use terrain::add_square;
 pub use transferred::TransferredFiles;
 pub use unsaved::UnsavedDrafts;
+pub use waiting_records::WaitingRecords;
 
 mod shipped {
     //! The embedded files: `build.rs` lists the content of `missions/`, so a new mission needs no

@@ -20,6 +20,8 @@ class-key-resume = resume
 class-key-bookmark = bookmark
 class-key-inject = inject
 class-key-end = end mission
+class-key-results = results
+class-key-next-page = next page
 
 # The board
 class-title = class { $class }: { $here } of { $count } { $count ->
@@ -133,7 +135,7 @@ header-frozen = FROZEN
 class-none = no class is configured: start the console with `--class` and the name of the class
 class-waits = waiting for the desk of the class
 class-ask = Join the class of { $instructor }?
-class-ask-reason = the instructor sees your flight and your screen, and can freeze and end the flight
+class-ask-reason = the instructor sees your flight and your screen, can freeze and end the flight, and gets its record
 class-joining = joining the class
 class-joined = in class { $class }: { $instructor } sees your flight
 class-left = not in the class: join with `class join`
@@ -145,6 +147,69 @@ class-denied = not admitted to the class: { $reason }
 class-denial-version = the desk needs version { $desk } of the protocol; update sortie
 class-denial-full = the class is full
 class-denial-hello = the desk did not understand this console
+
+# Records that are handed in
+class-handed-in = the record of the flight is handed in
+class-handed-in-later = the record of the flight is not handed in yet: { $reason }; it stays here and is offered again
+class-not-handed-in = the record of the flight is not handed in: { $reason }; it stays here
+class-kept = { $user } has handed in { $mission }: score { $score }
+class-not-kept = the record { $record } of { $user } is not kept: { $reason }
+class-unscored = a record is kept, but cannot be scored: { $fault }
+class-submission-unwritable = the disk of the desk is full, or not available
+class-submission-damaged = it was damaged on the way
+class-submission-share = your records at the desk would exceed 1 GiB
+class-submission-impossible = the record of the mission is missing, or larger than 64 MiB
+class-submission-different = the desk keeps another record under this name
+
+# The results of a class
+class-no-records = no record was handed in to the class { $class } yet
+class-no-records-known = no record was handed in to the class { $class } yet; there are records of: { $known }
+class-report-title = Class { $class }: { $count } { $count ->
+        [one] trainee
+       *[other] trainees
+    }
+class-report-none = No flight counts yet: practice and flights by script are no results.
+class-report-missions = Best score and tries per mission (✓ passed)
+class-report-skills = Probability that a skill is mastered
+class-report-spread = Best scores of the class
+class-report-objectives = Objectives, the least known first (each trainee's best flight)
+class-report-skill-spread = Skills, the least known first
+class-report-practice = practice
+class-report-trainees = trainees
+class-report-least = lowest
+class-report-median = median
+class-report-most = highest
+class-report-objective = objective
+class-report-objective-title = title
+class-report-met = met
+class-report-share = points
+class-report-mastered = mastered
+class-report-profile = profile
+class-report-revision = revision
+class-report-mandatory = mandatory
+class-report-points = points
+class-report-points-max = of points
+class-report-result = result
+class-report-began = began (UTC)
+class-report-record = record
+class-report-trainee = Class { $class }: { $count } { $count ->
+        [one] flight
+       *[other] flights
+    } handed in.
+class-report-of-profiles = Profile: { $profiles }.
+class-report-best = { $mission }: best flight, score { $score } ({ $when })
+
+# The page with the results
+class-results-title = class { $class }, { $number } of { $count }: { $page }
+class-results-by-mission = Best score and tries per mission
+class-results-none = No trainee has handed in a record yet: a console does so when a flight of a mission ends.
+class-results-reading = The records of the class are being read.
+class-results-met = met by
+class-results-spread = lowest ─ middle half █ ─ highest
+class-results-left-out = { $count ->
+        [one] { $count } more column
+       *[other] { $count } more columns
+    }: widen the terminal, or use `sortie class report`
 
 # The socket
 class-no-socket = { $socket } exists and is not a socket: choose another name

@@ -20,6 +20,8 @@ class-key-resume = продовжити
 class-key-bookmark = закладка
 class-key-inject = подія
 class-key-end = завершити
+class-key-results = результати
+class-key-next-page = наступна сторінка
 
 # Таблиця
 class-title = клас { $class }: на зв'язку { $here } із { $count } { $count ->
@@ -134,7 +136,7 @@ header-frozen = ЧАС ЗУПИНЕНО
 class-none = клас не налаштовано: запустіть консоль із `--class` та назвою класу
 class-waits = очікується пульт класу
 class-ask = Приєднатися до класу, який веде { $instructor }?
-class-ask-reason = інструктор бачитиме ваш політ і ваш екран і зможе зупинити час польоту або завершити його
+class-ask-reason = інструктор бачитиме ваш політ і ваш екран, зможе зупинити час польоту або завершити його й отримає його запис
 class-joining = приєднання до класу
 class-joined = у класі { $class }: { $instructor } бачить ваш політ
 class-left = не в класі: приєднатися можна командою `class join`
@@ -146,6 +148,72 @@ class-denied = до класу не прийнято: { $reason }
 class-denial-version = пульт потребує версії { $desk } протоколу; оновіть sortie
 class-denial-full = у класі немає вільних місць
 class-denial-hello = пульт не зрозумів цю консоль
+
+# Записи, що здаються
+class-handed-in = запис польоту здано
+class-handed-in-later = запис польоту ще не здано: { $reason }; він лишається тут і буде поданий знову
+class-not-handed-in = запис польоту не здано: { $reason }; він лишається тут
+class-kept = { $user }: запис { $mission } здано, бали { $score }
+class-not-kept = запис { $record } від { $user } не збережено: { $reason }
+class-unscored = запис збережено, але оцінити його не можна: { $fault }
+class-submission-unwritable = диск пульта переповнений або недоступний
+class-submission-damaged = його пошкоджено дорогою
+class-submission-share = ваші записи на пульті перевищили б 1 ГіБ
+class-submission-impossible = запису завдання немає, або він більший за 64 МіБ
+class-submission-different = пульт зберігає під цією назвою інший запис
+
+# Результати класу
+class-no-records = до класу { $class } ще не здано жодного запису
+class-no-records-known = до класу { $class } ще не здано жодного запису; є записи класів: { $known }
+class-report-title = Клас { $class }: { $count } { $count ->
+        [one] учень
+        [few] учні
+       *[other] учнів
+    }
+class-report-none = Ще жоден політ не зараховано: тренування і польоти скрипту не є результатами.
+class-report-missions = Найкращі бали і спроби за завданнями (✓ пройдено)
+class-report-skills = Імовірність, що навичку засвоєно
+class-report-spread = Найкращі бали класу
+class-report-objectives = Цілі, спершу найменш засвоєні (найкращий політ кожного)
+class-report-skill-spread = Навички, спершу найменш засвоєні
+class-report-practice = тренувань
+class-report-trainees = учнів
+class-report-least = найнижчий
+class-report-median = медіана
+class-report-most = найвищий
+class-report-objective = ціль
+class-report-objective-title = назва
+class-report-met = досягнуто
+class-report-share = бали
+class-report-mastered = засвоїли
+class-report-profile = профіль
+class-report-revision = редакція
+class-report-mandatory = обов’язкова
+class-report-points = бали
+class-report-points-max = із балів
+class-report-result = результат
+class-report-began = початок (UTC)
+class-report-record = запис
+class-report-trainee = Клас { $class }: здано { $count } { $count ->
+        [one] політ
+        [few] польоти
+       *[other] польотів
+    }.
+class-report-of-profiles = Профіль: { $profiles }.
+class-report-best = { $mission }: найкращий політ, бали { $score } ({ $when })
+
+# Сторінка результатів
+class-results-title = клас { $class }, { $number } з { $count }: { $page }
+class-results-by-mission = Найкращі бали і спроби за завданнями
+class-results-none = Жоден учень ще не здав запису: консоль здає його, коли закінчується політ завдання.
+class-results-reading = Записи класу читаються.
+class-results-met = хто досяг
+class-results-spread = найнижчий ─ середина █ ─ найвищий
+class-results-left-out = { $count ->
+        [one] ще { $count } стовпець
+        [few] ще { $count } стовпці
+       *[other] ще { $count } стовпців
+    }: розширте термінал або запустіть `sortie class report`
 
 # Сокет
 class-no-socket = { $socket } уже існує і не є сокетом: виберіть іншу назву

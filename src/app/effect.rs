@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::campaign::{Aids, Stake};
 use crate::class::protocol::Denial;
-use crate::class::{ConnectionId, OrderId};
+use crate::class::{ConnectionId, DeskHeard, OrderId, RecordName};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::draft::Trial;
@@ -221,6 +221,17 @@ pub enum ClassEffect {
     Disarm { id: OrderId, name: Option<String> },
     /// At a seat: note an order of the desk in the record.
     Note(DeskRecord),
+    /// At a seat: hand in a record that is complete.
+    HandIn(RecordName),
+    /// At a seat: the desk has a record, or does not take it.
+    Settle(RecordName),
+    /// At the desk: take in a record, or a piece of one.
+    Receive {
+        connection: ConnectionId,
+        /// The user at the other end.
+        user: String,
+        heard: DeskHeard,
+    },
     /// At the desk: end a connection, with the reason.
     Deny {
         connection: ConnectionId,

@@ -16,7 +16,8 @@ use super::state::{
 };
 use crate::campaign::Reward;
 use crate::class::protocol::{DeskMessage, SeatMessage};
-use crate::class::{ConnectionId, OrderId, Refusal};
+use crate::class::{ConnectionId, OrderId, RecordName, Refusal, Submission, SubmissionRefusal};
+use crate::class_results::ClassResults;
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
@@ -263,6 +264,31 @@ pub enum ClassEvent {
     },
     /// At the desk: a connection has ended.
     Left(ConnectionId),
+    /// At a seat: the record of a mission is complete.
+    Recorded(RecordName),
+    /// At a seat: a record can be handed in.
+    Offered(Submission),
+    /// At a seat: a record cannot be read.
+    Unreadable { record: RecordName, error: String },
+    /// At the desk: a record of this user is complete, and was scored.
+    Kept {
+        user: String,
+        /// The id of the mission.
+        mission: String,
+        score: u16,
+    },
+    /// At the desk: a record of this user was refused.
+    NotKept {
+        user: String,
+        record: RecordName,
+        refusal: SubmissionRefusal,
+        /// The words of the system, if it was at fault.
+        words: Option<String>,
+    },
+    /// At the desk: a record is complete, but cannot be scored.
+    Unscored(Text),
+    /// At the desk: the results of the class have changed.
+    Results(Arc<ClassResults>),
 }
 
 /// The result of a file operation. Paths are as the user typed them.

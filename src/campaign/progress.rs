@@ -228,6 +228,13 @@ impl MissionProgress {
     }
 }
 
+impl MissionProgress {
+    /// Whether the mission was passed at least once.
+    pub fn is_passed(&self) -> bool {
+        self.state == MissionState::Passed
+    }
+}
+
 impl SkillProgress {
     fn of(skill: Skill, standing: &CareerStanding, day: i64) -> Self {
         let known = standing.skill(skill);

@@ -1,4 +1,8 @@
-//! `sortie class`: the instructor's desk.
+//! `sortie class`: the instructor's desk, and the results of a class.
+//!
+//! `open` is the desk. `report` prints the results, and `export` writes them for other programs; both read the records
+//! that the trainees have handed in. Their tables are in `tables`, and the statements for learning record stores in
+//! `xapi`.
 
 use std::process::ExitCode;
 
@@ -9,6 +13,14 @@ use super::fly;
 use super::settings::CliSettings;
 use crate::carrier::{ClassPlace, own_user_name};
 use crate::shell::{ClassOptions, ClassPart, ConsoleOptions, Opening};
+use export::ExportArguments;
+use report::ReportArguments;
+
+mod export;
+mod report;
+mod results;
+mod tables;
+mod xapi;
 
 /// Options of `sortie class`.
 #[derive(Debug, Args)]
@@ -29,23 +41,30 @@ enum ClassTask {
         #[arg(value_name = "NAME|PATH")]
         name: Option<String>,
     },
+    /// Prints the results of a class: trainee by mission, trainee by skill, and what the whole class does not know.
+    Report(ReportArguments),
+    /// Writes the results of a class for other programs: a spreadsheet, Moodle, xAPI, or a file per trainee.
+    Export(ExportArguments),
 }
 
-/// Opens the desk of a class.
+/// Opens the desk of a class, or shows its results.
 pub(super) fn class(
     arguments: &ClassArguments,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let ClassTask::Open { name } = &arguments.task;
-    let name = name.clone().unwrap_or_else(own_user_name);
+    match &arguments.task {
+        ClassTask::Open { name } => open(name.as_deref(), settings),
+        ClassTask::Report(arguments) => report::report(arguments, &settings),
+        ClassTask::Export(arguments) => export::export(arguments, &settings),
+    }
+}
+
+fn open(name: Option<&str>, settings: CliSettings) -> Result<ExitCode, Failure> {
+    let name = name.map_or_else(own_user_name, str::to_owned);
     let class = ClassOptions {
         place: ClassPlace::named(&name, None),
         part: ClassPart::Desk {
-            name: name
-                .rsplit('/')
-                .find(|it| !it.is_empty())
-                .unwrap_or(&name)
-                .to_owned(),
+            name: results::class_name(&name).to_owned(),
         },
     };
     let options = ConsoleOptions {

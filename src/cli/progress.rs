@@ -139,7 +139,8 @@ pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> TextTable {
     table
 }
 
-fn answer(yes: bool) -> Text {
+/// Yes or no.
+pub(super) fn answer(yes: bool) -> Text {
     if yes {
         text!("answer-yes")
     } else {

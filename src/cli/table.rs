@@ -31,6 +31,11 @@ impl TextTable {
         }
     }
 
+    /// Whether the table has no rows.
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
     /// Adds a row. Control characters are replaced.
     pub fn push(&mut self, row: Vec<String>) {
         self.rows

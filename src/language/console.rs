@@ -165,6 +165,8 @@ pub enum ClassLine {
     Leave,
     /// At the desk: show the injects that the mission of the seat under the cursor permits.
     Injects,
+    /// At the desk: show the results of the class, or their next page.
+    Results,
     /// At the desk: show the screen of a seat.
     Watch(SeatChoice),
     /// At the desk: show the board again.

@@ -138,9 +138,15 @@ impl Console {
         self.replaying = None;
         // The ghost was meant for the flight that ends.
         self.ghost = None;
+        let record = self.running.as_mut().and_then(RunningSession::take_record);
         self.end_flight();
         if let Some(running) = self.running.take() {
             self.ending = running.ending();
+            // Its files are complete only now.
+            drop(running);
+            if let Some(record) = record {
+                self.note_record(record);
+            }
             // Another console may have stored flights in the meantime.
             self.show_career();
         }

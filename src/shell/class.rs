@@ -2,34 +2,35 @@
 //!
 //! The console never waits for the other side. What arrives becomes an event like any other. What is to be said is
 //! found by comparing the state with what the connection has said already, and only as far as its queue has room.
-
-use std::collections::BTreeMap;
-use std::time::Duration;
+//!
+//! # How the parts fit
+//! - `seat_end` and `desk_end` are the connections of either side.
+//! - Records of flights go through a thread (`worker`): `seat_files` reads those that are handed in, `desk_files` keeps
+//!   them and computes the results; `last_records` hands in what waits when a console ends.
 
 use rand::TryRng as _;
 use rand::rngs::SysRng;
 
-use super::{Console, RunningSession};
+use super::{Console, ConsoleOptions, RunningSession};
 use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
 use crate::app::state::{ClassRole, SeatPlace};
-use crate::carrier::{
-    ClassFault, ClassPlace, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort, unix,
-};
-use crate::class::protocol::{Denial, DeskMessage};
-use crate::class::{
-    ConnectionId, Consent, Desk, DeskLine, Picture, Refusal, Seat, SeatLine, SeatReport, SeatSource,
-};
+use crate::carrier::{ClassFault, ClassPlace, DeskArrival, Outbox, SeatArrival};
+use crate::class::{Consent, Desk, Picture, Refusal, Seat};
 use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
-use crate::scoring::FlownBy;
-use crate::text::Text;
+use desk_end::DeskEnd;
+use desk_files::DeskAnswer;
+use seat_end::SeatEnd;
+use seat_files::SeatAnswer;
 
-/// The time without a tick after which the process must have been stopped.
-const STOOD_STILL: Duration = Duration::from_secs(2);
-/// The time after that in which what has waited meanwhile arrives.
-const CATCHES_UP: Duration = Duration::from_secs(1);
+mod desk_end;
+mod desk_files;
+mod last_records;
+mod seat_end;
+mod seat_files;
+mod worker;
 
 /// The console's part in a class.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -80,48 +81,6 @@ pub(super) enum ClassEnd {
     Desk(DeskEnd),
 }
 
-/// When this process was stopped, by the wall clock.
-#[derive(Debug, Default)]
-struct ProcessPauses {
-    last_tick: Option<Duration>,
-    ended: Option<Duration>,
-}
-
-impl ProcessPauses {
-    fn note(&mut self, tick: Duration) {
-        if self.is_now(tick) {
-            self.ended = Some(tick);
-        }
-        self.last_tick = Some(tick);
-    }
-
-    fn is_now(&self, now: Duration) -> bool {
-        self.last_tick.is_some_and(|tick| now >= tick + STOOD_STILL)
-    }
-
-    /// Whether the process was stopped, and has gone on for less than a second.
-    fn is_fresh(&self, now: Duration) -> bool {
-        self.is_now(now) || self.ended.is_some_and(|ended| now < ended + CATCHES_UP)
-    }
-}
-
-/// The connection of a seat.
-pub(super) struct SeatEnd {
-    place: ClassPlace,
-    /// Whether a script or a program gives the commands.
-    by_script: bool,
-    pauses: ProcessPauses,
-    /// `None` while the trainee does not want to join.
-    port: Option<SeatPort>,
-    open: Option<OpenLine<SeatLine>>,
-}
-
-/// The connections of a desk.
-pub(super) struct DeskEnd {
-    port: DeskPort,
-    open: BTreeMap<ConnectionId, DeskConnection>,
-}
-
 /// A connection, and what has been said on it.
 struct OpenLine<L> {
     outbox: Outbox,
@@ -137,17 +96,13 @@ impl<L: Default> OpenLine<L> {
     }
 }
 
-/// A connection to a seat.
-struct DeskConnection {
-    /// The user at the other end.
-    user: String,
-    open: OpenLine<DeskLine>,
-}
-
 /// What arrives from the other side.
 pub(super) enum ClassArrival {
     AtSeat(SeatArrival),
     AtDesk(DeskArrival),
+    /// Answers about records.
+    OfSeatFiles(Vec<SeatAnswer>),
+    OfDeskFiles(Vec<DeskAnswer>),
 }
 
 impl ClassEnd {
@@ -155,38 +110,33 @@ impl ClassEnd {
     ///
     /// # Errors
     /// The desk cannot be opened.
-    pub fn open(options: Option<&ClassOptions>, flown_by: FlownBy) -> Result<Self, ClassFault> {
-        let Some(ClassOptions { place, part }) = options else {
+    pub fn open(options: &ConsoleOptions) -> Result<Self, ClassFault> {
+        let Some(ClassOptions { place, part }) = &options.class else {
             return Ok(Self::None);
         };
         Ok(match part {
-            ClassPart::Seat { .. } => Self::Seat(Box::new(SeatEnd {
-                place: place.clone(),
-                by_script: flown_by != FlownBy::Hand,
-                pauses: ProcessPauses::default(),
-                port: None,
-                open: None,
-            })),
-            ClassPart::Desk { .. } => Self::Desk(DeskEnd {
-                port: unix::open(place)?,
-                open: BTreeMap::new(),
-            }),
+            ClassPart::Seat { .. } => Self::Seat(Box::new(SeatEnd::new(place, options))),
+            ClassPart::Desk { name } => Self::Desk(DeskEnd::open(place, name, options)?),
         })
     }
 
     /// Waits for the next arrival; without a class, it waits forever.
     pub async fn next(&mut self) -> ClassArrival {
-        let arrival = match self {
-            Self::Seat(seat) => match &mut seat.port {
-                Some(port) => port.next().await.map(ClassArrival::AtSeat),
-                None => None,
-            },
-            Self::Desk(desk) => desk.port.next().await.map(ClassArrival::AtDesk),
-            Self::None => None,
-        };
-        match arrival {
-            Some(arrival) => arrival,
-            None => std::future::pending().await,
+        match self {
+            Self::Seat(seat) => seat.next().await,
+            Self::Desk(desk) => desk.next().await,
+            Self::None => std::future::pending().await,
+        }
+    }
+
+    /// Does what the state asks for.
+    pub fn carry_out(&mut self, work: Vec<ClassEffect>) {
+        for effect in work {
+            match self {
+                Self::Seat(end) => end.carry_out(effect),
+                Self::Desk(end) => end.carry_out(effect),
+                Self::None => {}
+            }
         }
     }
 
@@ -202,70 +152,14 @@ impl ClassEnd {
     }
 }
 
-impl SeatEnd {
-    fn tell(&mut self, seat: &Seat, state: &State, picture: &dyn Fn() -> Option<Picture>) {
-        self.pauses.note(state.wall());
-        if seat.consent() == Consent::Declined {
-            (self.port, self.open) = (None, None);
-            return;
-        }
-        if self.port.is_none() {
-            self.port = Some(unix::join(self.place.clone()));
-        }
-        let Some(OpenLine { outbox, line }) = &mut self.open else {
-            return;
-        };
-        let view = SeatView {
-            state,
-            by_script: self.by_script,
-            picture,
-        };
-        while outbox.has_room() {
-            match line.next(seat, &view, state.wall()) {
-                Some(message) => outbox.send(&message),
-                None => return,
-            }
-        }
+/// What a future brings; without one, and at its end, nothing ever comes.
+async fn or_never<T>(next: Option<impl Future<Output = Option<T>>>) -> T {
+    if let Some(next) = next
+        && let Some(arrival) = next.await
+    {
+        return arrival;
     }
-}
-
-/// What a seat tells its desk.
-struct SeatView<'a> {
-    state: &'a State,
-    by_script: bool,
-    picture: &'a dyn Fn() -> Option<Picture>,
-}
-
-impl SeatSource for SeatView<'_> {
-    fn report(&self) -> SeatReport {
-        self.state.seat_report(self.by_script)
-    }
-
-    fn picture(&self) -> Option<Picture> {
-        (self.picture)()
-    }
-}
-
-impl DeskEnd {
-    fn tell(&mut self, desk: &Desk, state: &State) {
-        for (&connection, DeskConnection { open, .. }) in &mut self.open {
-            while open.outbox.has_room() {
-                match open.line.next(desk, connection, state.wall()) {
-                    Some(message) => open.outbox.send(&message),
-                    None => break,
-                }
-            }
-        }
-    }
-
-    /// Ends connections, with the reason.
-    fn deny(&mut self, denials: impl IntoIterator<Item = (ConnectionId, Denial)>) {
-        for (connection, denial) in denials {
-            if let Some(denied) = self.open.remove(&connection) {
-                denied.open.outbox.send(&DeskMessage::Denied(denial));
-            }
-        }
-    }
+    std::future::pending().await
 }
 
 impl Console {
@@ -277,78 +171,14 @@ impl Console {
             }
             (ClassEnd::Desk(end), ClassArrival::AtDesk(arrival)) => {
                 self.attend_desk(end, arrival).await;
-                end.deny(std::mem::take(&mut self.denials));
+            }
+            (ClassEnd::Seat(end), ClassArrival::OfSeatFiles(answers)) => {
+                self.take_seat_answers(end, answers).await;
+            }
+            (ClassEnd::Desk(end), ClassArrival::OfDeskFiles(answers)) => {
+                self.take_desk_answers(end, answers).await;
             }
             _ => {}
-        }
-    }
-
-    async fn attend_seat(&mut self, end: &mut SeatEnd, arrival: SeatArrival) {
-        match arrival {
-            SeatArrival::Found { desk, outbox } => {
-                end.open = Some(OpenLine::new(outbox));
-                let instructor = desk.user;
-                self.feed(ClassEvent::Found { instructor }).await;
-            }
-            // It may have waited for long, so that the desk has given it up; if not, the desk repeats it.
-            SeatArrival::Line(Ok(DeskMessage::Order(_)))
-                if end.pauses.is_fresh(self.clock.wall()) => {}
-            SeatArrival::Line(Ok(message)) => {
-                if let Some(open) = &mut end.open {
-                    open.line.hear(&message);
-                }
-                self.feed(ClassEvent::Said(message)).await;
-            }
-            // The carrier ends the connection.
-            SeatArrival::Line(Err(fault)) => tracing::warn!("a line of the desk: {fault}"),
-            SeatArrival::Lost => {
-                end.open = None;
-                self.feed(ClassEvent::Lost).await;
-            }
-            SeatArrival::Refused(fault) => {
-                self.feed(ClassEvent::Refused(Text::from(&fault))).await;
-            }
-        }
-    }
-
-    async fn attend_desk(&mut self, end: &mut DeskEnd, arrival: DeskArrival) {
-        match arrival {
-            DeskArrival::Opened {
-                connection,
-                peer,
-                outbox,
-            } => {
-                let opened = DeskConnection {
-                    user: peer.user,
-                    open: OpenLine::new(outbox),
-                };
-                end.open.insert(connection, opened);
-            }
-            DeskArrival::Line {
-                from,
-                line: Ok(message),
-            } => {
-                // One that was denied may have sent more.
-                let Some(known) = end.open.get(&from) else {
-                    return;
-                };
-                let event = ClassEvent::Heard {
-                    connection: from,
-                    user: known.user.clone(),
-                    message,
-                };
-                self.feed(event).await;
-            }
-            // The carrier ends the connection.
-            DeskArrival::Line {
-                line: Err(fault), ..
-            } => {
-                tracing::warn!("a line of a seat: {fault}");
-            }
-            DeskArrival::Closed(connection) => {
-                end.open.remove(&connection);
-                self.feed(ClassEvent::Left(connection)).await;
-            }
         }
     }
 
@@ -400,7 +230,10 @@ impl Console {
                     running.note_down(now, Happening::Desk(line));
                 }
             }
-            ClassEffect::Deny { connection, denial } => self.denials.push((connection, denial)),
+            ClassEffect::HandIn(_)
+            | ClassEffect::Settle(_)
+            | ClassEffect::Receive { .. }
+            | ClassEffect::Deny { .. } => self.class_work.push(effect),
         }
     }
 }

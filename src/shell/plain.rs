@@ -102,9 +102,11 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
             },
         }
         programs.tell(plain.console.app.state());
+        class.carry_out(std::mem::take(&mut plain.console.class_work));
         class.tell(plain.console.app.state(), &|| None);
     }
     plain.console.close().await;
+    plain.console.hand_in_rest(&mut class).await;
     programs.close(plain.console.app.state()).await;
     plain.finish(told_to_end)
 }

@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 
 use super::append::AppendFile;
 use super::{StoreError, sharing, user_path};
+use crate::class::RecordPart;
 use crate::record::Head;
 use crate::text;
 use crate::text::Text;
@@ -63,6 +64,16 @@ fn numbered(oldest_first: Vec<RecordFiles>, number: usize) -> Result<RecordFiles
         .filter(|_| number > 0);
     let found = at.and_then(|at| oldest_first.into_iter().nth(at));
     found.ok_or_else(|| text!("records-no-number", number = number))
+}
+
+/// The suffix of a file of a record.
+pub(super) fn ending_of(part: RecordPart) -> &'static str {
+    match part {
+        RecordPart::Run => RUN,
+        RecordPart::Inputs => INPUTS,
+        RecordPart::Journal => JOURNAL,
+        RecordPart::Frames => FRAMES,
+    }
 }
 
 const REHEARSAL: &str = "rehearsal";

@@ -1,6 +1,7 @@
 //! The program without a terminal: `run`, `check` and wrong usage.
 
 mod check;
+mod class;
 mod designs;
 mod output;
 mod plans;

@@ -30,6 +30,7 @@ const PURE: &[&[&str]] = &[
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
     &["campaign", "comparison", "review"],
+    &["class_results"],
     &["operator"],
     &["exercise"],
 ];

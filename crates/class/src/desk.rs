@@ -3,7 +3,9 @@
 use std::time::Duration;
 
 use super::protocol::{Denial, Hello, SeatMessage, VERSION};
-use super::{Attention, Deed, Need, OrderId, Presence, SeatRecord, SeatReport, Words};
+use super::{
+    Attention, Deed, Need, OrderId, Piece, Presence, SeatRecord, SeatReport, Submission, Words,
+};
 
 /// The maximum number of seats.
 pub const SEATS: usize = 512;
@@ -11,6 +13,17 @@ pub const SEATS: usize = 512;
 /// The number of a connection to a seat. No number is used twice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ConnectionId(pub u64);
+
+/// What is to be done with a line of a seat.
+#[derive(Debug, Clone, PartialEq)]
+pub enum DeskHeard {
+    /// Nothing: the desk knows it now.
+    Known,
+    /// Take in a record.
+    Submission(Submission),
+    /// Take in a piece of a record.
+    Piece(Piece),
+}
 
 /// What an instructor's console knows of the class.
 #[derive(Debug, Clone)]
@@ -75,34 +88,42 @@ impl Desk {
         user: &str,
         message: SeatMessage,
         now: Duration,
-    ) -> Result<(), Denial> {
+    ) -> Result<DeskHeard, Denial> {
         let known = self.index_of(connection);
         match (message, known) {
-            (SeatMessage::Hello(hello), None) => self.admit(connection, user, &hello, now),
+            (SeatMessage::Hello(hello), None) => {
+                self.admit(connection, user, &hello, now)?;
+            }
             (SeatMessage::Report { last, report }, Some(index)) => {
                 self.seats[index].announced = last;
                 self.report(index, *report, now);
-                Ok(())
             }
             (SeatMessage::Entries(batch), Some(index)) => {
                 let seat = &mut self.seats[index];
                 let new = seat.journal.receive(batch);
                 seat.hear(&new);
-                Ok(())
             }
             (SeatMessage::Screen(part), Some(index)) => {
                 // What was on its way when the desk stopped watching is not wanted any more.
                 if self.watched == Some(index) {
                     self.seats[index].see(&part, now);
                 }
-                Ok(())
             }
+            (SeatMessage::Submit(submission), Some(_)) => {
+                return Ok(DeskHeard::Submission(submission));
+            }
+            (SeatMessage::Piece(piece), Some(_)) => return Ok(DeskHeard::Piece(piece)),
             (SeatMessage::Hello(_), Some(_))
             | (
-                SeatMessage::Report { .. } | SeatMessage::Entries(_) | SeatMessage::Screen(_),
+                SeatMessage::Report { .. }
+                | SeatMessage::Entries(_)
+                | SeatMessage::Screen(_)
+                | SeatMessage::Submit(_)
+                | SeatMessage::Piece(_),
                 None,
-            ) => Err(Denial::NoHello),
+            ) => return Err(Denial::NoHello),
         }
+        Ok(DeskHeard::Known)
     }
 
     fn report(&mut self, index: usize, report: SeatReport, now: Duration) {

@@ -10,6 +10,8 @@
 //! # How the parts fit
 //! - What is said: `report`, `journal`, `order`; `words` is text from the other side, cleaned.
 //! - What is seen: `watch`, the screen of a seat.
+//! - What remains: `submission`, the record of a flight in pieces; `hand_in`, the records that wait at a seat;
+//!   `reception`, how the desk takes them in.
 //! - How it is said: [`protocol`], as lines of JSON.
 //! - Who knows what: [`Seat`] is the state of a seat's side, [`Desk`] that of the desk, with a [`SeatRecord`] for each
 //!   seat; `need` orders them.
@@ -22,31 +24,42 @@
 
 mod desk;
 mod desk_line;
+mod hand_in;
 mod journal;
 mod need;
 mod order;
 pub mod protocol;
+mod reception;
 mod report;
 mod seat;
 mod seat_line;
 mod seat_record;
+mod submission;
 mod watch;
 mod words;
 
 #[cfg(test)]
 mod tests;
 
-pub use desk::{ConnectionId, Desk, SEATS};
+pub use desk::{ConnectionId, Desk, DeskHeard, SEATS};
 pub use desk_line::DeskLine;
+pub use hand_in::{HandIn, HandInOutcome};
 pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};
 pub use need::{Attention, Need};
 pub use order::{Deed, Order, OrderId, Outcome, Refusal};
+pub use reception::{
+    Held, Receipt, ReceiptNews, Reception, RecordShelf, ShelfFault, TRAINEE_SHARE,
+};
 pub use report::{
     ArmedInject, Danger, DangerKind, FlightReport, LastCommand, OfferedInject, SeatReport, Stage,
 };
 pub use seat::{Consent, Seat};
 pub use seat_line::{REPORT_EVERY, SeatLine, SeatSource};
 pub use seat_record::{GivenOrder, OrderState, Presence, SeatRecord};
+pub use submission::{
+    LARGEST_PART, PIECE, Piece, PieceBytes, PieceRequest, RecordName, RecordPart, Submission,
+    SubmissionEnd, SubmissionRefusal, SubmittedPart,
+};
 pub use watch::{
     CellStyle, Picture, PictureCell, PicturePart, PictureReceiver, PictureSender, STALE_AFTER,
 };

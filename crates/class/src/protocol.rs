@@ -8,7 +8,10 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
-use super::{JournalBatch, Order, PicturePart, SeatReport, Words};
+use super::{
+    JournalBatch, Order, PicturePart, Piece, PieceRequest, RecordName, SeatReport, Submission,
+    SubmissionEnd, Words,
+};
 
 /// The version of the protocol; it increases with every change that is not an addition.
 pub const VERSION: u32 = 1;
@@ -32,6 +35,10 @@ pub enum SeatMessage {
     Entries(JournalBatch),
     /// The screen, while the desk watches it.
     Screen(PicturePart),
+    /// The record of a flight, which the seat hands in. It is repeated until the desk answers.
+    Submit(Submission),
+    /// A piece of a record, as the desk has asked for it.
+    Piece(Piece),
 }
 
 /// The first line of a seat, which asks to join.
@@ -68,6 +75,15 @@ pub enum DeskMessage {
     },
     /// Carry out an order, unless it was carried out before.
     Order(Order),
+    /// Send the next piece of a record that was handed in.
+    Fetch(PieceRequest),
+    /// A record that was handed in is complete, or refused.
+    Settled {
+        /// The record.
+        record: RecordName,
+        /// How it ended.
+        end: SubmissionEnd,
+    },
     /// The desk is still there, though it has nothing else to say.
     Here,
 }

@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::{Happening, Journal, Order, OrderId, Outcome, Words};
+use super::{HandIn, Happening, Journal, Order, OrderId, Outcome, Words};
 
 /// How many orders a seat remembers, so that it does not carry one out twice.
 const REMEMBERED: usize = 256;
@@ -28,6 +28,7 @@ pub struct Seat {
     is_screen_watched: bool,
     journal: Journal,
     seen: VecDeque<OrderId>,
+    hand_in: HandIn,
 }
 
 impl Seat {
@@ -41,6 +42,7 @@ impl Seat {
             is_screen_watched: false,
             journal: Journal::default(),
             seen: VecDeque::new(),
+            hand_in: HandIn::default(),
         }
     }
 
@@ -71,6 +73,7 @@ impl Seat {
     /// The desk has taken the seat into its class.
     pub fn enter(&mut self, class: Words) {
         self.class = Some(class);
+        self.hand_in.retry();
     }
 
     /// The connection to the desk has ended.
@@ -121,6 +124,16 @@ impl Seat {
     pub fn settle(&mut self, clock_s: Option<f64>, order: Order, outcome: Outcome) {
         let Order { id, deed } = order;
         self.note(clock_s, Happening::Order { id, deed, outcome });
+    }
+
+    /// The records that the desk has not acknowledged.
+    pub fn hand_in(&self) -> &HandIn {
+        &self.hand_in
+    }
+
+    /// The records that the desk has not acknowledged, to add one or to take in an answer.
+    pub fn hand_in_mut(&mut self) -> &mut HandIn {
+        &mut self.hand_in
     }
 
     /// What happened at this seat.

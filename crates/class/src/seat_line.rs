@@ -4,17 +4,22 @@ use std::time::Duration;
 
 use super::protocol::{DeskMessage, Hello, SeatMessage, VERSION};
 use super::watch::{Picture, PictureSender};
-use super::{Consent, Seat, SeatReport};
+use super::{Consent, Piece, PieceRequest, RecordName, Seat, SeatReport};
 
 /// The time between two reports.
 pub const REPORT_EVERY: Duration = Duration::from_millis(500);
 
-/// Where a seat's state and screen come from, when they are needed.
+/// The time without an answer of the desk after which a record is offered again.
+const SUBMIT_AGAIN: Duration = Duration::from_secs(10);
+
+/// Where a seat's state, screen and records come from, when they are needed.
 pub trait SeatSource {
     /// The state of the seat.
     fn report(&self) -> SeatReport;
     /// The screen as the trainee sees it; `None` without one.
     fn picture(&self) -> Option<Picture>;
+    /// A piece of a record; `None` until it is read.
+    fn piece(&self, request: &PieceRequest) -> Option<Piece>;
 }
 
 /// A seat's half of one connection. A new connection needs a new one.
@@ -26,6 +31,18 @@ pub struct SeatLine {
     next_report: Option<Duration>,
     /// What the desk has seen of the screen, while it watches.
     screen: Option<PictureSender>,
+    /// The record that is being handed in.
+    submitted: Option<Submitted>,
+}
+
+/// A record that was offered on this connection.
+#[derive(Debug, Clone)]
+struct Submitted {
+    record: RecordName,
+    /// When it was offered, or a piece of it was sent.
+    at: Duration,
+    /// What the desk has asked for.
+    asked: Option<PieceRequest>,
 }
 
 impl SeatLine {
@@ -34,6 +51,14 @@ impl SeatLine {
         match message {
             DeskMessage::Ask { from } => self.next_entry = Some(*from),
             DeskMessage::Watch { on } => self.screen = on.then(PictureSender::default),
+            DeskMessage::Fetch(request) => {
+                if let Some(submitted) = &mut self.submitted
+                    && submitted.record == request.record
+                {
+                    submitted.asked = Some(request.clone());
+                }
+            }
+            DeskMessage::Settled { .. } => self.submitted = None,
             DeskMessage::Welcome { .. }
             | DeskMessage::Denied(_)
             | DeskMessage::Order(_)
@@ -71,8 +96,39 @@ impl SeatLine {
         {
             return Some(SeatMessage::Screen(part));
         }
-        let batch = seat.journal().from(self.next_entry?)?;
-        self.next_entry = batch.entries.last().map(|entry| entry.number + 1);
-        Some(SeatMessage::Entries(batch))
+        if let Some(next) = self.next_entry
+            && let Some(batch) = seat.journal().from(next)
+        {
+            self.next_entry = batch.entries.last().map(|entry| entry.number + 1);
+            return Some(SeatMessage::Entries(batch));
+        }
+        self.hand_in(seat, source, now)
+    }
+
+    /// The next line about a record, after everything else: a record waits for the class, not the class for a record.
+    fn hand_in(
+        &mut self,
+        seat: &Seat,
+        source: &impl SeatSource,
+        now: Duration,
+    ) -> Option<SeatMessage> {
+        let submission = seat.hand_in().next(now)?;
+        let known = self.submitted.as_mut();
+        if let Some(submitted) = known.filter(|it| it.record == submission.record) {
+            if let Some(piece) = submitted.asked.as_ref().and_then(|it| source.piece(it)) {
+                (submitted.asked, submitted.at) = (None, now);
+                return Some(SeatMessage::Piece(piece));
+            }
+            // Also if the piece could not be read: the desk then asks for it again.
+            if now < submitted.at + SUBMIT_AGAIN {
+                return None;
+            }
+        }
+        self.submitted = Some(Submitted {
+            record: submission.record.clone(),
+            at: now,
+            asked: None,
+        });
+        Some(SeatMessage::Submit(submission.clone()))
     }
 }

@@ -1,12 +1,15 @@
 //! Seats and a desk over connections that lose, repeat and reorder lines, and break.
 
-use std::collections::{BTreeMap, VecDeque};
 use std::time::Duration;
 
 use proptest::prelude::*;
 
-use super::protocol::{Denial, DeskMessage, Hello, SeatMessage, VERSION, line, read};
+use super::protocol::{Denial, DeskMessage, Hello, SeatMessage, VERSION, read};
+use super::reception::tests::{piece, submission};
 use super::*;
+use rig::{Rig, fates};
+
+mod rig;
 
 const STEP: Duration = Duration::from_millis(100);
 
@@ -28,6 +31,11 @@ fn seconds(count: u64) -> Duration {
 /// A seat without a flight.
 struct Idle;
 
+/// The content of the record that a seat hands in: three pieces and a half.
+fn content() -> Vec<u8> {
+    (0..PIECE * 7 / 2).map(|it| it as u8).collect()
+}
+
 impl SeatSource for Idle {
     fn report(&self) -> SeatReport {
         SeatReport::default()
@@ -35,6 +43,10 @@ impl SeatSource for Idle {
 
     fn picture(&self) -> Option<Picture> {
         Some(Picture::blank(3, 2))
+    }
+
+    fn piece(&self, request: &PieceRequest) -> Option<Piece> {
+        Some(piece(&content(), request))
     }
 }
 
@@ -45,7 +57,7 @@ fn joined(desk: &mut Desk, connection: u64, user: &str, sitting: u64) {
         hello(sitting),
         Duration::ZERO,
     );
-    assert_eq!(outcome, Ok(()));
+    assert_eq!(outcome, Ok(DeskHeard::Known));
 }
 
 fn report(flight: Option<FlightReport>) -> SeatMessage {
@@ -135,13 +147,16 @@ fn a_stuck_trainee_is_first_as_soon_as_its_report_comes() {
         let said = report(Some(flight(clock_s)));
         assert_eq!(
             desk.hear(ConnectionId(number), user, said, seconds(1)),
-            Ok(())
+            Ok(DeskHeard::Known)
         );
     }
     assert_eq!(names(&desk), ["vira", "anna", "bohdan"]);
     // Who has been stuck longest is first.
     let said = report(Some(flight(60.5)));
-    assert_eq!(desk.hear(ConnectionId(1), "anna", said, seconds(2)), Ok(()));
+    assert_eq!(
+        desk.hear(ConnectionId(1), "anna", said, seconds(2)),
+        Ok(DeskHeard::Known)
+    );
     assert_eq!(names(&desk), ["vira", "anna", "bohdan"]);
 }
 
@@ -241,134 +256,6 @@ fn numbers_beyond_all_reason_do_no_harm() {
     assert_eq!(copy.next_number(), u64::MAX);
 }
 
-/// What a connection does with a line.
-#[derive(Debug, Clone, Copy)]
-enum Fate {
-    Deliver,
-    Lose,
-    Repeat,
-    /// Deliver it after the next line.
-    Delay,
-    /// Lose it, and end the connection.
-    Break,
-}
-
-fn fates() -> impl Strategy<Value = Vec<Fate>> {
-    let fate = prop_oneof![
-        6 => Just(Fate::Deliver),
-        1 => Just(Fate::Lose),
-        1 => Just(Fate::Repeat),
-        1 => Just(Fate::Delay),
-        1 => Just(Fate::Break),
-    ];
-    prop::collection::vec(fate, 0..200)
-}
-
-/// A desk and a seat, and a connection between them with faults.
-struct Rig {
-    desk: Desk,
-    seat: Seat,
-    seat_line: SeatLine,
-    desk_line: DeskLine,
-    connection: u64,
-    now: Duration,
-    fates: VecDeque<Fate>,
-    delayed: Vec<Vec<u8>>,
-    /// How often each order was carried out.
-    done: BTreeMap<OrderId, u32>,
-}
-
-impl Rig {
-    fn new(fates: Vec<Fate>) -> Self {
-        Self {
-            desk: desk(),
-            seat: Seat::new(77, Consent::Given),
-            seat_line: SeatLine::default(),
-            desk_line: DeskLine::default(),
-            connection: 1,
-            now: Duration::ZERO,
-            fates: fates.into(),
-            delayed: Vec::new(),
-            done: BTreeMap::new(),
-        }
-    }
-
-    fn reconnect(&mut self) {
-        self.desk.leave(ConnectionId(self.connection), self.now);
-        self.connection += 1;
-        self.seat.lose();
-        self.seat_line = SeatLine::default();
-        self.desk_line = DeskLine::default();
-        self.delayed.clear();
-    }
-
-    /// The lines that arrive when this one is sent; `None` if the connection breaks.
-    fn carry(&mut self, line: &str) -> Option<Vec<Vec<u8>>> {
-        let line = line.trim_end().as_bytes().to_vec();
-        let mut arriving = match self.fates.pop_front().unwrap_or(Fate::Deliver) {
-            Fate::Deliver => vec![line],
-            Fate::Lose => Vec::new(),
-            Fate::Repeat => vec![line.clone(), line],
-            Fate::Delay => {
-                self.delayed.push(line);
-                return Some(Vec::new());
-            }
-            Fate::Break => return None,
-        };
-        arriving.append(&mut self.delayed);
-        Some(arriving)
-    }
-
-    fn step(&mut self) {
-        self.now += STEP;
-        while let Some(message) = self.seat_line.next(&self.seat, &Idle, self.now) {
-            let Some(lines) = self.carry(&line(&message)) else {
-                return self.reconnect();
-            };
-            for line in lines {
-                let at = ConnectionId(self.connection);
-                let heard = read::<SeatMessage>(&line);
-                // A delayed line of the other side.
-                let Ok(heard) = heard else { continue };
-                if self.desk.hear(at, "anna", heard, self.now).is_err() {
-                    return self.reconnect();
-                }
-            }
-        }
-        let at = ConnectionId(self.connection);
-        while let Some(message) = self.desk_line.next(&self.desk, at, self.now) {
-            let Some(lines) = self.carry(&line(&message)) else {
-                return self.reconnect();
-            };
-            for line in lines {
-                if let Ok(heard) = read::<DeskMessage>(&line) {
-                    self.obey(heard);
-                }
-            }
-        }
-        // A hello or a welcome that was lost: on a stream that is a break.
-        if self.seat.class().is_none() && self.now.as_millis().is_multiple_of(2000) {
-            self.reconnect();
-        }
-    }
-
-    fn obey(&mut self, message: DeskMessage) {
-        self.seat_line.hear(&message);
-        match message {
-            DeskMessage::Welcome { class, .. } => self.seat.enter(class),
-            DeskMessage::Order(order) if self.seat.is_new(&order) => {
-                *self.done.entry(order.id).or_default() += 1;
-                self.seat.settle(None, order.clone(), Outcome::Done);
-            }
-            DeskMessage::Watch { on } => self.seat.let_watch(on),
-            DeskMessage::Order(_)
-            | DeskMessage::Ask { .. }
-            | DeskMessage::Denied(_)
-            | DeskMessage::Here => {}
-        }
-    }
-}
-
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
@@ -378,6 +265,7 @@ proptest! {
         notes in prop::collection::vec(0_u8..40, 1..30),
     ) {
         let mut rig = Rig::new(fates);
+        rig.seat.hand_in_mut().offer(submission(&content()));
         let what = Happening::Started { mission: None };
         for count in notes {
             for _ in 0..count {
@@ -398,6 +286,10 @@ proptest! {
         prop_assert_eq!(record.journal.missing(), 0);
         prop_assert!(record.journal.entries().eq(rig.seat.journal().entries()));
         prop_assert!(rig.done.values().all(|count| *count == 1));
+        prop_assert!(rig.seat.hand_in().is_empty());
+        prop_assert_eq!(rig.kept, 1);
+        let files = &rig.reception.shelf().files;
+        prop_assert!(files.values().all(|(bytes, is_whole)| *is_whole && *bytes == content()));
         for given in record.orders() {
             prop_assert_eq!(given.state, OrderState::Ended(Outcome::Done));
         }

@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
+use std::sync::Arc;
 
 use crossterm::event::KeyCode;
 
@@ -12,6 +13,56 @@ use crate::app::keymap::{
 };
 use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
 use crate::class::Desk;
+use crate::class_results::ClassResults;
+use crate::text;
+use crate::text::Text;
+
+/// A page of the results of the class.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ResultsPage {
+    /// The objectives, the least known first.
+    Objectives,
+    /// How the scores of each mission are spread.
+    Missions,
+    /// How the mastery of each skill is spread.
+    Skills,
+    /// Trainees and missions.
+    ByMission,
+    /// Trainees and skills.
+    BySkill,
+}
+
+impl ResultsPage {
+    /// All pages in their order.
+    pub const ALL: [Self; 5] = [
+        Self::Objectives,
+        Self::Missions,
+        Self::Skills,
+        Self::ByMission,
+        Self::BySkill,
+    ];
+
+    /// What the page shows.
+    pub fn title(self) -> Text {
+        match self {
+            Self::Objectives => text!("class-report-objectives"),
+            Self::Missions => text!("class-report-spread"),
+            Self::Skills => text!("class-report-skill-spread"),
+            Self::ByMission => text!("class-results-by-mission"),
+            Self::BySkill => text!("class-report-skills"),
+        }
+    }
+
+    /// Its number, from 1.
+    pub fn number(self) -> usize {
+        self as usize + 1
+    }
+
+    /// The page that many pages further on; the first one follows the last one.
+    fn after(self, pages: usize) -> Self {
+        Self::ALL[(self as usize + pages) % Self::ALL.len()]
+    }
+}
 
 /// The number of columns by which the view moves sideways.
 const SIDEWAYS: usize = 8;
@@ -27,6 +78,12 @@ pub struct ClassRoom {
     pub(in crate::app) shows_injects: bool,
     /// The first column and the first row of the watched screen that are to be shown.
     view: (u16, u16),
+    /// The results of the class; `None` until the records are read.
+    pub(in crate::app) results: Option<Arc<ClassResults>>,
+    /// The page of the results that is shown instead of the board.
+    page: Option<ResultsPage>,
+    /// The first row of the page that is to be shown.
+    results_row: usize,
 }
 
 impl ClassRoom {
@@ -48,6 +105,47 @@ impl ClassRoom {
     /// Whether the injects of the seat under the cursor are shown, instead of what happened there.
     pub fn shows_injects(&self) -> bool {
         self.shows_injects
+    }
+
+    /// The results of the class; `None` until the records are read.
+    pub fn results(&self) -> Option<&ClassResults> {
+        self.results.as_deref()
+    }
+
+    /// The page of the results that is shown instead of the board.
+    pub fn page(&self) -> Option<ResultsPage> {
+        self.page
+    }
+
+    /// The first row of the page that is to be shown.
+    pub fn results_row(&self) -> usize {
+        self.results_row
+    }
+
+    /// Shows the results: their first page, or the next one.
+    pub(in crate::app) fn show_results(&mut self) {
+        let next = self.page.map(|page| page.after(1));
+        self.page = Some(next.unwrap_or(ResultsPage::Objectives));
+        self.results_row = 0;
+    }
+
+    /// Moves in a page of the results.
+    fn move_in_results(&mut self, page: ResultsPage, step: Step) {
+        let rows = self.results().map_or(0, |results| match page {
+            ResultsPage::Objectives => results.objectives.len(),
+            ResultsPage::Missions => results.missions.len(),
+            ResultsPage::Skills => results.skills.len(),
+            ResultsPage::ByMission | ResultsPage::BySkill => results.trainees.len(),
+        });
+        match step {
+            Step::Right => self.page = Some(page.after(1)),
+            Step::Left => self.page = Some(page.after(ResultsPage::ALL.len() - 1)),
+            _ => {
+                self.results_row = step.apply(self.results_row, rows);
+                return;
+            }
+        }
+        self.results_row = 0;
     }
 
     /// The number of marked seats.
@@ -124,7 +222,16 @@ const DESK_HINTS: &[KeyHint] = &[
     hint_words("class mark ", "class-key-bookmark"),
     hint_words("class inject ", "class-key-inject"),
     hint_words("class end", "class-key-end"),
+    hint_words("class results", "class-key-results"),
     hint(&[Action::Quit], "hint-quit"),
+];
+
+const RESULTS_HINTS: &[KeyHint] = &[
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::MOVE,
+    hint_words("class results", "class-key-next-page"),
+    hint(&[Action::Escape], "class-key-board"),
 ];
 
 const WATCH_HINTS: &[KeyHint] = &[
@@ -176,6 +283,7 @@ impl RoomModel for ClassRoom {
         writes('e', "class inject "),
         gives('i', "class injects"),
         gives('x', "class end"),
+        gives('t', "class results"),
         does(ESCAPE, Action::Escape),
         does(key('q'), Action::Quit),
     ];
@@ -183,6 +291,7 @@ impl RoomModel for ClassRoom {
     fn hints(state: &State) -> &'static [KeyHint] {
         match state.class.desk() {
             Some(desk) if desk.watched().is_some() => WATCH_HINTS,
+            Some(_) if state.rooms.class.page.is_some() => RESULTS_HINTS,
             Some(_) => DESK_HINTS,
             None => SEAT_HINTS,
         }
@@ -195,6 +304,10 @@ impl RoomModel for ClassRoom {
         }
         let board = state.class.desk().map(Desk::board).unwrap_or_default();
         let room = &mut state.rooms.class;
+        if let Some(page) = room.page {
+            room.move_in_results(page, step);
+            return Some(Vec::new());
+        }
         let row = board.iter().position(|&seat| Some(seat) == room.cursor);
         let row = step.apply(row.unwrap_or_default(), board.len());
         room.cursor = board.get(row).copied();
@@ -204,7 +317,8 @@ impl RoomModel for ClassRoom {
     fn submit(state: &mut State) -> Answer {
         let desk = state.class.desk()?;
         let seat = state.rooms.class.cursor?;
-        if desk.watched().is_none() && desk.seats().get(seat)?.is_here() {
+        let is_board = desk.watched().is_none() && state.rooms.class.page.is_none();
+        if is_board && desk.seats().get(seat)?.is_here() {
             watch(state, seat);
         }
         Some(Vec::new())
@@ -218,7 +332,7 @@ impl RoomModel for ClassRoom {
             return Some(Vec::new());
         }
         let room = &mut state.rooms.class;
-        if !std::mem::take(&mut room.shows_injects) {
+        if room.page.take().is_none() && !std::mem::take(&mut room.shows_injects) {
             room.marked.clear();
         }
         Some(Vec::new())

@@ -2,6 +2,7 @@
 //!
 //! # How the parts fit
 //! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
+//! - After a flight: `hand_in`, the records that a seat hands in.
 //! - At the desk: `desk` takes in what seats say, and gives orders.
 
 use crate::app::State;
@@ -17,6 +18,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 
 mod desk;
+mod hand_in;
 mod orders;
 mod witness;
 
@@ -41,6 +43,33 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
             message,
         } => return desk::heard(state, connection, &user, message),
         ClassEvent::Left(connection) => desk::left(state, connection),
+        ClassEvent::Recorded(record) => return hand_in::recorded(state, record),
+        ClassEvent::Offered(submission) => hand_in::offered(state, submission),
+        ClassEvent::Unreadable { record, error } => {
+            return hand_in::unreadable(state, record, error);
+        }
+        ClassEvent::Kept {
+            user,
+            mission,
+            score,
+        } => {
+            let text = text!("class-kept", user = user, mission = mission, score = score);
+            tell(state, Severity::Notice, text);
+        }
+        ClassEvent::NotKept {
+            user,
+            record,
+            refusal,
+            words,
+        } => hand_in::not_kept(state, &user, &record, refusal, words),
+        ClassEvent::Unscored(fault) => {
+            tell(
+                state,
+                Severity::Warning,
+                text!("class-unscored", fault = fault),
+            );
+        }
+        ClassEvent::Results(results) => state.rooms.class.results = Some(results),
     }
     Effects::none()
 }
@@ -96,8 +125,9 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
                 place.seat.let_watch(on);
             }
         }
+        DeskMessage::Settled { record, end } => return hand_in::settled(state, record, end),
         // What is to be sent is a matter of the connection.
-        DeskMessage::Ask { .. } | DeskMessage::Here => {}
+        DeskMessage::Ask { .. } | DeskMessage::Fetch(_) | DeskMessage::Here => {}
     }
     Effects::none()
 }
@@ -215,6 +245,7 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         }
         ClassLine::Give { seats, deed } => desk::give(state, &seats, deed),
         ClassLine::Injects => desk::show_injects(state),
+        ClassLine::Results => desk::show_results(state),
         ClassLine::Watch(choice) => desk::watch(state, &choice),
         ClassLine::Unwatch => desk::unwatch(state),
     }

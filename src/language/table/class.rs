@@ -25,6 +25,7 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class injects",
         "class disarm",
         "class watch @anna",
+        "class results",
         "class join",
     ],
     forms: &[
@@ -68,6 +69,9 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         }),
         Form::new(&[Argument::flag("unwatch", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Unwatch))
+        }),
+        Form::new(&[Argument::flag("results", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::Results))
         }),
         Form::new(&[Argument::flag("end", ""), SEAT], |given| {
             give(given, |_| Deed::End)

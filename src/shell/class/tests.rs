@@ -16,6 +16,8 @@ use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
 use crate::ui;
 
+mod records;
+
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
 const WITH_INJECTS: &str = include_str!("../../../missions/12-relay-chain.toml");
 
@@ -31,7 +33,11 @@ impl Member {
             class: Some(class),
             ..ConsoleOptions::for_test(opening)
         };
-        let end = ClassEnd::open(options.class.as_ref(), options.flown_by());
+        Box::pin(Self::with(options)).await
+    }
+
+    async fn with(options: ConsoleOptions) -> Self {
+        let end = ClassEnd::open(&options);
         let mut console = Console::new(options, true);
         let (columns, rows) = (120, 40);
         console.feed(TerminalEvent::Resize { columns, rows }).await;
@@ -52,6 +58,8 @@ impl Member {
     }
 
     fn tell(&mut self) {
+        let work = std::mem::take(&mut self.console.class_work);
+        self.end.carry_out(work);
         let console = &self.console;
         let picture = || Some(drawn(console));
         self.end.tell(console.app.state(), &picture);

@@ -36,6 +36,8 @@ pub(super) struct MissionRun {
     ended: bool,
     /// The result, until it is taken.
     finished: Option<Finished>,
+    /// Whether the name of its record was taken.
+    is_record_taken: bool,
 }
 
 /// A mission that has ended.
@@ -88,6 +90,7 @@ impl MissionRun {
             lost: BTreeSet::new(),
             ended: false,
             finished: None,
+            is_record_taken: false,
         }
     }
 
@@ -106,6 +109,12 @@ impl MissionRun {
     pub fn run_id(&self) -> Option<&str> {
         let logbook = self.logbook.as_ref().filter(|it| it.is_whole())?;
         Some(logbook.run_id())
+    }
+
+    /// The name of its record, if it is whole so far and the mission has begun; returned once.
+    fn take_record(&mut self) -> Option<String> {
+        let record = self.run_id().filter(|_| self.has_begun())?.to_owned();
+        (!std::mem::replace(&mut self.is_record_taken, true)).then_some(record)
     }
 
     /// Whether the mission's clock has started.
@@ -279,6 +288,20 @@ impl RunningSession {
     /// The result of a mission that has just ended; returned once.
     pub fn take_finished(&mut self) -> Option<Finished> {
         self.mission_run.as_mut()?.finished.take()
+    }
+
+    /// The name of the record of a mission that is over, once all its files are written; returned once.
+    pub fn take_complete_record(&mut self, now: Duration) -> Option<String> {
+        let recorder = self.recorder.as_ref();
+        let is_written = recorder.is_none_or(|recorder| recorder.is_written(now));
+        let run = self.mission_run.as_mut();
+        run.filter(|run| run.ended && is_written)?.take_record()
+    }
+
+    /// The name of the record of a mission that is left; returned once. Its files are complete when the session is
+    /// gone.
+    pub fn take_record(&mut self) -> Option<String> {
+        self.mission_run.as_mut()?.take_record()
     }
 
     /// The trainee's prediction and goal; `None` once a vehicle has flown, or without a mission.

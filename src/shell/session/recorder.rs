@@ -18,6 +18,9 @@ const LAST_INPUTS_WITHIN: Duration = Duration::from_millis(250);
 /// How long a mission is still recorded after its end, so that a replay shows the result.
 const AFTER_MISSION: Duration = Duration::from_secs(2);
 
+/// How long after its end a record may still be in memory.
+const WRITTEN_WITHIN: Duration = Duration::from_secs(1);
+
 /// Records a session by the session's clock, which stops in a pause.
 pub(super) struct FlightRecorder {
     sink: FrameSink,
@@ -117,6 +120,12 @@ impl FlightRecorder {
     /// Whether the session is still recorded.
     pub fn is_recording(&self) -> bool {
         self.recording.is_some() && !self.has_ended
+    }
+
+    /// Whether nothing more is written, except for inputs after the end of the mission.
+    pub fn is_written(&self, now: Duration) -> bool {
+        let ended_at = self.ends_at.filter(|_| self.has_ended);
+        self.recording.is_none() || ended_at.is_some_and(|at| now >= at + WRITTEN_WITHIN)
     }
 
     /// Ends the record; the session's simulator must have been asked to end. An empty record, or

@@ -17,6 +17,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, row_of, short_clock, width, wrap};
 
 mod detail;
+mod results;
 mod watch;
 
 /// The columns before the first column of the board: the cursor, the mark and a blank.
@@ -54,6 +55,10 @@ fn draw_desk(state: &State, desk: &Desk, panel: Panel<'_>, buffer: &mut Buffer) 
     let watched = desk.watched().and_then(|seat| desk.seats().get(seat));
     if let Some(seat) = watched {
         watch::draw(state, seat, panel, buffer);
+        return;
+    }
+    if let Some(page) = state.rooms().class().page() {
+        results::draw(state, desk, page, panel, buffer);
         return;
     }
     let board = desk.board();

@@ -10,6 +10,8 @@ use sortie::text::Language;
 use crate::console::class::{desk, flight, flight_with_injects, join, report, say, send_screen};
 use crate::harness::Console;
 
+mod results;
+
 /// A seat in each state.
 fn busy(language: Language) -> Console {
     let mut console = desk(language);

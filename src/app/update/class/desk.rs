@@ -6,7 +6,7 @@ use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::room::class;
 use crate::app::state::{Consequence, Room};
 use crate::class::protocol::{Denial, SeatMessage};
-use crate::class::{ConnectionId, Deed, Desk, SeatRecord};
+use crate::class::{ConnectionId, Deed, Desk, DeskHeard, SeatRecord};
 use crate::class_text::deed_text;
 use crate::language::SeatChoice;
 use crate::mission::check_condition;
@@ -28,7 +28,12 @@ pub fn heard(
     let outcome = desk.hear(connection, user, message, wall);
     class::keep_cursor(state);
     match outcome {
-        Ok(()) => Effects::none(),
+        Ok(DeskHeard::Known) => Effects::none(),
+        Ok(heard) => Effects::from(Effect::Class(ClassEffect::Receive {
+            connection,
+            user: user.to_owned(),
+            heard,
+        })),
         Err(denial) => Effects::from(Effect::Class(ClassEffect::Deny { connection, denial })),
     }
 }
@@ -136,6 +141,18 @@ pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
     state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
     state.rooms.class.shows_injects = true;
+    Ok(Effects::none())
+}
+
+/// Shows the results of the class, or their next page.
+///
+/// # Errors
+/// This console is no desk.
+pub fn show_results(state: &mut State) -> Result<Effects, Text> {
+    let desk = state.class.desk_mut();
+    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
+    show(state, Room::Class);
+    state.rooms.class.show_results();
     Ok(Effects::none())
 }
 

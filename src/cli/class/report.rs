@@ -1,0 +1,92 @@
+//! `sortie class report`: the results of a class.
+
+use std::process::ExitCode;
+
+use clap::Args;
+use serde::Serialize;
+
+use super::results::ReadClass;
+use super::tables;
+use crate::class_results::ClassResults;
+use crate::cli::Failure;
+use crate::cli::settings::CliSettings;
+use crate::cli::table::TextTable;
+use crate::text;
+use crate::text::{Locale, Text};
+
+/// Options of `sortie class report`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+                        sortie class report 9-A\n  \
+                        sortie class report 9-A --json > 9-A.json")]
+pub(super) struct ReportArguments {
+    /// The name of the class, or the path of its folder; by default your user name.
+    #[arg(value_name = "NAME|PATH")]
+    name: Option<String>,
+    /// Print one JSON document instead of tables.
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct ClassDocument<'a> {
+    class: &'a str,
+    #[serde(flatten)]
+    results: &'a ClassResults,
+}
+
+pub(super) fn report(
+    arguments: &ReportArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
+    let class = ReadClass::read(arguments.name.as_deref(), settings)?;
+    let results = class.results();
+    if arguments.json {
+        let document = ClassDocument {
+            class: &class.name,
+            results: &results,
+        };
+        say!("{}", serde_json::to_string_pretty(&document)?)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let locale = &class.locale;
+    let count = results.trainees.len();
+    let title = text!("class-report-title", class = class.name, count = count);
+    say!("{}", locale.text(&title))?;
+    if results.missions.is_empty() {
+        say!("\n{}", locale.text(&text!("class-report-none")))?;
+    }
+    for (heading, table) in sections(&results, locale) {
+        if !table.is_empty() {
+            let heading = locale.text(&heading);
+            say!("\n{heading}\n{}", table.plain().trim_end())?;
+        }
+    }
+    Ok(ExitCode::SUCCESS)
+}
+
+/// The tables with their headings.
+fn sections(results: &ClassResults, locale: &Locale) -> [(Text, TextTable); 5] {
+    [
+        (
+            text!("class-report-missions"),
+            tables::by_mission(results, locale),
+        ),
+        (
+            text!("class-report-skills"),
+            tables::by_skill(results, locale),
+        ),
+        (
+            text!("class-report-spread"),
+            tables::missions(results, locale),
+        ),
+        (
+            text!("class-report-objectives"),
+            tables::objectives(results, locale),
+        ),
+        (
+            text!("class-report-skill-spread"),
+            tables::skills(results, locale),
+        ),
+    ]
+}

@@ -1,0 +1,73 @@
+//! The results of a class from the records of the instructor's data folder.
+
+use std::time::SystemTime;
+
+use crate::campaign::MissionCourse;
+use crate::carrier::own_user_name;
+use crate::class_results::{ClassResults, ClassTrainee};
+use crate::cli::Failure;
+use crate::cli::settings::CliSettings;
+use crate::store::{self, ClassRecords, class_trainees, day_of};
+use crate::text;
+use crate::text::Locale;
+
+/// A class whose records were read.
+pub(super) struct ReadClass {
+    /// The name of the class.
+    pub name: String,
+    pub trainees: Vec<ClassTrainee>,
+    pub course: MissionCourse,
+    /// The present day, in days since 1970 (UTC).
+    pub day: i64,
+    pub locale: Locale,
+}
+
+/// The name of the class at a path, or with a name.
+pub(super) fn class_name(name_or_path: &str) -> &str {
+    let mut parts = name_or_path.rsplit('/');
+    parts.find(|it| !it.is_empty()).unwrap_or(name_or_path)
+}
+
+impl ReadClass {
+    /// Reads the records of the class with this name, by default the user's own; names those that cannot be read.
+    ///
+    /// # Errors
+    /// Nothing was ever handed in to the class.
+    pub fn read(named: Option<&str>, settings: &CliSettings) -> Result<Self, Failure> {
+        let locale = Locale::new(settings.language());
+        settings.data.require(&locale)?;
+        let refused = |text| Failure::Invalid(format!("sortie: {}", locale.text(&text)));
+        let data = settings.data.path();
+        let data = data.ok_or_else(|| refused(text!("career-nowhere")))?;
+        let own = own_user_name();
+        let name = class_name(named.unwrap_or(&own));
+        let records = ClassRecords::within(data, name);
+        if !records.exist() {
+            let known = ClassRecords::classes(data);
+            return Err(refused(if known.is_empty() {
+                text!("class-no-records", class = name)
+            } else {
+                text!(
+                    "class-no-records-known",
+                    class = name,
+                    known = known.join(", ")
+                )
+            }));
+        }
+        let (trainees, faults) = class_trainees(&records);
+        for fault in faults {
+            tell!("sortie: {}", locale.text(&fault));
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            trainees,
+            course: store::course(),
+            day: day_of(SystemTime::now()),
+            locale,
+        })
+    }
+
+    pub fn results(&self) -> ClassResults {
+        ClassResults::of(&self.course, &self.trainees, self.day)
+    }
+}

@@ -1,0 +1,263 @@
+//! The tables of a class.
+
+use crate::campaign::Skill;
+use crate::class_results::{
+    ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults, number_of_mission,
+};
+use crate::cli::progress::answer;
+use crate::cli::table::{Side, TextTable};
+use crate::text;
+use crate::text::{Locale, Text, figure};
+
+/// The number of columns to which the titles of objectives are cut.
+const WIDTH: usize = 110;
+
+/// A column for the trainee, and one for each mission with the best score and the number of tries.
+pub(super) fn by_mission(results: &ClassResults, locale: &Locale) -> TextTable {
+    let missions = results.missions.iter();
+    let ids: Vec<&str> = missions.map(|it| it.mission.as_str()).collect();
+    let numbered = ids
+        .iter()
+        .map(|id| (number_of_mission(id).into(), Side::Right));
+    let columns: Vec<(Text, Side)> = [
+        (text!("progress-trainee"), Side::Left),
+        (text!("class-report-practice"), Side::Right),
+    ]
+    .into_iter()
+    .chain(numbered)
+    .collect();
+    let mut table = TextTable::new(locale, &columns);
+    for trainee in &results.trainees {
+        let cells = ids.iter().map(|id| result_cell(trainee, id));
+        let head = [trainee.user.clone(), trainee.practice.to_string()];
+        table.push(head.into_iter().chain(cells).collect());
+    }
+    table
+}
+
+/// The best score and the number of tries; a pass has a tick.
+fn result_cell(trainee: &TraineeResults, id: &str) -> String {
+    let Some((mission, best)) = trainee.mission(id).zip(trainee.best(id)) else {
+        return "-".to_owned();
+    };
+    let tick = if mission.is_passed() { "✓" } else { "" };
+    format!("{tick}{best}/{}", mission.tries)
+}
+
+/// A column for the trainee, and one for each skill that somebody has shown.
+pub(super) fn by_skill(results: &ClassResults, locale: &Locale) -> TextTable {
+    let is_shown = |skill: &&Skill| results.skills.iter().any(|it| it.skill == **skill);
+    let skills: Vec<Skill> = Skill::ALL.iter().filter(is_shown).copied().collect();
+    // Without a skill there is nothing to show of a trainee.
+    let shown_to = if skills.is_empty() {
+        &[][..]
+    } else {
+        &results.trainees
+    };
+    let coded = skills.iter().map(|it| (it.code().into(), Side::Right));
+    let columns: Vec<(Text, Side)> = std::iter::once((text!("progress-trainee"), Side::Left))
+        .chain(coded)
+        .collect();
+    let mut table = TextTable::new(locale, &columns);
+    for trainee in shown_to {
+        let cells = skills.iter().map(|skill| match trainee.skill(*skill) {
+            Some(shown) => format!("{} %", shown.percent),
+            None => "-".to_owned(),
+        });
+        table.push(std::iter::once(trainee.user.clone()).chain(cells).collect());
+    }
+    table
+}
+
+/// The spread of the best scores per mission.
+pub(super) fn missions(results: &ClassResults, locale: &Locale) -> TextTable {
+    let columns = [
+        (text!("progress-mission"), Side::Left),
+        (text!("class-report-trainees"), Side::Right),
+        (text!("progress-passed"), Side::Right),
+        (text!("progress-tries"), Side::Right),
+        (text!("class-report-least"), Side::Right),
+        (text!("class-report-median"), Side::Right),
+        (text!("class-report-most"), Side::Right),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for mission in &results.missions {
+        let counts = [mission.trainees, mission.passed, mission.tries];
+        let head = std::iter::once(mission.mission.clone());
+        let cells = head.chain(counts.map(|count| count.to_string()));
+        table.push(cells.chain(spread_cells(mission.scores)).collect());
+    }
+    table
+}
+
+fn spread_cells(spread: Spread) -> [String; 3] {
+    [spread.least, spread.median, spread.most].map(|it| figure(it, 0))
+}
+
+/// How well the class meets each objective, the least known first.
+pub(super) fn objectives(results: &ClassResults, locale: &Locale) -> TextTable {
+    let columns = [
+        (text!("progress-mission"), Side::Left),
+        (text!("class-report-objective"), Side::Left),
+        (text!("progress-skill"), Side::Left),
+        (text!("class-report-met"), Side::Right),
+        (text!("class-report-share"), Side::Right),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for objective in &results.objectives {
+        table.push(vec![
+            objective.mission.clone(),
+            locale.text(&objective.title),
+            objective
+                .skill
+                .map(Skill::code)
+                .unwrap_or_default()
+                .to_owned(),
+            format!("{}/{}", objective.met, objective.trainees),
+            format!("{} %", figure(objective.mean_percent, 0)),
+        ]);
+    }
+    table.fitted(1, WIDTH)
+}
+
+/// How well the class masters each skill, the least known first.
+pub(super) fn skills(results: &ClassResults, locale: &Locale) -> TextTable {
+    let columns = [
+        ("".into(), Side::Left),
+        (text!("progress-skill"), Side::Left),
+        (text!("class-report-trainees"), Side::Right),
+        (text!("class-report-mastered"), Side::Right),
+        (text!("class-report-least"), Side::Right),
+        (text!("class-report-median"), Side::Right),
+        (text!("class-report-most"), Side::Right),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for skill in &results.skills {
+        let head = [
+            skill.skill.code().to_owned(),
+            locale.text(&skill.title),
+            skill.trainees.to_string(),
+            skill.mastered.to_string(),
+        ];
+        let spread = spread_cells(skill.percent).map(|it| format!("{it} %"));
+        table.push(head.into_iter().chain(spread).collect());
+    }
+    table
+}
+
+/// A row for each trainee and objective, from the best flights that count.
+pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
+    let columns = [
+        (text!("progress-trainee"), Side::Left),
+        (text!("class-report-profile"), Side::Left),
+        (text!("progress-mission"), Side::Left),
+        (text!("class-report-revision"), Side::Right),
+        (text!("progress-tries"), Side::Right),
+        (text!("progress-best"), Side::Right),
+        (text!("progress-passed"), Side::Left),
+        (text!("class-report-objective"), Side::Left),
+        (text!("class-report-objective-title"), Side::Left),
+        (text!("progress-skill"), Side::Left),
+        (text!("class-report-mandatory"), Side::Left),
+        (text!("class-report-met"), Side::Left),
+        (text!("class-report-points"), Side::Right),
+        (text!("class-report-points-max"), Side::Right),
+        (text!("class-report-result"), Side::Left),
+        (text!("progress-seed"), Side::Right),
+        (text!("class-report-began"), Side::Left),
+        (text!("class-report-record"), Side::Left),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for trainee in trainees {
+        for best in trainee.best_flights() {
+            let mission = &best.flight.mission;
+            let tries = trainee.flights.iter().filter(|it| it.counts());
+            let tries = tries.filter(|it| it.flight.mission == *mission).count();
+            for objective in &best.objectives {
+                let of_flight = [
+                    trainee.user.clone(),
+                    best.profile.clone().unwrap_or_default(),
+                    mission.clone(),
+                    best.revision.to_string(),
+                    tries.to_string(),
+                    best.flight.score.to_string(),
+                    locale.text(&answer(best.flight.passed)),
+                ];
+                let after = [
+                    best.seed.to_string(),
+                    best.when.clone(),
+                    best.record.clone(),
+                ];
+                let cells = of_flight
+                    .into_iter()
+                    .chain(objective_cells(objective, locale));
+                table.push(cells.chain(after).collect());
+            }
+        }
+    }
+    table
+}
+
+fn objective_cells(objective: &FlownObjective, locale: &Locale) -> [String; 8] {
+    let result = &objective.result;
+    [
+        result.id.clone(),
+        locale.text(&result.title),
+        objective
+            .skill
+            .map(Skill::code)
+            .unwrap_or_default()
+            .to_owned(),
+        locale.text(&answer(result.mandatory)),
+        locale.text(&answer(result.met)),
+        figure(result.points, 1),
+        figure(result.points_max, 1),
+        locale.text(&result.result),
+    ]
+}
+
+/// The objectives of one flight.
+pub(super) fn objectives_of(objectives: &[FlownObjective], locale: &Locale) -> TextTable {
+    let columns = [
+        (text!("class-report-objective"), Side::Left),
+        (text!("class-report-objective-title"), Side::Left),
+        (text!("progress-skill"), Side::Left),
+        (text!("class-report-mandatory"), Side::Left),
+        (text!("class-report-met"), Side::Left),
+        (text!("class-report-points"), Side::Right),
+        (text!("class-report-points-max"), Side::Right),
+        (text!("class-report-result"), Side::Left),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for objective in objectives {
+        table.push(objective_cells(objective, locale).into());
+    }
+    table
+}
+
+/// The best scores in percent, in columns that Moodle's import of grades maps: a user name, and one per mission.
+pub(super) fn moodle(results: &ClassResults, locale: &Locale) -> TextTable {
+    let missions = results.missions.iter().map(|it| {
+        let title = format!("{} {}", it.mission, locale.text(&it.title));
+        (Text::verbatim(title), Side::Right)
+    });
+    let columns: Vec<(Text, Side)> = std::iter::once(("username".into(), Side::Left))
+        .chain(missions)
+        .collect();
+    let mut table = TextTable::new(locale, &columns);
+    for trainee in &results.trainees {
+        let grade = |id: &str| {
+            trainee
+                .best(id)
+                .map(|best| format!("{:.1}", f64::from(best) / 10.0))
+        };
+        let grades = results.missions.iter();
+        let grades = grades.map(|it| grade(&it.mission).unwrap_or_default());
+        table.push(
+            std::iter::once(trainee.user.clone())
+                .chain(grades)
+                .collect(),
+        );
+    }
+    table
+}

@@ -1,0 +1,173 @@
+//! The connections of a desk.
+
+use std::collections::BTreeMap;
+
+use super::desk_files::{self, DeskAnswer, DeskTask};
+use super::worker::Worker;
+use super::{ClassArrival, OpenLine, or_never};
+use crate::app::State;
+use crate::app::effect::ClassEffect;
+use crate::app::event::ClassEvent;
+use crate::carrier::{ClassFault, ClassPlace, DeskArrival, DeskPort, unix};
+use crate::class::protocol::DeskMessage;
+use crate::class::{ConnectionId, Desk, DeskHeard, DeskLine, SubmissionEnd, SubmissionRefusal};
+use crate::shell::{Console, ConsoleOptions};
+use crate::store::ClassRecords;
+
+/// The connections of a desk.
+pub(in crate::shell) struct DeskEnd {
+    port: DeskPort,
+    open: BTreeMap<ConnectionId, DeskConnection>,
+    /// Keeps the records that are handed in; `None` without a data folder.
+    files: Option<Worker<DeskTask, DeskAnswer>>,
+}
+
+/// A connection to a seat.
+struct DeskConnection {
+    /// The user at the other end.
+    user: String,
+    open: OpenLine<DeskLine>,
+}
+
+impl DeskEnd {
+    /// Opens the desk of a class with this name.
+    ///
+    /// # Errors
+    /// Its socket cannot be opened.
+    pub fn open(
+        place: &ClassPlace,
+        name: &str,
+        options: &ConsoleOptions,
+    ) -> Result<Self, ClassFault> {
+        let data = options.preferences.data.as_deref();
+        let records = data.map(|data| ClassRecords::within(data, name));
+        let mut files = records.and_then(desk_files::start);
+        if let Some(files) = &mut files {
+            files.give(DeskTask::Look);
+        }
+        Ok(Self {
+            port: unix::open(place)?,
+            open: BTreeMap::new(),
+            files,
+        })
+    }
+
+    /// Waits for the next arrival.
+    pub async fn next(&mut self) -> ClassArrival {
+        let files = self.files.as_mut().map(Worker::next);
+        tokio::select! {
+            arrival = or_never(Some(self.port.next())) => ClassArrival::AtDesk(arrival),
+            answers = or_never(files) => ClassArrival::OfDeskFiles(answers),
+        }
+    }
+
+    /// Says what the seats do not know yet.
+    pub fn tell(&mut self, desk: &Desk, state: &State) {
+        for (&connection, DeskConnection { open, .. }) in &mut self.open {
+            while open.outbox.has_room() {
+                match open.line.next(desk, connection, state.wall()) {
+                    Some(message) => open.outbox.send(&message),
+                    None => break,
+                }
+            }
+        }
+    }
+
+    /// Does what the state asks for.
+    pub fn carry_out(&mut self, effect: ClassEffect) {
+        match effect {
+            ClassEffect::Deny { connection, denial } => {
+                if let Some(denied) = self.open.remove(&connection) {
+                    denied.open.outbox.send(&DeskMessage::Denied(denial));
+                }
+            }
+            ClassEffect::Receive {
+                connection,
+                user,
+                heard,
+            } => match &mut self.files {
+                Some(files) => files.give(DeskTask::Take {
+                    connection,
+                    user,
+                    heard,
+                }),
+                None => self.refuse(connection, &heard),
+            },
+            _ => {}
+        }
+    }
+
+    /// Refuses a record: there is no folder to keep it.
+    fn refuse(&self, connection: ConnectionId, heard: &DeskHeard) {
+        let DeskHeard::Submission(submission) = heard else {
+            return;
+        };
+        let record = submission.record.clone();
+        let end = SubmissionEnd::Refused(SubmissionRefusal::Unwritable);
+        self.say(connection, &DeskMessage::Settled { record, end });
+    }
+
+    /// Tells a seat something. If it is lost, the seat offers its record again.
+    fn say(&self, connection: ConnectionId, message: &DeskMessage) {
+        if let Some(known) = self.open.get(&connection) {
+            known.open.outbox.send(message);
+        }
+    }
+}
+
+impl Console {
+    /// Takes in what has arrived from seats.
+    pub(super) async fn attend_desk(&mut self, end: &mut DeskEnd, arrival: DeskArrival) {
+        match arrival {
+            DeskArrival::Opened {
+                connection,
+                peer,
+                outbox,
+            } => {
+                let opened = DeskConnection {
+                    user: peer.user,
+                    open: OpenLine::new(outbox),
+                };
+                end.open.insert(connection, opened);
+            }
+            DeskArrival::Line {
+                from,
+                line: Ok(message),
+            } => {
+                // One that was denied may have sent more.
+                let Some(known) = end.open.get(&from) else {
+                    return;
+                };
+                let event = ClassEvent::Heard {
+                    connection: from,
+                    user: known.user.clone(),
+                    message,
+                };
+                self.feed(event).await;
+            }
+            // The carrier ends the connection.
+            DeskArrival::Line {
+                line: Err(fault), ..
+            } => {
+                tracing::warn!("a line of a seat: {fault}");
+            }
+            DeskArrival::Closed(connection) => {
+                end.open.remove(&connection);
+                if let Some(files) = &mut end.files {
+                    files.give(DeskTask::Leave(connection));
+                }
+                self.feed(ClassEvent::Left(connection)).await;
+            }
+        }
+    }
+
+    /// Takes in what the thread has kept.
+    pub(super) async fn take_desk_answers(&mut self, end: &mut DeskEnd, answers: Vec<DeskAnswer>) {
+        for answer in answers {
+            match answer {
+                DeskAnswer::Event(event) => self.feed(*event).await,
+                DeskAnswer::Say(connection, message) => end.say(connection, &message),
+            }
+        }
+    }
+}

@@ -1,0 +1,54 @@
+//! The flights of a class, scored again from the records that its trainees have handed in.
+
+use std::time::SystemTime;
+
+use super::runs::moment;
+use super::{ClassRecords, KeptRecord, complete, day_of, read_run};
+use crate::campaign::without_end;
+use crate::class_results::{ClassFlight, ClassTrainee, add_flight};
+use crate::mission::record::Stored;
+use crate::text;
+use crate::text::Text;
+
+/// A flight from its record.
+///
+/// # Errors
+/// A text if the record cannot be read, or was changed after the flight.
+pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
+    let stem = kept.files.stem.as_str();
+    let faulty = |fault: Text| {
+        let place = format!("{}/{stem}", kept.user);
+        Text::joined(": ", vec![place.into(), fault])
+    };
+    let run = kept.files.run.as_deref();
+    let run = run.ok_or_else(|| faulty(text!("ghost-no-run", file = stem)))?;
+    let text = read_run(run).map_err(|error| faulty(Text::verbatim(error.to_string())))?;
+    let stored = Stored::read(&text).map_err(faulty)?;
+    if stored.is_altered() {
+        return Err(faulty(text!("verify-altered")));
+    }
+    let head = &stored.head;
+    let mission = head.flown().map_err(faulty)?;
+    let again = stored.rescore(without_end(head.stake, head.flown_by));
+    let mut report = again.map_err(faulty)?.report;
+    complete(&mut report, &mission);
+    let began = moment(&head.when).unwrap_or(SystemTime::UNIX_EPOCH);
+    let flight = ClassFlight::of(stem.to_owned(), head, &mission, report, day_of(began));
+    Ok(ClassFlight {
+        has_end: stored.end().is_some(),
+        ..flight
+    })
+}
+
+/// The trainees of a class with their flights, and why records cannot be read.
+pub fn class_trainees(records: &ClassRecords) -> (Vec<ClassTrainee>, Vec<Text>) {
+    let mut trainees: Vec<ClassTrainee> = Vec::new();
+    let mut faults = Vec::new();
+    for kept in records.all() {
+        match class_flight(&kept) {
+            Ok(flight) => add_flight(&mut trainees, &kept.user, flight),
+            Err(fault) => faults.push(fault),
+        }
+    }
+    (trainees, faults)
+}

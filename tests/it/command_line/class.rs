@@ -1,0 +1,84 @@
+//! The results of a class on the command line.
+
+use super::*;
+
+/// A folder with the data of an instructor: in the class 9-A, two users have handed in the same flight by script.
+fn class_folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let run = ["run", "00", "--pilot", "00", "--record", "rec", "--json"];
+    let output = sortie_in(folder.path(), &run);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let record = fs::read_dir(folder.path().join("rec"))
+        .expect("recorded")
+        .flatten()
+        .map(|entry| entry.path())
+        .find(|path| path.to_string_lossy().ends_with(".run.jsonl"))
+        .expect("the run");
+    let name = record.file_name().expect("a name").to_string_lossy();
+    for user in ["anna", "=cmd"] {
+        let own = folder.path().join("sortie/classes/9-A").join(user);
+        fs::create_dir_all(&own).expect("created");
+        fs::copy(&record, own.join(&*name)).expect("copied");
+        let submission = name.replace(".run.jsonl", ".submission.json");
+        fs::write(own.join(submission), "{}").expect("written");
+    }
+    folder
+}
+
+#[test]
+fn a_class_is_reported_and_exported_and_no_file_is_replaced() {
+    let folder = class_folder();
+    let sortie = |arguments: &[&str]| sortie_in(folder.path(), arguments);
+    let report = sortie(&["class", "report", "9-A"]);
+    assert_eq!(report.status.code(), Some(0), "{}", text(&report.stderr));
+    assert!(text(&report.stdout).contains("Class 9-A: 2 trainees"));
+    let document = sortie(&["class", "report", "9-A", "--json"]);
+    let document: serde_json::Value = serde_json::from_slice(&document.stdout).expect("JSON");
+    assert_eq!(document["trainees"][1]["user"], "anna");
+    assert_eq!(document["trainees"][1]["practice"], 1, "a script flew it");
+
+    let export = ["class", "export", "9-A", "--output", "out", "--format"];
+    let xapi = [&export[..], &["xapi"]].concat();
+    assert_eq!(sortie(&xapi).status.code(), Some(0));
+    let written = fs::read_to_string(folder.path().join("out")).expect("written");
+    assert_eq!(written.lines().count(), 2);
+    assert!(written.contains("http://adlnet.gov/expapi/verbs/completed"));
+    for format in ["xapi", "csv", "moodle", "md"] {
+        let again = sortie(&[&export[..], &[format]].concat());
+        assert_eq!(again.status.code(), Some(1), "{format}");
+        assert!(text(&again.stderr).contains("already exists"));
+    }
+    let kept = fs::read_to_string(folder.path().join("out")).expect("still there");
+    assert_eq!(kept, written);
+
+    let grades = [
+        "class", "export", "9-A", "--output", "-", "--format", "moodle",
+    ];
+    assert_eq!(
+        text(&sortie(&grades).stdout),
+        "username\r\n'=cmd\r\nanna\r\n"
+    );
+    let pages = [
+        "class", "export", "9-A", "--output", "pages", "--format", "md",
+    ];
+    assert_eq!(sortie(&pages).status.code(), Some(0));
+    let page = fs::read_to_string(folder.path().join("pages/anna.md")).expect("a page");
+    assert!(page.starts_with("# anna\n"), "{page}");
+}
+
+#[test]
+fn a_class_without_records_is_refused_and_others_are_named() {
+    let folder = folder_with(&[("sortie/classes/9-A/anna/x", "")]);
+    let output = sortie_in(folder.path(), &["class", "report", "9-B"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        text(&output.stderr).contains("9-A"),
+        "{}",
+        text(&output.stderr)
+    );
+    let wrong = [
+        "class", "export", "9-A", "--format", "xapi", "--output", "-",
+    ];
+    let wrong = [&wrong[..], &["--home-page", "lab"]].concat();
+    assert_eq!(sortie_in(folder.path(), &wrong).status.code(), Some(2));
+}
