@@ -47,7 +47,9 @@ fn every_mission_can_be_flown_with_built_drones_within_its_budget() {
     for source in store::missions() {
         let mission = Mission::parse(&source.text).expect("no faults");
         let (id, budget) = (mission.id.clone(), mission.seats.outlay.budget);
-        let mut fleet = vec![Design::new("none"); mission.seats.count];
+        // Ground robots and boats, which are the mission's own, come after the drones.
+        let drones = mission.needs().iter().map(|need| need.seats.len()).sum();
+        let mut fleet = vec![Design::new("none"); drones];
         for need in mission.needs() {
             let Some(design) = cheapest(&need) else {
                 panic!("{id}: nothing flies on seats {:?}", need.seats);

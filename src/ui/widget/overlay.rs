@@ -174,6 +174,9 @@ fn help_line(line: HelpLine, look: &Look) -> Line<'static> {
 mod tests {
     use std::sync::Arc;
 
+    /// The characters of a box.
+    const LINES: [char; 6] = ['│', '─', '┌', '┐', '└', '┘'];
+
     use crate::app::effect::Effect;
     use crate::app::state::Consequence;
     use crate::app::{App, Setup};
@@ -201,7 +204,7 @@ mod tests {
             .iter()
             .map(ratatui::buffer::Cell::symbol)
             .collect();
-        let words = symbols.replace(['│', '─', '┌', '┐', '└', '┘'], " ");
+        let words = symbols.replace(LINES, " ");
         words.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
@@ -211,7 +214,7 @@ mod tests {
         for language in Language::ALL {
             let locale = Locale::new(language);
             let plain = |text: &Text| -> String {
-                let words = locale.text(text);
+                let words = locale.text(text).replace(LINES, " ");
                 words.split_whitespace().collect::<Vec<_>>().join(" ")
             };
             let lost = text!("ask-exam-ends");

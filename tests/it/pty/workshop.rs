@@ -111,7 +111,7 @@ fn a_built_drone_flies_a_mission_that_pays_for_a_better_battery() {
         terminal.see(&format!("{passed} gates"));
     }
     terminal.command("all rtl").see("PASSED").see("credits +");
-    terminal.see("new mission: Air sample").see("h home");
+    terminal.see("new mission: Air sample").see("n next");
 
     // The reward buys a larger battery, and the drone on the bench shows it.
     terminal.press("h").see("licence 2").press("W");
