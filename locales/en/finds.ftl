@@ -64,6 +64,14 @@ standoff-advice = { $close ->
    *[other] Fly alongside the structure, { $nearest } to { $farthest } m away: you were too close for { $close } s.
 }
 
+# Clearing mines.
+clear-result = { $count } cleared
+clear-target = { $count ->
+    [one] 1 mine
+   *[other] { $count } mines
+}
+clear-advice = Let the drones find the mines first, then send the robot to each find, at 1 m/s: its flail clears up to 1.2 m/s, and a mine under its wheels destroys it.
+
 # Delivering loads.
 deliver-kits = { $lost ->
     [0] { $done } helped

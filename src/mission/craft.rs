@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::ground_truth::Passage;
 use super::report::distance_m;
 use super::saying::TextListener;
 use super::sensor::{Probe, Sensor};
@@ -66,6 +67,8 @@ pub(crate) struct Craft {
     /// How long it has been disarmed on the ground after flying.
     pub down_for: Duration,
     pub sensors: Vec<&'static Sensor>,
+    /// Whether it carries a flail.
+    pub has_flail: bool,
     /// Its sensors that measure a field.
     pub probes: Vec<Probe>,
     /// Position and height while the vehicle is not heard.
@@ -105,6 +108,7 @@ impl Craft {
             battery_percent: None,
             down_for: Duration::ZERO,
             sensors: sensors.to_vec(),
+            has_flail: false,
             probes: fitted
                 .filter_map(|(index, sensor)| Probe::new(sensor, seed, stream(index)))
                 .collect(),
@@ -124,6 +128,16 @@ impl Craft {
     pub fn awaits_disarming(&self) -> bool {
         let is_home = self.pad_distance_m.is_some_and(|far| far <= OFF_PAD_M);
         self.on_surface && self.under_way && is_home && self.comes_down && self.speed_m_s < 0.3
+    }
+
+    /// The ground that a ground robot passes now; `None` for other vehicles, and while it stands.
+    pub fn passage(&self) -> Option<Passage> {
+        let drives = self.on_surface && self.under_way && !self.lost;
+        Some(Passage {
+            at: self.at.filter(|_| drives)?,
+            speed_m_s: self.speed_m_s,
+            has_flail: self.has_flail,
+        })
     }
 
     /// Whether the vehicle is under way and not lost.

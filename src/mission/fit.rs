@@ -14,6 +14,8 @@ pub(crate) struct Fit {
     /// The loads that the vehicle starts with and that a pad restores; loads that are not listed
     /// here are never on board.
     pub loads: BTreeMap<Load, u32>,
+    /// Whether it carries a flail, which clears mines ahead of a ground robot.
+    pub flail: bool,
     /// Its own radio; `None` for that of the mission, if the mission models the radio.
     pub radio: Option<Set>,
 }

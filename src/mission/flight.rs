@@ -19,6 +19,7 @@ use std::time::Duration;
 use super::craft::Craft;
 use super::event::demand::Demand;
 use super::event::scope::Sight;
+use super::ground_truth::MinePassed;
 use super::objective::{ObjectiveScene, ObjectiveStanding};
 use super::planning::PlanLog;
 use super::record::Recorder;
@@ -29,7 +30,7 @@ use crate::alert::AlertKind;
 use crate::commands::{Command, Setup};
 use crate::ledger::Ledger;
 use crate::notice::Notice;
-use crate::scoring::{EventKind, FlightOutcome, FlownBy, Report, VehicleUse};
+use crate::scoring::{EventKind, FlightOutcome, FlownBy, Report, SafetyKind, VehicleUse};
 use crate::text;
 use crate::text::{Text, lasting};
 use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
@@ -311,7 +312,10 @@ impl Flight {
             if self.crafts.iter().all(|craft| craft.id != id) {
                 let fit = &self.mission.seats.fits[self.crafts.len()];
                 self.loads.add(fit);
-                self.crafts.push(Craft::new(id, &fit.sensors, self.seed));
+                self.crafts.push(Craft {
+                    has_flail: fit.flail,
+                    ..Craft::new(id, &fit.sensors, self.seed)
+                });
                 self.swarm.add(id);
                 let seat = self.crafts.len() - 1;
                 let wants = self.mission.board_wants(seat, self.seed).into_iter();
@@ -329,6 +333,25 @@ impl Flight {
             };
             for (kind, text) in craft.step(vehicle, &self.mission, engine.active()) {
                 self.journal.break_rule(kind, craft.id, &text);
+            }
+            match craft.passage().and_then(|robot| self.world.pass(robot)) {
+                Some(MinePassed::Cleared) => {
+                    let entry = JournalEntry {
+                        vehicle: Some(craft.id),
+                        ..JournalEntry::new(
+                            EventKind::Load,
+                            Severity::Notice,
+                            text!("mission-mine-cleared"),
+                        )
+                    };
+                    self.journal.say(entry);
+                }
+                Some(MinePassed::SetOff) => {
+                    craft.lost = true;
+                    let text = text!("mission-mine-set-off");
+                    self.journal.break_rule(SafetyKind::Crash, craft.id, &text);
+                }
+                None => {}
             }
             for (index, probe) in craft.probes.iter_mut().enumerate() {
                 let (quantity, height_m) = (probe.spec.quantity, craft.height_m);

@@ -167,6 +167,24 @@ pub(crate) struct Release {
     pub good: bool,
 }
 
+/// A ground robot at a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Passage {
+    pub at: Point,
+    pub speed_m_s: f64,
+    /// Whether the robot has a flail, which sets off mines ahead of it.
+    pub has_flail: bool,
+}
+
+/// What happens to a mine that a ground robot passes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum MinePassed {
+    /// The flail has set it off, without harm.
+    Cleared,
+    /// It has gone off under the robot.
+    SetOff,
+}
+
 /// A piece of the truth, for the map of the debrief.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct TruthPiece {

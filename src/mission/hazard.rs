@@ -15,7 +15,7 @@ use rand_chacha::ChaCha8Rng;
 use super::Point;
 use super::format::KindOf;
 use super::ground_truth::{
-    Load, LoadEffect, Object, ObjectClass, Quantity, TruthPiece, TruthShape,
+    Load, LoadEffect, MinePassed, Object, ObjectClass, Passage, Quantity, TruthPiece, TruthShape,
 };
 use super::weather::Weather;
 
@@ -73,6 +73,16 @@ pub(crate) trait Field: Debug + Send + Sync {
     /// Applies a load that lands at a point; `None` if the load has no effect on this kind of hazard.
     fn affect(&mut self, _load: Load, _at: Point) -> Option<LoadEffect> {
         None
+    }
+
+    /// Lets a ground robot pass a point; returns what that does to a mine there, if there is one.
+    fn pass(&mut self, _robot: Passage) -> Option<MinePassed> {
+        None
+    }
+
+    /// The number of mines that ground robots have cleared.
+    fn cleared(&self) -> usize {
+        0
     }
 
     /// The help given to the hazard's people; `None` if it has no people.

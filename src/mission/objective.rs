@@ -5,7 +5,7 @@
 //!   `map_error`.
 //! - How vehicles flew: `stops` and `route` (gates, places), `hover`, `formation`, `standoff`, `land_on`, `recover`
 //!   (back on a pad, with enough battery), `arm_time` (armed soon after they were ready).
-//! - What was brought or saved: `deliver`, `protect`. What must not happen: `dose` (too much radiation), `link` (a
+//! - What was brought, saved or cleared: `deliver`, `protect`, `clear`. What must not happen: `dose` (too much radiation), `link` (a
 //!   weak link at work). What came before the flight: `plans`.
 //! - `demands` is what an objective requires of its mission, for the check of the file.
 
@@ -31,6 +31,7 @@ pub(crate) use route::GateRoute;
 
 mod arm_time;
 mod checked;
+mod clear;
 mod coverage;
 mod deliver;
 mod demands;
@@ -293,6 +294,7 @@ pub(super) static KINDS: &[KindOf<Box<dyn ObjectiveKind>>] = &[
     link::KIND,
     coverage::KIND,
     deliver::KIND,
+    clear::KIND,
     detect::KIND,
     checked::KIND,
     standoff::KIND,

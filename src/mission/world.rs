@@ -8,7 +8,9 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use super::board::PlanFault;
-use super::ground_truth::{Load, LoadEffect, Object, Quantity, TruthPiece};
+use super::ground_truth::{
+    Load, LoadEffect, MinePassed, Object, Passage, Quantity, TruthPiece,
+};
 use super::hazard::{Field, Hazard};
 use super::weather::Weather;
 use super::{Mission, Point};
@@ -118,6 +120,11 @@ impl World {
     pub fn clear_view(&self, at: Point, height_m: f64) -> f64 {
         let smoke_g_m2 = self.column(Quantity::Particles, at, height_m) * 1e-6;
         maths::exp(-SMOKE_EXTINCTION_M2_G * smoke_g_m2)
+    }
+
+    /// Lets a ground robot pass a point; returns what that does to a mine there, if there is one.
+    pub fn pass(&mut self, robot: Passage) -> Option<MinePassed> {
+        self.fields.iter_mut().find_map(|field| field.pass(robot))
     }
 
     /// All objects, by hazard in file order.

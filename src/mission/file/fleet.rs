@@ -6,7 +6,7 @@ use super::career::design_id;
 use crate::mission::MissionSeats;
 use crate::mission::fit::Fit;
 use crate::mission::format::{
-    FileTable, ListValue, NameKind, NamedValue, list, named, point, table as table_of, whole,
+    FileTable, ListValue, NameKind, NamedValue, flag, list, named, point, table as table_of, whole,
 };
 use crate::mission::ground_truth::Load;
 use crate::mission::sensor::Sensor;
@@ -41,6 +41,7 @@ struct Carried {
 /// One vehicle as the file lists it.
 struct ListedVehicle {
     kind: VehicleKind,
+    flail: bool,
     carried: Carried,
 }
 
@@ -108,10 +109,14 @@ pub(super) fn fleet(table: &mut FileTable<'_>) -> Option<FleetSection> {
     let common = common.added_to(Fit::default());
     let usual = || ListedVehicle {
         kind: VehicleKind::Copter,
+        flail: false,
         carried: Carried::default(),
     };
     let own = own.unwrap_or_else(|| pads.iter().map(|_| usual()).collect());
-    let fit = |vehicle: &ListedVehicle| vehicle.carried.added_to(common.clone());
+    let fit = |vehicle: &ListedVehicle| Fit {
+        flail: vehicle.flail,
+        ..vehicle.carried.added_to(common.clone())
+    };
     Some(FleetSection {
         outlay,
         fits: own.iter().map(fit).collect(),
@@ -162,6 +167,12 @@ fn vehicle(table: &mut FileTable<'_>) -> Option<ListedVehicle> {
         VehicleKind::Copter,
         "kind of vehicle: a drone, a ground robot or a boat",
     );
+    let flail = table.or(
+        "flail",
+        flag(),
+        false,
+        "whether this ground robot clears mines ahead of it, at up to 1.2 m/s",
+    );
     let sensors = table.may("sensors", sensors(), "additional sensors of this vehicle");
     let loads = table.may(
         "loads",
@@ -170,6 +181,7 @@ fn vehicle(table: &mut FileTable<'_>) -> Option<ListedVehicle> {
     );
     Some(ListedVehicle {
         kind,
+        flail,
         carried: Carried {
             sensors: sensors.unwrap_or_default(),
             loads: loads.unwrap_or_default(),

@@ -3,8 +3,10 @@
 use rand_chacha::ChaCha8Rng;
 
 use super::placing::{revealed, spread};
-use super::{Field, Hazard, Object, ObjectClass, TruthPiece};
+use super::{Field, Hazard, MinePassed, Object, ObjectClass, Passage, TruthPiece};
+use crate::commands::FindKind;
 use crate::mission::format::{FileTable, KindOf, number, table as table_of, whole};
+use crate::mission::report::distance_m;
 use crate::mission::weather::Weather;
 use crate::mission::zone::Shape;
 use crate::text;
@@ -20,7 +22,17 @@ struct Minefield {
 }
 
 #[derive(Debug)]
-struct Laid(Vec<Object>);
+struct Laid {
+    objects: Vec<Object>,
+    /// The number of mines that ground robots have cleared.
+    cleared: usize,
+}
+
+/// How far to each side of a ground robot's middle its flail, or without one its wheels, reach a mine, in metres.
+const FLAIL_REACHES_M: f64 = 1.0;
+const WHEELS_REACH_M: f64 = 0.5;
+/// The maximum speed at which a flail strikes every spot of the ground.
+pub(super) const FLAIL_UP_TO_M_S: f64 = 1.2;
 
 pub(super) const KIND: KindOf<Box<dyn Hazard>> = KindOf {
     name: "minefield",
@@ -109,19 +121,40 @@ impl Hazard for Minefield {
             .iter()
             .flat_map(|&(class, count)| (0..count).map(move |_| class));
         let objects = classes.zip(places);
-        Box::new(Laid(
-            objects.map(|(class, at)| Object::new(class, at)).collect(),
-        ))
+        Box::new(Laid {
+            objects: objects.map(|(class, at)| Object::new(class, at)).collect(),
+            cleared: 0,
+        })
     }
 }
 
 impl Field for Laid {
     fn objects(&self) -> &[Object] {
-        &self.0
+        &self.objects
+    }
+
+    /// A flail that is slow enough clears every mine that it reaches; a mine that it misses goes off under the wheels.
+    fn pass(&mut self, robot: Passage) -> Option<MinePassed> {
+        let flails = robot.has_flail && robot.speed_m_s <= FLAIL_UP_TO_M_S;
+        let reach_m = if flails { FLAIL_REACHES_M } else { WHEELS_REACH_M };
+        let is_mine = |object: &&mut Object| object.class.kind() == Some(FindKind::Mine);
+        let mut mines = self.objects.iter_mut().filter(is_mine);
+        let mine = mines.find(|it| it.present && distance_m(it.at, robot.at) <= reach_m)?;
+        mine.present = false;
+        self.cleared += usize::from(flails);
+        Some(if flails {
+            MinePassed::Cleared
+        } else {
+            MinePassed::SetOff
+        })
+    }
+
+    fn cleared(&self) -> usize {
+        self.cleared
     }
 
     fn truth(&self) -> Vec<TruthPiece> {
-        revealed(&self.0)
+        revealed(&self.objects)
     }
 }
 
@@ -130,8 +163,6 @@ mod tests {
     use rand::SeedableRng;
 
     use super::*;
-    use crate::commands::FindKind;
-    use crate::mission::report::distance_m;
 
     fn laid(seed: u64) -> Box<dyn Field> {
         let field = Minefield {
@@ -171,5 +202,40 @@ mod tests {
     fn another_seed_lays_another_field_and_the_same_seed_the_same() {
         assert_eq!(laid(1).objects(), laid(1).objects());
         assert_ne!(laid(1).objects(), laid(2).objects());
+    }
+
+    #[test]
+    fn a_slow_flail_clears_a_mine_once_and_fast_or_bare_wheels_set_it_off() {
+        for (speed_m_s, has_flail, passed) in [
+            (1.0, true, MinePassed::Cleared),
+            (2.0, true, MinePassed::SetOff),
+            (1.0, false, MinePassed::SetOff),
+        ] {
+            let mut field = laid(3);
+            let [east, north] = field.objects()[0].at;
+            let at = |aside_m: f64| Passage {
+                at: [east + aside_m, north],
+                speed_m_s,
+                has_flail,
+            };
+            assert_eq!(field.pass(at(1.1)), None);
+            assert_eq!(field.pass(at(0.4)), Some(passed));
+            assert_eq!(field.pass(at(0.4)), None, "it is gone");
+            assert!(!field.objects()[0].present);
+            let cleared = usize::from(passed == MinePassed::Cleared);
+            assert_eq!(field.cleared(), cleared);
+        }
+    }
+
+    #[test]
+    fn scrap_does_not_go_off() {
+        let mut field = laid(3);
+        let scrap = field.objects().iter().find(|it| it.class == ObjectClass::Clutter);
+        let robot = Passage {
+            at: scrap.expect("there is some").at,
+            speed_m_s: 3.0,
+            has_flail: false,
+        };
+        assert_eq!(field.pass(robot), None);
     }
 }
