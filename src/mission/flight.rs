@@ -312,10 +312,9 @@ impl Flight {
             if self.crafts.iter().all(|craft| craft.id != id) {
                 let fit = &self.mission.seats.fits[self.crafts.len()];
                 self.loads.add(fit);
-                self.crafts.push(Craft {
-                    has_flail: fit.flail,
-                    ..Craft::new(id, &fit.sensors, self.seed)
-                });
+                let mut craft = Craft::new(id, &fit.sensors, self.seed);
+                craft.has_flail = fit.flail;
+                self.crafts.push(craft);
                 self.swarm.add(id);
                 let seat = self.crafts.len() - 1;
                 let wants = self.mission.board_wants(seat, self.seed).into_iter();

@@ -8,9 +8,7 @@ use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
 use super::board::PlanFault;
-use super::ground_truth::{
-    Load, LoadEffect, MinePassed, Object, Passage, Quantity, TruthPiece,
-};
+use super::ground_truth::{Load, LoadEffect, MinePassed, Object, Passage, Quantity, TruthPiece};
 use super::hazard::{Field, Hazard};
 use super::weather::Weather;
 use super::{Mission, Point};

@@ -59,7 +59,8 @@ fn every_mission_can_be_flown_with_built_drones_within_its_budget() {
             }
         }
         let cost: u32 = fleet.iter().map(Design::credits).sum();
-        println!("{id}: {cost} of {budget:?} cr, {}", fleet[0].name);
+        let first = fleet.first().map(|design| design.name.clone());
+        println!("{id}: {cost} of {budget:?} cr, {first:?}");
         if let Err(reasons) = mission.with_fleet(fleet) {
             panic!("{id}: {reasons:?}");
         }

@@ -29,7 +29,7 @@ struct Laid {
 }
 
 /// How far to each side of a ground robot's middle its flail, or without one its wheels, reach a mine, in metres.
-const FLAIL_REACHES_M: f64 = 1.0;
+const FLAIL_REACHES_M: f64 = 1.5;
 const WHEELS_REACH_M: f64 = 0.5;
 /// The maximum speed at which a flail strikes every spot of the ground.
 pub(super) const FLAIL_UP_TO_M_S: f64 = 1.2;
@@ -136,7 +136,11 @@ impl Field for Laid {
     /// A flail that is slow enough clears every mine that it reaches; a mine that it misses goes off under the wheels.
     fn pass(&mut self, robot: Passage) -> Option<MinePassed> {
         let flails = robot.has_flail && robot.speed_m_s <= FLAIL_UP_TO_M_S;
-        let reach_m = if flails { FLAIL_REACHES_M } else { WHEELS_REACH_M };
+        let reach_m = if flails {
+            FLAIL_REACHES_M
+        } else {
+            WHEELS_REACH_M
+        };
         let is_mine = |object: &&mut Object| object.class.kind() == Some(FindKind::Mine);
         let mut mines = self.objects.iter_mut().filter(is_mine);
         let mine = mines.find(|it| it.present && distance_m(it.at, robot.at) <= reach_m)?;
@@ -218,7 +222,7 @@ mod tests {
                 speed_m_s,
                 has_flail,
             };
-            assert_eq!(field.pass(at(1.1)), None);
+            assert_eq!(field.pass(at(1.6)), None);
             assert_eq!(field.pass(at(0.4)), Some(passed));
             assert_eq!(field.pass(at(0.4)), None, "it is gone");
             assert!(!field.objects()[0].present);
@@ -230,7 +234,10 @@ mod tests {
     #[test]
     fn scrap_does_not_go_off() {
         let mut field = laid(3);
-        let scrap = field.objects().iter().find(|it| it.class == ObjectClass::Clutter);
+        let scrap = field
+            .objects()
+            .iter()
+            .find(|it| it.class == ObjectClass::Clutter);
         let robot = Passage {
             at: scrap.expect("there is some").at,
             speed_m_s: 3.0,

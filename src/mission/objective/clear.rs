@@ -1,8 +1,6 @@
 //! `clear`: clear mines with a ground robot that carries a flail.
 
-use super::{
-    Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker,
-};
+use super::{Demands, ObjectiveDetails, ObjectiveKind, ObjectiveScene, ObjectiveStanding, Tracker};
 use crate::mission::craft::Craft;
 use crate::mission::format::{CountTarget, FileTable, KindOf};
 use crate::mission::hazard::Field;
