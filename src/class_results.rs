@@ -240,7 +240,7 @@ pub struct SkillSpread {
     pub percent: Spread,
 }
 
-/// Quartiles of figures.
+/// How some figures are spread: their least, greatest and quartiles.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize)]
 pub struct Spread {
     pub least: f64,

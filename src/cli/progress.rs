@@ -139,7 +139,7 @@ pub(super) fn runs(runs: &[PastRun], locale: &Locale) -> TextTable {
     table
 }
 
-/// Yes or no.
+/// The answer to a question in words: yes or no.
 pub(super) fn answer(yes: bool) -> Text {
     if yes {
         text!("answer-yes")

@@ -4,7 +4,8 @@
 //! in order.
 //!
 //! # How the parts fit
-//! - What happens: `threats` (events), `injects` (the instructor's), `loads` (drops, kits, spray), `search` (contacts and reports),
+//! - What happens: `threats` (events), `injects` (the instructor's), `loads` (drops, kits, spray),
+//!   `mines` (under ground robots), `search` (contacts and reports),
 //!   `tracks`.
 //! - What the trainee says: `deeds` (reports, prediction, goal), `clues` (hints on request, and what they cost).
 //! - When it ends, and why: `verdict`. Which objectives are met: `goals`.
@@ -19,7 +20,6 @@ use std::time::Duration;
 use super::craft::Craft;
 use super::event::demand::Demand;
 use super::event::scope::Sight;
-use super::ground_truth::MinePassed;
 use super::objective::{ObjectiveScene, ObjectiveStanding};
 use super::planning::PlanLog;
 use super::record::Recorder;
@@ -30,7 +30,7 @@ use crate::alert::AlertKind;
 use crate::commands::{Command, Setup};
 use crate::ledger::Ledger;
 use crate::notice::Notice;
-use crate::scoring::{EventKind, FlightOutcome, FlownBy, Report, SafetyKind, VehicleUse};
+use crate::scoring::{EventKind, FlightOutcome, FlownBy, Report, VehicleUse};
 use crate::text;
 use crate::text::{Text, lasting};
 use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
@@ -41,6 +41,7 @@ mod goals;
 mod injects;
 mod journal;
 mod loads;
+mod mines;
 mod orders;
 mod places;
 mod pledge;
@@ -185,6 +186,7 @@ impl Flight {
         self.enlist(vehicles);
         self.world.step(self.elapsed);
         self.step_crafts(vehicles);
+        self.step_mines();
         self.step_loads();
         self.tracks.step(&self.crafts);
         self.search
@@ -332,25 +334,6 @@ impl Flight {
             };
             for (kind, text) in craft.step(vehicle, &self.mission, engine.active()) {
                 self.journal.break_rule(kind, craft.id, &text);
-            }
-            match craft.passage().and_then(|robot| self.world.pass(robot)) {
-                Some(MinePassed::Cleared) => {
-                    let entry = JournalEntry {
-                        vehicle: Some(craft.id),
-                        ..JournalEntry::new(
-                            EventKind::Load,
-                            Severity::Notice,
-                            text!("mission-mine-cleared"),
-                        )
-                    };
-                    self.journal.say(entry);
-                }
-                Some(MinePassed::SetOff) => {
-                    craft.lost = true;
-                    let text = text!("mission-mine-set-off");
-                    self.journal.break_rule(SafetyKind::Crash, craft.id, &text);
-                }
-                None => {}
             }
             for (index, probe) in craft.probes.iter_mut().enumerate() {
                 let (quantity, height_m) = (probe.spec.quantity, craft.height_m);

@@ -100,7 +100,7 @@ impl<L: Default> OpenLine<L> {
 pub(super) enum ClassArrival {
     AtSeat(SeatArrival),
     AtDesk(DeskArrival),
-    /// Answers about records.
+    /// What came of reading the records of this seat.
     OfSeatFiles(Vec<SeatAnswer>),
     OfDeskFiles(Vec<DeskAnswer>),
 }

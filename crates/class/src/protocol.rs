@@ -79,9 +79,9 @@ pub enum DeskMessage {
     Fetch(PieceRequest),
     /// A record that was handed in is complete, or refused.
     Settled {
-        /// The record.
+        /// The record that was handed in.
         record: RecordName,
-        /// How it ended.
+        /// Whether the desk has it, or why it does not take it.
         end: SubmissionEnd,
     },
     /// The desk is still there, though it has nothing else to say.

@@ -33,7 +33,7 @@ impl TryFrom<String> for RecordName {
 }
 
 impl RecordName {
-    /// The name.
+    /// The name as it is written in messages and folders.
     pub fn as_str(&self) -> &str {
         &self.0
     }
@@ -102,9 +102,9 @@ impl Submission {
 /// The desk's question for the next piece of a file.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PieceRequest {
-    /// The record.
+    /// The record that the piece is from.
     pub record: RecordName,
-    /// The file.
+    /// The file of the record that the piece is from.
     pub part: RecordPart,
     /// The number of bytes that the desk has.
     pub from: u64,

@@ -22,7 +22,7 @@ const HAS_PLACE: u8 = 1;
 const HAS_VELOCITY: u8 = 2;
 const HAS_ATTITUDE: u8 = 8;
 
-/// The `FOLL_*` parameters.
+/// How to follow a leader: the values of the `FOLL_*` parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct FollowRules {
     /// The leader's system id; 0 for the first that reports itself.

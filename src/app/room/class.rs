@@ -26,9 +26,9 @@ pub enum ResultsPage {
     Missions,
     /// How the mastery of each skill is spread.
     Skills,
-    /// Trainees and missions.
+    /// A row per trainee, with the scores of the missions.
     ByMission,
-    /// Trainees and skills.
+    /// A row per trainee, with the mastery of the skills.
     BySkill,
 }
 

@@ -119,9 +119,8 @@ fn measure(vehicles: u16, options: &BenchSimArguments) -> Result<SimCost, Failur
 /// An order to all vehicles.
 #[derive(Debug, Clone, Copy)]
 enum Order {
-    /// Stream a message.
+    /// Stream a message, by its id.
     Stream(u32),
-    /// Enter GUIDED.
     Guided,
     Arm,
     /// Take off, or drive to a far place.

@@ -31,7 +31,7 @@ pub(super) struct ExportArguments {
     /// The name of the class, or the path of its folder; by default your user name.
     #[arg(value_name = "NAME|PATH")]
     name: Option<String>,
-    /// Write this format.
+    /// Write the results in this format.
     #[arg(long, value_enum)]
     format: ClassFormat,
     /// Write to this file, or with `md` to this folder, which must not exist yet; `-` is standard output.

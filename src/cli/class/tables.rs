@@ -44,7 +44,7 @@ fn result_cell(trainee: &TraineeResults, id: &str) -> String {
     format!("{tick}{best}/{}", mission.tries)
 }
 
-/// A column for the trainee, and one for each skill that somebody has shown.
+/// A column for the trainee, and one for each skill that any trainee has shown.
 pub(super) fn by_skill(results: &ClassResults, locale: &Locale) -> TextTable {
     let is_shown = |skill: &&Skill| results.skills.iter().any(|it| it.skill == **skill);
     let skills: Vec<Skill> = Skill::ALL.iter().filter(is_shown).copied().collect();

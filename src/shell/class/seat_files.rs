@@ -11,7 +11,7 @@ pub(in crate::shell) enum SeatTask {
     Look,
     /// Offer a record that is complete now.
     Offer(RecordName),
-    /// Read a piece.
+    /// Read a piece of a record for the desk.
     Read(PieceRequest),
     /// The desk has a record, or does not take it.
     Settle(RecordName),

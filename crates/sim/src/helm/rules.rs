@@ -10,7 +10,7 @@ const ACCEL_UNLIMITED_M_S2: f64 = 20.0;
 
 /// The acceleration on a circle without a limit, in m/s².
 const CIRCLE_ACCEL_M_S2: f64 = 1.0;
-/// The smallest circle.
+/// The radius of the smallest circle, in metres.
 const CIRCLE_RADIUS_MIN_M: f64 = 0.5;
 
 const PILOT_SPEED_MAX_M_S: f64 = 30.0;
