@@ -147,7 +147,7 @@ pub(super) fn skills(results: &ClassResults, locale: &Locale) -> TextTable {
 
 /// A row for each trainee and objective, from the best flights that count.
 pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
-    let columns = [
+    let of_flight = [
         (text!("progress-trainee"), Side::Left),
         (text!("class-report-profile"), Side::Left),
         (text!("progress-mission"), Side::Left),
@@ -155,18 +155,15 @@ pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
         (text!("progress-tries"), Side::Right),
         (text!("progress-best"), Side::Right),
         (text!("progress-passed"), Side::Left),
-        (text!("class-report-objective"), Side::Left),
-        (text!("class-report-objective-title"), Side::Left),
-        (text!("progress-skill"), Side::Left),
-        (text!("class-report-mandatory"), Side::Left),
-        (text!("class-report-met"), Side::Left),
-        (text!("class-report-points"), Side::Right),
-        (text!("class-report-points-max"), Side::Right),
-        (text!("class-report-result"), Side::Left),
+    ];
+    let after = [
         (text!("progress-seed"), Side::Right),
         (text!("class-report-began"), Side::Left),
         (text!("class-report-record"), Side::Left),
     ];
+    let mut columns = of_flight.to_vec();
+    columns.extend(objective_columns());
+    columns.extend(after);
     let mut table = TextTable::new(locale, &columns);
     for trainee in trainees {
         for best in trainee.best_flights() {
@@ -198,6 +195,20 @@ pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
     table
 }
 
+/// The columns of [`objective_cells`].
+fn objective_columns() -> [(Text, Side); 8] {
+    [
+        (text!("class-report-objective"), Side::Left),
+        (text!("class-report-objective-title"), Side::Left),
+        (text!("progress-skill"), Side::Left),
+        (text!("class-report-mandatory"), Side::Left),
+        (text!("class-report-met"), Side::Left),
+        (text!("class-report-points"), Side::Right),
+        (text!("class-report-points-max"), Side::Right),
+        (text!("class-report-result"), Side::Left),
+    ]
+}
+
 fn objective_cells(objective: &FlownObjective, locale: &Locale) -> [String; 8] {
     let result = &objective.result;
     [
@@ -218,17 +229,7 @@ fn objective_cells(objective: &FlownObjective, locale: &Locale) -> [String; 8] {
 
 /// The objectives of one flight.
 pub(super) fn objectives_of(objectives: &[FlownObjective], locale: &Locale) -> TextTable {
-    let columns = [
-        (text!("class-report-objective"), Side::Left),
-        (text!("class-report-objective-title"), Side::Left),
-        (text!("progress-skill"), Side::Left),
-        (text!("class-report-mandatory"), Side::Left),
-        (text!("class-report-met"), Side::Left),
-        (text!("class-report-points"), Side::Right),
-        (text!("class-report-points-max"), Side::Right),
-        (text!("class-report-result"), Side::Left),
-    ];
-    let mut table = TextTable::new(locale, &columns);
+    let mut table = TextTable::new(locale, &objective_columns());
     for objective in objectives {
         table.push(objective_cells(objective, locale).into());
     }

@@ -3,7 +3,7 @@
 use super::*;
 use crate::{PIECE, PieceBytes, SubmittedPart};
 
-/// Records in memory.
+/// A desk's records in memory, on a disk that may be small.
 #[derive(Debug, Default)]
 pub(crate) struct MemoryShelf {
     pub files: BTreeMap<(String, RecordName, RecordPart), (Vec<u8>, bool)>,

@@ -173,11 +173,7 @@ impl ResultsDrawing<'_> {
             unit: "",
         });
         let heading = self.spread_heading("progress-mission", "progress-passed");
-        let rows: Vec<SpreadRow> = rows.collect();
-        (
-            heading,
-            rows.iter().map(|row| self.spread(row, 1000.0)).collect(),
-        )
+        (heading, self.spreads(rows, 1000.0))
     }
 
     /// How well each skill is mastered, the least known first.
@@ -189,11 +185,11 @@ impl ResultsDrawing<'_> {
             unit: " %",
         });
         let heading = self.spread_heading("progress-skill", "class-report-mastered");
-        let rows: Vec<SpreadRow> = rows.collect();
-        (
-            heading,
-            rows.iter().map(|row| self.spread(row, 100.0)).collect(),
-        )
+        (heading, self.spreads(rows, 100.0))
+    }
+
+    fn spreads(&self, rows: impl Iterator<Item = SpreadRow>, most: f64) -> Vec<Line<'static>> {
+        rows.map(|row| self.spread(&row, most)).collect()
     }
 
     fn spread_columns(&self) -> (usize, usize) {
