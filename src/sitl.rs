@@ -230,6 +230,7 @@ impl Recipe {
 
     fn parameter_file(&self, model: &SitlModel, airframe: Option<&Airframe>) -> String {
         let mut parameters: BTreeMap<String, f64> = defaults::of(self.kind).into_iter().collect();
+        parameters.extend(defaults::of_model(self.kind, model.name));
         if let Some(airframe) = airframe {
             parameters.extend(defaults::of_airframe(airframe));
             let set = airframe.parameters().iter();

@@ -5,7 +5,7 @@
 //! parameters that it does not have.
 
 use super::SitlKind;
-use crate::sim::Airframe;
+use crate::sim::{Airframe, Chassis, VehicleKind};
 
 /// Pulses of the radio and of the throttle's output, in microseconds.
 const PULSE_US: [(&str, f64); 3] = [("MIN", 1000.0), ("MAX", 2000.0), ("TRIM", 1500.0)];
@@ -72,14 +72,23 @@ fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
             ("SERVO3_MIN", 1000.0),
             ("SERVO3_MAX", 2000.0),
         ],
-        SitlKind::Rover => &[
-            ("SERVO1_MIN", 1000.0),
-            ("SERVO1_MAX", 2000.0),
-            ("SERVO3_MIN", 1000.0),
-            ("SERVO3_MAX", 2000.0),
-        ],
+        // Those of the model.
+        SitlKind::Rover => &[],
         SitlKind::Sub => &[],
     }
+}
+
+/// The settings that a model of a rover or boat needs to drive as in the embedded simulator; models that the simulator
+/// lacks get those of `rover`. Empty for other vehicles.
+pub(super) fn of_model(kind: SitlKind, model: &str) -> Vec<(String, f64)> {
+    if kind != SitlKind::Rover {
+        return Vec::new();
+    }
+    let embedded = VehicleKind::named(model).unwrap_or(VehicleKind::Rover(Chassis::Ackermann));
+    let own = embedded.own_parameters().into_iter();
+    // By their decimals, so that 0.1 stays 0.1.
+    own.filter_map(|(name, value)| Some((name.to_owned(), value.to_string().parse().ok()?)))
+        .collect()
 }
 
 /// The settings for a multirotor's airframe: its battery, the thrust of its motors, and gains for their torque.

@@ -139,6 +139,26 @@ fn the_battery_and_the_motors_follow_the_airframe() {
     assert_eq!(value_of(&asked, "BATT_CAPACITY"), Some(1.5));
 }
 
+/// With the firmware's defaults, a boat would drive at 2 m/s instead of 5.
+#[test]
+fn rovers_and_boats_drive_as_in_the_embedded_simulator() {
+    let expected = [
+        ("rover", "WP_SPEED", 5.0),
+        ("rover", "ATC_SPEED_P", 0.1),
+        ("rover-skid", "CRUISE_SPEED", 3.0),
+        ("motorboat", "CRUISE_THROTTLE", 30.0),
+        ("sailboat", "WP_RADIUS", 3.0),
+    ];
+    for (model, name, value) in expected {
+        let recipe = Recipe {
+            kind: SitlKind::Rover,
+            model: Some(model.to_owned()),
+            ..recipe()
+        };
+        assert_eq!(value_of(&recipe, name), Some(value), "{model}: {name}");
+    }
+}
+
 /// Only a copter's battery runs down; 4.6 ignores the rate for rovers.
 #[test]
 fn only_copters_get_the_rate_at_which_their_batteries_are_right() {

@@ -7,7 +7,7 @@ use mavlink::dialects::ardupilotmega::{MavMessage, MavParamType, PARAM_VALUE_DAT
 use mavlink::types::CharArray;
 
 use self::table::{ParameterTable, SubTree};
-use super::kind::VehicleKind;
+use super::kind::{Chassis, VehicleKind};
 pub use aliases::{AliasSense, other_name};
 
 /// The index in the answer to a parameter that was requested or set by name.
@@ -68,6 +68,19 @@ pub(super) struct Parameters {
     changed: Vec<(u16, f32)>,
     /// Values that return at the next boot, since the present ones are not stored.
     stored: Vec<(u16, f32)>,
+}
+
+impl VehicleKind {
+    /// The parameters with which a new vehicle of this kind starts and whose values differ from the defaults of its
+    /// firmware: those of SITL's model with the same name.
+    pub fn own_parameters(self) -> Vec<(&'static str, f32)> {
+        let rows = ParameterTable::of(self).rows.iter();
+        let own = rows.filter(|row| row.first.total_cmp(&row.default).is_ne());
+        let of_chassis = self.chassis().map_or(&[][..], Chassis::parameters).iter();
+        own.map(|row| (row.name, row.first))
+            .chain(of_chassis.copied())
+            .collect()
+    }
 }
 
 impl Parameters {
