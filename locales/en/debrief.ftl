@@ -27,7 +27,7 @@ gold-points = { $points } points
 gold-mandatory = all mandatory objectives
 debrief-gold-needs = gold needs { $gates }
 
-debrief-timeline = TIMELINE   (> 2-9 commands  o objective  ! alert  x rule broken  r refused)
+debrief-timeline = TIMELINE   (> 2-9 commands  o objective  ! alert  x rule  r refused  . other)
 # One row for several commands in succession; never for one.
 debrief-commands = { $count ->
     [one] { $count } command until { $until }

@@ -37,7 +37,10 @@ detect-advice-missed = Look again, lower and slower, and confirm each contact be
 detect-advice-wrong = Confirm each contact with another sensor, or from a shorter distance, before you report it (false reports: { $wrong }).
 
 # Looking at a place closely before it is reported.
-checked-result = { $count }/{ $all } reports
+checked-result = { $all ->
+    [0] no report
+   *[other] { $count }/{ $all } reports
+}
 checked-target = all reports
 checked-advice = Before you report a place, stay within { $radius } m of it for { $dwell } s, at { $speed } m/s at most.
 checked-advice-cross = { $count ->

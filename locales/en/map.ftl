@@ -10,7 +10,7 @@ map-outside = { $count ->
    *[other] { $count } vehicles out of view
 }
 map-nowhere = No position is known yet.
-map-objective = next: { $title }: { $detail }
+map-objective = next: { $title } ({ $detail })
 map-from-home = from home
 map-from-vehicle = from
 map-ruler = ruler

@@ -81,6 +81,7 @@ mission-translation-empty = `{ $key }` is empty: remove it to show the English t
 mission-pane = mission  { $elapsed } of { $limit }  score { $score }
 mission-hint = hint: { $hint }
 mission-landed = Landed. The flight ends when all reports are in and final: report what is missing, or wait.
+mission-landed-short = Landed with objectives open, and no battery lasts for another flight. At { $limit }, the flight ends with the points reached; `abandon` ends it now without points.
 mission-landed-last = Landed: the flight ends in a moment.
 mission-home-armed = Vehicle { $vehicle } is back: `{ $vehicle } disarm` stops its motors.
 mission-touchdown = Landed: the motors stop automatically, then the flight ends.
@@ -113,7 +114,7 @@ mission-rule-battery-is = land with { $percent } % or more
 mission-rule-wind = wind
 mission-rule-wind-is = { $speed } m/s from { $direction }°
 mission-rule-calm = calm
-mission-rule-drones = drones
+mission-rule-drones = vehicles
 mission-rule-sensors = sensors
 mission-scoring = scoring, 1000 points
 mission-weights = points
@@ -221,7 +222,7 @@ mission-then-is = { $drones } shows the drones and starts the clock, { $back } g
 mission-contacts-count = contacts { $count }, reported { $reported }
 mission-contacts-confirmed = contacts { $count }, confirmed { $confirmed }, reported { $reported }
 mission-marks-count = reports { $count }
-mission-pledge-line = you stated: { $words }
+mission-pledge-line = stated: { $words }
 mission-said-score = { $points } points
 
 # Urgent alerts, over the full width of the screen; shorter in the header.
@@ -243,7 +244,7 @@ mission-hint-price = { $percent ->
    *[other] { $key } requests the next one, level { $level }: it costs { $percent } % of the score
 }
 mission-hint-of = hint { $level }: { $hint }
-mission-rule-carries = drone { $vehicles }
+mission-rule-carries = vehicle { $vehicles }
 mission-rule-carries-nothing = no sensor, no load
 mission-rule-load = { $name } x{ $count }
 mission-rule-areas = areas

@@ -121,6 +121,7 @@ reason-armed = it is armed
 reason-flying = it is already flying
 reason-takeoff-mode = it is in { $mode }: `guided`, then `takeoff`
 reason-takeoff-arm = it is not armed: `arm`, then `takeoff`
+reason-takeoff-disarmed = it has probably just disarmed itself: `arm`, then `takeoff`
 reason-takeoff-mode-arm = it is in { $mode } and not armed: `guided`, `arm`, then `takeoff`
 reason-in-the-air = it is in the air: use `land`, or `kill` to stop the motors
 reason-in-the-air-plane = it is in the air: land it by a plan that ends with a landing, or use `kill` to stop the motor

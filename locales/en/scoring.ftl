@@ -39,7 +39,10 @@ scoring-rules-broken = { $worst }; other rules broken: { $more }
 scoring-no-commands = no commands
 scoring-commands-clean = { $count ->
     [one] { $count } command, not refused
-   *[other] { $count } commands, none refused; counted per drone
+   *[other] { $count } commands, none refused
+}{ $vehicles ->
+    [one] {""}
+   *[other] ; counted per vehicle
 }
 scoring-commands-forgiven = { $count ->
     [one] 1 command
@@ -48,7 +51,13 @@ scoring-commands-forgiven = { $count ->
     [one] 1 refusal
    *[other] { $forgiven } refusals
 } forgiven
-scoring-commands-faulty = { $faults }; { $count } commands, counted per drone
+scoring-commands-faulty = { $faults }; { $count ->
+    [one] 1 command
+   *[other] { $count } commands
+}{ $vehicles ->
+    [one] {""}
+   *[other] , counted per vehicle
+}
 scoring-rejected = { $count } refused
 scoring-unsafe = { $count } unsafe
 scoring-twice = { $count } given twice

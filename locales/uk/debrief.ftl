@@ -27,7 +27,7 @@ gold-points = від { $points } балів
 gold-mandatory = усі обов'язкові цілі
 debrief-gold-needs = для золота треба: { $gates }
 
-debrief-timeline = ПЕРЕБІГ   (> 2-9 команди  o ціль  ! тривога  x порушення  r відмова)
+debrief-timeline = ПЕРЕБІГ   (> 2-9 команди  o ціль  ! тривога  x порушення  r відмова  . інше)
 # Один рядок про кілька команд поспіль; ніколи не про одну.
 debrief-commands = { $count ->
     [one] { $count } команда до { $until }

@@ -34,7 +34,10 @@ detect-advice-missed = Огляньте ділянку ще раз, нижче �
 detect-advice-wrong = Перш ніж повідомляти, підтверджуйте кожен контакт іншим датчиком або зблизька (хибних повідомлень: { $wrong }).
 
 # Огляд зблизька перед повідомленням.
-checked-result = { $count } із { $all }
+checked-result = { $all ->
+    [0] немає
+   *[other] { $count } із { $all }
+}
 checked-target = усі повідомлення
 checked-advice = Перш ніж повідомити про місце, протримайтеся { $dwell } s не далі як за { $radius } m від нього на швидкості до { $speed } m/s.
 checked-advice-cross = { $count ->

@@ -85,6 +85,7 @@ mission-translation-empty = `{ $key }` порожній: приберіть йо
 mission-pane = завдання  { $elapsed } з { $limit }  бали { $score }
 mission-hint = підказка: { $hint }
 mission-landed = Посадку виконано. Політ завершиться, коли всі повідомлення надійдуть і стануть остаточними: повідомте про те, чого бракує, або зачекайте.
+mission-landed-short = Посадка до виконання всіх цілей, і на ще один політ заряду не вистачить. О { $limit } політ закінчиться з набраними балами; `abandon` закінчує його зараз, без балів.
 mission-landed-last = Посадку виконано: політ зараз завершиться.
 mission-home-armed = Апарат { $vehicle } повернувся: `{ $vehicle } disarm` зупинить його двигуни.
 mission-touchdown = Посадку виконано: двигуни зупиняться самі, тоді політ завершиться.
@@ -117,7 +118,7 @@ mission-rule-battery-is = сідати із зарядом від { $percent } %
 mission-rule-wind = вітер
 mission-rule-wind-is = { $speed } m/s, з { $direction }°
 mission-rule-calm = штиль
-mission-rule-drones = дрони
+mission-rule-drones = апарати
 mission-rule-sensors = датчики
 mission-scoring = оцінювання, 1000 балів
 mission-weights = бали
@@ -229,7 +230,7 @@ mission-then-is = { $drones } показує дрони й запускає го
 mission-contacts-count = контакти { $count }, повід. { $reported }
 mission-contacts-confirmed = контакти { $count }, підтв. { $confirmed }, повід. { $reported }
 mission-marks-count = повідомлень: { $count }
-mission-pledge-line = ви заявили: { $words }
+mission-pledge-line = заявлено: { $words }
 mission-said-score = { $points ->
     [one] { $points } бал
     [few] { $points } бали
@@ -255,7 +256,7 @@ mission-hint-price = { $percent ->
    *[other] { $key } — наступна підказка, рівень { $level }: коштує { $percent } % балів
 }
 mission-hint-of = підказка { $level }: { $hint }
-mission-rule-carries = дрон { $vehicles }
+mission-rule-carries = апарат { $vehicles }
 mission-rule-carries-nothing = без датчика й вантажу
 mission-rule-load = { $name } x{ $count }
 mission-rule-areas = зони

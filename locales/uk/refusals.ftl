@@ -124,6 +124,7 @@ reason-armed = двигуни активні
 reason-flying = апарат уже летить
 reason-takeoff-mode = режим { $mode }: спершу `guided`, потім `takeoff`
 reason-takeoff-arm = двигуни не активовано: спершу `arm`, потім `takeoff`
+reason-takeoff-disarmed = двигуни, мабуть, щойно деактивувалися самі: `arm`, потім `takeoff`
 reason-takeoff-mode-arm = режим { $mode }, двигуни не активовано: `guided`, `arm`, потім `takeoff`
 reason-in-the-air = апарат у повітрі: посадіть його (`land`) або зупиніть двигуни (`kill`)
 reason-in-the-air-plane = літак у повітрі: посадіть його за планом, що закінчується посадкою, або зупиніть двигун (`kill`)

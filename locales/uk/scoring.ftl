@@ -38,15 +38,21 @@ scoring-no-rule-broken = правил не порушено
 scoring-rules-broken = { $worst }; порушено ще правил: { $more }
 scoring-no-commands = команд не було
 scoring-commands-clean = { $count ->
-    [one] { $count } команда, без відмов; кожен дрон рахується окремо
-    [few] { $count } команди, без відмов; кожен дрон рахується окремо
-   *[many] { $count } команд, без відмов; кожен дрон рахується окремо
+    [one] { $count } команда, без відмов
+    [few] { $count } команди, без відмов
+   *[many] { $count } команд, без відмов
+}{ $vehicles ->
+    [1] {""}
+   *[other] ; кожен апарат рахується окремо
 }
 scoring-commands-forgiven = команд: { $count }, пробачено відмов: { $forgiven }
 scoring-commands-faulty = { $count ->
-    [one] { $faults }; { $count } команда, кожен дрон рахується окремо
-    [few] { $faults }; { $count } команди, кожен дрон рахується окремо
-   *[many] { $faults }; { $count } команд, кожен дрон рахується окремо
+    [one] { $faults }; { $count } команда
+    [few] { $faults }; { $count } команди
+   *[many] { $faults }; { $count } команд
+}{ $vehicles ->
+    [1] {""}
+   *[other] , кожен апарат рахується окремо
 }
 scoring-rejected = відхилено { $count }
 scoring-unsafe = небезпечних { $count }

@@ -89,6 +89,9 @@ fn takeoff_reason(vehicle: &Vehicle) -> Option<Text> {
         None if !vehicle.armed() => Some(text!("reason-takeoff-arm")),
         _ if vehicle.airborne() => Some(text!("reason-flying")),
         Some(mode) => Some(text!("reason-takeoff-mode", mode = mode)),
+        // A copter in GUIDED on the ground refuses without a text only when its motors are off: the
+        // heartbeat that says so is up to a second late.
+        None if vehicle.class() == VehicleClass::Copter => Some(text!("reason-takeoff-disarmed")),
         None => None,
     }
 }

@@ -54,7 +54,7 @@ impl CommandTally {
         }
     }
 
-    pub(super) fn value_and_words(&self) -> (f64, Text) {
+    pub(super) fn value_and_words(&self, vehicles: usize) -> (f64, Text) {
         let counted = self.accepted + self.empty + self.rejected + self.duplicates;
         let mut faults = Vec::new();
         for (count, words) in [
@@ -82,11 +82,16 @@ impl CommandTally {
                 count = self.given,
                 forgiven = self.forgiven
             ),
-            (_, true) => text!("scoring-commands-clean", count = self.given),
+            (_, true) => text!(
+                "scoring-commands-clean",
+                count = self.given,
+                vehicles = vehicles
+            ),
             _ => text!(
                 "scoring-commands-faulty",
                 faults = Text::joined(", ", faults),
-                count = self.given
+                count = self.given,
+                vehicles = vehicles
             ),
         };
         // Without any commands, there are no good ones.

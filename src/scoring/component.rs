@@ -138,7 +138,9 @@ pub(super) fn all(rules: &ScoreRules, facts: &Facts) -> Vec<ComponentScore> {
         Some(if_flown(facts, |facts| {
             (safety_value(&facts.safety), safety_words(facts))
         })),
-        Some(if_flown(facts, |facts| facts.commands.value_and_words())),
+        Some(if_flown(facts, |facts| {
+            facts.commands.value_and_words(facts.vehicles)
+        })),
         attention::value_and_words(&facts.alerts).map(|conduct| if_flown(facts, |_| conduct)),
         Some(utilisation::value_and_words(&facts.usage)),
     ];

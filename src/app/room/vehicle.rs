@@ -4,9 +4,9 @@ use crossterm::event::KeyCode;
 
 use crate::app::State;
 use crate::app::action::{Action, SelectAction, Step, ViewAction};
-use crate::app::keymap::{KeyHint, KeyRow, Press, does, hint, key};
+use crate::app::keymap::{ESCAPE, KeyHint, KeyRow, Press, does, hint, key};
 use crate::app::room::fly;
-use crate::app::room::{Answer, Room, RoomModel, footer_keys};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::app::state::Window;
 
 /// The state of the room.
@@ -57,10 +57,18 @@ impl RoomModel for Vehicle {
             Press::Plain(KeyCode::Tab),
             Action::View(ViewAction::NextPage),
         ),
+        does(ESCAPE, Action::Escape),
     ];
 
     fn hints(_state: &State) -> &'static [KeyHint] {
         HINTS
+    }
+
+    /// Leaves the room, once no vehicles are typed or selected.
+    fn escape(state: &mut State) -> Answer {
+        let is_all_else_taken_back =
+            state.typing.targets.is_empty() && state.session.choice.selection.is_empty();
+        is_all_else_taken_back.then(|| vec![RoomRequest::Show(Room::Fly)])
     }
 
     fn view(state: &mut State, action: ViewAction) -> Answer {

@@ -13,7 +13,6 @@ use crate::app::state::{Activity, rate};
 use crate::commands::FindKind;
 use crate::ledger::{RowState, RowUpdate};
 use crate::mission::{ObjectiveState, Progress, ShownContact, Stake};
-use crate::notice::Notice;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -88,9 +87,6 @@ pub fn changed(state: &mut State, change: PaceChange) {
         } else {
             text!("speedup-back-to", rate = rate, reason = reason)
         };
-        state
-            .notices
-            .push(Notice::general(state.now, Severity::Notice, text.clone()));
         state.say(Severity::Notice, text);
     } else if state.session.timing.pace.is_fast() {
         let key = state.key(Action::UsualPace);

@@ -119,6 +119,12 @@ fn a_refused_takeoff_names_every_missing_step_in_order() {
         said(&armed),
         "takeoff refused: it is in STABILIZE: `guided`, then `takeoff`"
     );
+    let mut disarming = on_the_ground("GUIDED");
+    disarming.heartbeat.as_mut().expect("it was heard").armed = true;
+    assert_eq!(
+        said(&disarming),
+        "takeoff refused: it has probably just disarmed itself: `arm`, then `takeoff`"
+    );
 }
 
 #[test]

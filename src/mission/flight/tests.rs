@@ -290,6 +290,21 @@ fn vehicles_that_return_with_a_low_battery_are_left_alone() {
 }
 
 #[test]
+fn after_a_landing_with_an_empty_battery_the_hint_names_the_end() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(20.0);
+    pilot.land();
+    let hint = |pilot: &Pilot| pilot.flight.progress().hint.map(|it| it.to_string());
+    let charged = hint(&pilot).expect("a hint");
+    assert!(!charged.contains("`abandon`"), "{charged}");
+    let battery = pilot.vehicle().batteries.first_mut();
+    battery.expect("it has one").remaining_percent = Some(5);
+    pilot.wait(1.0);
+    let spent = hint(&pilot).expect("a hint");
+    assert!(spent.contains("`abandon` ends it now"), "{spent}");
+}
+
+#[test]
 fn after_the_last_landing_the_hint_sends_no_drone_home() {
     let mut pilot = Pilot::new(1);
     pilot.take_off(20.0);

@@ -13,7 +13,7 @@ use crate::mission::{
 };
 use crate::scoring::{SafetyEvent, points_so_far, score};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, clock};
 
 impl Flight {
     /// The progress, for the mission panel.
@@ -123,50 +123,77 @@ impl Flight {
         (!self.is_over()).then(|| step.clone())
     }
 
+    /// The advice for the moment: about the end of the flight if it is near, otherwise the first hint of the mission's
+    /// file that applies.
     pub(super) fn hint(&self, standings: &[ObjectiveStanding]) -> Option<Text> {
+        if self.is_over() {
+            return None;
+        }
         let phase = self.phase(standings);
+        let ending = self
+            .on_the_ground(phase)
+            .or_else(|| self.on_the_way_down(standings));
+        ending.or_else(|| {
+            let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();
+            let mut hints = self.mission.advice.hints.iter().enumerate();
+            let (_, found) = hints.find(|(at, hint)| hint.phase == phase && !is_reached(*at))?;
+            Some(self.filled(&found.text))
+        })
+    }
+
+    /// The advice after a landing; `None` if the flight goes on.
+    fn on_the_ground(&self, phase: Phase) -> Option<Text> {
         let grounding = self.grounding().filter(|_| phase == Phase::Ground);
-        if let Some(event) = grounding.filter(|_| !self.is_over()) {
-            let vehicle = event.vehicle;
+        if let Some(event) = grounding {
+            let reason = event.text.clone();
             return Some(text!(
                 "mission-grounded",
-                vehicle = vehicle,
-                reason = event.text.clone()
+                vehicle = event.vehicle,
+                reason = reason
             ));
         }
-        let takes_reports = || {
+        if phase == Phase::Done && self.is_down_again() {
             let mut objectives = self.mission.objectives.iter();
-            objectives.any(|objective| objective.kind.sought().is_some())
-        };
-        if phase == Phase::Done && self.is_down_again() && !self.is_over() {
-            return Some(if takes_reports() {
+            let takes_reports = objectives.any(|objective| objective.kind.sought().is_some());
+            return Some(if takes_reports {
                 text!("mission-landed")
             } else {
                 text!("mission-landed-last")
             });
         }
         let waits = self.crafts.iter().find(|craft| craft.awaits_disarming());
-        if let Some(craft) = waits.filter(|_| !self.is_over()) {
+        if let Some(craft) = waits {
             return Some(text!("mission-home-armed", vehicle = craft.id));
         }
-        if self.has_touched_down() && !self.is_over() {
+        if self.has_touched_down() {
             return Some(text!("mission-touchdown"));
         }
-        if self.all_come_down() && !self.is_over() {
-            let forced = self.crafts.iter().find(|it| it.flies() && it.in_failsafe);
-            let runs_short = |craft: &Craft| craft.flies() && craft.runs_short(&self.mission);
-            let needs_nothing = self.settle_themselves(standings).iter().all(|it| *it);
-            return Some(match forced {
-                _ if needs_nothing => text!("mission-returning"),
-                Some(craft) => text!("mission-returning-failsafe", vehicle = craft.id),
-                None if self.crafts.iter().any(runs_short) => text!("mission-returning-short"),
-                None => text!("mission-returning-early"),
-            });
+        self.cannot_go_on().then(|| {
+            let limit = clock(self.mission.rules.time_limit);
+            text!("mission-landed-short", limit = limit)
+        })
+    }
+
+    /// The advice while all vehicles in the air return or land; `None` otherwise.
+    fn on_the_way_down(&self, standings: &[ObjectiveStanding]) -> Option<Text> {
+        if !self.all_come_down() {
+            return None;
         }
-        let is_reached = |at: usize| self.reached_hints.get(at).copied().unwrap_or_default();
-        let mut hints = self.mission.advice.hints.iter().enumerate();
-        let (_, found) = hints.find(|(at, hint)| hint.phase == phase && !is_reached(*at))?;
-        (!self.is_over()).then(|| self.filled(&found.text))
+        let forced = self.crafts.iter().find(|it| it.flies() && it.in_failsafe);
+        let runs_short = |craft: &Craft| craft.flies() && craft.runs_short(&self.mission);
+        let needs_nothing = self.settle_themselves(standings).iter().all(|it| *it);
+        Some(match forced {
+            _ if needs_nothing => text!("mission-returning"),
+            Some(craft) => text!("mission-returning-failsafe", vehicle = craft.id),
+            None if self.crafts.iter().any(runs_short) => text!("mission-returning-short"),
+            None => text!("mission-returning-early"),
+        })
+    }
+
+    /// Whether all vehicles are down again, and no battery lasts for another flight.
+    fn cannot_go_on(&self) -> bool {
+        let mut left = self.crafts.iter().filter(|craft| !craft.lost);
+        self.is_down_again() && left.all(|craft| craft.runs_short(&self.mission))
     }
 
     /// Whether a vehicle has flown and none is still in the air.

@@ -134,8 +134,9 @@ fn a_command_to_several_counts_for_each_vehicle_that_refuses_it() {
     log.step(Duration::ZERO, &BTreeMap::new(), &ledger);
     let tally = log.tally(&ledger);
     assert_eq!((tally.given, tally.rejected, tally.accepted), (3, 2, 1));
-    let words = tally.value_and_words().1;
-    assert_eq!(words, "2 refused; 3 commands, counted per drone");
+    let words = |vehicles| tally.value_and_words(vehicles).1.to_string();
+    assert_eq!(words(3), "2 refused; 3 commands, counted per vehicle");
+    assert_eq!(words(1), "2 refused; 3 commands");
 }
 
 proptest! {

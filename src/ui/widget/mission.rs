@@ -1,31 +1,31 @@
 //! The mission pane: objectives, sensors, advice and the surveyed cells.
 
-use std::sync::Arc;
+mod cells;
+mod hint;
+
+pub use hint::{hint_height, hint_lines, lesson};
 
 use ratatui::buffer::Buffer;
-use ratatui::style::Style;
 use ratatui::text::{Line, Span};
 use unicode_width::UnicodeWidthStr as _;
 
 use crate::app::State;
 use crate::commands::Goal;
-use crate::mission::{Cell, ObjectiveProgress, ObjectiveState, Progress, Trust};
+use crate::mission::{ObjectiveProgress, ObjectiveState, Progress, Trust};
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, clip, clip_rows, clock, columns, put, upper, wrap};
-use crate::vehicle::Vehicle;
+use crate::ui::widget::{aligned, below, clip, clock, put, upper, wrap};
+
+use cells::Grid;
+use hint::draw_hint;
 
 /// The blanks between the name of an objective and its state.
 const BETWEEN: &str = "  ";
 /// The number of columns between two readings.
 const GAP: usize = 3;
-/// The width of a cell in the grid, in columns.
-const CELL_WIDTH: u16 = 7;
-/// The largest grid that is drawn, in cells per side.
-const GRID_LIMIT: usize = 64;
 
 /// The preferred height of the pane, in rows.
 pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
@@ -34,7 +34,8 @@ pub fn height(progress: &Progress, width: u16, look: &Look) -> u16 {
     let readings = readings(progress, usize::from(width), look).len();
     let objectives =
         objective_lines(&progress.objectives, objectives_width(width), true, look).len();
-    (1 + objectives + readings + counts(progress).len() + grid + hint) as u16
+    let counts = count_lines(progress, usize::from(width), look).len();
+    (1 + objectives + readings + counts + grid + hint) as u16
 }
 
 /// The columns for the objectives; one is left, so that no state touches the pane beside it.
@@ -64,10 +65,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     )
     .into_iter();
     let readings = readings(progress, width, panel.look);
-    let counts = counts(progress).into_iter().map(|text| {
-        let words = clip(&panel.text(&text), width);
-        Line::styled(words, panel.style(Role::Muted))
-    });
+    let counts = count_lines(progress, width, panel.look);
     let hint = hint_lines(progress, width, panel.look);
     let lines: Vec<Line<'_>> = objectives.chain(readings).chain(counts).collect();
     // The hint comes first: it is shown only here, and the room of the mission shows the rest.
@@ -88,46 +86,6 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     draw_hint(hint, panel.at(rest), buffer);
 }
 
-/// Draws the hint, with a mark if it is cut.
-fn draw_hint(lines: Vec<String>, panel: Panel<'_>, buffer: &mut Buffer) {
-    let shown = clip_rows(lines, usize::from(panel.area.height), panel.width());
-    for (row, line) in (0..).zip(shown) {
-        let line = Line::styled(line, panel.style(Role::Accent));
-        put(buffer, panel.area, row, &line);
-    }
-}
-
-/// The number of rows that show the whole hint below the pane's title; 0 without a hint.
-pub fn hint_height(progress: &Progress, width: u16, look: &Look) -> u16 {
-    match hint_lines(progress, usize::from(width), look).len() {
-        0 => 0,
-        lines => lines as u16 + 1,
-    }
-}
-
-/// The advice, wrapped: the requested hint, until there is new automatic advice.
-pub fn hint_lines(progress: &Progress, width: usize, look: &Look) -> Vec<String> {
-    let asked_for = progress.clues.given.last();
-    let given =
-        asked_for.map(|(level, hint)| text!("mission-hint-of", level = *level, hint = hint));
-    let own = progress.hint.as_ref();
-    let hint = own.map(|hint| text!("mission-hint", hint = hint));
-    let running = lesson(progress).or(hint);
-    let shown = if progress.clues.is_news {
-        given.or(running)
-    } else {
-        running
-    };
-    let lines = shown.map(|text| wrap(&look.text(&text), width));
-    lines.unwrap_or_default()
-}
-
-/// The step of the lesson, if there is one.
-pub fn lesson(progress: &Progress) -> Option<Text> {
-    let step = progress.lesson.as_ref()?;
-    Some(text!("mission-lesson", step = &step.text))
-}
-
 /// The next objective that is still open, and its result so far, on one line; `None` once the mission is over.
 pub fn next_objective(state: &State) -> Option<Text> {
     let progress = state.session().mission()?;
@@ -137,7 +95,15 @@ pub fn next_objective(state: &State) -> Option<Text> {
     (!state.session().is_over()).then(|| text!("map-objective", title = title, detail = detail))
 }
 
-/// Contacts, reports, prediction and goal: a line for each that exists.
+/// Contacts, reports, prediction and goal, wrapped.
+fn count_lines(progress: &Progress, width: usize, look: &Look) -> Vec<Line<'static>> {
+    let rows = counts(progress).into_iter();
+    let rows = rows.flat_map(|text| wrap(&look.text(&text), width));
+    rows.map(|row| Line::styled(row, look.style(Role::Muted)))
+        .collect()
+}
+
+/// Contacts, reports, prediction and goal: a text for each that exists.
 fn counts(progress: &Progress) -> Vec<Text> {
     let trusted = |trust| {
         let contacts = progress.contacts.iter();
@@ -247,114 +213,15 @@ fn amount(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// Cells in rows (the northernmost first) and columns (the westernmost first).
-struct Grid<'a> {
-    cells: Vec<(usize, usize, &'a Cell)>,
-    columns: usize,
-}
-
-impl<'a> Grid<'a> {
-    fn of(cells: &'a [Cell]) -> Option<Self> {
-        let first = cells.first()?;
-        let side = first.side_m.max(0.1);
-        let places: Vec<(f64, f64)> = cells
-            .iter()
-            .map(|cell| first.centre.offset_to(cell.centre))
-            .collect();
-        let north = places
-            .iter()
-            .fold(f64::MIN, |most, place| most.max(place.0));
-        let west = places
-            .iter()
-            .fold(f64::MAX, |least, place| least.min(place.1));
-        let cells: Vec<_> = cells
-            .iter()
-            .zip(&places)
-            .map(|(cell, place)| {
-                let row = ((north - place.0) / side).round() as usize;
-                let column = ((place.1 - west) / side).round() as usize;
-                (row, column, cell)
-            })
-            .collect();
-        let most = cells
-            .iter()
-            .map(|&(row, column, _)| row.max(column))
-            .max()?;
-        let columns = cells.iter().map(|&(_, column, _)| column).max()? + 1;
-        (most < GRID_LIMIT).then_some(Self { cells, columns })
-    }
-
-    fn rows(&self) -> usize {
-        self.cells
-            .iter()
-            .map(|&(row, ..)| row + 1)
-            .max()
-            .unwrap_or(0)
-    }
-
-    /// Draws the cells. A cell shows its name until it is sampled, then its value.
-    fn draw(&self, state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
-        let fits = panel.area.width / self.columns.max(1) as u16;
-        let width = fits.min(CELL_WIDTH);
-        if width < 3 || panel.area.height == 0 {
-            return;
-        }
-        let mut rows = panel.area.height;
-        if self.rows() > usize::from(rows) {
-            rows -= 1;
-            let text = panel.say("mission-more-cells");
-            put(
-                buffer,
-                panel.area,
-                rows,
-                &Line::styled(text, panel.style(Role::Muted)),
-            );
-        }
-        for &(row, column, cell) in &self.cells {
-            if row < usize::from(rows) {
-                let here = columns(panel.area, column as u16 * width, width);
-                let (text, style) = Self::cell(cell, state, panel.look);
-                let text = clip(&text, usize::from(width) - 1);
-                put(buffer, here, row as u16, &Line::styled(text, style));
-            }
-        }
-    }
-
-    fn cell(cell: &Cell, state: &State, look: &Look) -> (String, Style) {
-        let over = |vehicle: &&Arc<Vehicle>| {
-            vehicle.airborne()
-                && vehicle.global.is_some_and(|global| {
-                    let (north, east) = cell.centre.offset_to(global.at_point);
-                    north.abs().max(east.abs()) < cell.side_m / 2.0
-                })
-        };
-        let here = state.session().vehicles().values().find(over);
-        let style = look.style(match (here, cell.sampled) {
-            (Some(_), _) => Role::Cursor,
-            (None, true) => Role::Ok,
-            (None, false) => Role::Muted,
-        });
-        let text = match cell.value {
-            Some(value) if cell.sampled && value.abs() < 99.95 => format!("{value:.1}"),
-            Some(value) if cell.sampled => format!("{value:.0}"),
-            None if cell.sampled => look.say("mission-cell-done"),
-            _ => cell.name.clone(),
-        };
-        match here {
-            Some(vehicle) => (format!("{}>{text}", vehicle.id), style),
-            None => (text, style),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::*;
     use crate::commands::{Deed, Spot, Subject};
     use crate::ledger::EntryId;
     use crate::mission::{Flight, Mission};
     use crate::text::{Language, Locale};
-    use ratatui::layout::Rect;
 
     #[test]
     fn a_long_state_leaves_room_for_the_name_of_its_objective() {
@@ -367,19 +234,6 @@ mod tests {
         let lines = objective_lines(&[objective], 40, false, &Look::default());
         let shown: Vec<String> = lines.iter().map(ToString::to_string).collect();
         assert_eq!(shown, ["[ ] distance to…  12 % of 14 s, too clo…"]);
-    }
-
-    /// Advice that is no longer shown to a practised trainee leaves no room for an old hint.
-    #[test]
-    fn a_requested_hint_disappears_when_the_advice_changes() {
-        let mut flight = Flight::new(Arc::new(mission("04")), 1);
-        flight.act(EntryId(0), &Deed::Hint, &[1]);
-        let mut progress = flight.progress();
-        progress.hint = None;
-        let shown = |progress: &Progress| hint_lines(progress, 200, &Look::default());
-        assert!(shown(&progress)[0].starts_with("hint 1: "));
-        progress.clues.is_news = false;
-        assert!(shown(&progress).is_empty(), "{:?}", shown(&progress));
     }
 
     /// The rows of the shipped missions' objectives, as the pane of *Fly* shows them on 80 columns, that are cut.
@@ -433,19 +287,5 @@ mod tests {
         let mut cut = cut_rows(Language::English);
         cut.extend(cut_rows(Language::Ukrainian));
         assert!(cut.is_empty(), "{cut:#?}");
-    }
-
-    #[test]
-    fn a_hint_that_is_cut_says_so() {
-        let (look, area) = (Look::default(), Rect::new(0, 0, 12, 2));
-        let drawn = |lines: &[&str]| {
-            let mut buffer = Buffer::empty(area);
-            let lines: Vec<String> = lines.iter().map(ToString::to_string).collect();
-            draw_hint(lines, Panel::new(&look, area), &mut buffer);
-            let row = |y| (0..12).map(|x| buffer[(x, y)].symbol()).collect::<String>();
-            [row(0).trim_end().to_owned(), row(1).trim_end().to_owned()]
-        };
-        assert_eq!(drawn(&["one", "two"]), ["one", "two"]);
-        assert_eq!(drawn(&["one", "two", "three"]), ["one", "two …"]);
     }
 }

@@ -189,7 +189,7 @@ fn keys_of_the_brief_ask_for_the_word_and_what_was_said_is_shown() {
         console
             .press("F")
             .screen(80, 24)
-            .contains("you stated: 800 points")
+            .contains("stated: 800 points")
     );
 }
 
