@@ -72,9 +72,8 @@ fn own(kind: SitlKind) -> &'static [(&'static str, f64)] {
             ("SERVO3_MIN", 1000.0),
             ("SERVO3_MAX", 2000.0),
         ],
-        // Those of the model.
-        SitlKind::Rover => &[],
-        SitlKind::Sub => &[],
+        // A rover has the settings of its model.
+        SitlKind::Rover | SitlKind::Sub => &[],
     }
 }
 
