@@ -187,7 +187,11 @@ impl Router {
     pub fn route(&mut self, from: Port, facts: &FrameFacts, now: Duration) -> Route {
         let origin = self.contents.get(&facts.content, now);
         let has_gone_round = self.frames.get(&(facts.content, facts.sequence), now);
-        if has_gone_round.is_some() || origin.is_some_and(|origin| origin != Some(from)) {
+        let is_second = origin.is_some_and(|origin| origin != Some(from));
+        if is_second && self.has_not_reached_its_vehicle(from, facts, origin) {
+            return self.to_vehicles_only(from, facts, now);
+        }
+        if has_gone_round.is_some() || is_second {
             // Another ground station may use the console's own address: answers must reach it.
             if origin == Some(None) {
                 self.learn(from, facts, now);
@@ -200,9 +204,7 @@ impl Router {
                 Route::Repeated
             };
         }
-        self.contents.note(facts.content, Some(from), now);
-        self.frames.note((facts.content, facts.sequence), (), now);
-        self.learn(from, facts, now);
+        self.note(from, facts, now);
         let Some(receiver) = facts.receiver else {
             return Route::To {
                 vehicles: match from {
@@ -213,6 +215,38 @@ impl Router {
             };
         };
         self.to(from, receiver, now)
+    }
+
+    /// Whether a station's message to a receiver came first over a link to vehicles, from where it goes to no vehicle: if
+    /// consoles forward to each other, a command takes both ways, and either may be the faster one.
+    fn has_not_reached_its_vehicle(
+        &self,
+        from: Port,
+        facts: &FrameFacts,
+        origin: Option<Option<Port>>,
+    ) -> bool {
+        let is_of_station = matches!(from, Port::Station { .. }) && facts.sender != self.own;
+        let came_over_link = matches!(origin, Some(Some(Port::Vehicle { .. })));
+        is_of_station && came_over_link && facts.receiver.is_some()
+    }
+
+    /// The route of a message that the stations already have.
+    fn to_vehicles_only(&mut self, from: Port, facts: &FrameFacts, now: Duration) -> Route {
+        self.note(from, facts, now);
+        let receiver = facts.receiver.unwrap_or(self.own);
+        match self.to(from, receiver, now) {
+            Route::To { vehicles, .. } => Route::To {
+                vehicles,
+                stations: Reach::Nobody,
+            },
+            nowhere => nowhere,
+        }
+    }
+
+    fn note(&mut self, from: Port, facts: &FrameFacts, now: Duration) {
+        self.contents.note(facts.content, Some(from), now);
+        self.frames.note((facts.content, facts.sequence), (), now);
+        self.learn(from, facts, now);
     }
 
     fn to(&self, from: Port, receiver: MavAddress, now: Duration) -> Route {

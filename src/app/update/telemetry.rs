@@ -23,6 +23,7 @@ use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle};
+use crate::wire::GROUND_STATION_SYSTEM;
 
 /// If a notice reported an alert's condition within this time before the alert begins, the alert
 /// gets no notice of its own.
@@ -119,11 +120,15 @@ fn strange_mode(state: &State, vehicle: &Vehicle) -> Option<Notice> {
     if !is_live || is_own {
         return None;
     }
-    let mut findings = session.connections.findings.iter();
-    let (system, component) = findings.find_map(|finding| match finding.cause {
+    let findings = session.connections.findings.iter();
+    let stations = findings.filter_map(|finding| match finding.cause {
         Cause::OtherStation(system, component) => Some((system, component)),
         _ => None,
-    })?;
+    });
+    // A loop of forwards brings back the console's own heartbeat as well.
+    let own = state.config.connect.station;
+    let own = own.unwrap_or(GROUND_STATION_SYSTEM);
+    let (system, component) = stations.min_by_key(|&(system, _)| system == own)?;
     let text = text!(
         "mode-of-another",
         mode = vehicle.name_of(mode),

@@ -120,3 +120,23 @@ fn consoles_that_forward_to_each_other_make_no_storm() {
         assert!(per_second <= 9.0, "{per_second} with {delay_ms} ms");
     }
 }
+
+/// In a ring, a station's command arrives by its forward and by a link to vehicles, and the link may be the faster way.
+#[test]
+fn a_command_reaches_its_vehicle_once_whichever_way_is_faster() {
+    let ring = Port::Vehicle { link: 1, peer: 0 };
+    let takeoff = command(3, MavCmd::MAV_CMD_NAV_TAKEOFF, 0.0, 0.0);
+    let station = address(254, 1);
+    for ways in [[ring, STATION], [STATION, ring]] {
+        let mut router = learned();
+        let mut reached = 0;
+        for (at, from) in ways.into_iter().chain(ways).enumerate() {
+            let route = way(&mut router, from, station, &takeoff, 100 + at as u64);
+            if let Route::To { vehicles, stations } = route {
+                reached += usize::from(vehicles == Reach::These(vec![VEHICLE]));
+                assert_eq!(stations, Reach::Nobody);
+            }
+        }
+        assert_eq!(reached, 1, "{ways:?}");
+    }
+}

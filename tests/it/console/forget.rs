@@ -117,12 +117,15 @@ fn a_mode_that_another_station_may_have_set_names_the_station() {
         let mut console = connected(None);
         console.at(100).vehicle(mode(4));
         if is_heard {
-            console.hear(LinkEvent::Findings(vec![LinkFinding {
+            let finding = |(system, component)| LinkFinding {
                 link: 0,
                 way: Way::UdpIn,
-                cause: Cause::OtherStation(252, 230),
+                cause: Cause::OtherStation(system, component),
                 boards: Vec::new(),
-            }]));
+            };
+            // The first one is the console itself, heard again round a loop of forwards.
+            let heard = [(255, 190), (252, 230)].map(finding);
+            console.hear(LinkEvent::Findings(heard.into()));
         }
         if is_own {
             console.give("1 mode loiter");
