@@ -277,6 +277,9 @@ impl DebriefPage<'_> {
     /// Writes the most useful next step.
     fn next(&mut self, report: &Report, in_career: Option<&Text>) {
         self.heading("debrief-next");
+        if let Some(onwards) = in_career.filter(|_| report.passed) {
+            self.wrapped("  ", onwards);
+        }
         let improvement = report.improvements.first().map(|first| &first.text);
         // After gold, no improvement is left in this mission.
         let first = improvement.filter(|_| report.medal != Some(Medal::Gold));
@@ -289,9 +292,8 @@ impl DebriefPage<'_> {
             (_, None) if !report.passed => text!("debrief-next-same"),
             (_, None) => match points::gold_missing(report) {
                 Some(gates) => text!("debrief-next-gold", gates = gates),
-                None => in_career
-                    .cloned()
-                    .unwrap_or_else(|| text!("debrief-next-on")),
+                None if in_career.is_some() => return,
+                None => text!("debrief-next-on"),
             },
         };
         self.wrapped("  ", &text);

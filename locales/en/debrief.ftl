@@ -111,6 +111,7 @@ truth-over = dealt with
 truth-unasked = present, not an objective
 truth-decoy = harmless
 truth-false = false report
+truth-burning = burning
 truth-strength = % of the strongest
 truth-gate = gates
 truth-gaps = not covered

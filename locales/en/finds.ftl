@@ -28,7 +28,9 @@ detect-outlook = { $count ->
 detect-quality = recall { $recall }, precision { $precision }
 detect-target = F{ $beta } { $target }, within { $radius } m
 detect-target-cost = F{ $beta } { $target }, within { $radius } m; a false report costs { $cost } finds
+detect-quality-none = report what you find before the flight ends
 detect-quality-advice = confirm each contact with another sensor, or from a shorter distance, before you report it
+detect-advice-none = Report what you find before the flight ends: `mark contacts` reports every open contact.
 detect-advice-blind = { $count ->
     [one] Report only what a sensor has found: 1 report was of a place where none had found anything.
    *[other] Report only what a sensor has found: { $count } reports were of places where none had found anything.

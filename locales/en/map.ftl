@@ -59,6 +59,7 @@ action-trails = show or hide the trails
 action-legend = show or hide the legend
 action-next-sensor = show the samples from the next sensor
 # Meanings of the signs: at most 24 columns.
+map-legend-harmless = contact, harmless
 map-legend-seen = contact, one sensor
 map-legend-confirmed = contact, two sensors
 map-legend-reported = reported

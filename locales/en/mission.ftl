@@ -88,7 +88,10 @@ mission-touchdown = Landed: the motors stop automatically, then the flight ends.
 mission-returning = All drones in the air return or land. The flight ends after the last landing.
 mission-returning-early = All drones in the air return or land, and objectives are still open: `guided` stops that, then `goto` continues the task.
 mission-returning-short = All drones in the air return or land, and a battery is low: let them land. Objectives are still open.
-mission-returning-failsafe = A failsafe brings down vehicle { $vehicle }: let it land. Objectives are still open.
+mission-returning-failsafe = { $count ->
+    [one] A failsafe brings down vehicle { $vehicles }: let it land.
+   *[other] Failsafes bring down vehicles { $vehicles }: let them land.
+} Objectives are still open.
 mission-grounded = a failsafe has landed vehicle { $vehicle } ({ $reason }): take off again if the battery lasts; `abandon` ends the mission without points
 mission-lesson = now: { $step }
 mission-more-cells = more cells on a larger screen

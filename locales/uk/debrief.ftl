@@ -112,6 +112,7 @@ truth-over = ліквідовано
 truth-unasked = було, але поза завданням
 truth-decoy = безпечне
 truth-false = хибне повідомлення
+truth-burning = горить
 truth-strength = % від найсильнішого
 truth-gate = ворота
 truth-gaps = не обстежено

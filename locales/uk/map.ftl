@@ -60,6 +60,7 @@ action-trails = показати або сховати пройдені шлях
 action-legend = показати або сховати пояснення позначок
 action-next-sensor = перейти до показів наступного датчика
 # Пояснення позначок: щонайбільше 24 колонки.
+map-legend-harmless = контакт, безпечний
 map-legend-seen = контакт, один датчик
 map-legend-confirmed = контакт, два датчики
 map-legend-reported = повідомлено

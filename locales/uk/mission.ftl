@@ -92,7 +92,10 @@ mission-touchdown = Посадку виконано: двигуни зупиня
 mission-returning = Усі дрони в повітрі повертаються або сідають. Політ завершиться після останньої посадки.
 mission-returning-early = Усі дрони в повітрі повертаються або сідають, хоча є невиконані цілі: `guided` зупинить це, а `goto` продовжить завдання.
 mission-returning-short = Усі дрони в повітрі повертаються або сідають, і в одного малий заряд: дайте їм сісти. Є невиконані цілі.
-mission-returning-failsafe = FAILSAFE саджає апарат { $vehicle }: дайте йому сісти. Є невиконані цілі.
+mission-returning-failsafe = { $count ->
+    [1] FAILSAFE саджає апарат { $vehicles }: дайте йому сісти.
+   *[other] FAILSAFE саджає апарати { $vehicles }: дайте їм сісти.
+} Є невиконані цілі.
 mission-grounded = FAILSAFE ({ $reason }) посадив апарат { $vehicle }: злітайте знову, якщо вистачить заряду; `abandon` завершує завдання без балів
 mission-lesson = зараз: { $step }
 mission-more-cells = решта клітинок на більшому екрані

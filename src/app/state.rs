@@ -91,7 +91,9 @@ pub use help::{HelpLine, HelpPage, HelpScene, SHORT_USAGE, command_help, help_li
 pub use history::{Channel, Histories, History, Window};
 pub use links::{Connections, ForwardSummary, LinkCounters, LinkSummary};
 pub use notices::{NoticeLine, NoticeLog};
-pub use overlay::{Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose};
+pub use overlay::{
+    Confirm, Consequence, Log, Overlay, Palette, ParameterSetting, Prompt, Purpose, YES,
+};
 pub use pace::{SessionPace, rate};
 pub use plan_failures::PlanFailures;
 pub use replay::{ReplayPosition, ReplayView};

@@ -259,6 +259,7 @@ mod tests {
             at,
             side_m: 20.0,
             strength,
+            is_fire: false,
         };
         let mark = |at, right| MarkReport {
             at,

@@ -199,4 +199,6 @@ pub(crate) enum TruthShape {
     Object(ObjectClass, bool),
     /// A square: its side in metres, and the strength of the hazard there, 0 to 1.
     Square(f64, f64),
+    /// A square that a fire has reached: its side in metres, and whether it still burns.
+    Fire(f64, bool),
 }

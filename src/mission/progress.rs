@@ -167,6 +167,8 @@ pub struct ShownContact {
 /// How well a contact is confirmed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Trust {
+    /// A look has shown that it is harmless.
+    Harmless,
     /// One kind of sensor has seen the contact.
     Seen,
     /// Two kinds of sensors have seen the contact.

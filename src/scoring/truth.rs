@@ -38,6 +38,9 @@ pub struct SquareReport {
     pub side_m: f64,
     /// The strength of the hazard, 0 to 1.
     pub strength: f64,
+    /// Whether the hazard is a fire: burning at full strength, otherwise burnt.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_fire: bool,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

@@ -223,7 +223,7 @@ fn way_home(vehicle: &Vehicle, reserve_percent: f64) -> Option<Alert> {
             says(Severity::Critical, text!("alert-out-of-reach"))
         }
         HomeReach::TurnBack if !mode.comes_down() => {
-            let needed = figure(way_home.needed_percent.ceil(), 0);
+            let needed = figure((way_home.needed_percent + reserve_percent).ceil(), 0);
             let left = figure(way_home.left_percent, 0);
             says(
                 Severity::Warning,

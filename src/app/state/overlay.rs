@@ -118,6 +118,9 @@ impl Palette {
     }
 }
 
+/// The answer to a question about no number of vehicles.
+pub const YES: &str = "y";
+
 /// A question that only the exact answer confirms; any other key cancels it. After a wrong key,
 /// further keys are ignored until Enter or Esc, because they are not meant for the screen below
 /// either.
@@ -142,7 +145,7 @@ impl Confirm {
         Self {
             question,
             reason,
-            answer: "y".to_owned(),
+            answer: YES.to_owned(),
             typed: String::new(),
             cancelled: false,
             then,
@@ -182,10 +185,12 @@ impl Confirm {
     /// The text to type, with a label if it is not obvious.
     pub fn wanted(&self) -> Text {
         match self.then {
-            Consequence::Order(_) | Consequence::Uploads(_) => {
+            Consequence::Order(_) | Consequence::Uploads(_) if self.answer != YES => {
                 text!("ask-how-many", answer = &self.answer)
             }
-            Consequence::Effect(_)
+            Consequence::Order(_)
+            | Consequence::Uploads(_)
+            | Consequence::Effect(_)
             | Consequence::Parameters(_)
             | Consequence::Design(_)
             | Consequence::JoinClass

@@ -20,8 +20,10 @@ pub struct SessionLedger {
 impl SessionLedger {
     /// Opens a ledger entry.
     pub fn open(&mut self, at: Duration, given: Given<'_>, targets: &[VehicleId]) -> EntryId {
+        let is_for_vehicles = given.verb.counts_as.is_for_vehicles();
         let entry = self.ledger.open(at, given, targets);
-        for &id in targets {
+        // Hints and reports concern the mission: they leave the vehicles' commands in view.
+        for &id in targets.iter().filter(|_| is_for_vehicles) {
             let under_way = |&known: &EntryId| {
                 row(&self.ledger, known, id).is_some_and(|(_, row)| !row.state.is_final())
             };

@@ -10,7 +10,7 @@ use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::{Meaning, Place, latin_key};
 use crate::app::room::{Room, plans};
-use crate::app::state::{Confirm, Overlay};
+use crate::app::state::{Confirm, Overlay, YES};
 use crate::language::{Word, words};
 use crate::notice::sanitised;
 use crate::text;
@@ -205,7 +205,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
         // Whatever a keymap file binds them to, they never confirm and always close the question.
         KeyCode::Enter | KeyCode::Esc => refuse(state, &question),
         KeyCode::Char(_) if control => refuse(state, &question),
-        KeyCode::Char('n' | 'т') if question.answer == "y" => refuse(state, &question),
+        KeyCode::Char('n' | 'т') if question.answer == YES => refuse(state, &question),
         KeyCode::Char(c) if !question.cancelled => {
             let answer = answered(&question, c);
             question.typed.push(answer);
@@ -229,7 +229,7 @@ fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
 /// The character of an answer: `н` and `Н` lie on the key of `y`.
 fn answered(question: &Confirm, typed: char) -> char {
     match latin_key(typed) {
-        Some('y' | 'Y') if question.answer == "y" => 'y',
+        Some('y' | 'Y') if question.answer == YES => 'y',
         _ => typed,
     }
 }

@@ -7,7 +7,7 @@ use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
 use crate::app::room::{Room, files, parameters};
-use crate::app::state::{Confirm, Consequence, Overlay};
+use crate::app::state::{Confirm, Consequence, Overlay, YES};
 use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ConsoleLine, Meaning, Statement, words};
@@ -170,6 +170,9 @@ pub fn give(state: &mut State, order: Order) -> Effects {
     if order.verb.danger == Danger::None && hazard.is_none() {
         return Effects::from(send(state, order).effect);
     }
+    if order.verb.counts_as.is_said_to_mission() {
+        return ask_about_saying(state, order, hazard);
+    }
     let count = order.targets.len();
     let named = if count > NAMED_TARGETS {
         ranges(order.targets.iter().copied())
@@ -187,6 +190,19 @@ pub fn give(state: &mut State, order: Order) -> Effects {
         reason: hazard
             .unwrap_or_else(|| Text::new(format!("verb-{}", order.verb.name), Vec::new())),
         answer: count.to_string(),
+        typed: String::new(),
+        cancelled: false,
+        then: Consequence::Order(order),
+    }));
+    Effects::none()
+}
+
+/// Asks before a message to the mission, which concerns no vehicle.
+fn ask_about_saying(state: &mut State, order: Order, hazard: Option<Text>) -> Effects {
+    state.overlay = Some(Overlay::Confirm(Confirm {
+        question: order.verb.name.to_uppercase().into(),
+        reason: hazard.unwrap_or_default(),
+        answer: YES.to_owned(),
         typed: String::new(),
         cancelled: false,
         then: Consequence::Order(order),

@@ -135,6 +135,7 @@ impl Search {
     pub fn shown_contacts(&self, origin: &Origin) -> Vec<ShownContact> {
         let trust = |contact: &Contact| match contact.sensors.len() {
             _ if contact.reported => Trust::Reported,
+            _ if contact.harmless => Trust::Harmless,
             0 | 1 => Trust::Seen,
             _ => Trust::Confirmed,
         };

@@ -14,6 +14,8 @@ use crate::text::rounded;
 
 /// A report of an object that the mission does not require counts as correct within this distance of the object.
 const UNASKED_WITHIN_M: f64 = 15.0;
+/// The strength of burnt ground, beside 1 for burning ground.
+const BURNT: f64 = 0.4;
 impl Flight {
     /// The truth at the current mission time.
     pub(super) fn truth_report(&self) -> TruthReport {
@@ -38,6 +40,13 @@ impl Flight {
                     at: tenths(piece.at),
                     side_m: rounded(side_m, 1),
                     strength: rounded(strength.clamp(0.0, 1.0), 2),
+                    is_fire: false,
+                }),
+                TruthShape::Fire(side_m, burns) => truth.squares.push(SquareReport {
+                    at: tenths(piece.at),
+                    side_m: rounded(side_m, 1),
+                    strength: if burns { 1.0 } else { BURNT },
+                    is_fire: true,
                 }),
                 TruthShape::Object(class, present) => {
                     let hits: Vec<usize> = self
@@ -122,6 +131,7 @@ impl Flight {
             at: tenths(at),
             side_m: rounded(side_m, 1),
             strength: 0.0,
+            is_fire: false,
         };
         let of = |survey: &Survey| {
             let cells = survey.plan.cells.iter().enumerate();

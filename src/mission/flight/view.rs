@@ -14,6 +14,7 @@ use crate::mission::{
 use crate::scoring::{SafetyEvent, points_so_far, score};
 use crate::text;
 use crate::text::{Text, clock};
+use crate::vehicle_id::{VehicleId, ranges};
 
 impl Flight {
     /// The progress, for the mission panel.
@@ -179,14 +180,22 @@ impl Flight {
         if !self.all_come_down() {
             return None;
         }
-        let forced = self.crafts.iter().find(|it| it.flies() && it.in_failsafe);
+        let forced = self.crafts.iter().filter(|it| it.flies() && it.in_failsafe);
+        let forced: Vec<VehicleId> = forced.map(|craft| craft.id).collect();
         let runs_short = |craft: &Craft| craft.flies() && craft.runs_short(&self.mission);
         let needs_nothing = self.settle_themselves(standings).iter().all(|it| *it);
-        Some(match forced {
-            _ if needs_nothing => text!("mission-returning"),
-            Some(craft) => text!("mission-returning-failsafe", vehicle = craft.id),
-            None if self.crafts.iter().any(runs_short) => text!("mission-returning-short"),
-            None => text!("mission-returning-early"),
+        Some(if needs_nothing {
+            text!("mission-returning")
+        } else if !forced.is_empty() {
+            text!(
+                "mission-returning-failsafe",
+                count = forced.len(),
+                vehicles = ranges(forced)
+            )
+        } else if self.crafts.iter().any(runs_short) {
+            text!("mission-returning-short")
+        } else {
+            text!("mission-returning-early")
         })
     }
 

@@ -298,7 +298,7 @@ impl Field for Fire {
         let burnt = (0..grid.len()).filter(|&index| grid.has_burnt(index));
         let square = |index: usize| TruthPiece {
             at: grid.centre(index),
-            shape: TruthShape::Square(grid.side_m, if grid.burns(index) { 1.0 } else { 0.4 }),
+            shape: TruthShape::Fire(grid.side_m, grid.burns(index)),
         };
         burnt.map(square).collect()
     }

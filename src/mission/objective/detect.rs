@@ -139,7 +139,11 @@ impl Tracker for Detect {
                     recall = format!("{recall:.2}"),
                     precision = format!("{precision:.2}")
                 ),
-                advice: text!("detect-quality-advice"),
+                advice: if tally.has_no_reports() {
+                    text!("detect-quality-none")
+                } else {
+                    text!("detect-quality-advice")
+                },
                 is_measured: true,
             }),
             result: self.result(tally, score),
@@ -311,10 +315,16 @@ impl DetectTally {
         (self.f_beta(beta) - self.cost(false_cost)).max(0.0)
     }
 
+    fn has_no_reports(self) -> bool {
+        self.found + self.false_alarms + self.repeated + self.blind == 0
+    }
+
     fn advice(self) -> Text {
         let missed = self.there.saturating_sub(self.found);
         let wrong = self.false_alarms + self.repeated;
-        if self.blind > 0 {
+        if self.has_no_reports() {
+            text!("detect-advice-none")
+        } else if self.blind > 0 {
             text!("detect-advice-blind", count = self.blind)
         } else if missed > 0 {
             text!("detect-advice-missed", missed = missed, wrong = wrong)

@@ -80,6 +80,7 @@ pub(super) fn objectives(state: &State) -> Vec<Text> {
 
 fn contact_text(contact: &ShownContact) -> Text {
     let trust = match contact.trust {
+        Trust::Harmless => text!("map-legend-harmless"),
         Trust::Seen => text!("map-legend-seen"),
         Trust::Confirmed => text!("map-legend-confirmed"),
         Trust::Reported => text!("map-legend-reported"),

@@ -32,7 +32,7 @@ const SIGNS: [(Sign, &str); 4] = [
 /// The trainee's progress with a mission, most important first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Sign {
-    /// The mission, or one of its drills, is recommended next.
+    /// The mission is recommended next, and not passed yet.
     Next,
     /// The mission is passed, and a skill that it trains is due for review.
     Due,
@@ -107,12 +107,8 @@ impl Sign {
         match career.course.stage(offer, &career.standing, career.day) {
             MissionStage::Locked(_) => Self::Locked,
             MissionStage::Passed(_) if !career.due(offer).is_empty() => Self::Due,
-            MissionStage::Passed(_) | MissionStage::Open
-                if career.next_mission() == Some(mission) =>
-            {
-                Self::Next
-            }
             MissionStage::Passed(_) => Self::Passed,
+            MissionStage::Open if career.next_mission() == Some(mission) => Self::Next,
             MissionStage::Open => Self::Open,
         }
     }

@@ -14,7 +14,8 @@ use crate::ui::look::Look;
 use crate::ui::theme::Role;
 
 /// The sign of each level of confirmation of a contact, in the order of the legend.
-pub const SIGNS: [(Trust, char, Role, &str); 3] = [
+pub const SIGNS: [(Trust, char, Role, &str); 4] = [
+    (Trust::Harmless, '-', Role::Muted, "map-legend-harmless"),
     (Trust::Seen, '?', Role::Contact, "map-legend-seen"),
     (Trust::Confirmed, '!', Role::Accent, "map-legend-confirmed"),
     (Trust::Reported, '#', Role::Ok, "map-legend-reported"),

@@ -65,6 +65,15 @@ impl FireLevel {
     }
 }
 
+/// The sign of ground that burns, or has burnt, and its meaning, for the map of the truth.
+pub fn truth_sign(burns: bool, symbols: Symbols) -> (char, &'static str) {
+    if burns {
+        (FireLevel::SureFlames.sign(symbols), "truth-burning")
+    } else {
+        (FireLevel::Burnt.sign(symbols), FireLevel::Burnt.about())
+    }
+}
+
 /// The shades for the legend, weakest first.
 pub fn sample(symbols: Symbols) -> String {
     FireLevel::ALL
@@ -124,7 +133,7 @@ fn levels(progress: &Progress, view: &Viewport) -> BTreeMap<MapCell, FireLevel> 
         .collect();
     for contact in progress.contacts.iter().filter(|it| is_fire(it)) {
         let level = match contact.trust {
-            Trust::Seen => FireLevel::Flames,
+            Trust::Harmless | Trust::Seen => FireLevel::Flames,
             Trust::Confirmed | Trust::Reported => FireLevel::SureFlames,
         };
         for cell in squares::cells(view, contact.at, FLAMES_M) {

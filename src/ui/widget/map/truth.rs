@@ -5,6 +5,7 @@ use ratatui::layout::Rect;
 use ratatui::text::{Line, Span};
 
 use super::canvas::{Canvas, Stroke};
+use super::fire;
 use super::ground::{WIRE, outline};
 use super::heat;
 use super::labels::stamp;
@@ -183,8 +184,19 @@ fn labels(truth: &TruthReport) -> Vec<SignAt> {
     labels
 }
 
+/// Whether a square of a fire still burns.
+fn burns(square: &SquareReport) -> bool {
+    square.strength >= 1.0
+}
+
 fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer: &mut Buffer) {
-    let Some(shade) = heat::shade(square.strength, look.symbols) else {
+    let shaded = if square.is_fire {
+        let (sign, _) = fire::truth_sign(burns(square), look.symbols);
+        Some((sign, fire::role(look)))
+    } else {
+        heat::shade(square.strength, look.symbols).map(|shade| (shade, Role::Hazard))
+    };
+    let Some((shade, role)) = shaded else {
         return;
     };
     let half = square.side_m / 2.0;
@@ -207,7 +219,7 @@ fn shade(square: &SquareReport, look: &Look, view: &Viewport, area: Rect, buffer
     for row in span(top, bottom, view.rows) {
         for column in span(left, right, view.columns) {
             if let Some(cell) = buffer.cell_mut((area.x + column, area.y + row)) {
-                cell.set_char(shade).set_style(look.fill(Role::Hazard));
+                cell.set_char(shade).set_style(look.fill(role));
             }
         }
     }
@@ -261,7 +273,17 @@ fn entries(truth: &TruthReport, labels: &[SignAt], look: &Look) -> Vec<Entry> {
             meaning: format!("{}: {count}", look.say(sign.2)),
         })
     });
-    let strength = (!truth.squares.is_empty()).then(|| Entry {
+    let fires = [true, false].into_iter().filter_map(|burning| {
+        let mut fires = truth.squares.iter().filter(|square| square.is_fire);
+        let (sign, meaning) = fire::truth_sign(burning, look.symbols);
+        fires.any(|square| burns(square) == burning).then(|| Entry {
+            sign: sign.to_string(),
+            role: fire::role(look),
+            meaning: look.say(meaning),
+        })
+    });
+    let has_strengths = truth.squares.iter().any(|square| !square.is_fire);
+    let strength = has_strengths.then(|| Entry {
         sign: heat::shares(look.symbols),
         role: Role::Hazard,
         meaning: look.say("truth-strength"),
@@ -276,7 +298,7 @@ fn entries(truth: &TruthReport, labels: &[SignAt], look: &Look) -> Vec<Entry> {
     let count = truth.gaps.len();
     let gaps = (count > 0).then(|| line(GAP, format!("{}: {count}", look.say("truth-gaps"))));
     let lines = [strength, fences, wires, gaps].into_iter().flatten();
-    signs.chain(lines).collect()
+    signs.chain(fires).chain(lines).collect()
 }
 
 /// The beginning of a line, up to its first gap.
