@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::VehicleChoice;
 use super::targets::Targets;
 use crate::alert::AlertKind;
-use crate::class::Deed;
+use crate::class::{Deed, LessonDirection};
 use crate::commands::Pattern;
 use crate::config::{Column, LiveSetting, TableSort};
 use crate::draft::Edit;
@@ -171,6 +171,15 @@ pub enum ClassLine {
     Watch(SeatChoice),
     /// At the desk: show the board again.
     Unwatch,
+    /// At the desk: show the lesson of the seat under the cursor, or all lessons.
+    Lessons,
+    /// At the desk: begin a lesson, given by its name or its file, with seats.
+    Teach { seats: SeatChoice, lesson: String },
+    /// At the desk: direct the lesson of seats.
+    Direct {
+        seats: SeatChoice,
+        direction: LessonDirection,
+    },
     /// At the desk: give an order to seats.
     Give { seats: SeatChoice, deed: Deed },
 }

@@ -18,7 +18,7 @@ mod plan;
 mod position;
 mod resume;
 
-pub use plan::{LessonPlan, LessonStep, StepLimit, StepStart, StepTarget};
+pub use plan::{FlightMoment, LessonPlan, LessonStep, StepLimit, StepStart, StepTarget};
 pub(super) use position::{GivenDeed, LessonMove};
 pub use position::{HoldReason, LessonPosition, LessonWait};
 pub(super) use resume::{FoundPosition, lesson_in, position_in};

@@ -51,8 +51,8 @@ pub use desk_line::DeskLine;
 pub use hand_in::{HandIn, HandInOutcome};
 pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};
 pub use lesson::{
-    HoldReason, LessonPlan, LessonPosition, LessonStep, LessonWait, StepLimit, StepStart,
-    StepTarget,
+    FlightMoment, HoldReason, LessonPlan, LessonPosition, LessonStep, LessonWait, StepLimit,
+    StepStart, StepTarget,
 };
 pub use need::{Attention, Need};
 pub use order::{Deed, NotedStep, Order, OrderId, Outcome, Refusal};

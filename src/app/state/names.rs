@@ -26,6 +26,8 @@ impl<R: fmt::Debug> Names for State<R> {
             NameList::PlanFile => Listed::Names(self.typing.plan_files()),
             NameList::Seat => self.seats(),
             NameList::SeatInject => self.seat_injects(),
+            // The rooms know them.
+            NameList::Lesson => Listed::Anything,
             NameList::Macro => {
                 let macros = self.config.macros.iter();
                 let meaning = |lines: &[String]| Text::verbatim(lines.join("; "));

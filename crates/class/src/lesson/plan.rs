@@ -39,8 +39,35 @@ pub enum StepStart {
     AtOnce,
     /// The instructor.
     Instructor,
-    /// A condition, which the seat watches.
+    /// A condition in the language of mission files, or a [`FlightMoment`], which the seat watches.
     When(Words),
+}
+
+/// A moment of a flight that a step can wait for, besides the conditions of missions.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FlightMoment {
+    /// The time of the mission has begun to pass.
+    Started,
+    /// The mission is over.
+    Over,
+    /// The mission is over, and was passed.
+    Passed,
+}
+
+impl FlightMoment {
+    /// All moments with their names.
+    pub const ALL: [(&'static str, Self); 3] = [
+        ("started", Self::Started),
+        ("over", Self::Over),
+        ("passed", Self::Passed),
+    ];
+
+    /// The moment with this name.
+    pub fn named(name: &str) -> Option<Self> {
+        let mut all = Self::ALL.into_iter();
+        all.find(|(known, _)| *known == name)
+            .map(|(_, moment)| moment)
+    }
 }
 
 /// A time limit for a step.
