@@ -277,6 +277,18 @@ const RESULTS_HINTS: &[KeyHint] = &[
     hint(&[Action::Escape], "class-key-board"),
 ];
 
+const LESSON_HINTS: &[KeyHint] = &[
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::MOVE,
+    hint_words("class lesson next", "class-key-next-step"),
+    hint_words("class lesson back", "class-key-step-back"),
+    hint(&[Action::Class(ClassAction::MarkSeat)], "class-key-mark"),
+    hint(&[Action::Escape], "class-key-board"),
+    hint_words("class message ", "class-key-message"),
+    hint_words("class mark ", "class-key-bookmark"),
+];
+
 const WATCH_HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
@@ -338,6 +350,7 @@ impl RoomModel for ClassRoom {
         match state.class.desk() {
             Some(desk) if desk.watched().is_some() => WATCH_HINTS,
             Some(_) if state.rooms.class.page.is_some() => RESULTS_HINTS,
+            Some(_) if state.rooms.class.lessons.is_shown => LESSON_HINTS,
             Some(_) => DESK_HINTS,
             None => SEAT_HINTS,
         }

@@ -101,7 +101,7 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
             console(ConsoleLine::Class(ClassLine::Lessons))
         }),
         Form::new(&[LESSON, SEAT, LESSON_NAME], |given| {
-            let lesson = given.required_word("lesson")?.to_owned();
+            let lesson = given.required_word("name")?.to_owned();
             let seats = seats(given);
             console(ConsoleLine::Class(ClassLine::Teach { seats, lesson }))
         }),
@@ -128,7 +128,7 @@ const MISSION: Argument = Argument::value("mission", Kind::Name(NameList::Missio
 const EXAM: Argument = Argument::flag("exam", "argument-exam").optional();
 const LESSON: Argument = Argument::flag("lesson", "");
 const LESSON_NAME: Argument =
-    Argument::value("lesson", Kind::Name(NameList::Lesson), "argument-lesson");
+    Argument::value("name", Kind::Name(NameList::Lesson), "argument-lesson");
 
 fn direct(given: &Arguments, direction: LessonDirection) -> Built {
     let seats = seats(given);

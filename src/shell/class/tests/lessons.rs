@@ -39,7 +39,7 @@ text = "Wait."
 
 fn lesson(member: &Member, seat: usize) -> &LessonPosition {
     let lesson = member.seats()[seat].lesson.as_ref();
-    lesson.expect("a lesson")
+    lesson.unwrap_or_else(|| panic!("{:?}", member.console.app.state().message()))
 }
 
 fn at(member: &Member, seat: usize) -> &str {

@@ -1,6 +1,7 @@
 //! The desk lets missions be flown.
 
-use super::super::super::{ending, show};
+use super::super::super::loss::loss;
+use super::super::super::show;
 use super::{BegunOrder, OrderTrace};
 use crate::app::State;
 use crate::app::effect::{Effect, Launch, SessionEffect};
@@ -12,7 +13,7 @@ use crate::class::Refusal;
 /// Begins the flight of a mission with its brief, unless another flight would be lost.
 pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOrder, Refusal> {
     let is_connected = matches!(state.session.activity, Some(Activity::Connected { .. }));
-    if ending::loss(state).is_some() || is_connected && state.replay.is_none() {
+    if loss(state).is_some() || is_connected && state.replay.is_none() {
         return Err(Refusal::Flying);
     }
     let launch = Launch {
