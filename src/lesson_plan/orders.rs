@@ -39,7 +39,8 @@ impl StepFlight {
     }
 }
 
-/// The orders of a step: its message, then its lines. A line that lets a mission fly changes the flight.
+/// The orders of a step: its lines, then its message, which would not stay on the screen while a mission opens.
+/// A line that lets a mission fly changes the flight.
 pub(super) fn read(
     step: &WrittenStep,
     setting: &LessonSetting<'_>,
@@ -47,13 +48,13 @@ pub(super) fn read(
     findings: &mut Findings,
 ) -> Vec<Deed> {
     let mut deeds = Vec::new();
-    deeds.extend(message(step, setting, findings));
     for line in &step.orders {
         match deed(line, setting, flight) {
             Ok(deed) => deeds.push(deed),
             Err(fault) => findings.faults.push(fault),
         }
     }
+    deeds.extend(message(step, setting, findings));
     deeds
 }
 

@@ -97,12 +97,12 @@ then = "end"
     assert_eq!(
         brief.deeds,
         [
-            Deed::Message {
-                text: "Hello".into()
-            },
             Deed::Fly { mission, exam },
             Deed::Mark {
                 text: "a text, with a comma".into()
+            },
+            Deed::Message {
+                text: "Hello".into()
             },
         ]
     );
@@ -114,7 +114,7 @@ then = "end"
     assert_eq!(limit.otherwise, StepTarget::Step(0));
     let ukrainian = parse_for(&source, Language::Ukrainian).expect("it is good");
     let text = "Вітаю".into();
-    assert_eq!(ukrainian.plan.steps[0].deeds[0], Deed::Message { text });
+    assert_eq!(ukrainian.plan.steps[0].deeds[2], Deed::Message { text });
 }
 
 #[test]

@@ -92,7 +92,7 @@ impl Desk {
     fn make(&mut self, seat: usize, next: LessonMove, now: Duration) {
         match next {
             LessonMove::Note => self.note_step(seat, now),
-            LessonMove::Act => self.act(seat, &[], now),
+            LessonMove::Act => self.act(seat, now),
             LessonMove::Go(target) => self.go(seat, target, now),
             LessonMove::Hold(reason) => {
                 if let Some(position) = self.lesson_mut(seat) {
@@ -117,17 +117,20 @@ impl Desk {
         }
     }
 
-    /// Gives the orders of a seat's step, except those that were given before.
-    fn act(&mut self, seat: usize, before: &[GivenDeed], now: Duration) {
-        let step = self.lesson_mut(seat).and_then(|it| it.step().cloned());
-        let deeds = step.map(|step| step.deeds).unwrap_or_default();
-        let mut given = before.to_vec();
-        for deed in deeds.into_iter().skip(before.len()) {
-            let id = self.order(seat, deed.clone(), now);
-            given.push(GivenDeed::new(id, &deed));
+    /// Gives the next order of a seat's step.
+    fn act(&mut self, seat: usize, now: Duration) {
+        let Some(position) = self.lesson_mut(seat) else {
+            return;
+        };
+        if !position.is_acting() {
+            position.act(Vec::new(), now);
         }
+        let Some(deed) = position.next_deed().cloned() else {
+            return;
+        };
+        let id = self.order(seat, deed.clone(), now);
         if let Some(position) = self.lesson_mut(seat) {
-            position.acts(given, now);
+            position.has_given(GivenDeed::new(id, &deed), now);
         }
     }
 
@@ -157,7 +160,7 @@ impl Desk {
             LessonDirection::Next if !position.can_start() => return Err(LessonFault::NotWaiting),
             LessonDirection::Next => {
                 for seat in self.with(seat) {
-                    self.act(seat, &[], now);
+                    self.act(seat, now);
                 }
             }
             LessonDirection::Skip => {
@@ -225,11 +228,11 @@ impl Desk {
             let Some(FoundPosition { position, given }) = found else {
                 continue;
             };
-            record.lesson = Some(position);
-            record.lesson_found_at = Some(now);
+            let lesson = record.lesson.insert(position);
             if !given.is_empty() {
-                self.act(seat, &given, now);
+                lesson.act(given, now);
             }
+            record.lesson_found_at = Some(now);
         }
     }
 

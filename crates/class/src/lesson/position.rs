@@ -34,7 +34,7 @@ enum StepStage {
     Waits(GivenNote),
     /// It waits for the instructor, whatever the plan says.
     Held(HoldReason),
-    /// Its orders are given.
+    /// Its orders are given, each after the outcome of the one before. `at` is when the last one was given.
     Acts { at: Duration, given: Vec<GivenDeed> },
     /// The lesson has ended.
     Ended,
@@ -91,7 +91,7 @@ pub enum LessonWait<'a> {
 pub(crate) enum LessonMove {
     /// Note the step at the seat.
     Note,
-    /// Give the orders of the step.
+    /// Give the next order of the step.
     Act,
     /// Go to another step, or end.
     Go(StepTarget),
@@ -210,13 +210,15 @@ impl LessonPosition {
         match &self.stage {
             StepStage::Waits(note) => self.after_note(step, *note, together, now),
             StepStage::Acts { at, given } => {
-                let is_open = given.iter().any(|one| one.outcome.is_none());
+                let last = given.last();
+                let is_open = last.is_some_and(|one| one.outcome.is_none());
                 if is_open && now.saturating_sub(*at) < ANSWERED_WITHIN {
                     return None;
                 }
-                let is_lost = given.iter().any(GivenDeed::is_missing);
-                Some(if is_lost {
+                Some(if last.is_some_and(GivenDeed::is_missing) {
                     LessonMove::Hold(HoldReason::NotFlown)
+                } else if given.len() < step.deeds.len() {
+                    LessonMove::Act
                 } else {
                     LessonMove::Go(step.then)
                 })
@@ -258,9 +260,31 @@ impl LessonPosition {
         });
     }
 
-    /// The orders of the step were given to the seat.
-    pub(crate) fn acts(&mut self, given: Vec<GivenDeed>, now: Duration) {
+    /// The orders of the step begin, after those that were given before.
+    pub(crate) fn act(&mut self, given: Vec<GivenDeed>, now: Duration) {
         self.stage = StepStage::Acts { at: now, given };
+    }
+
+    /// The next order of the step.
+    pub(crate) fn next_deed(&self) -> Option<&Deed> {
+        let given = match &self.stage {
+            StepStage::Acts { given, .. } => given.len(),
+            StepStage::Waits(_) | StepStage::Held(_) | StepStage::Ended => 0,
+        };
+        self.step()?.deeds.get(given)
+    }
+
+    /// The next order of the step was given to the seat.
+    pub(crate) fn has_given(&mut self, deed: GivenDeed, now: Duration) {
+        if let StepStage::Acts { at, given } = &mut self.stage {
+            *at = now;
+            given.push(deed);
+        }
+    }
+
+    /// Whether the orders of the step are being given.
+    pub(crate) fn is_acting(&self) -> bool {
+        matches!(self.stage, StepStage::Acts { .. })
     }
 
     /// The step waits for the instructor.

@@ -7,7 +7,7 @@ use super::desk::{connected, names};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::state::Room;
-use crate::class::{LessonDirection, LessonFault};
+use crate::class::{Desk, LessonDirection, LessonFault};
 use crate::language::SeatChoice;
 use crate::lesson_plan::Lesson;
 use crate::text;
@@ -93,7 +93,7 @@ pub(super) fn read(
     let title = lesson.title.clone();
     // What was asked for once is known for the seats that come back later, too.
     state.rooms.class.lessons.asked.remove(name);
-    state.rooms.class.lessons.begun.push(lesson);
+    keep(state, lesson);
     let text = if seats.is_empty() {
         text!("class-lesson-resumed", lesson = title)
     } else {
@@ -104,6 +104,16 @@ pub(super) fn read(
     };
     state.say(Severity::Notice, text);
     state.touch();
+}
+
+/// Keeps the texts of a lesson, and of those in which seats are.
+fn keep(state: &mut State, lesson: Arc<Lesson>) {
+    let seats = state.class.desk().map_or(&[][..], Desk::seats);
+    let plans = seats.iter().filter_map(|seat| seat.lesson.as_ref());
+    let plans: Vec<_> = plans.map(|it| Arc::clone(it.plan())).collect();
+    let begun = &mut state.rooms.class.lessons.begun;
+    begun.retain(|it| plans.iter().any(|plan| Arc::ptr_eq(plan, &it.plan)));
+    begun.push(lesson);
 }
 
 /// Directs the lessons of seats.

@@ -118,7 +118,7 @@ async fn a_lesson_goes_on_by_conditions_keys_and_branches_over_a_kill_of_the_des
     let mark = Deed::Mark {
         text: "guided".into(),
     };
-    let begun = [message("Hello"), fly, Deed::Start];
+    let begun = [fly, message("Hello"), Deed::Start];
     let all = |more: &[Deed]| [&begun, more].concat();
     // Without a folder for records, a bookmark is refused; that does not stop the lesson.
     let anna_done = done(&anna);

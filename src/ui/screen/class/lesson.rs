@@ -6,6 +6,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
+use super::age;
 use super::detail::title;
 use crate::app::State;
 use crate::app::keymap::{Meaning, Place};
@@ -16,7 +17,7 @@ use crate::class::{
 use crate::class_text::deed_text;
 use crate::lesson_plan::Lesson;
 use crate::text;
-use crate::text::{Text, clock};
+use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{put, wrap};
@@ -161,7 +162,7 @@ fn with_limit(wait: Text, limit: StepLimit, waited: Duration, position: &LessonP
     text!(
         "class-lesson-wait-limit",
         wait = wait,
-        time = clock(left),
+        time = age(left.as_secs_f64()),
         step = target_text(limit.otherwise, &position.plan().steps)
     )
 }
