@@ -151,13 +151,11 @@ impl Findings {
                 self.fault(text.span(), text!("lesson-text-empty"));
             }
         }
-        match ukrainian {
-            Some(_) => self.is_translated = true,
-            None => {
-                let note = text!("mission-untranslated", key = key);
-                self.untranslated
-                    .push(Diagnostic::new(english.span(), note));
-            }
+        self.is_translated |= ukrainian.is_some();
+        if ukrainian.is_none() {
+            let note = text!("mission-untranslated", key = key);
+            let note = Diagnostic::new(english.span(), note);
+            self.untranslated.push(note);
         }
         let ukrainian = ukrainian.map(|words| (Language::Ukrainian, trimmed(words)));
         Text::written(trimmed(english), ukrainian)

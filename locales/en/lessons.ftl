@@ -32,7 +32,7 @@ lesson-endless = nothing leads from the step `{ $name }` to the end of the lesso
 lesson-circle = the steps go round from `{ $name }` to `{ $name }` without waiting: give one of them a `when`
 
 # The desk
-class-lesson-begun = lesson { $lesson }: begun for { $seats }
+class-lesson-begun = lesson “{ $lesson }” begun: { $seats }
 class-lesson-next = next step of the lesson: { $seats }
 class-lesson-skip = step skipped: { $seats }
 class-lesson-back = one step back: { $seats }
@@ -41,7 +41,7 @@ class-lesson-none = { $seats }: no lesson is going on; begin one with `class les
 class-lesson-not-waiting = { $seats }: the step is being carried out, or the lesson has ended
 class-lesson-first = { $seats }: this is the first step
 class-lesson-unread = the lesson { $lesson } cannot be read: { $fault }
-class-lesson-resumed = lesson { $lesson }: going on where the seats are
+class-lesson-resumed = lesson “{ $lesson }” goes on where the seats are
 class-lessons-title = lessons: begin one with `class lesson NAME`
 class-lesson-named = { $name }: { $title }. { $about }
 class-lessons-none = there are no lessons
@@ -55,7 +55,7 @@ class-lesson-wait-refused = the seat cannot watch the condition: { $key } goes o
 class-lesson-wait-circles = the lesson goes round and round: { $key } goes on
 class-lesson-wait-condition = waits for: { $when }
 class-lesson-wait-others = waits for the other seats
-class-lesson-wait-limit = { $wait }; after { $time } more: { $step }
+class-lesson-wait-limit = { $wait }; if not within { $time }: { $step }
 class-lesson-wait-ended = the lesson has ended
 class-lesson-end = the end
 class-lesson-does = does: { $deeds }

@@ -32,7 +32,7 @@ lesson-endless = від кроку `{ $name }` ніщо не веде до кі�
 lesson-circle = кроки ходять по колу від `{ $name }` до `{ $name }` і ні на що не чекають: додайте до одного з них `when`
 
 # Пульт
-class-lesson-begun = заняття { $lesson } розпочато: { $seats }
+class-lesson-begun = розпочато «{ $lesson }»: { $seats }
 class-lesson-next = наступний крок заняття: { $seats }
 class-lesson-skip = крок пропущено: { $seats }
 class-lesson-back = на крок назад: { $seats }
@@ -41,7 +41,7 @@ class-lesson-none = { $seats }: заняття не йде; розпочніть
 class-lesson-not-waiting = { $seats }: крок виконується, або заняття вже закінчилося
 class-lesson-first = { $seats }: це перший крок
 class-lesson-unread = заняття { $lesson } не вдалося прочитати: { $fault }
-class-lesson-resumed = заняття { $lesson } триває з тих кроків, на яких є місця
+class-lesson-resumed = «{ $lesson }» триває з тих кроків, на яких є місця
 class-lessons-title = заняття: розпочати можна командою `class lesson НАЗВА`
 class-lesson-named = { $name }: { $title }. { $about }
 class-lessons-none = занять немає
@@ -55,7 +55,7 @@ class-lesson-wait-refused = місце не може стежити за умо�
 class-lesson-wait-circles = заняття ходить по колу: { $key } — далі
 class-lesson-wait-condition = чекає на: { $when }
 class-lesson-wait-others = чекає на інші місця
-class-lesson-wait-limit = { $wait }; ще через { $time }: { $step }
+class-lesson-wait-limit = { $wait }; якщо не за { $time }: { $step }
 class-lesson-wait-ended = заняття закінчено
 class-lesson-end = кінець
 class-lesson-does = робить: { $deeds }

@@ -108,7 +108,7 @@ impl Listed {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject => words.iter().copied().find(|word| *word == written),
-            NameList::Lesson if written.contains('/') || written.ends_with(".toml") => {
+            NameList::Lesson if written.contains(['/', '.']) => {
                 return Ok(written.to_owned());
             }
             NameList::Lesson => words.iter().copied().find(|word| *word == written),

@@ -143,11 +143,10 @@ fn parsed(line: &str) -> Result<Deed, Diagnostic> {
         ..fault
     })?;
     match statement.meaning {
-        Meaning::Console(ConsoleLine::Class(ClassLine::Give { seats, deed }))
-            if seats == SeatChoice::Addressed =>
-        {
-            Ok(deed)
-        }
+        Meaning::Console(ConsoleLine::Class(ClassLine::Give {
+            seats: SeatChoice::Addressed,
+            deed,
+        })) => Ok(deed),
         Meaning::Console(ConsoleLine::Class(ClassLine::Give { .. })) => {
             Err(Diagnostic::new(whole(), text!("lesson-order-seat")))
         }

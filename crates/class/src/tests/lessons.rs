@@ -139,7 +139,9 @@ impl Class {
                 .map(|it| it.order.clone())
                 .collect();
             let pupil = &mut self.seats[seat];
-            orders.into_iter().for_each(|order| pupil.obey(order));
+            for order in orders {
+                pupil.obey(order);
+            }
             pupil.look();
         }
     }

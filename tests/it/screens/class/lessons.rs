@@ -16,9 +16,9 @@ fn the_lesson_of_a_seat_is_shown_with_what_it_waits_for() {
             let name = format!("lesson_manual_{}_{width}x{height}", language.code());
             insta::assert_snapshot!(name, console.screen(width, height));
         }
-        console.press("*").press("n").press("esc").press("esc");
+        console.press("n");
         carry_out(&mut console, None);
-        console.press("n").press("l");
+        console.press("n");
         carry_out(&mut console, None);
         for (width, height) in [(80, 24), (120, 40)] {
             let name = format!("lesson_condition_{}_{width}x{height}", language.code());
