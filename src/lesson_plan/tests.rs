@@ -66,6 +66,15 @@ fn the_shipped_lessons_are_good_in_both_languages() {
 }
 
 #[test]
+fn the_example_of_the_guide_is_good() {
+    let guide = include_str!("../../docs/lessons.md");
+    let (_, after) = guide.split_once("```toml\n").expect("an example");
+    let (example, _) = after.split_once("```").expect("its end");
+    let lesson = parse(example).expect("it is good");
+    assert_eq!(lesson.plan.steps.len(), 4);
+}
+
+#[test]
 fn a_step_has_its_start_its_orders_and_what_follows() {
     let source = plan(
         r#"
