@@ -1,6 +1,6 @@
 //! The orders of an instructor's desk and their outcomes, as text.
 
-use crate::class::{Consent, Deed, Outcome, Refusal, Seat, SubmissionRefusal};
+use crate::class::{Consent, Deed, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal};
 use crate::text;
 use crate::text::Text;
 
@@ -25,6 +25,31 @@ pub fn deed_text(deed: &Deed) -> Text {
         Deed::Disarm { name: None } => text!("class-deed-disarm-all"),
         Deed::Disarm { name: Some(name) } => text!("class-deed-disarm", name = name.as_str()),
         Deed::End => text!("class-deed-end"),
+        Deed::Fly {
+            mission,
+            exam: false,
+        } => text!("class-deed-fly", mission = mission.as_str()),
+        Deed::Fly {
+            mission,
+            exam: true,
+        } => text!("class-deed-exam", mission = mission.as_str()),
+        Deed::Start => text!("class-deed-start"),
+        Deed::Step(step) => step_text(step),
+    }
+}
+
+/// A step of a lesson.
+fn step_text(noted: &NotedStep) -> Text {
+    let lesson = noted.lesson.as_str();
+    match (&noted.step, &noted.when) {
+        (None, _) => text!("class-deed-lesson-end", lesson = lesson),
+        (Some(step), None) => text!("class-deed-step", lesson = lesson, step = step.as_str()),
+        (Some(step), Some(when)) => text!(
+            "class-deed-step-when",
+            lesson = lesson,
+            step = step.as_str(),
+            when = when.as_str()
+        ),
     }
 }
 
@@ -52,6 +77,7 @@ fn refusal_text(refusal: Refusal) -> Text {
         Refusal::NoInject => text!("class-refusal-no-inject"),
         Refusal::Condition => text!("class-refusal-condition"),
         Refusal::NotArmed => text!("class-refusal-not-armed"),
+        Refusal::Flying => text!("class-refusal-flying"),
     }
 }
 

@@ -23,6 +23,7 @@
 //! | | [`store`] | files: missions, pilots, designs, the user's theme files, settings, profiles, runs, records; what a finished or abandoned flight adds to a career |
 //! | pure | [`exercise`] | when a mission begins and which clock counts its time (also in the console); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles and the mission, and the outcome back to the ledger |
+//! | | [`lesson_plan`] | the file of a lesson: its steps, and the faults in them |
 //! | | [`class_results`] | the results of a class: per trainee, mission, objective and skill |
 //! | | [`campaign`] | a career: unlocks, credits and experience, licences for parts, the costs of flying, the mastery of each skill, and what an attempt counts as |
 //! | | [`review`] | the after-action review of a flight: answers, points to keep and to improve, later bookmarks |
@@ -125,6 +126,7 @@ pub mod hash;
 pub mod inspector;
 pub mod language;
 pub mod ledger;
+pub mod lesson_plan;
 pub mod link;
 pub mod messages;
 pub mod metadata;

@@ -92,7 +92,7 @@ pub use event::demand::{Demand, WIND_FULL_FROM_M};
 pub use event::mover::MoverKind;
 pub use event::standard::threat_title;
 pub use file::{reference, schema};
-pub use flight::{Flight, Inject, InjectFault, Injected, Pledge, check_condition};
+pub use flight::{Expected, Flight, Inject, InjectFault, Injected, Pledge, check_condition};
 pub use hint::{Clue, Hint, Phase};
 pub use lesson::{LessonStep, STEP_KEY};
 pub use listing::{FitListing, Listing, ObjectiveListing};

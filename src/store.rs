@@ -24,6 +24,7 @@ use std::path::{Path, PathBuf};
 
 use crate::campaign::{MissionCourse, Offer};
 use crate::language::mission_meant;
+use crate::lesson_plan::LessonMissions;
 use crate::mission::Mission;
 use crate::scoring::{FlownBy, MissionFile, Report};
 use crate::workshop::Design;
@@ -91,13 +92,13 @@ pub use unsaved::UnsavedDrafts;
 pub use waiting_records::WaitingRecords;
 
 mod shipped {
-    //! The embedded files: `build.rs` lists the content of `missions/`, so a new mission needs no
+    //! The embedded files: `build.rs` lists the content of `missions/` and the like, so a new file needs no
     //! further entry.
 
     include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
 }
 
-use shipped::{DESIGNS, MISSIONS, PILOTS};
+use shipped::{DESIGNS, LESSONS, MISSIONS, PILOTS};
 
 const MISSION_FOLDER: &str = "missions";
 
@@ -167,6 +168,25 @@ pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
 /// ones.
 pub fn designs() -> Vec<Source> {
     DESIGN_FILES.merged(DESIGNS)
+}
+
+/// All lesson plans by name: the embedded ones, and those in the folders, which may replace embedded ones.
+pub fn lessons() -> Vec<Source> {
+    LESSON_FILES.merged(LESSONS)
+}
+
+/// The file of a lesson plan, by its path or its name.
+///
+/// # Errors
+/// No such plan exists, or it cannot be read.
+pub fn lesson(path_or_name: &str) -> Result<Source, StoreError> {
+    at_path("file-lesson", path_or_name)
+        .unwrap_or_else(|| LESSON_FILES.named(path_or_name, &lessons()))
+}
+
+/// The missions that lessons may fly.
+pub fn lesson_missions() -> LessonMissions {
+    LessonMissions::of(missions().iter().map(|source| source.text.as_str()))
 }
 
 /// All missions by name: the embedded missions, and those in the folders, which may replace
@@ -338,6 +358,11 @@ const PILOT_FILES: FolderFiles = FolderFiles {
     kind: "file-pilot",
     folder: "missions/pilots",
     ending: "pilot",
+};
+const LESSON_FILES: FolderFiles = FolderFiles {
+    kind: "file-lesson",
+    folder: "lessons",
+    ending: "toml",
 };
 const DESIGN_FILES: FolderFiles = FolderFiles {
     kind: "file-design",

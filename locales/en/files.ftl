@@ -28,6 +28,7 @@ file-unknown = no { $kind } `{ $name }`: give a path, or one of { $known }
 file-mission = mission
 file-pilot = pilot script
 file-design = design
+file-lesson = lesson plan
 file-statistics = statistics of messages
 file-parameters = parameter file
 file-frame = airframe
@@ -36,7 +37,7 @@ file-keymap = keymap
 file-documentation = documentation of parameters
 file-events = event texts
 file-configuration = configuration
-file-any = mission, theme, keymap, configuration or script
+file-any = mission, lesson plan, theme, keymap, configuration or script
 
 record-under-way = this flight is not over: its debrief is available once it has ended
 record-none = not a recorded run: the console records every mission, and `sortie run --record DIR` writes a run to a folder
@@ -65,8 +66,8 @@ record-frames-dropped = the disk is too slow for this flight: frames are missing
 
 # `sortie check`
 check-good = { $file }: good
-check-kind = unknown kind of file: neither a mission nor a design, a theme, a keymap or a configuration
-check-kind-help = a mission has sections such as `objectives`, a design `name` and `frame`, a theme `roles`, a keymap rooms such as `fly`, a configuration settings such as `lang`
+check-kind = unknown kind of file: neither a mission nor a lesson plan, a design, a theme, a keymap or a configuration
+check-kind-help = a mission has sections such as `objectives`, a lesson plan `steps`, a design `name` and `frame`, a theme `roles`, a keymap rooms such as `fly`, a configuration settings such as `lang`
 check-same-id = the mission { $file } has the id `{ $id }` already
 check-same-id-help = give it an id of its own: of several missions with one id, only the first is found
 check-known-id = the mission { $file } has the id `{ $id }`, too

@@ -219,12 +219,19 @@ pub enum ClassEffect {
     },
     /// At a seat: disarm the injects with this name, or all, and report it.
     Disarm { id: OrderId, name: Option<String> },
+    /// At a seat: watch a condition in the flight, and report if that is not possible.
+    Expect { id: OrderId, when: String },
     /// At a seat: note an order of the desk in the record.
     Note(DeskRecord),
     /// At a seat: hand in a record that is complete.
     HandIn(RecordName),
     /// At a seat: the desk has a record, or does not take it.
     Settle(RecordName),
+    /// At the desk: list the lesson plans.
+    ListLessons,
+    /// At the desk: read a lesson plan, by its name or its path, and begin it with these seats; without any, go on with
+    /// it at the seats that have it in their journals.
+    ReadLesson { name: String, seats: Vec<usize> },
     /// At the desk: take in a record, or a piece of one.
     Receive {
         connection: ConnectionId,

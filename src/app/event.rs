@@ -22,6 +22,7 @@ use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
 use crate::ledger::{ForeignCommand, Risk, RowUpdate};
+use crate::lesson_plan::Lesson;
 use crate::mission::{Area, Listing, Progress};
 use crate::moment::Moment;
 use crate::notice::Notice;
@@ -287,6 +288,14 @@ pub enum ClassEvent {
     },
     /// At the desk: a record is complete, but cannot be scored.
     Unscored(Text),
+    /// At the desk: the lesson plans that can be begun.
+    Lessons(Vec<Arc<Lesson>>),
+    /// At the desk: a lesson plan was read, or why not, for these seats.
+    LessonRead {
+        name: String,
+        lesson: Result<Arc<Lesson>, Text>,
+        seats: Vec<usize>,
+    },
     /// At the desk: the results of the class have changed.
     Results(Arc<ClassResults>),
 }

@@ -26,7 +26,8 @@ impl Names for NamesInFiles<'_> {
             | NameList::ItemField
             | NameList::PlanFile
             | NameList::Seat
-            | NameList::SeatInject => Listed::Anything,
+            | NameList::SeatInject
+            | NameList::Lesson => Listed::Anything,
         }
     }
 }

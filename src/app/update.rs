@@ -9,8 +9,8 @@
 //!   lines for the console, with `alert_line`, `drafts`, `forget`, `forwards`, `radio`, `selection` and
 //!   `vehicle_files` for their subjects. `macros` checks all lines of a macro before the first one is given, `batch`
 //!   sets parameters one after another, `program` refuses what programs may not give.
-//! - `consequence` carries out what was confirmed. `ending` decides what would be lost if the session ended now,
-//!   and what is asked before quitting.
+//! - `consequence` carries out what was confirmed. `loss` finds what would be lost if the session ended now, and
+//!   `ending` asks before that.
 //! - The course of a session: `start`, `mission` (pause, restart, give up), `replay`, `review`, `ghost`, `sticks`;
 //!   `pace` decides when the speed-up may rise, and which event resets it.
 //! - Reports of the shell: `telemetry` (time, vehicles, notices, and the signals that are due), `links`, `hangar`,
@@ -43,6 +43,7 @@ mod hangar;
 mod keys;
 mod latin;
 mod links;
+mod loss;
 mod macros;
 mod mission;
 mod offer;

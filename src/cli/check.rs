@@ -14,6 +14,7 @@ use super::{Failure, plan, settings};
 use crate::app::keymap::{Keymap, Place};
 use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::lesson_plan::{LESSON_KEYS, Lesson, LessonMissions, LessonSetting};
 use crate::mission::Mission;
 use crate::store::{self, Source, StoreError};
 use crate::text;
@@ -53,6 +54,7 @@ pub(super) struct CheckArguments {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum FileKind {
     Mission,
+    Lesson,
     Theme,
     Keymap,
     Configuration,
@@ -94,6 +96,7 @@ pub(super) fn check(
         }
         let others = OtherFiles {
             missions: &known,
+            files,
             named: &options.files,
         };
         faulty |= report(path, &others, &locale)?;
@@ -264,8 +267,9 @@ fn kind(path: &Path, text: &str) -> Option<FileKind> {
     let slots = PartSlot::ALL.map(PartSlot::key);
     let design: Vec<&str> = ["schema", "name"].into_iter().chain(slots).collect();
     let mission = [MISSION_KEYS, MISSION_SECTIONS].concat();
-    let kinds: [(FileKind, &str, &[&str]); 5] = [
+    let kinds: [(FileKind, &str, &[&str]); 6] = [
         (FileKind::Mission, "missions", &mission),
+        (FileKind::Lesson, "lessons", &LESSON_KEYS),
         (FileKind::Design, "designs", &design),
         (FileKind::Theme, "themes", &["inherits", "roles"]),
         (FileKind::Keymap, "keymap", &contexts),
@@ -299,6 +303,8 @@ fn matches(keys: &[&str], known: &[&str]) -> usize {
 /// The other files that a file may refer to.
 struct OtherFiles<'a> {
     missions: &'a KnownMissions,
+    /// The files to check, with the content of folders.
+    files: &'a [PathBuf],
     /// All files that the command line names.
     named: &'a [PathBuf],
 }
@@ -326,10 +332,32 @@ fn examined(
             Ok(mission) => return examined_mission(path, mission, others.missions),
             Err(faults) => Some(faults),
         },
+        FileKind::Lesson => match lesson(path, text, others.files) {
+            Ok(lesson) => return (Vec::new(), lesson.untranslated),
+            Err(faults) => Some(faults),
+        },
         FileKind::Design => Design::from_toml(text).err(),
         FileKind::Script => script::faults(path, text, others.named),
     };
     (faults.unwrap_or_default(), Vec::new())
+}
+
+/// Reads a lesson plan. Its missions may be among the checked files, or beside them.
+fn lesson(path: &Path, text: &str, files: &[PathBuf]) -> Result<Lesson, Vec<Diagnostic>> {
+    let checked = files
+        .iter()
+        .filter_map(|path| store::read_found(path, "file-mission").ok());
+    let known = checked
+        .chain(store::missions())
+        .chain(missions_beside(files));
+    let known: Vec<String> = known.map(|source| source.text).collect();
+    let missions = LessonMissions::of(known.iter().map(String::as_str));
+    let setting = LessonSetting {
+        missions: &missions,
+        locale: &Locale::default(),
+    };
+    let name = path.file_stem().unwrap_or_default().to_string_lossy();
+    Lesson::parse(&name, text, &setting)
 }
 
 fn theme_faults(path: &Path, source: &Source) -> Option<Vec<Diagnostic>> {

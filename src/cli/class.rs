@@ -1,6 +1,6 @@
 //! `sortie class`: the instructor's desk, and the results of a class.
 //!
-//! `open` is the desk. `report` prints the results, and `export` writes them for other programs; both read the records
+//! `open` is the desk, and `lessons` lists the plans that it can go through. `report` prints the results, and `export` writes them for other programs; both read the records
 //! that the trainees have handed in. Their tables are in `tables`, and the statements for learning record stores in
 //! `xapi`.
 
@@ -17,6 +17,7 @@ use export::ExportArguments;
 use report::ReportArguments;
 
 mod export;
+mod lessons;
 mod report;
 mod results;
 mod tables;
@@ -41,6 +42,8 @@ enum ClassTask {
         #[arg(value_name = "NAME|PATH")]
         name: Option<String>,
     },
+    /// Lists the lesson plans that the desk can begin.
+    Lessons,
     /// Prints the results of a class: trainee by mission, trainee by skill, and what the whole class does not know.
     Report(ReportArguments),
     /// Writes the results of a class for other programs: a spreadsheet, Moodle, xAPI, or a file per trainee.
@@ -53,6 +56,7 @@ pub(super) fn class(
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
     match &arguments.task {
+        ClassTask::Lessons => lessons::lessons(&settings),
         ClassTask::Open { name } => open(name.as_deref(), settings),
         ClassTask::Report(arguments) => report::report(arguments, &settings),
         ClassTask::Export(arguments) => export::export(arguments, &settings),

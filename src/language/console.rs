@@ -5,7 +5,6 @@ use std::time::Duration;
 use super::VehicleChoice;
 use super::targets::Targets;
 use crate::alert::AlertKind;
-use crate::class::Deed;
 use crate::commands::Pattern;
 use crate::config::{Column, LiveSetting, TableSort};
 use crate::draft::Edit;
@@ -14,6 +13,10 @@ use crate::moment::{Alignment, MomentKind};
 use crate::plan::ListKind;
 use crate::plan::generate::Course;
 use crate::vehicle::{RadioTest, VehicleId};
+
+mod class;
+
+pub use class::{ClassLine, SeatChoice};
 
 /// A line that the console carries out itself, without any vehicle.
 #[derive(Debug, Clone, PartialEq)]
@@ -154,35 +157,6 @@ impl ConsoleLine {
             | Self::Quit => LineNeeds::Nothing,
         }
     }
-}
-
-/// A command about the class.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum ClassLine {
-    /// At a seat: join the class that the configuration names.
-    Join,
-    /// At a seat: leave it.
-    Leave,
-    /// At the desk: show the injects that the mission of the seat under the cursor permits.
-    Injects,
-    /// At the desk: show the results of the class, or their next page.
-    Results,
-    /// At the desk: show the screen of a seat.
-    Watch(SeatChoice),
-    /// At the desk: show the board again.
-    Unwatch,
-    /// At the desk: give an order to seats.
-    Give { seats: SeatChoice, deed: Deed },
-}
-
-/// The seats that an order is for.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum SeatChoice {
-    /// The marked seats; with none marked, the one under the cursor.
-    Addressed,
-    All,
-    /// The seat with this name.
-    Named(String),
 }
 
 /// A command about forwards.

@@ -28,6 +28,8 @@ pub enum NameList {
     Seat,
     /// The injects that the missions of the seats permit.
     SeatInject,
+    /// The lessons of the desk; a path is valid, too.
+    Lesson,
 }
 
 /// A name that a line may contain.
@@ -106,6 +108,10 @@ impl Listed {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject => words.iter().copied().find(|word| *word == written),
+            NameList::Lesson if written.contains(['/', '.']) => {
+                return Ok(written.to_owned());
+            }
+            NameList::Lesson => words.iter().copied().find(|word| *word == written),
         };
         found.map(str::to_owned).ok_or_else(unknown)
     }

@@ -37,6 +37,7 @@ use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
 
 mod clues;
 mod deeds;
+mod expectation;
 mod goals;
 mod injects;
 mod journal;
@@ -57,6 +58,7 @@ mod view;
 
 use clues::CluesGiven;
 pub use deeds::Pledge;
+pub use expectation::Expected;
 use goals::Goals;
 pub use injects::{Inject, InjectFault, Injected, check_condition};
 use journal::{FlightJournal, JournalEntry};
@@ -384,6 +386,9 @@ impl Flight {
         self.lesson_step = lesson::step_now(lesson, self.threats.engine(), weather, &sight);
         let scope = self.threats.engine.scope(weather, &sight);
         self.threats.injects.look(&scope);
+        if let Some(expectation) = &mut self.threats.expectation {
+            expectation.look(&scope);
+        }
         let is_reached = |hint: &Hint| hint.until.as_ref().is_some_and(|it| it.holds(&scope));
         self.reached_hints = self.mission.advice.hints.iter().map(is_reached).collect();
     }

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::time::Duration;
 
-use super::{Area, Inject, Injected, LessonStep, MoverKind, OpenAlert, Phase, Pledge};
+use super::{Area, Expected, Inject, Injected, LessonStep, MoverKind, OpenAlert, Phase, Pledge};
 use crate::commands::FindKind;
 use crate::geo::LatLon;
 use crate::language::Findings;
@@ -62,6 +62,8 @@ pub struct Progress {
     pub injects: Vec<Inject>,
     /// The injects that the mission has carried out, in their order.
     pub injected: Vec<Injected>,
+    /// The condition that the desk of a class wants to know of.
+    pub expected: Option<Expected>,
     /// The cells of all surveys, from the south-west eastwards.
     pub cells: Vec<Cell>,
     /// The burnt ground on the trainee's map, as last seen.

@@ -28,6 +28,7 @@ use seat_files::SeatAnswer;
 mod desk_end;
 mod desk_files;
 mod last_records;
+mod lessons;
 mod seat_end;
 mod seat_files;
 mod worker;
@@ -225,11 +226,19 @@ impl Console {
                 });
                 self.post(ClassEvent::Begun { id, refusal });
             }
+            ClassEffect::Expect { id, when } => {
+                let refusal = self.instruct(|flight| flight.expect(&when));
+                if refusal.is_some() {
+                    self.post(ClassEvent::Begun { id, refusal });
+                }
+            }
             ClassEffect::Note(line) => {
                 if let Some(running) = &self.running {
                     running.note_down(now, Happening::Desk(line));
                 }
             }
+            ClassEffect::ListLessons => self.list_lessons(),
+            ClassEffect::ReadLesson { name, seats } => self.read_lesson(name, seats),
             ClassEffect::HandIn(_)
             | ClassEffect::Settle(_)
             | ClassEffect::Receive { .. }

@@ -35,6 +35,7 @@ catalogue! {
     "hazards",
     "logs",
     "home",
+    "lessons",
     "links",
     "signing",
     "map",

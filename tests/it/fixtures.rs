@@ -223,6 +223,7 @@ pub fn progress() -> Progress {
         can_confirm: true,
         contacts: Vec::new(),
         injected: Vec::new(),
+        expected: None,
         injects: Vec::new(),
         marks: Vec::new(),
         pledge: Pledge::default(),

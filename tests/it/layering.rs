@@ -30,7 +30,7 @@ const PURE: &[&[&str]] = &[
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
     &["campaign", "comparison", "review"],
-    &["class_results"],
+    &["class_results", "lesson_plan"],
     &["operator"],
     &["exercise"],
 ];

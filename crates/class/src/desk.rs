@@ -30,7 +30,7 @@ pub enum DeskHeard {
 pub struct Desk {
     id: u64,
     class: Words,
-    seats: Vec<SeatRecord>,
+    pub(super) seats: Vec<SeatRecord>,
     orders: u32,
     /// The seat whose screen is watched.
     watched: Option<usize>,
@@ -199,6 +199,11 @@ impl Desk {
 
     /// Gives an order to a seat.
     pub fn give(&mut self, seat: usize, deed: Deed, now: Duration) {
+        self.order(seat, deed, now);
+    }
+
+    /// Gives an order to a seat; returns its identity.
+    pub(super) fn order(&mut self, seat: usize, deed: Deed, now: Duration) -> OrderId {
         self.orders += 1;
         let id = OrderId {
             desk: self.id,
@@ -207,6 +212,7 @@ impl Desk {
         if let Some(seat) = self.seats.get_mut(seat) {
             seat.give(id, deed, now);
         }
+        id
     }
 
     /// Gives up waiting for the answers to old orders; returns whether there was one.

@@ -12,6 +12,8 @@
 //! - What is seen: `watch`, the screen of a seat.
 //! - What remains: `submission`, the record of a flight in pieces; `hand_in`, the records that wait at a seat;
 //!   `reception`, how the desk takes them in.
+//! - What is planned: `lesson`, the steps of a lesson and where a seat is in them; `conduct`, what the desk does for
+//!   all seats.
 //! - How it is said: [`protocol`], as lines of JSON.
 //! - Who knows what: [`Seat`] is the state of a seat's side, [`Desk`] that of the desk, with a [`SeatRecord`] for each
 //!   seat; `need` orders them.
@@ -22,10 +24,12 @@
 
 #![warn(missing_docs)]
 
+mod conduct;
 mod desk;
 mod desk_line;
 mod hand_in;
 mod journal;
+mod lesson;
 mod need;
 mod order;
 pub mod protocol;
@@ -41,12 +45,17 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+pub use conduct::{LessonDirection, LessonFault};
 pub use desk::{ConnectionId, Desk, DeskHeard, SEATS};
 pub use desk_line::DeskLine;
 pub use hand_in::{HandIn, HandInOutcome};
 pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};
+pub use lesson::{
+    FlightMoment, HoldReason, LessonPlan, LessonPosition, LessonStep, LessonWait, StepLimit,
+    StepStart, StepTarget,
+};
 pub use need::{Attention, Need};
-pub use order::{Deed, Order, OrderId, Outcome, Refusal};
+pub use order::{Deed, NotedStep, Order, OrderId, Outcome, Refusal};
 pub use reception::{
     Held, Receipt, ReceiptNews, Reception, RecordShelf, ShelfFault, TRAINEE_SHARE,
 };

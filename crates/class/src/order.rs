@@ -1,8 +1,14 @@
 //! What a desk asks of a seat.
 
+use std::time::Duration;
+
 use serde::{Deserialize, Serialize};
 
 use super::Words;
+
+/// How long an order may take. Later it is not sent any more: a freeze that arrives minutes after it was meant would
+/// do harm.
+pub(super) const ANSWERED_WITHIN: Duration = Duration::from_secs(10);
 
 /// The identity of an order. A seat carries out each order once, however often it arrives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -57,18 +63,60 @@ pub enum Deed {
     },
     /// End the mission: the flight is scored as it stands.
     End,
+    /// Begin the flight of a mission, with its brief.
+    Fly {
+        /// The id of the mission.
+        mission: Words,
+        /// Whether the flight is an exam.
+        #[serde(default, skip_serializing_if = "is_false")]
+        exam: bool,
+    },
+    /// Let the time of a mission begin whose brief is still shown.
+    Start,
+    /// Note which step of a lesson the seat is at, and report when its condition holds.
+    Step(NotedStep),
+}
+
+/// A step of a lesson, as a seat notes it.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct NotedStep {
+    /// The name of the lesson.
+    pub lesson: Words,
+    /// The step; `None` when the lesson has ended at this seat.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub step: Option<Words>,
+    /// The mission that the condition is about; without one, any.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mission: Option<Words>,
+    /// The condition that the step waits for. While it waits, the outcome is [`Outcome::Armed`].
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub when: Option<Words>,
+}
+
+#[expect(
+    clippy::trivially_copy_pass_by_ref,
+    reason = "serde passes fields by reference"
+)]
+fn is_false(value: &bool) -> bool {
+    !value
 }
 
 impl Deed {
     /// Whether the deed is permitted in an exam. Of those that change a flight, only its end is: a freeze would give
     /// the trainee time to think.
     pub fn is_for_exams(&self) -> bool {
-        matches!(self, Self::Message { .. } | Self::End)
+        matches!(
+            self,
+            Self::Message { .. } | Self::End | Self::Start | Self::Step(_)
+        )
     }
 
     /// Whether the trainee is not told: knowing that the desk has caused a fault would give it away.
     pub fn is_hidden(&self) -> bool {
-        matches!(self, Self::Inject { .. } | Self::Disarm { .. })
+        matches!(
+            self,
+            Self::Inject { .. } | Self::Disarm { .. } | Self::Step(_)
+        )
     }
 
     /// Whether a flight cannot be as before afterwards.
@@ -119,4 +167,6 @@ pub enum Refusal {
     Condition,
     /// No such inject is armed.
     NotArmed,
+    /// A flight is under way, which the order would end.
+    Flying,
 }

@@ -3,15 +3,13 @@
 use std::collections::VecDeque;
 use std::time::Duration;
 
+use super::order::ANSWERED_WITHIN;
 use super::watch::{Picture, PicturePart, PictureReceiver};
 use super::{
-    Attention, ConnectionId, Deed, Entry, Happening, JournalCopy, Order, OrderId, Outcome,
-    SeatReport,
+    Attention, ConnectionId, Deed, Entry, Happening, JournalCopy, LessonPosition, Order, OrderId,
+    Outcome, SeatReport,
 };
 
-/// How long an order may take. Later it is not sent any more: a freeze that arrives minutes after it was meant would
-/// do harm.
-const ANSWERED_WITHIN: Duration = Duration::from_secs(10);
 /// The maximum number of orders to one seat that a desk remembers.
 const REMEMBERED: usize = 200;
 
@@ -69,6 +67,12 @@ pub struct SeatRecord {
     /// When something of its screen last came.
     pub(super) seen_at: Option<Duration>,
     orders: VecDeque<GivenOrder>,
+    /// Where it is in a lesson; `None` without one.
+    pub lesson: Option<LessonPosition>,
+    /// When the position was found in the seat's journal; `None` if the desk has begun the lesson itself.
+    pub(super) lesson_found_at: Option<Duration>,
+    /// Whether the desk knows about the lesson that the seat's journal may have.
+    pub(super) is_lesson_known: bool,
 }
 
 impl SeatRecord {
@@ -86,6 +90,9 @@ impl SeatRecord {
             screen: PictureReceiver::default(),
             seen_at: None,
             orders: VecDeque::new(),
+            lesson: None,
+            lesson_found_at: None,
+            is_lesson_known: false,
         }
     }
 
@@ -97,6 +104,9 @@ impl SeatRecord {
             self.announced = 0;
             self.report = None;
             self.attention = Attention::new(now);
+            if let Some(lesson) = &mut self.lesson {
+                lesson.forget_note(now);
+            }
         }
         self.presence = Presence::Here(connection);
         self.heard_at = now;
@@ -155,7 +165,17 @@ impl SeatRecord {
             if let Some(given) = given {
                 given.state = OrderState::Ended(outcome);
             }
+            if let Some(lesson) = &mut self.lesson {
+                lesson.hear(id, outcome);
+            }
         }
+    }
+
+    /// Whether a lesson in its journal may go on at this desk: the journal is complete, and the desk has not begun
+    /// another one.
+    pub(super) fn may_resume(&self) -> bool {
+        let is_complete = self.journal.last() >= self.announced && self.report.is_some();
+        self.is_here() && is_complete && self.lesson.is_none() && !self.is_lesson_known
     }
 
     /// Gives up waiting for old orders; returns whether there was one.

@@ -9,6 +9,7 @@ use super::reception::tests::{piece, submission};
 use super::*;
 use rig::{Rig, fates};
 
+mod lessons;
 mod rig;
 
 const STEP: Duration = Duration::from_millis(100);

@@ -12,8 +12,9 @@ use crate::app::keymap::{
     ENTER, ESCAPE, KeyHint, KeyRow, Meaning, Press, does, hint, hint_words, key, writes,
 };
 use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
-use crate::class::Desk;
+use crate::class::{Desk, LessonPlan};
 use crate::class_results::ClassResults;
+use crate::lesson_plan::Lesson;
 use crate::text;
 use crate::text::Text;
 
@@ -64,6 +65,39 @@ impl ResultsPage {
     }
 }
 
+/// The lessons that the desk knows.
+#[derive(Debug, Clone, Default)]
+pub struct Lessons {
+    /// Whether the lessons, or the lesson of the seat under the cursor, are shown instead of what happened there.
+    pub(in crate::app) is_shown: bool,
+    /// Those that can be begun; `None` until they are read.
+    pub(in crate::app) listed: Option<Vec<Arc<Lesson>>>,
+    /// Those that have begun.
+    pub(in crate::app) begun: Vec<Arc<Lesson>>,
+    /// The names of those that journals have, and that were asked for.
+    pub(in crate::app) asked: BTreeSet<String>,
+}
+
+impl Lessons {
+    /// Whether the lessons, or the lesson of the seat under the cursor, are shown.
+    pub fn is_shown(&self) -> bool {
+        self.is_shown
+    }
+
+    /// Those that can be begun; `None` until they are read.
+    pub fn listed(&self) -> Option<&[Arc<Lesson>]> {
+        self.listed.as_deref()
+    }
+
+    /// The texts of a plan that a seat is in.
+    pub fn of(&self, plan: &Arc<LessonPlan>) -> Option<&Lesson> {
+        let mut begun = self.begun.iter();
+        begun
+            .find(|it| Arc::ptr_eq(&it.plan, plan))
+            .map(Arc::as_ref)
+    }
+}
+
 /// The number of columns by which the view moves sideways.
 const SIDEWAYS: usize = 8;
 
@@ -76,6 +110,8 @@ pub struct ClassRoom {
     pub(in crate::app) marked: BTreeSet<usize>,
     /// Whether the injects of the seat under the cursor are shown, instead of what happened there.
     pub(in crate::app) shows_injects: bool,
+    /// The lessons of the desk.
+    pub(in crate::app) lessons: Lessons,
     /// The first column and the first row of the watched screen that are to be shown.
     view: (u16, u16),
     /// The results of the class; `None` until the records are read.
@@ -105,6 +141,11 @@ impl ClassRoom {
     /// Whether the injects of the seat under the cursor are shown, instead of what happened there.
     pub fn shows_injects(&self) -> bool {
         self.shows_injects
+    }
+
+    /// The lessons that the desk knows.
+    pub fn lessons(&self) -> &Lessons {
+        &self.lessons
     }
 
     /// The results of the class; `None` until the records are read.
@@ -223,6 +264,8 @@ const DESK_HINTS: &[KeyHint] = &[
     hint_words("class inject ", "class-key-inject"),
     hint_words("class end", "class-key-end"),
     hint_words("class results", "class-key-results"),
+    hint_words("class lesson", "class-key-lesson"),
+    hint_words("class lesson next", "class-key-next-step"),
     hint(&[Action::Quit], "hint-quit"),
 ];
 
@@ -232,6 +275,18 @@ const RESULTS_HINTS: &[KeyHint] = &[
     footer_keys::MOVE,
     hint_words("class results", "class-key-next-page"),
     hint(&[Action::Escape], "class-key-board"),
+];
+
+const LESSON_HINTS: &[KeyHint] = &[
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::MOVE,
+    hint_words("class lesson next", "class-key-next-step"),
+    hint_words("class lesson back", "class-key-step-back"),
+    hint(&[Action::Class(ClassAction::MarkSeat)], "class-key-mark"),
+    hint(&[Action::Escape], "class-key-board"),
+    hint_words("class message ", "class-key-message"),
+    hint_words("class mark ", "class-key-bookmark"),
 ];
 
 const WATCH_HINTS: &[KeyHint] = &[
@@ -284,6 +339,9 @@ impl RoomModel for ClassRoom {
         gives('i', "class injects"),
         gives('x', "class end"),
         gives('t', "class results"),
+        gives('l', "class lesson"),
+        gives('n', "class lesson next"),
+        gives('b', "class lesson back"),
         does(ESCAPE, Action::Escape),
         does(key('q'), Action::Quit),
     ];
@@ -292,6 +350,7 @@ impl RoomModel for ClassRoom {
         match state.class.desk() {
             Some(desk) if desk.watched().is_some() => WATCH_HINTS,
             Some(_) if state.rooms.class.page.is_some() => RESULTS_HINTS,
+            Some(_) if state.rooms.class.lessons.is_shown => LESSON_HINTS,
             Some(_) => DESK_HINTS,
             None => SEAT_HINTS,
         }
@@ -332,7 +391,10 @@ impl RoomModel for ClassRoom {
             return Some(Vec::new());
         }
         let room = &mut state.rooms.class;
-        if room.page.take().is_none() && !std::mem::take(&mut room.shows_injects) {
+        let is_open = room.page.take().is_some()
+            || std::mem::take(&mut room.shows_injects)
+            || std::mem::take(&mut room.lessons.is_shown);
+        if !is_open {
             room.marked.clear();
         }
         Some(Vec::new())

@@ -33,6 +33,7 @@ impl Names for Known<'_> {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject => self.0.listed(list),
+            NameList::Lesson => lessons(self.0),
         }
     }
 
@@ -40,6 +41,21 @@ impl Names for Known<'_> {
         let document = self.0.documents().get(name);
         document.map_or_else(String::new, |it| it.about(value))
     }
+}
+
+/// The lessons of the desk; before they are read, any name will do.
+fn lessons(state: &State) -> Listed {
+    if state.class.desk().is_none() {
+        return Listed::Nothing(text!("class-no-desk"));
+    }
+    let Some(listed) = state.rooms.class.lessons.listed() else {
+        return Listed::Anything;
+    };
+    let named = listed.iter().map(|lesson| Named {
+        name: lesson.plan.name.to_string(),
+        meaning: lesson.title.clone(),
+    });
+    Listed::Names(named.collect())
 }
 
 fn drafts(state: &State) -> Listed {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::State;
-use crate::class::{Consent, Danger, Deed, Desk, Happening, OrderId, Seat, Words};
+use crate::class::{Consent, Danger, Deed, Desk, Happening, NotedStep, OrderId, Seat, Words};
 use crate::ledger::EntryId;
 use crate::text;
 use crate::text::Text;
@@ -32,6 +32,12 @@ pub struct SeatPlace {
     pub(in crate::app) pending: Vec<PendingOrder>,
     /// The injects of the desk that wait for their conditions.
     pub(in crate::app) armed: Vec<ArmedOrder>,
+    /// The step of a lesson that waits for its condition.
+    pub(in crate::app) step: Option<WaitingStep>,
+    /// The number of flights that this console has begun.
+    pub(in crate::app) flights: u32,
+    /// Whether the mission of this flight is over and was passed.
+    pub(in crate::app) has_passed: bool,
     /// The entries of the ledger that the desk has caused, which are no commands of the trainee.
     pub(in crate::app) desk_entries: BTreeSet<EntryId>,
     /// Whether the desk has frozen the flight.
@@ -69,6 +75,8 @@ pub(in crate::app) enum OrderTrace {
     Entry(EntryId),
     /// By one more inject: the mission had carried out the same one this often before.
     Injected(usize),
+    /// By a flight after this many.
+    Flight(u32),
 }
 
 /// An inject of the desk that waits for its condition.
@@ -81,6 +89,15 @@ pub(in crate::app) struct ArmedOrder {
     pub before: usize,
 }
 
+/// A step of a lesson that waits for its condition.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct WaitingStep {
+    pub id: OrderId,
+    pub step: NotedStep,
+    /// The flight that was asked to watch the condition, by its number.
+    pub asked: Option<u32>,
+}
+
 impl SeatPlace {
     /// A place that is not taken yet.
     pub fn new(seat: Seat) -> Self {
@@ -88,6 +105,9 @@ impl SeatPlace {
             seat,
             pending: Vec::new(),
             armed: Vec::new(),
+            step: None,
+            flights: 0,
+            has_passed: false,
             desk_entries: BTreeSet::new(),
             is_frozen: false,
             heard_at: Duration::ZERO,
@@ -108,16 +128,16 @@ impl SeatPlace {
         match what {
             Happening::Started { .. } => {
                 self.is_frozen = false;
+                self.flights += 1;
+                self.has_passed = false;
                 self.desk_entries.clear();
                 self.danger = None;
                 self.least_separation_m = None;
                 self.failures = 0;
             }
             Happening::Failed { .. } => self.failures += 1,
-            Happening::Command { .. }
-            | Happening::Objective { .. }
-            | Happening::Ended { .. }
-            | Happening::Order { .. } => {}
+            Happening::Ended { passed, .. } => self.has_passed = passed,
+            Happening::Command { .. } | Happening::Objective { .. } | Happening::Order { .. } => {}
         }
         if self.seat.consent() == Consent::Given {
             self.seat.note(clock_s, what);

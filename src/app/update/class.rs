@@ -3,7 +3,7 @@
 //! # How the parts fit
 //! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
 //! - After a flight: `hand_in`, the records that a seat hands in.
-//! - At the desk: `desk` takes in what seats say, and gives orders.
+//! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan.
 
 use crate::app::State;
 use crate::app::effect::{Effect, Effects};
@@ -19,6 +19,7 @@ use crate::vehicle::Severity;
 
 mod desk;
 mod hand_in;
+mod lessons;
 mod orders;
 mod witness;
 
@@ -69,6 +70,12 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
                 text!("class-unscored", fault = fault),
             );
         }
+        ClassEvent::Lessons(lessons) => state.rooms.class.lessons.listed = Some(lessons),
+        ClassEvent::LessonRead {
+            name,
+            lesson,
+            seats,
+        } => lessons::read(state, &name, lesson, &seats),
         ClassEvent::Results(results) => state.rooms.class.results = Some(results),
     }
     Effects::none()
@@ -144,7 +151,11 @@ fn tell(state: &mut State, severity: Severity, text: Text) {
 /// and the question whether the trainee joins.
 pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: &mut Effects) {
     match &state.class {
-        ClassRole::Desk(_) if is_tick => return desk::tick(state),
+        ClassRole::Desk(_) if is_tick => {
+            desk::tick(state);
+            effects.extend(lessons::tick(state));
+            return;
+        }
         ClassRole::None | ClassRole::Desk(_) => return,
         ClassRole::Seat(_) => {}
     }
@@ -244,6 +255,9 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
             Ok(Effects::none())
         }
         ClassLine::Give { seats, deed } => desk::give(state, &seats, deed),
+        ClassLine::Lessons => lessons::show_lessons(state),
+        ClassLine::Teach { seats, lesson } => lessons::teach(state, &seats, lesson),
+        ClassLine::Direct { seats, direction } => lessons::direct(state, &seats, direction),
         ClassLine::Injects => desk::show_injects(state),
         ClassLine::Results => desk::show_results(state),
         ClassLine::Watch(choice) => desk::watch(state, &choice),

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::ending::{ask, guarded, leave, loss};
+use super::ending::{ask, guarded, leave};
+use super::loss::loss;
 use super::replay;
 use crate::app::State;
 use crate::app::action::Action;

@@ -1,7 +1,7 @@
 //! The verb for a class.
 
 use super::{Built, Problem, console};
-use crate::class::Deed;
+use crate::class::{Deed, LessonDirection};
 use crate::language::argument::{Argument, Arguments, Kind};
 use crate::language::console::{ClassLine, ConsoleLine, Report, SeatChoice};
 use crate::language::names::NameList;
@@ -26,6 +26,10 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class disarm",
         "class watch @anna",
         "class results",
+        "class fly @all 00",
+        "class start @all",
+        "class lesson @all first-lesson",
+        "class lesson next",
         "class join",
     ],
     forms: &[
@@ -73,6 +77,34 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         Form::new(&[Argument::flag("results", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Results))
         }),
+        Form::new(&[Argument::flag("fly", ""), SEAT, MISSION, EXAM], |given| {
+            let mission = given.required_word("mission")?.into();
+            let exam = given.flag("exam");
+            instruct(given, Deed::Fly { mission, exam })
+        }),
+        Form::new(&[Argument::flag("start", ""), SEAT], |given| {
+            give(given, |_| Deed::Start)
+        }),
+        Form::new(&[LESSON, Argument::flag("next", ""), SEAT], |given| {
+            direct(given, LessonDirection::Next)
+        }),
+        Form::new(&[LESSON, Argument::flag("skip", ""), SEAT], |given| {
+            direct(given, LessonDirection::Skip)
+        }),
+        Form::new(&[LESSON, Argument::flag("back", ""), SEAT], |given| {
+            direct(given, LessonDirection::Back)
+        }),
+        Form::new(&[LESSON, Argument::flag("stop", ""), SEAT], |given| {
+            direct(given, LessonDirection::Stop)
+        }),
+        Form::new(&[LESSON], |_| {
+            console(ConsoleLine::Class(ClassLine::Lessons))
+        }),
+        Form::new(&[LESSON, SEAT, LESSON_NAME], |given| {
+            let lesson = given.required_word("name")?.to_owned();
+            let seats = seats(given);
+            console(ConsoleLine::Class(ClassLine::Teach { seats, lesson }))
+        }),
         Form::new(&[Argument::flag("end", ""), SEAT], |given| {
             give(given, |_| Deed::End)
         }),
@@ -91,6 +123,17 @@ const TEXT: Argument = Argument::value("text", Kind::Rest, "");
 const INJECT: Argument = Argument::value("name", Kind::Name(NameList::SeatInject), "");
 const CONDITION: Argument =
     Argument::keyed("when", "condition", Kind::Rest, "argument-condition").optional();
+
+const MISSION: Argument = Argument::value("mission", Kind::Name(NameList::Mission), "");
+const EXAM: Argument = Argument::flag("exam", "argument-exam").optional();
+const LESSON: Argument = Argument::flag("lesson", "");
+const LESSON_NAME: Argument =
+    Argument::value("name", Kind::Name(NameList::Lesson), "argument-lesson");
+
+fn direct(given: &Arguments, direction: LessonDirection) -> Built {
+    let seats = seats(given);
+    console(ConsoleLine::Class(ClassLine::Direct { seats, direction }))
+}
 
 fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
     let text = given.word("text").unwrap_or_default();

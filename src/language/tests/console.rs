@@ -27,6 +27,7 @@ impl Names for Known {
             NameList::ItemField => &["hold", "radius"],
             NameList::PlanFile => &["plans/", "survey.plan"],
             NameList::Seat => &["@all", "@anna"],
+            NameList::Lesson => &["first-lesson"],
             NameList::Inject | NameList::SeatInject if self.has_injects => &["gust"],
             NameList::Inject | NameList::SeatInject => {
                 return Listed::Nothing(text!("console-no-mission"));

@@ -64,8 +64,33 @@ fn read(source: &str, names: &ExpressionNames<'_>) -> Result<Expression, Diagnos
 }
 
 impl Mission {
+    /// Checks a condition of an instructor with everything that this mission defines.
+    ///
+    /// # Errors
+    /// The first fault, with its position in the text.
+    pub fn check_condition(&self, source: &str) -> Result<(), Diagnostic> {
+        self.condition(source).map(drop)
+    }
+
+    /// The injects that an instructor may trigger.
+    pub fn injects(&self) -> Vec<Inject> {
+        let own = self
+            .events
+            .iter()
+            .filter(|event| event.trigger == Trigger::Instructor)
+            .map(|event| Inject {
+                name: event.id.clone(),
+                title: event.title.clone(),
+            });
+        let standard = self.may_inject.iter().map(|standard| Inject {
+            name: standard.name().to_owned(),
+            title: standard.title(),
+        });
+        own.chain(standard).collect()
+    }
+
     /// Reads a condition over everything that this mission defines.
-    fn condition(&self, source: &str) -> Result<Expression, Diagnostic> {
+    pub(super) fn condition(&self, source: &str) -> Result<Expression, Diagnostic> {
         let objectives = self.objectives.iter().map(|it| it.id.clone());
         let events = self.events.iter().map(|it| it.id.clone());
         let actions = self.events.iter().flat_map(|event| &event.actions);
@@ -148,19 +173,7 @@ impl Injects {
 impl Flight {
     /// The injects that an instructor may trigger.
     pub fn injects(&self) -> Vec<Inject> {
-        let events = self.mission.events.iter();
-        let own = events
-            .filter(|event| event.trigger == Trigger::Instructor)
-            .map(|event| Inject {
-                name: event.id.clone(),
-                title: event.title.clone(),
-            });
-        let may_inject = self.mission.may_inject.iter();
-        let standard = may_inject.map(|standard| Inject {
-            name: standard.name().to_owned(),
-            title: standard.title(),
-        });
-        own.chain(standard).collect()
+        self.mission.injects()
     }
 
     /// The inject with this name, if it can be triggered.

@@ -1,5 +1,6 @@
 //! Threats to a flight.
 
+use super::expectation::Expectation;
 use super::injects::Injects;
 use super::journal::{FlightJournal, JournalEntry, JournalSubject};
 use crate::mission::Mission;
@@ -16,6 +17,7 @@ use crate::vehicle::Severity;
 pub(super) struct Threats {
     pub engine: Engine,
     pub injects: Injects,
+    pub expectation: Option<Expectation>,
     failed: bool,
 }
 
@@ -24,6 +26,7 @@ impl Threats {
         Self {
             engine: Engine::new(mission, seed),
             injects: Injects::default(),
+            expectation: None,
             failed: false,
         }
     }

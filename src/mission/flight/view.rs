@@ -44,6 +44,11 @@ impl Flight {
             contacts: self.search.shown_contacts(&self.mission.site.origin),
             injects: self.injects(),
             injected: self.threats.injects.done().to_vec(),
+            expected: self
+                .threats
+                .expectation
+                .as_ref()
+                .map(|it| it.state().clone()),
             marks: self.search.shown_marks(&self.mission.site.origin),
             cells: self.cells(),
             mapped: self.mapped(),

@@ -16,6 +16,7 @@ use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
 use crate::ui;
 
+mod lessons;
 mod records;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");

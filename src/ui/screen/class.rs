@@ -17,6 +17,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, row_of, short_clock, width, wrap};
 
 mod detail;
+mod lesson;
 mod results;
 mod watch;
 
@@ -26,6 +27,8 @@ const MARKS: usize = 3;
 const DETAIL: u16 = 6;
 /// The width from which all columns fit.
 const WIDE: u16 = 110;
+/// The width from which all columns fit beside that of the lessons.
+const WIDEST: u16 = 140;
 /// How long a connected seat may be silent before the board says so.
 const SILENT: Duration = Duration::from_secs(3);
 
@@ -68,7 +71,9 @@ fn draw_desk(state: &State, desk: &Desk, panel: Panel<'_>, buffer: &mut Buffer) 
     let cursor = state.rooms().class().cursor();
     if let Some(seat) = cursor.and_then(|seat| desk.seats().get(seat)) {
         let below = panel.below(rows);
-        if state.rooms().class().shows_injects() {
+        if state.rooms().class().lessons().is_shown() {
+            lesson::draw(state, seat, below, buffer);
+        } else if state.rooms().class().shows_injects() {
             detail::draw_injects(seat, below, buffer);
         } else {
             detail::draw(seat, below, buffer);
@@ -87,7 +92,8 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
         marked = room.marked()
     );
     let inner = panel.focused(&panel.text(&title), true, buffer);
-    let columns = BoardColumn::fitting(inner.width);
+    let has_lessons = desk.seats().iter().any(|seat| seat.lesson.is_some());
+    let columns = BoardColumn::fitting(inner.width, has_lessons);
     put(buffer, inner, 0, &heading(&columns, panel));
     let inner = below(inner, 1);
     if board.is_empty() {
@@ -142,6 +148,7 @@ enum BoardColumn {
     Separation,
     Failures,
     Workload,
+    Lesson,
     Command,
 }
 
@@ -171,19 +178,38 @@ impl BoardColumn {
         (Self::Command, 18),
     ];
 
-    /// The columns with their widths; the last one takes the rest of the row.
-    fn fitting(columns: u16) -> Vec<(Self, usize)> {
+    /// The column of lessons.
+    const LESSON: (Self, usize) = (Self::Lesson, 16);
+
+    /// The columns with their widths; the last one takes the rest of the row. While there are lessons, others give way
+    /// to their column, unless all fit.
+    fn fitting(columns: u16, has_lessons: bool) -> Vec<(Self, usize)> {
         let known = if columns >= WIDE {
             Self::WIDE
         } else {
             Self::NARROW
         };
         let mut fitting = known.to_vec();
+        if has_lessons {
+            fitting.retain(|(column, _)| columns >= WIDEST || !column.gives_way(columns));
+            let last = fitting.len();
+            let at = last - usize::from(columns >= WIDE);
+            fitting.insert(at, Self::LESSON);
+        }
         let used: usize = known.iter().map(|(_, width)| width + 1).sum();
         if let Some((_, last)) = fitting.last_mut() {
             *last += usize::from(columns).saturating_sub(used + MARKS);
         }
         fitting
+    }
+
+    /// Whether the column gives way to that of the lessons.
+    fn gives_way(self, columns: u16) -> bool {
+        match self {
+            Self::Separation | Self::Failures | Self::Workload => columns >= WIDE,
+            Self::Command => columns < WIDE,
+            _ => false,
+        }
     }
 
     fn title(self) -> &'static str {
@@ -199,6 +225,7 @@ impl BoardColumn {
             Self::Separation => "class-column-separation",
             Self::Failures => "class-column-failures",
             Self::Workload => "class-column-workload",
+            Self::Lesson => "class-column-lesson",
             Self::Command => "class-column-command",
         }
     }
@@ -207,7 +234,7 @@ impl BoardColumn {
     fn is_right(self) -> bool {
         !matches!(
             self,
-            Self::Seat | Self::State | Self::Mission | Self::Command
+            Self::Seat | Self::State | Self::Mission | Self::Lesson | Self::Command
         )
     }
 }
@@ -242,6 +269,7 @@ impl SeatLineView<'_> {
         for &(column, columns) in columns {
             let (text, role) = match column {
                 BoardColumn::State => self.state(),
+                BoardColumn::Lesson => lesson::cell(self.seat, base),
                 _ => (self.cell(column, columns), base),
             };
             let text = aligned(&text, columns, column.is_right());
@@ -303,7 +331,7 @@ impl SeatLineView<'_> {
         };
         let whole = |value: Option<f64>| value.map_or_else(dash, |it| format!("{it:.0}"));
         match column {
-            BoardColumn::Seat | BoardColumn::State => String::new(),
+            BoardColumn::Seat | BoardColumn::State | BoardColumn::Lesson => String::new(),
             BoardColumn::Mission => match &flight.mission {
                 Some(mission) => short_mission(mission.as_str(), columns),
                 None => self.look.say("class-free"),

@@ -344,3 +344,36 @@ fn everything_that_ships_is_good() {
         text(&output.stderr)
     );
 }
+
+#[test]
+fn a_lesson_plan_is_known_by_its_keys_and_checked_with_missions_beside_it() {
+    let mission = include_str!("../../../missions/01-air-sample.toml");
+    let own = mission.replace("id = \"01-air-sample\"", "id = \"50-own\"");
+    let lesson = |mission: &str, then: &str| {
+        format!(
+            "schema = 1\ntitle = \"A\"\nabout = \"B\"\n[[steps]]\nid = \"a\"\ntext = \"T\"\n\
+             do = [\"fly {mission}\"]\nthen = \"{then}\"\n"
+        )
+    };
+    let folder = folder_with(&[
+        ("50-own.toml", own.as_str()),
+        ("good.toml", lesson("50-own", "end").as_str()),
+        ("bad.toml", lesson("51-none", "b").as_str()),
+    ]);
+    let checked = sortie(&["check", folder.path().to_str().expect("plain")]);
+    let found = text(&checked.stdout);
+    assert_eq!(checked.status.code(), Some(1), "{found}");
+    assert!(found.contains("good.toml: good"), "{found}");
+    assert!(
+        found.contains("good.toml:2:9: in English only") && found.contains("not a fault"),
+        "{found}"
+    );
+    assert!(
+        found.contains("bad.toml:7:7: there is no mission `51-none`"),
+        "{found}"
+    );
+    assert!(
+        found.contains("bad.toml:8:8: there is no step `b`"),
+        "{found}"
+    );
+}

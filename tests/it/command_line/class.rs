@@ -82,3 +82,21 @@ fn a_class_without_records_is_refused_and_others_are_named() {
     let wrong = [&wrong[..], &["--home-page", "lab"]].concat();
     assert_eq!(sortie_in(folder.path(), &wrong).status.code(), Some(2));
 }
+
+#[test]
+fn the_lessons_are_listed_and_those_with_faults_named() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let listed = sortie_in(folder.path(), &["class", "lessons"]);
+    let found = text(&listed.stdout);
+    assert_eq!(listed.status.code(), Some(0), "{found}");
+    for name in ["alerts-under-load", "exam-day", "first-lesson"] {
+        assert!(found.contains(&format!("{name}: ")), "{found}");
+    }
+    let own = folder.path().join("sortie/lessons");
+    fs::create_dir_all(&own).expect("created");
+    fs::write(own.join("mine.toml"), "schema = 1\n").expect("written");
+    let listed = sortie_in(folder.path(), &["class", "lessons"]);
+    assert_eq!(listed.status.code(), Some(1));
+    let said = text(&listed.stderr);
+    assert!(said.contains("mine.toml:1:1: "), "{said}");
+}

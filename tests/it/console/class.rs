@@ -16,10 +16,12 @@ use crate::harness::Console;
 
 mod desk;
 mod injects;
+mod lessons;
 mod watch;
 
 pub use desk::{desk, flight, join, report, say};
 pub use injects::flight_with_injects;
+pub use lessons::{begin, carry_out, first_lesson};
 pub use watch::send_screen;
 
 /// A console in a class; the desk of petro is found.

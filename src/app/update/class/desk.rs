@@ -88,7 +88,11 @@ pub fn give(state: &mut State, choice: &SeatChoice, deed: Deed) -> Result<Effect
 ///
 /// # Errors
 /// There is none.
-fn connected(state: &State, desk: &Desk, choice: &SeatChoice) -> Result<Vec<usize>, Text> {
+pub(super) fn connected(
+    state: &State,
+    desk: &Desk,
+    choice: &SeatChoice,
+) -> Result<Vec<usize>, Text> {
     let seats = match choice {
         SeatChoice::Addressed => class::addressed(state),
         SeatChoice::All => (0..desk.seats().len()).collect(),
@@ -141,6 +145,7 @@ pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
     state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
     state.rooms.class.shows_injects = true;
+    state.rooms.class.lessons.is_shown = false;
     Ok(Effects::none())
 }
 
@@ -174,7 +179,7 @@ pub fn instruct(state: &mut State, seats: &[usize], deed: &Deed) {
 }
 
 /// The names of seats; their number if there are many.
-fn names(state: &State, seats: &[usize]) -> Text {
+pub(super) fn names(state: &State, seats: &[usize]) -> Text {
     let known = state.class.desk().map_or(&[][..], Desk::seats);
     match seats.len() {
         0..=4 => {

@@ -14,7 +14,9 @@ use crate::record::DeskRecord;
 use crate::text;
 use crate::vehicle::Severity;
 
+mod flights;
 mod injects;
+mod steps;
 
 /// How long the effect of an order may take.
 const SEEN_WITHIN: Duration = Duration::from_secs(5);
@@ -26,6 +28,9 @@ pub fn given(state: &mut State, order: Order) -> Effects {
     };
     if !place.seat.is_new(&order) {
         return Effects::none();
+    }
+    if let Deed::Step(step) = order.deed {
+        return steps::note(state, order.id, step);
     }
     match carry_out(state, &order) {
         Ok(begun) => {
@@ -90,6 +95,10 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, Refusal> {
         Deed::Inject { name, when } => injects::inject(state, order.id, name, when.as_ref()),
         Deed::Disarm { name } => injects::disarm(state, order.id, name.as_ref()),
         Deed::End => stop(state),
+        Deed::Fly { mission, exam } => flights::fly(state, mission.as_str(), *exam),
+        Deed::Start => flights::start(state),
+        // It is noted without being carried out.
+        Deed::Step(_) => Ok(BegunOrder::default()),
     }
 }
 
@@ -204,6 +213,7 @@ pub fn settle(state: &mut State) -> Effects {
         }
     }
     effects.extend(injects::settle(state));
+    effects.extend(steps::settle(state));
     effects
 }
 
@@ -215,7 +225,7 @@ fn awaits_freeze(pending: &[PendingOrder]) -> bool {
 fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
     let session = &state.session;
     let is_done = match &pending.deed {
-        Deed::Message { .. } => true,
+        Deed::Message { .. } | Deed::Step(_) => true,
         // The shell reports it.
         Deed::Mark { .. } | Deed::Disarm { .. } | Deed::Inject { when: Some(_), .. } => false,
         Deed::Inject { when: None, .. } => injects::is_done(state, pending),
@@ -223,6 +233,11 @@ fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
         Deed::Freeze => session.is_paused(),
         Deed::Resume => !session.is_paused(),
         Deed::End => session.task.over || session.activity.is_none(),
+        Deed::Fly { mission, .. } => match pending.trace {
+            OrderTrace::Flight(before) => flights::is_flown(state, mission.as_str(), before),
+            OrderTrace::State | OrderTrace::Entry(_) | OrderTrace::Injected(_) => false,
+        },
+        Deed::Start => !session.is_reading(),
     };
     is_done.then_some(Outcome::Done)
 }
@@ -249,7 +264,7 @@ pub fn begun(state: &mut State, id: OrderId, refusal: Option<Refusal>) -> Effect
         return Effects::none();
     };
     let Some(at) = place.pending.iter().position(|one| one.id == id) else {
-        return Effects::none();
+        return refusal.map_or_else(Effects::none, |refusal| steps::refused(state, id, refusal));
     };
     let pending = place.pending.swap_remove(at);
     if let Some(refusal) = refusal {

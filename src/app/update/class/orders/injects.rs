@@ -85,7 +85,7 @@ pub(super) fn is_done(state: &State, pending: &PendingOrder) -> bool {
 pub(super) fn armed(place: &mut SeatPlace, pending: &PendingOrder, name: &Words, when: &Words) {
     let before = match pending.trace {
         OrderTrace::Injected(before) => before,
-        OrderTrace::State | OrderTrace::Entry(_) => 0,
+        OrderTrace::State | OrderTrace::Entry(_) | OrderTrace::Flight(_) => 0,
     };
     place.armed.push(ArmedOrder {
         id: pending.id,

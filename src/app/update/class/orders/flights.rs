@@ -1,0 +1,51 @@
+//! The desk lets missions be flown.
+
+use super::super::super::loss::loss;
+use super::super::super::show;
+use super::{BegunOrder, OrderTrace};
+use crate::app::State;
+use crate::app::effect::{Effect, Launch, SessionEffect};
+use crate::app::room::Room;
+use crate::app::state::Activity;
+use crate::campaign::Stake;
+use crate::class::Refusal;
+
+/// Begins the flight of a mission with its brief, unless another flight would be lost.
+pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOrder, Refusal> {
+    let is_connected = matches!(state.session.activity, Some(Activity::Connected { .. }));
+    if loss(state).is_some() || is_connected && state.replay.is_none() {
+        return Err(Refusal::Flying);
+    }
+    let launch = Launch {
+        stake: if is_exam { Stake::Exam } else { Stake::Graded },
+        ..state.training().launch(mission)
+    };
+    let flights = state.class.seat().map_or(0, |place| place.flights);
+    Ok(BegunOrder {
+        effects: Effect::Session(SessionEffect::StartMission(launch)).into(),
+        trace: OrderTrace::Flight(flights),
+    })
+}
+
+/// Whether the flight of a mission has begun after this many others.
+pub(super) fn is_flown(state: &State, mission: &str, before: u32) -> bool {
+    let flights = state.class.seat().map_or(0, |place| place.flights);
+    let flown = state.flown_mission();
+    flights > before && flown.is_some_and(|flown| flown.id == mission)
+}
+
+/// Lets the time of a mission begin whose brief is shown.
+pub(super) fn start(state: &mut State) -> Result<BegunOrder, Refusal> {
+    let session = &state.session;
+    if state.flown_mission().is_none() || session.task.over || state.replay.is_some() {
+        return Err(Refusal::NoMission);
+    }
+    if session.is_starting() {
+        return Err(Refusal::NotFlying);
+    }
+    if session.is_reading() {
+        show::show(state, Room::Fly);
+        state.session.leave_brief();
+    }
+    Ok(BegunOrder::default())
+}

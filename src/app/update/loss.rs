@@ -1,0 +1,46 @@
+//! What would be lost if the session ended now.
+
+use crate::app::State;
+use crate::app::state::Activity;
+use crate::mission::Stake;
+use crate::text;
+use crate::text::Text;
+
+/// A text that describes the loss if the session ended now; `None` if nothing would be lost.
+pub fn loss(state: &State) -> Option<Text> {
+    let session = &state.session;
+    // A mission that has not begun is only cancelled.
+    let is_mission = matches!(session.activity, Some(Activity::Mission { .. }));
+    let is_waiting = session.is_starting() || (is_mission && !session.has_flight_begun());
+    let has_not_begun = is_waiting && session.armed() == 0;
+    if session.task.over || session.activity.is_none() || has_not_begun || state.replay.is_some() {
+        return None;
+    }
+    let count = session.armed();
+    let armed = (count > 0).then(|| text!("ask-armed", count = count));
+    let mission = session.task.progress.is_some().then(|| mission_loss(state));
+    let reasons: Vec<Text> = mission.into_iter().chain(armed).collect();
+    (!reasons.is_empty()).then(|| Text::joined("; ", reasons))
+}
+
+/// What the end of a mission that is not over means.
+fn mission_loss(state: &State) -> Text {
+    match state.session.activity {
+        Some(Activity::Mission {
+            stake: Stake::Exam, ..
+        }) => text!("ask-exam-ends"),
+        Some(Activity::Mission {
+            stake: Stake::Graded | Stake::Daily,
+            ..
+        }) => text!("ask-given-up"),
+        Some(
+            Activity::Mission {
+                stake: Stake::Practice,
+                ..
+            }
+            | Activity::Free
+            | Activity::Connected { .. },
+        )
+        | None => text!("ask-mission-lost"),
+    }
+}

@@ -1,0 +1,41 @@
+//! Lines about a class.
+
+use crate::class::{Deed, LessonDirection};
+
+/// A command about the class.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ClassLine {
+    /// At a seat: join the class that the configuration names.
+    Join,
+    /// At a seat: leave it.
+    Leave,
+    /// At the desk: show the injects that the mission of the seat under the cursor permits.
+    Injects,
+    /// At the desk: show the results of the class, or their next page.
+    Results,
+    /// At the desk: show the screen of a seat.
+    Watch(SeatChoice),
+    /// At the desk: show the board again.
+    Unwatch,
+    /// At the desk: show the lesson of the seat under the cursor, or all lessons.
+    Lessons,
+    /// At the desk: begin a lesson, given by its name or its file, with seats.
+    Teach { seats: SeatChoice, lesson: String },
+    /// At the desk: direct the lesson of seats.
+    Direct {
+        seats: SeatChoice,
+        direction: LessonDirection,
+    },
+    /// At the desk: give an order to seats.
+    Give { seats: SeatChoice, deed: Deed },
+}
+
+/// The seats that an order is for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum SeatChoice {
+    /// The marked seats; with none marked, the one under the cursor.
+    Addressed,
+    All,
+    /// The seat with this name.
+    Named(String),
+}
