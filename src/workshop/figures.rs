@@ -4,7 +4,9 @@ use serde::Serialize;
 
 use super::design::{Design, Drive};
 use super::drive::VOLTAGE_SHARE;
+use super::driving::DriveFigures;
 use super::forward::Forward;
+use super::kind::DesignKind;
 use super::loss::{GROUND_ANTENNA_M, LOWEST_ANTENNA_M, reach_m};
 use super::pack::Pack;
 use super::part::Radio;
@@ -56,7 +58,7 @@ impl Air {
     }
 }
 
-/// The figures of a complete design.
+/// The figures of a complete drone.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Figures {
     /// The mass ready to fly, in kilograms.
@@ -108,6 +110,32 @@ pub struct Figures {
     pub spare_kg: f64,
 }
 
+/// The figures of a complete vehicle, by its kind.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Performance {
+    Flight(Figures),
+    Drive(DriveFigures),
+}
+
+impl Performance {
+    /// The figures of a drone.
+    pub fn flight(&self) -> Option<&Figures> {
+        match self {
+            Self::Flight(figures) => Some(figures),
+            Self::Drive(_) => None,
+        }
+    }
+
+    /// The figures of a ground robot or boat.
+    pub fn drive(&self) -> Option<&DriveFigures> {
+        match self {
+            Self::Flight(_) => None,
+            Self::Drive(figures) => Some(figures),
+        }
+    }
+}
+
 /// The reach of a design's radio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link {
@@ -116,18 +144,28 @@ pub struct Link {
 }
 
 impl Design {
-    /// The design's figures in given air; `None` while parts of the drive are missing.
+    /// The figures of the design's kind of vehicle; `None` while parts of the drive are missing.
+    pub fn performance(&self, air: Air) -> Option<Performance> {
+        match self.kind() {
+            DesignKind::Drone => self.figures(air).map(Performance::Flight),
+            DesignKind::Robot | DesignKind::Boat => {
+                self.drive_figures(air).map(Performance::Drive)
+            }
+        }
+    }
+
+    /// The figures of a drone in given air; `None` while parts of the drive are missing, and for another kind of vehicle.
     pub fn figures(&self, air: Air) -> Option<Figures> {
         let drive = self.drive()?;
         let bench = FigureInputs::new(self, &drive, air);
         Some(bench.figures(self))
     }
 
-    /// The power of level flight in watts at each speed from 0 in steps of half a metre per second, up to the
-    /// fastest that the drone can fly; empty while parts of the drive are missing.
+    /// The power in watts at each speed, up to the fastest one: of level flight, in steps of half a metre per second, or
+    /// of driving; empty while parts of the drive are missing.
     pub fn polar(&self, air: Air) -> Vec<(f64, f64)> {
         let Some(drive) = self.drive() else {
-            return Vec::new();
+            return self.drive_polar(air);
         };
         let bench = FigureInputs::new(self, &drive, air);
         let top = bench.top_speed_m_s();
@@ -137,10 +175,11 @@ impl Design {
             .collect()
     }
 
-    /// Hover time in seconds by added payload in kilograms, up to a thrust of [`LEAST_THRUST`] times the weight.
+    /// Hover time in seconds by added payload in kilograms, up to a thrust of [`LEAST_THRUST`] times the weight; or
+    /// driving time, up to what the chassis or hull carries.
     pub fn endurance_by_payload(&self, air: Air) -> Vec<(f64, f64)> {
         let Some(drive) = self.drive() else {
-            return Vec::new();
+            return self.drive_time_by_payload(air);
         };
         let bench = FigureInputs::new(self, &drive, air);
         let most_kg =

@@ -1,4 +1,4 @@
-//! Power by speed, or hover time by payload, as a curve.
+//! Power by speed, or hover or driving time by payload, as a curve.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
@@ -11,7 +11,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve, steps};
 use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
-use crate::workshop::{GOOD_THRUST, LEAST_THRUST, Sheet};
+use crate::workshop::{DesignKind, GOOD_THRUST, LEAST_THRUST, Performance, Sheet};
 
 /// The width of the figures beside the curve, in columns.
 const LABELS: u16 = 7;
@@ -50,11 +50,18 @@ impl<'a> Chart<'a> {
     }
 
     fn title(&self) -> &'static str {
-        if self.is_payload() {
-            "bench-payload"
-        } else {
-            "workshop-polar"
+        match (self.is_payload(), self.kind()) {
+            (false, _) => "workshop-polar",
+            (true, DesignKind::Drone) => "bench-payload",
+            (true, DesignKind::Robot | DesignKind::Boat) => "bench-drive-payload",
         }
+    }
+
+    /// The kind of vehicle whose curve this is: with the marked part, or as built.
+    fn kind(&self) -> DesignKind {
+        let marked = self.marked_part().filter(|_| self.is_marked);
+        let built = self.room.bench().sheet();
+        marked.map_or(built, |candidate| &candidate.sheet).kind
     }
 
     /// The units of both axes.
@@ -108,22 +115,33 @@ impl<'a> Chart<'a> {
 
     /// The figures that belong to a curve, or why there is none.
     fn figures(&self, sheet: &Sheet) -> Text {
-        let Some(figures) = &sheet.figures else {
-            return text!("bench-no-curve");
-        };
-        if self.is_payload() {
-            text!(
+        match (&sheet.performance, self.is_payload()) {
+            (None, _) => match sheet.kind {
+                DesignKind::Drone => text!("bench-no-curve"),
+                DesignKind::Robot => text!("bench-no-robot-curve"),
+                DesignKind::Boat => text!("bench-no-boat-curve"),
+            },
+            (Some(Performance::Flight(figures)), true) => text!(
                 "bench-payload-about",
                 spare = format!("{:.2}", figures.spare_kg),
                 least = LEAST_THRUST.to_string(),
                 good = GOOD_THRUST.to_string()
-            )
-        } else {
-            text!(
+            ),
+            (Some(Performance::Flight(figures)), false) => text!(
                 "bench-polar-about",
                 longest = format!("{:.1}", figures.endurance_speed_m_s),
                 farthest = format!("{:.1}", figures.range_speed_m_s)
-            )
+            ),
+            (Some(Performance::Drive(figures)), true) => text!(
+                "bench-drive-payload-about",
+                spare = format!("{:.1}", figures.spare_kg),
+                cruise = format!("{:.1}", figures.cruise_speed_m_s)
+            ),
+            (Some(Performance::Drive(figures)), false) => text!(
+                "bench-drive-polar-about",
+                cruise = format!("{:.1}", figures.cruise_speed_m_s),
+                top = format!("{:.1}", figures.top_speed_m_s)
+            ),
         }
     }
 }
