@@ -97,8 +97,11 @@ impl SurfaceDrive {
         motors * one_w + self.electronics_w
     }
 
-    /// The power at a steady speed on level ground or calm water.
+    /// The power at a steady speed on level ground or calm water; of a vehicle that stands, that of its electronics.
     pub fn steady_w(&self, speed_m_s: f64) -> f64 {
+        if speed_m_s <= 0.0 {
+            return self.electronics_w;
+        }
         self.power_w(self.resistance_n(speed_m_s), speed_m_s)
     }
 

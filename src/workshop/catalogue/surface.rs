@@ -46,13 +46,13 @@ parts! {
     /// - `hl_090m`: model boats of 0.9 m.
     /// - `hl_120c`: Blue Robotics BlueBoat, 1.2 m, 14.5 kg and 15 kg of load, 3 m/s with two thrusters like `th_51`.
     /// - `hl_200c`: Maritime Robotics Otter, 2 m, 55 kg and 30 kg of load, 3 m/s with two thrusters of 180 N.
-    /// - `hl_240r`: rigid inflatables of 2.4 m, 40 kg, 5 m/s with one motor like `th_1000` and 70 kg on board.
+    /// - `hl_240r`: rigid inflatables of 2.4 m, 40 kg, 3 m/s with one motor like `th_1000` and 70 kg on board.
     pub(super) static HULLS: [Hull; 4]
         [id; motors, length_m, turning_radius_m, drag_area_m2, built_for_kg, max_mass_kg; mass_g, credits];
         ["hl_090m"; 1, 0.9, 2.0, 0.009,   4.0,   8.0;  2200.0,  180];
         ["hl_120c"; 2, 1.2, 0.9, 0.0125, 16.0,  30.0; 10500.0,  800];
         ["hl_200c"; 2, 2.0, 1.4, 0.046,  60.0,  95.0; 38000.0, 1500];
-        ["hl_240r"; 1, 2.4, 4.0, 0.030,  70.0, 180.0; 40000.0,  900];
+        ["hl_240r"; 1, 2.4, 4.0, 0.038,  70.0, 180.0; 40000.0,  900];
 }
 
 parts! {
