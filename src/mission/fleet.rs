@@ -11,7 +11,7 @@ use super::sensor::Sensor;
 use crate::sim::{Airframe, VehicleKind};
 use crate::text;
 use crate::text::Text;
-use crate::workshop::{Air, AirframeBuild, Design, DesignKind, FindingSeverity, PartSlot};
+use crate::workshop::{Air, Design, DesignKind, FindingSeverity, PartSlot};
 
 /// Seconds of spray in a sprayer's tank.
 pub(super) const TANK_S: u32 = 15;
@@ -23,7 +23,12 @@ pub(super) const FLAIL: &str = "s_flail";
 /// The designs of a fleet, dealt to seats of these kinds: each seat takes the next design of its kind, and the last one
 /// also fills the seats of the kind that follow. A seat without a design of its kind has the mission's own vehicle.
 pub fn dealt<'a>(seats: &[DesignKind], fleet: &'a [Design]) -> Vec<Option<&'a Design>> {
-    let nth = |seat: usize| seats[..seat].iter().filter(|it| **it == seats[seat]).count();
+    let nth = |seat: usize| {
+        seats[..seat]
+            .iter()
+            .filter(|it| **it == seats[seat])
+            .count()
+    };
     let of_seat = |seat: usize| {
         let mut alike = fleet.iter().filter(|it| it.kind() == seats[seat]);
         let own = alike.clone().nth(nth(seat));
@@ -104,7 +109,12 @@ impl Mission {
             }
             let count = designs.len();
             (count > room).then(|| {
-                text!("fleet-many", kind = kind.id(), seats = room, designs = count)
+                text!(
+                    "fleet-many",
+                    kind = kind.id(),
+                    seats = room,
+                    designs = count
+                )
             })
         };
         DesignKind::ALL.into_iter().filter_map(of_kind).collect()
@@ -224,13 +234,7 @@ fn radio(design: &Design, own: Option<Set>) -> Option<Set> {
 
 /// A design as the simulator flies or drives it: with its parameters.
 fn airframe(design: &Design) -> Arc<Airframe> {
-    let built = design.airframe().and_then(|built| {
-        let airframe = match built.build {
-            AirframeBuild::Frame(frame) => Airframe::from_json(&frame.to_string()).ok()?.0,
-            AirframeBuild::Gear(gear) => Airframe::driven(gear),
-        };
-        Some(airframe.with_parameters(built.parameters))
-    });
+    let built = design.airframe().and_then(|built| built.simulated());
     // Designs without a drive were refused earlier.
     built.map_or_else(Airframe::shared_standard, Arc::new)
 }

@@ -36,3 +36,32 @@ pub fn gear_parameters(kind: VehicleKind, gear: &RunningGear) -> Vec<(&'static s
         ("SIM_BATT_CAP_AH", gear.battery_capacity_ah),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::workshop::{AirframeBuild, Design};
+
+    fn of(source: &str) -> Vec<(&'static str, f64)> {
+        let design = Design::from_toml(source).expect("a good design");
+        let built = design.airframe().expect("complete");
+        let AirframeBuild::Gear(gear) = built.build else {
+            panic!("it drives");
+        };
+        gear_parameters(design.vehicle_kind(), &gear)
+    }
+
+    #[test]
+    fn the_throttle_of_the_models_is_limited_to_the_top_speed() {
+        for (source, least, most) in [
+            (include_str!("../../designs/courier.toml"), 34.0, 40.0),
+            (include_str!("../../designs/sapper.toml"), 38.0, 42.0),
+            (include_str!("../../designs/lifeboat.toml"), 19.0, 23.0),
+        ] {
+            let all = of(source);
+            let limit = all.iter().find(|(name, _)| *name == "MOT_THR_MAX");
+            let limit = limit.expect("it is set").1;
+            assert!((least..=most).contains(&limit), "{all:?}");
+        }
+    }
+}

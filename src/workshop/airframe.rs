@@ -10,7 +10,7 @@ use super::kind::DesignKind;
 use super::pack::Pack;
 use super::part::{Battery, Chemistry};
 use crate::geo::maths;
-use crate::sim::{GRAVITY_M_S2, RunningGear, SEA_LEVEL_DENSITY};
+use crate::sim::{self, GRAVITY_M_S2, RunningGear, SEA_LEVEL_DENSITY};
 use crate::text::rounded;
 
 /// The lean of the reference flight in the frame file, in degrees.
@@ -39,6 +39,25 @@ pub enum AirframeBuild {
     Frame(Value),
     /// A ground robot or boat, for the embedded simulator. SITL has models of its own for them.
     Gear(RunningGear),
+}
+
+impl Airframe {
+    /// The vehicle for the embedded simulator; `None` if the simulator refuses its frame file.
+    pub fn simulated(self) -> Option<sim::Airframe> {
+        let airframe = match self.build {
+            AirframeBuild::Frame(frame) => sim::Airframe::from_json(&frame.to_string()).ok()?.0,
+            AirframeBuild::Gear(gear) => sim::Airframe::driven(gear),
+        };
+        Some(airframe.with_parameters(self.parameters))
+    }
+
+    /// The frame file for SITL; `None` for a ground robot or boat.
+    pub fn frame(&self) -> Option<&Value> {
+        match &self.build {
+            AirframeBuild::Frame(frame) => Some(frame),
+            AirframeBuild::Gear(_) => None,
+        }
+    }
 }
 
 impl Design {

@@ -158,9 +158,7 @@ impl Design {
     /// says.
     pub fn kind(&self) -> DesignKind {
         let mut parts = self.slots.values().flatten();
-        parts
-            .find_map(|part| part.only_for())
-            .unwrap_or_default()
+        parts.find_map(|part| part.only_for()).unwrap_or_default()
     }
 
     /// What the design is in the simulators.

@@ -148,9 +148,7 @@ impl Design {
     pub fn performance(&self, air: Air) -> Option<Performance> {
         match self.kind() {
             DesignKind::Drone => self.figures(air).map(Performance::Flight),
-            DesignKind::Robot | DesignKind::Boat => {
-                self.drive_figures(air).map(Performance::Drive)
-            }
+            DesignKind::Robot | DesignKind::Boat => self.drive_figures(air).map(Performance::Drive),
         }
     }
 

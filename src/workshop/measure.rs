@@ -7,7 +7,6 @@ use super::kind::DesignKind;
 use crate::text;
 use crate::text::Text;
 
-
 /// A figure of a design for display.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Measure {
@@ -122,7 +121,10 @@ impl Measure {
     /// The measures of two sheets side by side: those of the first one, then the others of the second.
     pub fn of_both(one: &Sheet, two: &Sheet) -> Vec<Self> {
         let mut all = one.measures().to_vec();
-        let others = two.measures().iter().filter(|it| !one.measures().contains(it));
+        let others = two
+            .measures()
+            .iter()
+            .filter(|it| !one.measures().contains(it));
         all.extend(others);
         all
     }

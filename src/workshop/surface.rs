@@ -223,7 +223,11 @@ impl WheelDrive {
     fn turning(&self, torque_n_m: f64, speed_m_s: f64, chassis: &Chassis) -> WheelTurning {
         let rpm = speed_m_s / chassis.wheel_radius_m * 30.0 / std::f64::consts::PI;
         let torque_constant = 30.0 / std::f64::consts::PI / self.kv_rpm_v;
-        let idle_a = if speed_m_s > 0.0 { self.idle_current_a } else { 0.0 };
+        let idle_a = if speed_m_s > 0.0 {
+            self.idle_current_a
+        } else {
+            0.0
+        };
         let amperes = torque_n_m / (self.efficiency * torque_constant) + idle_a;
         WheelTurning {
             volts: self.resistance_ohm * amperes + rpm / self.kv_rpm_v,

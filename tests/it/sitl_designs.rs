@@ -35,7 +35,7 @@ fn start(program: &Path, design: &Design, instance: u16) -> Sitl {
     let recipe = Recipe {
         kind: SitlKind::Copter,
         model: Some(built.model.to_owned()),
-        airframe: Some(built.frame.to_string()),
+        airframe: built.frame().map(ToString::to_string),
         start: Start {
             at: LatLon::new(50.45, 30.52),
             altitude_amsl_m: 0.0,

@@ -141,12 +141,12 @@ pub use self::config::{Serial, Start, WorldConfig};
 pub use self::input::{Input, InputKind};
 pub use self::inventory::Inventory;
 pub use self::kind::{Chassis, VehicleKind};
-pub use self::wheels::RunningGear;
 pub use self::kinematics::GRAVITY_M_S2;
 pub use self::parameters::{AliasSense, other_name};
 use self::plan::{Item, ListKind};
 use self::slot::VehicleSlot;
 pub use self::truth::Truth;
+pub use self::wheels::RunningGear;
 use self::wind::Wind;
 
 /// The fixed time step of [`World::step`].

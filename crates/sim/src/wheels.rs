@@ -211,7 +211,10 @@ impl RunningGear {
         };
         let steering = STEERING_GAIN * gain;
         [
-            ("CRUISE_THROTTLE", (100.0 * self.cruise_throttle(chassis)).round()),
+            (
+                "CRUISE_THROTTLE",
+                (100.0 * self.cruise_throttle(chassis)).round(),
+            ),
             ("ATC_STR_RAT_P", steering),
             ("ATC_STR_RAT_I", steering),
             ("ATC_STR_RAT_FF", steering),
@@ -277,6 +280,72 @@ mod tests {
             assert!(at_top.abs() < 1e-9, "{chassis:?}: {at_top}");
             let astern = rolling(chassis, 0.0, -1.0, -top_m_s).accel_m_s2;
             assert!(astern.abs() < 1e-9, "{chassis:?}: {astern}");
+        }
+    }
+
+    fn gear() -> RunningGear {
+        RunningGear {
+            mass_kg: 40.0,
+            length_m: 1.0,
+            top_speed_m_s: 3.0,
+            cruise_speed_m_s: 1.8,
+            cruise_current_a: 5.0,
+            accel_m_s2: 1.5,
+            turning_radius_m: 2.0,
+            turn_rate_deg_s: 90.0,
+            power_w: vec![(0.0, 10.0), (1.0, 60.0), (3.0, 260.0)],
+            efficiency: 0.5,
+            full_voltage_v: 25.2,
+            battery_capacity_ah: 10.0,
+            battery_resistance_ohm: 0.02,
+        }
+    }
+
+    #[test]
+    fn a_built_vehicle_moves_by_its_gear() {
+        for chassis in [Chassis::Ackermann, Chassis::Skid, Chassis::Boat] {
+            let handling = Handling::of_gear(chassis, &gear());
+            let full = Outputs {
+                steering: 1.0,
+                throttle: 1.0,
+            };
+            let from_rest = handling.rolling(full, 0.0).accel_m_s2;
+            assert!((from_rest - 1.5).abs() < 1e-9, "{chassis:?}: {from_rest}");
+            assert!(
+                handling.rolling(full, 3.0).accel_m_s2.abs() < 1e-9,
+                "{chassis:?}"
+            );
+            let turn_deg_s = handling.rolling(full, 1.0).turn_deg_s;
+            let wanted = match chassis {
+                Chassis::Skid => 90.0,
+                Chassis::Ackermann | Chassis::Boat => 0.5f64.to_degrees(),
+            };
+            assert!(
+                (turn_deg_s - wanted).abs() < 1e-9,
+                "{chassis:?}: {turn_deg_s}"
+            );
+            let cruise = Outputs {
+                steering: 0.0,
+                throttle: gear().cruise_throttle(chassis),
+            };
+            let accel = handling.rolling(cruise, 1.8).accel_m_s2;
+            assert!(accel.abs() < 1e-9, "{chassis:?}: {accel}");
+        }
+    }
+
+    #[test]
+    fn power_follows_speed_and_acceleration_and_braking_wins_nothing_back() {
+        let gear = gear();
+        for (speed_m_s, accel_m_s2, power_w) in [
+            (0.0, 0.0, 10.0),
+            (2.0, 0.0, 160.0),
+            (-2.0, 0.0, 160.0),
+            (4.0, 0.0, 260.0),
+            (1.0, 0.5, 60.0 + 40.0 * 0.5 / 0.5),
+            (2.0, -1.5, 10.0),
+        ] {
+            let found = gear.power_at_w(speed_m_s, accel_m_s2);
+            assert!((found - power_w).abs() < 1e-9, "{speed_m_s}: {found}");
         }
     }
 }

@@ -56,11 +56,7 @@ impl Design {
 }
 
 /// Battery limits of its chemistry, the speed on paths, and the turns that the vehicle makes.
-fn parameters(
-    drive: &SurfaceDrive,
-    gear: &RunningGear,
-    pack: &Pack,
-) -> Vec<(&'static str, f64)> {
+fn parameters(drive: &SurfaceDrive, gear: &RunningGear, pack: &Pack) -> Vec<(&'static str, f64)> {
     let mut all = battery_limits(drive.battery, pack).to_vec();
     let cruise_m_s = gear.cruise_speed_m_s;
     all.extend([

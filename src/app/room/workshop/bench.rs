@@ -244,9 +244,7 @@ impl Bench {
 
     pub fn renew(&mut self, air: Air) {
         self.sheet = Sheet::of(&self.design, air);
-        self.findings = self
-            .design
-            .findings_with(self.sheet.performance.as_ref());
+        self.findings = self.design.findings_with(self.sheet.performance.as_ref());
         self.curves = Curves::of(&self.design, air);
         self.list(air);
         self.trace(air);

@@ -125,9 +125,7 @@ fn unseated(kind: DesignKind, mission: &Listing, seat: Option<usize>) -> Result<
             taken = taken.name(),
             kind = kind.name()
         )),
-        None if !mission.seats.contains(&kind) => {
-            Err(text!("bench-no-seat", kind = kind.name()))
-        }
+        None if !mission.seats.contains(&kind) => Err(text!("bench-no-seat", kind = kind.name())),
         _ => Ok(()),
     }
 }
