@@ -84,6 +84,10 @@ bench-seats = { $count ->
     [one] { $count } drone
    *[other] { $count } drones
 }
+bench-seats-mixed = { $count ->
+    [one] { $count } vehicle
+   *[other] { $count } vehicles
+}
 bench-budget = the fleet costs { $cost } of { $budget } cr
 bench-no-budget = the fleet costs { $cost } cr; no limit
 bench-fleet = the fleet for "{ $mission }"
@@ -100,7 +104,7 @@ bench-kind-seats-taken = all seats for { $kind ->
 }: { $name }
 bench-seat-kind = seat { $seat } takes another kind of vehicle: { $taken }; the design on the bench is a { $kind }. Choose another seat, or open another design
 bench-no-seat = the mission has no seat for this kind of vehicle: { $kind }. Open another design
-bench-seats-lent = back to the drones lent by the mission
+bench-seats-lent = back to the vehicles lent by the mission
 bench-does-not-fly = cannot fly: { $reason }
 bench-lacks-licence = { $part } is not yours yet: buy the right to use it first
 bench-over-budget = the fleet costs { $cost } cr, the budget is { $budget } cr: use cheaper parts

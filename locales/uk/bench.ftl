@@ -85,6 +85,11 @@ bench-seats = { $count ->
     [few] { $count } дрони
    *[many] { $count } дронів
 }
+bench-seats-mixed = { $count ->
+    [one] { $count } апарат
+    [few] { $count } апарати
+   *[many] { $count } апаратів
+}
 bench-budget = флот коштує { $cost } з { $budget } cr
 bench-no-budget = флот коштує { $cost } cr; обмеження немає
 bench-fleet = флот для «{ $mission }»
@@ -101,7 +106,7 @@ bench-kind-seats-taken = усі місця для { $kind ->
 }: { $name }
 bench-seat-kind = місце { $seat } — для іншого виду апарата: { $taken }; на верстаку { $kind }. Виберіть інше місце або відкрийте інший проєкт
 bench-no-seat = завдання не має місця для такого виду апарата: { $kind }. Відкрийте інший проєкт
-bench-seats-lent = завдання знову позичає свої дрони
+bench-seats-lent = завдання знову позичає свої апарати
 bench-does-not-fly = не полетить: { $reason }
 bench-lacks-licence = деталь «{ $part }» ще не ваша: спершу купіть право на неї
 bench-over-budget = флот коштує { $cost } cr, бюджет { $budget } cr: візьміть дешевші деталі

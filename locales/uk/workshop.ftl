@@ -165,7 +165,7 @@ measure-load = запас вантажу
 
 workshop-parts = деталі
 workshop-figures = показники
-workshop-findings = вади складеного дрона
+workshop-findings = вади проєкту
 workshop-none = немає: літатиме
 workshop-none-driven = немає: рухатиметься
 workshop-polar = потужність залежно від швидкості

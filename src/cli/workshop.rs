@@ -303,17 +303,7 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
         let text = text!("workshop-incomplete", name = design.name.as_str());
         return Err(Failure::Invalid(format!("sortie: {}", locale.text(&text))));
     };
-    let stem: String = design
-        .name
-        .chars()
-        .map(|c| {
-            if c.is_ascii_alphanumeric() {
-                c.to_ascii_lowercase()
-            } else {
-                '-'
-            }
-        })
-        .collect();
+    let stem = file_stem(&design.name);
     let mut all = airframe.parameters;
     let parameters = folder.join(format!("{stem}.parm"));
     let mut files = parameters.display().to_string();
@@ -338,6 +328,18 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
         locale.text(&text!("workshop-exported", files = files))
     )?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A design's name as the name of a file.
+fn file_stem(name: &str) -> String {
+    let plain = |c: char| {
+        if c.is_ascii_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            '-'
+        }
+    };
+    name.chars().map(plain).collect()
 }
 
 /// A document with its numbers rounded to thousandths, because further digits are arithmetic noise.
