@@ -19,6 +19,7 @@
 //!   `measure` shows figures with units and whether more is better.
 //! - How simulators fly it: `airframe`.
 
+mod air;
 mod airframe;
 mod catalogue;
 mod check;
@@ -36,12 +37,13 @@ mod surface;
 #[cfg(test)]
 mod tests;
 
+pub use air::Air;
 pub use airframe::{Airframe, AirframeBuild};
 pub use catalogue::{part, parts, parts_for};
 pub use check::{DesignFinding, FindingKind, FindingSeverity};
 pub use design::{Design, DesignError};
 pub use driving::DriveFigures;
-pub use figures::{Air, Figures, GOOD_THRUST, LEAST_THRUST, Link, Performance};
+pub use figures::{Figures, GOOD_THRUST, LEAST_THRUST, Link, Performance};
 pub use kind::DesignKind;
 pub use measure::{Better, Measure, Sheet};
 pub use part::{Part, PartSlot, Radio};

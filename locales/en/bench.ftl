@@ -51,6 +51,7 @@ bench-missing = still missing: { $slots }
 bench-add-payload = add ...
 bench-locked = locked
 bench-part = { $name }: { $mass } g, { $price } cr each
+bench-begins = begins a { $kind }: removes the parts that fit only a { $before }
 bench-misfit = does not fit: { $reason }
 bench-for-sale = not yours yet: { $key } buys the right to use it for { $price } cr
 bench-locked-by = on sale once "{ $mission }" is passed

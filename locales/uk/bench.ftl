@@ -51,6 +51,7 @@ bench-missing = ще бракує: { $slots }
 bench-add-payload = додати ...
 bench-locked = закрито
 bench-part = { $name }: { $mass } g, { $price } cr за штуку
+bench-begins = починає новий апарат ({ $kind }): знімає деталі, що їх приймає лише { $before }
 bench-misfit = не підходить: { $reason }
 bench-for-sale = ще не ваша: { $key } купує право на деталь за { $price } cr
 bench-locked-by = продається після завдання «{ $mission }»

@@ -285,7 +285,10 @@ impl Need {
         let share = self.credits?;
         let credits = design.credits();
         Some(FitLine {
-            what: text!("need-cost"),
+            what: match self.kind {
+                DesignKind::Drone => text!("need-cost"),
+                DesignKind::Robot | DesignKind::Boat => text!("need-vehicle-cost"),
+            },
             required: Text::verbatim(share.to_string()),
             has: Text::verbatim(credits.to_string()),
             met: credits <= share,

@@ -4,8 +4,9 @@ mod driving;
 
 use serde_json::{Value, json};
 
+use super::air::Air;
 use super::design::{Design, Drive};
-use super::figures::{Air, Figures};
+use super::figures::Figures;
 use super::kind::DesignKind;
 use super::pack::Pack;
 use super::part::{Battery, Chemistry};

@@ -2,8 +2,9 @@
 
 mod driving;
 
+use super::air::Air;
 use super::design::Design;
-use super::figures::{Air, Figures, GOOD_THRUST, LEAST_THRUST, Performance};
+use super::figures::{Figures, GOOD_THRUST, LEAST_THRUST, Performance};
 use super::kind::DesignKind;
 use super::part::{Esc, Motor, PartSlot, Spec};
 use crate::text;

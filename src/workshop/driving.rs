@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use super::air::Air;
 use super::design::Design;
-use super::figures::Air;
 use super::pack::Pack;
 use super::surface::SurfaceDrive;
 use crate::text::rounded;
@@ -68,7 +68,12 @@ impl Design {
             let loaded = pack.loaded(MIDDLE_CHARGE, power_w);
             loaded.map_or(f64::INFINITY, |loaded| loaded.amperes)
         };
-        let lasts_s = |share| pack.lasts(cruise_power_w, share, 0.0).0;
+        // A vehicle that cannot move does not drive for any time.
+        let moves = cruise_speed_m_s > 0.0;
+        let lasts_s = |share| {
+            let lasts = moves.then(|| pack.lasts(cruise_power_w, share, 0.0).0);
+            lasts.unwrap_or_default()
+        };
         let drive_time_s = lasts_s(pack.usable);
         Some(DriveFigures {
             mass_kg: drive.mass_kg,

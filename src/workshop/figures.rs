@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::air::Air;
 use super::design::{Design, Drive};
 use super::drive::VOLTAGE_SHARE;
 use super::driving::DriveFigures;
@@ -11,7 +12,7 @@ use super::loss::{GROUND_ANTENNA_M, LOWEST_ANTENNA_M, reach_m};
 use super::pack::Pack;
 use super::part::Radio;
 use crate::geo::maths;
-use crate::sim::{GRAVITY_M_S2, SEA_LEVEL_DENSITY};
+use crate::sim::GRAVITY_M_S2;
 
 /// The thrust over weight below which a drone cannot hold its position in wind.
 pub const LEAST_THRUST: f64 = 1.3;
@@ -27,36 +28,6 @@ const SPEED_STEP_M_S: f64 = 0.5;
 const SPEED_STEPS: u32 = 70;
 /// The planned margin of a link, in decibels.
 const FADE_MARGIN_DB: f64 = 20.0;
-
-/// The air that a drone flies in.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Air {
-    /// Altitude above sea level, in metres.
-    pub altitude_m: f64,
-    /// The temperature of the air in degrees Celsius.
-    pub temperature_c: f64,
-    /// The battery's temperature in degrees Celsius: packs are warm at launch, unless a mission sets another value.
-    pub battery_c: f64,
-}
-
-impl Default for Air {
-    /// The standard atmosphere at sea level.
-    fn default() -> Self {
-        Self {
-            altitude_m: 0.0,
-            temperature_c: 15.0,
-            battery_c: 25.0,
-        }
-    }
-}
-
-impl Air {
-    /// The density in kilograms per cubic metre (standard atmosphere, corrected for the temperature).
-    pub fn density(&self) -> f64 {
-        let standard = SEA_LEVEL_DENSITY * maths::powf(1.0 - 2.255_77e-5 * self.altitude_m, 5.2559);
-        standard * 288.15 / (273.15 + self.temperature_c)
-    }
-}
 
 /// The figures of a complete drone.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

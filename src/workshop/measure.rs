@@ -1,8 +1,9 @@
 //! The figures of a design for display: name, value, unit, and which direction is better.
 
+use super::air::Air;
 use super::design::Design;
 use super::driving::DriveFigures;
-use super::figures::{Air, Figures, Performance};
+use super::figures::{Figures, Performance};
 use super::kind::DesignKind;
 use crate::text;
 use crate::text::Text;
@@ -174,7 +175,7 @@ impl Measure {
             Self::EnduranceSpeed | Self::RangeSpeed | Self::TopSpeed | Self::CruiseSpeed => "m/s",
             Self::Range | Self::RadioReach | Self::DriveRange => "km",
             Self::TurningRadius => "m",
-            Self::Slope => "°",
+            Self::Slope => "deg",
         }
     }
 

@@ -267,9 +267,7 @@ fn a_design_drives_at_cruise_speed_for_as_long_as_computed() {
 fn a_design_drives_as_fast_as_computed_and_stops_when_its_battery_is_empty() {
     for source in DRIVEN {
         let (design, figures, mut flight) = driven(source);
-        flight.set("WP_SPEED", 50.0);
-        flight.run(1.0);
-        flight.go_north();
+        flight.command(MavCmd::MAV_CMD_DO_CHANGE_SPEED, [1.0, 50.0], 0.0);
         flight.run(60.0);
         let speed = flight.ground_speed_m_s();
         let top = figures.top_speed_m_s;

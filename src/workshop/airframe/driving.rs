@@ -3,9 +3,9 @@
 use super::{Airframe, AirframeBuild, battery_limits};
 use crate::sim::RunningGear;
 use crate::text::rounded;
+use crate::workshop::air::Air;
 use crate::workshop::design::Design;
 use crate::workshop::driving::DriveFigures;
-use crate::workshop::figures::Air;
 use crate::workshop::pack::Pack;
 use crate::workshop::surface::SurfaceDrive;
 

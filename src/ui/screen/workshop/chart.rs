@@ -13,7 +13,7 @@ use crate::ui::widget::curve::{self, Curve, steps};
 use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
 use crate::workshop::{DesignKind, GOOD_THRUST, LEAST_THRUST, Performance, Sheet};
 
-/// The width of the figures beside the curve, in columns.
+/// The minimum width of the figures beside the curve, in columns.
 const LABELS: u16 = 7;
 /// The minimum number of rows of the curve.
 const LEAST: u16 = 3;
@@ -78,6 +78,17 @@ impl<'a> Chart<'a> {
         let end =
             |of: fn((f64, f64)) -> f64| self.points.iter().copied().map(of).fold(0.0, f64::max);
         [end(|point| point.0), end(|point| point.1)]
+    }
+
+    /// A value on the vertical axis.
+    fn label(&self, value: f64) -> String {
+        format!("{value:.0} {}", self.units()[1])
+    }
+
+    /// The width of the figures beside the curve, in columns.
+    fn labels(&self) -> u16 {
+        let [_, high] = self.ends();
+        LABELS.max(self.label(high).len() as u16 + 1)
     }
 
     fn is_drawn(&self) -> bool {
@@ -170,9 +181,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn draw_curve(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
-    let ([last, high], [_, unit]) = (chart.ends(), chart.units());
+    let ([last, high], labels) = (chart.ends(), chart.labels());
     for (row, value) in [(0, high), (panel.area.height - 1, 0.0)] {
-        let label = aligned(&format!("{value:.0} {unit}"), usize::from(LABELS) - 1, true);
+        let label = aligned(&chart.label(value), usize::from(labels) - 1, true);
         put(
             buffer,
             panel.area,
@@ -180,7 +191,7 @@ fn draw_curve(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
             &Line::styled(label, panel.style(Role::Muted)),
         );
     }
-    let place = columns(panel.area, LABELS, panel.area.width.saturating_sub(LABELS));
+    let place = columns(panel.area, labels, panel.area.width.saturating_sub(labels));
     let symbols = panel.look.symbols;
     let values = spread(&chart.points, last, steps(place.width, symbols));
     let curve = Curve {
@@ -194,10 +205,11 @@ fn draw_curve(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
 
 fn draw_axis(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     let ([last, _], [unit, _]) = (chart.ends(), chart.units());
+    let labels = chart.labels();
     let end = format!("{last:.1} {unit}");
-    let room = panel.area.width.saturating_sub(LABELS + 1);
+    let room = panel.area.width.saturating_sub(labels + 1);
     let end = aligned(&end, usize::from(room), true);
-    let line = format!("{}0{end}", " ".repeat(usize::from(LABELS)));
+    let line = format!("{}0{end}", " ".repeat(usize::from(labels)));
     put(
         buffer,
         panel.area,

@@ -9,6 +9,7 @@ use crate::app::State;
 use crate::app::action::{Action, WorkshopAction};
 use crate::app::room::workshop::{Candidate, Licence, Pane, licence};
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
@@ -247,6 +248,16 @@ fn short(licence: &Licence, look: &Look) -> (String, Role) {
     }
 }
 
+/// That a frame, chassis or hull would make the design another kind of vehicle.
+fn begins(state: &State, candidate: &Candidate) -> Option<Text> {
+    let (before, after) = (
+        state.rooms().workshop().bench().sheet().kind,
+        candidate.sheet.kind,
+    );
+    let begins = || text!("bench-begins", kind = after.name(), before = before.name());
+    (before != after).then(begins)
+}
+
 /// Draws the part's full name, its price, whether it may be used, and why it does not fit.
 fn draw_detail(state: &State, candidate: &Candidate, panel: Panel<'_>, buffer: &mut Buffer) {
     let part = candidate.part;
@@ -261,6 +272,9 @@ fn draw_detail(state: &State, candidate: &Candidate, panel: Panel<'_>, buffer: &
         let reason = text!("bench-misfit", reason = reason.clone());
         texts.push((panel.text(&reason), panel.style(Role::Danger)));
     }
+    texts.extend(
+        begins(state, candidate).map(|begins| (panel.text(&begins), panel.style(Role::Warning))),
+    );
     let held = match licence(state, part) {
         Licence::Held => None,
         Licence::ForSale(price) => Some(text!(
