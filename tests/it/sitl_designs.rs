@@ -43,7 +43,9 @@ fn start(program: &Path, design: &Design, instance: u16) -> Sitl {
         AirframeBuild::Frame(_) => Vec::new(),
         AirframeBuild::Gear(gear) => gear_parameters(kind, gear),
     };
-    let set = built.parameters.iter().chain(&of_gear);
+    // The model of a boat has wind, which drives it.
+    let calm = ("SIM_WIND_SPD", 0.0);
+    let set = built.parameters.iter().chain(&of_gear).chain([&calm]);
     let recipe = Recipe {
         kind: kind.into(),
         model: Some(built.model.to_owned()),
