@@ -42,8 +42,8 @@ pub struct VehicleProgress {
     pub kind: &'static str,
     /// The kind's name on the screen.
     pub title: Text,
-    /// The title of the mission that must be passed before such vehicles can be built; `None` if they can.
-    pub after: Option<Text>,
+    /// The id of the mission that must be passed before such vehicles can be built; `None` if they can.
+    pub after: Option<String>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -167,19 +167,20 @@ impl VehicleProgress {
             title: kind.name(),
             after: standing
                 .kind_lock(kind, course)
-                .map(|offer| offer.title.clone()),
+                .map(|offer| offer.id.clone()),
         };
         DesignKind::ALL.into_iter().map(of).collect()
     }
 
-    /// The kinds on one line: those that can be built, and after which mission the others can.
+    /// The kinds on one line: those that can be built, and after which mission the others can, by the number that its id
+    /// begins with.
     pub fn line(all: &[Self]) -> Text {
         let word = |one: &Self| match &one.after {
             None => one.title.clone(),
             Some(mission) => text!(
                 "vehicle-after",
                 kind = one.title.clone(),
-                mission = mission.clone()
+                mission = mission.split('-').next().unwrap_or(mission)
             ),
         };
         let words = all.iter().map(word).collect();

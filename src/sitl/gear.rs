@@ -13,9 +13,9 @@ const AMPERES_PER_VOLT: f64 = 17.0;
 /// The lowest limit of the throttle that `ArduRover` accepts, in percent.
 const LEAST_LIMIT: f64 = 5.0;
 
-/// The parameters that follow from the running gear: the throttle is limited to the top speed, the throttle at cruise speed is that of
-/// the model, and the battery counts the current that the vehicle draws there. The model keeps its acceleration, its turns
-/// and its voltage. Empty for a vehicle that flies.
+/// The parameters that follow from the running gear: the throttle is limited to the top speed, the throttle at cruise
+/// speed is that of the model, and the battery counts the current that the vehicle draws there. The model keeps its
+/// acceleration, its turns and its voltage. Empty for a vehicle that flies.
 pub fn gear_parameters(kind: VehicleKind, gear: &RunningGear) -> Vec<(&'static str, f64)> {
     let VehicleKind::Rover(chassis) = kind else {
         return Vec::new();

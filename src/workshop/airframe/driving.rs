@@ -21,7 +21,9 @@ const PIVOT_DEG_S: f64 = 60.0;
 impl Design {
     pub(super) fn driving_airframe(&self) -> Option<Airframe> {
         let drive = self.surface_drive()?;
-        let figures = self.drive_figures(Air::default())?;
+        // A vehicle that cannot move has no gear to simulate.
+        let figures = self.drive_figures(Air::default());
+        let figures = figures.filter(|it| it.cruise_speed_m_s > 0.0)?;
         let pack = Pack::of_cells(drive.battery, drive.packs, Air::default().battery_c);
         let gear = self.gear(&drive, &figures, &pack);
         Some(Airframe {

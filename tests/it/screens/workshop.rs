@@ -239,7 +239,7 @@ fn driven(source: &str, language: Language) -> Console {
         setup.locale = Arc::new(Locale::new(language));
         setup.stock = vec![built];
     });
-    console.press("W");
+    console.press("W").press("o").press("enter");
     console
 }
 
