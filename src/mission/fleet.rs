@@ -11,7 +11,7 @@ use super::sensor::Sensor;
 use crate::sim::{Airframe, VehicleKind};
 use crate::text;
 use crate::text::Text;
-use crate::workshop::{Air, Design, DesignKind, FindingSeverity, PartSlot};
+use crate::workshop::{self, Air, Design, DesignKind, FindingSeverity, PartSlot};
 
 /// Seconds of spray in a sprayer's tank.
 pub(super) const TANK_S: u32 = 15;
@@ -82,7 +82,7 @@ impl Mission {
         let mut faults = faults(&seated, self.air());
         faults.extend(too_dear(&seated, self.seats.outlay.budget));
         if faults.is_empty() {
-            Ok(self.flown_by(seated))
+            Ok(self.flown_by(fleet))
         } else {
             Err(faults)
         }
@@ -234,7 +234,7 @@ fn radio(design: &Design, own: Option<Set>) -> Option<Set> {
 
 /// A design as the simulator flies or drives it: with its parameters.
 fn airframe(design: &Design) -> Arc<Airframe> {
-    let built = design.airframe().and_then(|built| built.simulated());
+    let built = design.airframe().and_then(workshop::Airframe::simulated);
     // Designs without a drive were refused earlier.
     built.map_or_else(Airframe::shared_standard, Arc::new)
 }

@@ -10,11 +10,14 @@ const BOAT_M_S: f64 = 10.0;
 const FULL_A: f64 = 50.0;
 /// The scale of the current sensor of SITL's battery.
 const AMPERES_PER_VOLT: f64 = 17.0;
-/// The lowest limit of the throttle that `ArduRover` accepts, in percent.
-const LEAST_LIMIT: f64 = 5.0;
+/// The pulse without throttle, and its distance to the pulse of full throttle, in microseconds.
+const IDLE_US: f64 = 1500.0;
+const FULL_US: f64 = 500.0;
+/// The least distance that still moves a model.
+const LEAST_US: f64 = 10.0;
 
-/// The parameters that follow from the running gear: the throttle is limited to the top speed, the throttle at cruise
-/// speed is that of the model, and the battery counts the current that the vehicle draws there. The model keeps its
+/// The parameters that follow from the running gear: the pulses of the motors end at the top speed (`MOT_THR_MAX` would
+/// not go below 30 %), and the battery counts the current that the vehicle draws at cruise speed. The model keeps its
 /// acceleration, its turns and its voltage. Empty for a vehicle that flies.
 pub fn gear_parameters(kind: VehicleKind, gear: &RunningGear) -> Vec<(&'static str, f64)> {
     let VehicleKind::Rover(chassis) = kind else {
@@ -26,15 +29,28 @@ pub fn gear_parameters(kind: VehicleKind, gear: &RunningGear) -> Vec<(&'static s
         Chassis::Boat => (speed_m_s / BOAT_M_S) * (speed_m_s / BOAT_M_S),
     };
     let cruise = throttle(gear.cruise_speed_m_s).min(1.0);
-    let limit = (100.0 * throttle(gear.top_speed_m_s)).round();
     let amperes = AMPERES_PER_VOLT * gear.cruise_current_a / (FULL_A * cruise);
-    vec![
-        ("MOT_THR_MAX", limit.clamp(LEAST_LIMIT, 100.0)),
-        ("CRUISE_THROTTLE", (100.0 * cruise).round().max(1.0)),
+    let range_us = (FULL_US * throttle(gear.top_speed_m_s)).round();
+    let range_us = range_us.clamp(LEAST_US, FULL_US);
+    // The first output of a skid-steered vehicle is a motor, too.
+    let motors: &[(&str, &str)] = match chassis {
+        Chassis::Skid => &[("SERVO1_MIN", "SERVO1_MAX"), ("SERVO3_MIN", "SERVO3_MAX")],
+        Chassis::Ackermann | Chassis::Boat => &[("SERVO3_MIN", "SERVO3_MAX")],
+    };
+    let pulses = motors
+        .iter()
+        .flat_map(|&(least, most)| [(least, IDLE_US - range_us), (most, IDLE_US + range_us)]);
+    let mut all: Vec<_> = pulses.collect();
+    all.extend([
+        (
+            "CRUISE_THROTTLE",
+            (100.0 * gear.cruise_throttle(chassis)).round(),
+        ),
         ("BATT_AMP_PERVLT", (amperes * 1e3).round() * 1e-3),
         ("SIM_BATT_VOLTAGE", gear.full_voltage_v),
         ("SIM_BATT_CAP_AH", gear.battery_capacity_ah),
-    ]
+    ]);
+    all
 }
 
 #[cfg(test)]
@@ -52,16 +68,38 @@ mod tests {
     }
 
     #[test]
-    fn the_throttle_of_the_models_is_limited_to_the_top_speed() {
-        for (source, least, most) in [
-            (include_str!("../../designs/courier.toml"), 34.0, 40.0),
-            (include_str!("../../designs/sapper.toml"), 38.0, 42.0),
-            (include_str!("../../designs/lifeboat.toml"), 19.0, 23.0),
+    fn the_pulses_of_the_motors_end_at_the_top_speed_and_the_steering_keeps_its_own() {
+        for (source, least, most, is_steered) in [
+            (
+                include_str!("../../designs/courier.toml"),
+                1675.0,
+                1690.0,
+                true,
+            ),
+            (
+                include_str!("../../designs/sapper.toml"),
+                1695.0,
+                1712.0,
+                false,
+            ),
+            (
+                include_str!("../../designs/lifeboat.toml"),
+                1598.0,
+                1610.0,
+                true,
+            ),
         ] {
             let all = of(source);
-            let limit = all.iter().find(|(name, _)| *name == "MOT_THR_MAX");
-            let limit = limit.expect("it is set").1;
-            assert!((least..=most).contains(&limit), "{all:?}");
+            let value = |name| {
+                all.iter()
+                    .find(|(it, _)| *it == name)
+                    .map(|(_, value)| *value)
+            };
+            let (low, high) = (value("SERVO3_MIN"), value("SERVO3_MAX"));
+            let high = high.expect("it is set");
+            assert!((least..=most).contains(&high), "{all:?}");
+            assert_eq!(low, Some(3000.0 - high), "the same backwards");
+            assert_eq!(value("SERVO1_MAX").is_none(), is_steered, "{all:?}");
         }
     }
 }

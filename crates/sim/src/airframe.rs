@@ -119,7 +119,7 @@ impl Airframe {
     }
 
     /// Whether the battery can still turn the motors.
-    pub(super) fn has_power(&self, voltage_share: f64) -> bool {
+    pub(super) fn has_power(voltage_share: f64) -> bool {
         voltage_share >= DEAD_VOLTAGE_SHARE
     }
 

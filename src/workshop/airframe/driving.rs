@@ -67,6 +67,7 @@ fn parameters(drive: &SurfaceDrive, gear: &RunningGear, pack: &Pack) -> Vec<(&'s
         ("BATT_FS_CRT_ACT", 2.0),
         ("CRUISE_SPEED", cruise_m_s),
         ("WP_SPEED", cruise_m_s),
+        ("SPEED_MAX", rounded(gear.top_speed_m_s, 2)),
         (
             "ATC_ACCEL_MAX",
             rounded((ACCEL_SHARE * gear.accel_m_s2).min(PATH_ACCEL_M_S2), 2),

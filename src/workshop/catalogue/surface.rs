@@ -14,8 +14,8 @@ parts! {
     /// - `ch_rc8s`: truggies of the scale 1:8, 0.5 m long.
     /// - `ch_410k`: open robots of 0.4 m with four gear motors, such as the Aion R1.
     /// - `ch_508k`: Clearpath Jackal, 17 kg and 20 kg of load.
-    /// - `ch_930k`: AgileX Scout 2.0, 62 kg and 50 kg of load.
-    /// - `ch_980s`: AgileX Hunter SE, 42 kg and 50 kg of load, turns within 1.9 m.
+    /// - `ch_930k`: `AgileX` Scout 2.0, 62 kg and 50 kg of load.
+    /// - `ch_980s`: `AgileX` Hunter SE, 42 kg and 50 kg of load, turns within 1.9 m.
     pub(super) static CHASSIS: [Chassis; 5]
         [id; steering, motors, length_m, track_m, wheel_radius_m, turning_radius_m, rolling, drag_area_m2, max_mass_kg;
          mass_g, credits];
@@ -30,7 +30,7 @@ parts! {
     /// - `gm_37`: Pololu 37D 30:1, 12 V: 330 rpm and 0.2 A without load, 5.5 A and 14 kg cm stalled.
     /// - `gm_rc8`: a brushless 1:8 car motor of 2100 rpm/V with controller, reduced 11:1 over two differentials.
     /// - `gm_60`: planetary gear motors of 60 mm, 24 V, 120 W.
-    /// - `gm_200`: the 200 W drives of AgileX's Scout 2.0, which reach 1.5 m/s.
+    /// - `gm_200`: the 200 W drives of `AgileX`'s Scout 2.0, which reach 1.5 m/s.
     /// - `gm_hub350`: hub motors of scooters, 350 W, for 12 cells.
     pub(super) static WHEEL_DRIVES: [WheelDrive; 5]
         [id; kv_rpm_v, resistance_ohm, idle_current_a, max_current_a, efficiency, fewest_cells, most_cells;
@@ -44,7 +44,7 @@ parts! {
 
 parts! {
     /// - `hl_090m`: model boats of 0.9 m.
-    /// - `hl_120c`: Blue Robotics BlueBoat, 1.2 m, 14.5 kg and 15 kg of load, 3 m/s with two thrusters like `th_51`.
+    /// - `hl_120c`: Blue Robotics `BlueBoat`, 1.2 m, 14.5 kg and 15 kg of load, 3 m/s with two thrusters like `th_51`.
     /// - `hl_200c`: Maritime Robotics Otter, 2 m, 55 kg and 30 kg of load, 3 m/s with two thrusters of 180 N.
     /// - `hl_240r`: rigid inflatables of 2.4 m, 40 kg, 3 m/s with one motor like `th_1000` and 70 kg on board.
     pub(super) static HULLS: [Hull; 4]

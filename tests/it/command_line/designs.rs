@@ -87,7 +87,7 @@ fn robots_and_boats_are_shown_fitted_exported_and_driven() {
         "CRUISE_SPEED",
         "WP_SPEED",
         "BATT_CAPACITY",
-        "MOT_THR_MAX",
+        "SERVO3_MAX",
         "SIM_BATT_CAP_AH",
     ] {
         assert_eq!(

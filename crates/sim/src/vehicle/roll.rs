@@ -2,6 +2,7 @@
 
 use super::Vehicle;
 use super::plant::Plant;
+use crate::airframe::Airframe;
 use crate::helm::Course;
 use crate::kind::Chassis;
 use crate::task::DriveNews;
@@ -41,7 +42,7 @@ impl Vehicle {
         } = &self.plant;
         match airframe.gear() {
             None => (Handling::of_model(chassis), outputs),
-            Some(gear) if airframe.has_power(battery.voltage_share(airframe)) => {
+            Some(gear) if Airframe::has_power(battery.voltage_share(airframe)) => {
                 (Handling::of_gear(chassis, gear), outputs)
             }
             Some(gear) => (Handling::of_gear(chassis, gear), Outputs::default()),
