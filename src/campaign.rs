@@ -50,7 +50,9 @@ pub use daily::{ExamKey, daily_seed, exam_seed};
 pub use economy::{STARTER_PARTS, licence_price};
 pub use growth::{Growth, SkillMove, Try, Wealth};
 pub use knowledge::{Knowledge, Lack, MASTERY_CHANCE, Mastery};
-pub use progress::{CareerProgress, MissionProgress, MissionState, SkillProgress, TrainingAdvice};
+pub use progress::{
+    CareerProgress, MissionProgress, MissionState, SkillProgress, TrainingAdvice, VehicleProgress,
+};
 pub use reward::{OpenedItem, Reward, SkillChange};
 pub use skill::{Evidence, EvidenceBasis};
 pub use standing::{Best, CareerStanding, ExamResult, PartState, PurchaseRefusal};

@@ -92,6 +92,7 @@ pub use event::demand::{Demand, WIND_FULL_FROM_M};
 pub use event::mover::MoverKind;
 pub use event::standard::threat_title;
 pub use file::{reference, schema};
+pub use fleet::dealt;
 pub use flight::{Expected, Flight, Inject, InjectFault, Injected, Pledge, check_condition};
 pub use hint::{Clue, Hint, Phase};
 pub use lesson::{LessonStep, STEP_KEY};
@@ -236,9 +237,7 @@ impl Mission {
             }
             let kind = self.seats.kinds.last().copied().unwrap_or_default();
             self.seats.kinds.resize(self.seats.count, kind);
-            if let Some(last) = self.seats.designs.last().cloned() {
-                self.seats.designs.resize(self.seats.count, last);
-            }
+            self.seats.designs = self.designs().into_iter().flatten().cloned().collect();
         }
         self
     }
@@ -254,7 +253,7 @@ impl Mission {
         WorldConfig {
             starts: self.starts(),
             airframes: self.airframes(),
-            kinds: self.seats.kinds.clone(),
+            kinds: self.vehicle_kinds(),
             seed,
             obstacles: Vec::new(),
             realistic_boot: false,

@@ -15,6 +15,7 @@ use models::SitlModel;
 
 mod defaults;
 mod formation;
+mod gear;
 mod models;
 mod shell;
 mod stage;
@@ -24,6 +25,7 @@ mod unfit;
 mod tests;
 
 pub use formation::{FormationShape, Offset, StartFormation};
+pub use gear::gear_parameters;
 pub use shell::{line, quoted};
 pub use stage::SitlStage;
 pub use unfit::SitlUnfit;

@@ -51,6 +51,7 @@ bench-missing = still missing: { $slots }
 bench-add-payload = add ...
 bench-locked = locked
 bench-part = { $name }: { $mass } g, { $price } cr each
+bench-begins = begins a { $kind }: removes the parts that fit only a { $before }
 bench-misfit = does not fit: { $reason }
 bench-for-sale = not yours yet: { $key } buys the right to use it for { $price } cr
 bench-locked-by = on sale once "{ $mission }" is passed
@@ -59,16 +60,22 @@ bench-on-board = { $count ->
    *[other] { $count } on board
 }
 bench-radio = range by link budget: 20 dB fade margin, 50 m height
+bench-ground-radio = range by link budget: 20 dB fade margin, on the ground or water
 bench-part-for-sale = { $part }: not yours yet, { $key } buys it for { $price } cr
 bench-part-locked = { $part }: on sale once "{ $mission }" is passed
 bench-figures-change = with this part (▲ better, ▼ worse)
 bench-payload = hover time by payload
+bench-drive-payload = driving time by payload
+bench-drive-payload-about = at { $cruise } m/s; the curve ends at { $spare } kg, which the chassis or hull can still carry
 bench-payload-about = the curve ends where thrust is { $least } times the weight; with { $spare } kg more, thrust is { $good } times the weight
 bench-polar-about = best endurance at { $longest } m/s, best range at { $farthest } m/s
+bench-drive-polar-about = cruise speed { $cruise } m/s, top speed { $top } m/s
 bench-curve-marked = with the marked part, { $marked }: { $about }
 bench-curve-built = as built: { $about }
 bench-curve-misfit = as built: { $about }; no curve with the marked part, { $marked }: { $reason }
 bench-no-curve = no curve yet: needs frame, motors, propellers, speed controllers and a battery
+bench-no-robot-curve = no curve yet: needs chassis, drive and a battery
+bench-no-boat-curve = no curve yet: needs hull, drive and a battery
 
 bench-no-mission = no mission chosen
 bench-choose-mission = [ and ] choose a mission to build for.
@@ -78,15 +85,27 @@ bench-seats = { $count ->
     [one] { $count } drone
    *[other] { $count } drones
 }
+bench-seats-mixed = { $count ->
+    [one] { $count } vehicle
+   *[other] { $count } vehicles
+}
 bench-budget = the fleet costs { $cost } of { $budget } cr
 bench-no-budget = the fleet costs { $cost } cr; no limit
 bench-fleet = the fleet for "{ $mission }"
 bench-fleet-none = the fleet: no mission chosen
 bench-fleet-about = on the bench: { $name }
 bench-lent = lent by the mission
+bench-lent-kind = lent by the mission: { $kind }
 bench-seat-taken = seat { $seat }: { $name }
 bench-seats-taken = all seats: { $name }
-bench-seats-lent = back to the drones lent by the mission
+bench-kind-seats-taken = all seats for { $kind ->
+    [drone] drones
+    [robot] ground robots
+   *[boat] boats
+}: { $name }
+bench-seat-kind = seat { $seat } takes another kind of vehicle: { $taken }; the design on the bench is a { $kind }. Choose another seat, or open another design
+bench-no-seat = the mission has no seat for this kind of vehicle: { $kind }. Open another design
+bench-seats-lent = back to the vehicles lent by the mission
 bench-does-not-fly = cannot fly: { $reason }
 bench-lacks-licence = { $part } is not yours yet: buy the right to use it first
 bench-over-budget = the fleet costs { $cost } cr, the budget is { $budget } cr: use cheaper parts

@@ -129,6 +129,7 @@ mission-reward-credits = { $credits } credits
 mission-reward-mission = mission "{ $title }"
 mission-reward-part = part { $part }
 mission-reward-threat = threat: { $threat }
+mission-reward-vehicle = vehicle: { $kind }
 mission-lines = lines { $first } to { $last } of { $count }   { $key } scroll
 mission-vehicle-gone = its simulator has ended: the vehicle is lost
 

@@ -1,4 +1,4 @@
-# The drone constructor: slots, parts, and problems of a design.
+# The constructor of drones, robots and boats: slots, parts, and problems of a design.
 slot-frame = frame
 slot-motor = motors
 slot-propeller = propellers
@@ -9,6 +9,13 @@ slot-navigation = navigation
 slot-power = power module
 slot-radio = radio
 slot-payload = payload
+slot-chassis = chassis
+slot-hull = hull
+slot-drive = drive
+
+kind-drone = drone
+kind-robot = ground robot
+kind-boat = boat
 
 part-motor = motor { $size }, { $kv } rpm/V
 part-propeller = { $size } in
@@ -31,6 +38,26 @@ fr_900h = hexa 900 mm, retracting legs
 fr_960h = hexa 960 mm, umbrella fold
 fr_1045o = octo 1045 mm
 fr_1133h = hexa 1133 mm, heavy
+
+ch_rc8s = robot 500 mm, steered, fast
+ch_410k = robot 410 mm, skid-steered
+ch_508k = robot 510 mm, skid-steered
+ch_930k = robot 930 mm, skid-steered
+ch_980s = robot 980 mm, steered
+hl_090m = boat 0.9 m, one hull
+hl_120c = boat 1.2 m, catamaran
+hl_200c = boat 2.0 m, catamaran
+hl_240r = boat 2.4 m, rigid inflatable
+
+gm_37 = gear motor 37 mm, 3S
+gm_rc8 = brushless car motor, 3S to 4S
+gm_60 = gear motor 60 mm, 6S
+gm_200 = gear motor 200 W, 6S
+gm_hub350 = hub motor 350 W, 12S
+th_51 = thruster 51 N, 3S to 4S
+th_158 = thruster 158 N, 4S to 6S
+th_245 = trolling motor, 3S to 4S
+th_1000 = outboard motor 1 kW, 12S
 
 e20 = 20 A, 4S
 e30opto = 30 A, 4S
@@ -80,6 +107,7 @@ s_med = rescue kit
 s_node = sensor node
 s_spray = sprayer with a tank
 s_relay = relay antenna
+s_flail = flail against mines
 
 design-schema = unknown schema { $found }: this version reads schema { $known }
 design-name = a name is one line of 1 to { $most } characters
@@ -101,6 +129,13 @@ finding-hover-current = the hover draws { $current } A, more than half of the ba
 finding-sag = below { $charge } % charge the voltage is too low for the hover: land before { $land } %
 finding-power-cells = the battery has { $cells } cells; the power module takes at most { $most }
 finding-power-current = the hover draws { $current } A; the power module takes at most { $most } A
+finding-unfit = { $part } fits only this kind of vehicle: { $only }; the design is a { $kind }
+finding-overload = the vehicle weighs { $mass } kg; its chassis or hull carries at most { $most } kg with its own mass
+finding-stuck = the drive pulls with { $pull } N, but the vehicle needs { $needed } N to move
+finding-slope = it climbs slopes of { $slope }° at most: on open ground, { $good }° are good
+finding-cruise-current = driving at cruise speed draws { $current } A; the battery supplies { $most } A
+finding-peak-current = the drive could draw more than the { $most } A that the battery supplies: the battery limits pull and speed
+finding-power-cruise = driving at cruise speed draws { $current } A; the power module takes at most { $most } A
 
 measure-mass = mass
 measure-cost = cost
@@ -117,11 +152,22 @@ measure-range = farthest flight
 measure-top-speed = top speed
 measure-radio = radio range
 measure-spare = spare lift
+measure-pull = pull
+measure-resistance = cruise resistance
+measure-cruise-speed = cruise speed
+measure-cruise-power = cruise power
+measure-cruise-current = cruise current
+measure-drive-time = driving time
+measure-drive-range = driving range
+measure-turning-radius = turning radius
+measure-slope = slope
+measure-load = spare load
 
 workshop-parts = parts
 workshop-figures = figures
 workshop-findings = problems as built
 workshop-none = none: it can fly
+workshop-none-driven = none: it can drive
 workshop-polar = power by speed
 workshop-slot = unknown slot `{ $slot }`; slots: { $known }
 workshop-incomplete = { $name } lacks parts of its propulsion and cannot be exported

@@ -51,6 +51,7 @@ bench-missing = ще бракує: { $slots }
 bench-add-payload = додати ...
 bench-locked = закрито
 bench-part = { $name }: { $mass } g, { $price } cr за штуку
+bench-begins = починає новий апарат ({ $kind }): знімає деталі, що їх приймає лише { $before }
 bench-misfit = не підходить: { $reason }
 bench-for-sale = ще не ваша: { $key } купує право на деталь за { $price } cr
 bench-locked-by = продається після завдання «{ $mission }»
@@ -59,16 +60,22 @@ bench-on-board = { $count ->
    *[other] на борту { $count }
 }
 bench-radio = дальність за бюджетом радіолінії: запас на завмирання 20 dB, висота 50 m
+bench-ground-radio = дальність за бюджетом радіолінії: запас на завмирання 20 dB, на землі чи воді
 bench-part-for-sale = { $part }: деталь ще не ваша, { $key } купує право на неї за { $price } cr
 bench-part-locked = { $part }: продається після завдання «{ $mission }»
 bench-figures-change = із цією деталлю (▲ краще, ▼ гірше)
 bench-payload = час зависання залежно від вантажу
+bench-drive-payload = час ходу залежно від вантажу
+bench-drive-payload-about = на швидкості { $cruise } m/s; крива закінчується на { $spare } kg, які ще витримає шасі чи корпус
 bench-payload-about = крива закінчується там, де тяга становить { $least } ваги; якщо додати ще { $spare } kg, тяга становитиме { $good } ваги
 bench-polar-about = найдовший політ — на швидкості { $longest } m/s, найдальший — на { $farthest } m/s
+bench-drive-polar-about = похідна швидкість { $cruise } m/s, найбільша { $top } m/s
 bench-curve-marked = із деталлю під курсором, { $marked }: { $about }
 bench-curve-built = як зібрано: { $about }
 bench-curve-misfit = як зібрано: { $about }; з деталлю під курсором, { $marked }, кривої немає: { $reason }
 bench-no-curve = кривої ще немає: потрібні рама, двигуни, пропелери, регулятори й акумулятор
+bench-no-robot-curve = кривої ще немає: потрібні шасі, привід і акумулятор
+bench-no-boat-curve = кривої ще немає: потрібні корпус, привід і акумулятор
 
 bench-no-mission = завдання не вибрано
 bench-choose-mission = [ і ] вибирають завдання, для якого ви складаєте дрон.
@@ -79,15 +86,28 @@ bench-seats = { $count ->
     [few] { $count } дрони
    *[many] { $count } дронів
 }
+bench-seats-mixed = { $count ->
+    [one] { $count } апарат
+    [few] { $count } апарати
+   *[many] { $count } апаратів
+}
 bench-budget = флот коштує { $cost } з { $budget } cr
 bench-no-budget = флот коштує { $cost } cr; обмеження немає
 bench-fleet = флот для «{ $mission }»
 bench-fleet-none = флот: завдання не вибрано
 bench-fleet-about = на верстаку: { $name }
 bench-lent = позичено завданням
+bench-lent-kind = позичено завданням: { $kind }
 bench-seat-taken = місце { $seat }: { $name }
 bench-seats-taken = усі місця: { $name }
-bench-seats-lent = завдання знову позичає свої дрони
+bench-kind-seats-taken = усі місця для { $kind ->
+    [drone] дронів
+    [robot] наземних роботів
+   *[boat] човнів
+}: { $name }
+bench-seat-kind = місце { $seat } — для іншого виду апарата: { $taken }; на верстаку { $kind }. Виберіть інше місце або відкрийте інший проєкт
+bench-no-seat = завдання не має місця для такого виду апарата: { $kind }. Відкрийте інший проєкт
+bench-seats-lent = завдання знову позичає свої апарати
 bench-does-not-fly = не полетить: { $reason }
 bench-lacks-licence = деталь «{ $part }» ще не ваша: спершу купіть право на неї
 bench-over-budget = флот коштує { $cost } cr, бюджет { $budget } cr: візьміть дешевші деталі

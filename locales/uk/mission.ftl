@@ -133,6 +133,7 @@ mission-reward-credits = кредитів { $credits }
 mission-reward-mission = завдання «{ $title }»
 mission-reward-part = деталь { $part }
 mission-reward-threat = загрозу: { $threat }
+mission-reward-vehicle = апарат: { $kind }
 mission-lines = рядки { $first }-{ $last } з { $count }   { $key } гортають
 mission-vehicle-gone = його симулятор завершив роботу: апарат втрачено
 

@@ -1,4 +1,4 @@
-# Конструктор дронів: місця, деталі та що не так із проєктом.
+# Конструктор дронів, роботів і човнів: місця, деталі та що не так із проєктом.
 slot-frame = рама
 slot-motor = двигуни
 slot-propeller = пропелери
@@ -9,6 +9,13 @@ slot-navigation = навігація
 slot-power = модуль живлення
 slot-radio = радіо
 slot-payload = корисне навантаження
+slot-chassis = шасі
+slot-hull = корпус
+slot-drive = привід
+
+kind-drone = дрон
+kind-robot = наземний робот
+kind-boat = човен
 
 part-motor = двигун { $size }, { $kv } rpm/V
 part-propeller = { $size } in
@@ -31,6 +38,26 @@ fr_900h = гекса 900 mm, складані опори
 fr_960h = гекса 960 mm, типу «парасоля»
 fr_1045o = окто 1045 mm
 fr_1133h = гекса 1133 mm, важка
+
+ch_rc8s = робот 500 mm, з кермом, швидкий
+ch_410k = робот 410 mm, бортове керування
+ch_508k = робот 510 mm, бортове керування
+ch_930k = робот 930 mm, бортове керування
+ch_980s = робот 980 mm, з кермом
+hl_090m = човен 0.9 m, один корпус
+hl_120c = човен 1.2 m, катамаран
+hl_200c = човен 2.0 m, катамаран
+hl_240r = човен 2.4 m, жорстке дно й надувні борти
+
+gm_37 = мотор-редуктор 37 mm, 3S
+gm_rc8 = безколекторний двигун, 3S–4S
+gm_60 = мотор-редуктор 60 mm, 6S
+gm_200 = мотор-редуктор 200 W, 6S
+gm_hub350 = мотор-колесо 350 W, 12S
+th_51 = рушій 51 N, 3S–4S
+th_158 = рушій 158 N, 4S–6S
+th_245 = тролінговий двигун, 3S–4S
+th_1000 = підвісний двигун 1 kW, 12S
 
 e20 = 20 A, 4S
 e30opto = 30 A, 4S
@@ -80,6 +107,7 @@ s_med = рятувальний набір
 s_node = вузол датчиків
 s_spray = розпилювач із баком
 s_relay = антена ретранслятора
+s_flail = ціп проти мін
 
 design-schema = невідома схема { $found }: ця версія читає схему { $known }
 design-name = назва — один рядок від 1 до { $most } знаків
@@ -101,6 +129,13 @@ finding-hover-current = зависання потребує { $current } A, бі
 finding-sag = якщо заряд нижчий за { $charge } %, напруги не вистачить для зависання: сядьте, доки заряд не впав до { $land } %
 finding-power-cells = в акумуляторі елементів: { $cells }; модуль живлення витримує щонайбільше { $most }
 finding-power-current = зависання потребує { $current } A, модуль живлення витримує щонайбільше { $most } A
+finding-unfit = { $part }: цю деталь приймає лише { $only }, а в проєкті { $kind }
+finding-overload = апарат важить { $mass } kg, а шасі чи корпус витримує щонайбільше { $most } kg разом із власною масою
+finding-stuck = привід тягне із силою { $pull } N, а щоб рушити, потрібно { $needed } N
+finding-slope = долає схили щонайбільше { $slope }°: на відкритій місцевості добре від { $good }°
+finding-cruise-current = похідна швидкість потребує { $current } A, акумулятор дає { $most } A
+finding-peak-current = привід міг би споживати більше за { $most } A, які дає акумулятор: він обмежує тягу і швидкість
+finding-power-cruise = похідна швидкість потребує { $current } A, модуль живлення витримує щонайбільше { $most } A
 
 measure-mass = маса
 measure-cost = ціна
@@ -117,11 +152,22 @@ measure-range = найдальший політ
 measure-top-speed = найбільша швидкість
 measure-radio = дальність радіо
 measure-spare = запас підйому
+measure-pull = сила тяги
+measure-resistance = опір руху
+measure-cruise-speed = похідна швидкість
+measure-cruise-power = похідна потужність
+measure-cruise-current = похідний струм
+measure-drive-time = час ходу
+measure-drive-range = дальність ходу
+measure-turning-radius = радіус повороту
+measure-slope = схил
+measure-load = запас вантажу
 
 workshop-parts = деталі
 workshop-figures = показники
-workshop-findings = вади складеного дрона
+workshop-findings = вади проєкту
 workshop-none = немає: літатиме
+workshop-none-driven = немає: рухатиметься
 workshop-polar = потужність залежно від швидкості
 workshop-slot = невідоме місце `{ $slot }`; місця: { $known }
 workshop-incomplete = у { $name } бракує деталей силової установки: експортувати не можна

@@ -7,6 +7,7 @@ use crate::mission::{Mission, Requires, Unlock};
 use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
+use crate::workshop::{DesignKind, Part};
 
 /// A mission offered in a campaign.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,6 +26,8 @@ pub struct Offer {
     pub credits: u32,
     /// Parts that passing the mission unlocks.
     pub parts: Vec<String>,
+    /// Kinds of vehicles that passing the mission unlocks.
+    pub kinds: Vec<DesignKind>,
     /// The skills that the mission trains.
     pub skills: Vec<Skill>,
     /// The names of the mission's objectives, by their ids.
@@ -90,15 +93,15 @@ impl LockReason {
 impl Offer {
     /// The campaign's view of a mission.
     pub fn of(mission: &Mission) -> Self {
-        let parts = mission
-            .career
-            .rewards
-            .unlock
-            .iter()
-            .filter_map(|unlock| match unlock {
-                Unlock::Part(id) => Some(id.clone()),
-                Unlock::Mission(_) | Unlock::Threat(_) => None,
-            });
+        let unlocked = mission.career.rewards.unlock.iter();
+        let kinds = unlocked.clone().filter_map(|unlock| match unlock {
+            Unlock::Vehicle(kind) => Some(*kind),
+            Unlock::Part(_) | Unlock::Mission(_) | Unlock::Threat(_) => None,
+        });
+        let parts = unlocked.filter_map(|unlock| match unlock {
+            Unlock::Part(id) => Some(id.clone()),
+            Unlock::Mission(_) | Unlock::Threat(_) | Unlock::Vehicle(_) => None,
+        });
         let mut skills: Vec<Skill> = mission
             .objective_skills()
             .filter_map(|(_, skill)| skill)
@@ -117,6 +120,7 @@ impl Offer {
             requires: mission.career.requires.clone(),
             credits: mission.career.rewards.credits,
             parts: parts.collect(),
+            kinds: kinds.collect(),
             skills,
             objectives: mission
                 .objectives
@@ -155,6 +159,16 @@ impl MissionCourse {
             }
         }
         flight
+    }
+
+    /// The missions that unlock a part, by itself or with the kind of vehicle that alone takes it.
+    pub(super) fn unlocking<'a>(&'a self, part: &'a Part) -> impl Iterator<Item = &'a Offer> {
+        self.offers.iter().filter(|offer| {
+            let with_kind = part
+                .only_for()
+                .is_some_and(|kind| offer.kinds.contains(&kind));
+            with_kind || offer.parts.iter().any(|id| id == part.id)
+        })
     }
 
     /// The mission with an id, if the course has it.

@@ -32,10 +32,12 @@ impl CareerFlight {
 
 /// The trainee's own drones on a flight, without those that the mission lent.
 fn own<'a>(mission: &'a Mission, report: &'a Report) -> impl Iterator<Item = FlownDesign<'a>> {
-    let seats = mission.fleet().iter().zip(&report.usage);
-    seats.map(|(design, used)| FlownDesign {
-        design,
-        airborne_s: used.airborne_s,
-        has_crashed: used.crashed,
+    let seats = mission.designs().into_iter().zip(&report.usage);
+    seats.filter_map(|(design, used)| {
+        Some(FlownDesign {
+            design: design?,
+            airborne_s: used.airborne_s,
+            has_crashed: used.crashed,
+        })
     })
 }

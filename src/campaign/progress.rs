@@ -7,7 +7,9 @@ use super::{
     Offer, Skill, is_practice,
 };
 use crate::scoring::Medal;
+use crate::text;
 use crate::text::Text;
+use crate::workshop::DesignKind;
 
 /// The progress on a day.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -21,6 +23,8 @@ pub struct CareerProgress {
     pub next_level_experience: u64,
     /// The maximum number of drones that may be flown at a time.
     pub licence: u8,
+    /// The kinds of vehicles, and which of them can be built.
+    pub vehicles: Vec<VehicleProgress>,
     /// The number of finished flights.
     pub flights: u32,
     /// The number of flights from an imported profile, which are unverified.
@@ -30,6 +34,16 @@ pub struct CareerProgress {
     pub missions: Vec<MissionProgress>,
     /// The skills, in the order of [`Skill::ALL`].
     pub skills: Vec<SkillProgress>,
+}
+
+/// A kind of vehicle in a career.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct VehicleProgress {
+    pub kind: &'static str,
+    /// The kind's name on the screen.
+    pub title: Text,
+    /// The id of the mission that must be passed before such vehicles can be built; `None` if they can.
+    pub after: Option<String>,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -126,6 +140,7 @@ impl CareerProgress {
             level,
             next_level_experience,
             licence: standing.licence(),
+            vehicles: VehicleProgress::all(&standing, course),
             flights: standing.flights(),
             imported_flights: flights.iter().filter(|it| it.imported).count(),
             next,
@@ -141,6 +156,35 @@ impl CareerProgress {
     pub fn mean_skill_percent(&self) -> f64 {
         let sum: u32 = self.skills.iter().map(|it| u32::from(it.percent)).sum();
         f64::from(sum) / self.skills.len().max(1) as f64
+    }
+}
+
+impl VehicleProgress {
+    /// All kinds of vehicles for a trainee.
+    pub fn all(standing: &CareerStanding, course: &MissionCourse) -> Vec<Self> {
+        let of = |kind: DesignKind| Self {
+            kind: kind.id(),
+            title: kind.name(),
+            after: standing
+                .kind_lock(kind, course)
+                .map(|offer| offer.id.clone()),
+        };
+        DesignKind::ALL.into_iter().map(of).collect()
+    }
+
+    /// The kinds on one line: those that can be built, and after which mission the others can, by the number that its id
+    /// begins with.
+    pub fn line(all: &[Self]) -> Text {
+        let word = |one: &Self| match &one.after {
+            None => one.title.clone(),
+            Some(mission) => text!(
+                "vehicle-after",
+                kind = one.title.clone(),
+                mission = mission.split('-').next().unwrap_or(mission)
+            ),
+        };
+        let words = all.iter().map(word).collect();
+        text!("vehicle-kinds", kinds = Text::joined(", ", words))
     }
 }
 

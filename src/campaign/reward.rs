@@ -8,7 +8,7 @@ use super::{
 use crate::scoring::ALL_POINTS;
 use crate::text;
 use crate::text::Text;
-use crate::workshop::parts;
+use crate::workshop::{DesignKind, Part, parts};
 
 /// The changes that a flight makes to a career.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -35,7 +35,9 @@ pub struct Reward {
     pub licence: u8,
     /// The newly opened missions.
     pub missions: Vec<OpenedItem>,
-    /// The parts newly for sale.
+    /// The kinds of vehicles that can be built now, with their parts.
+    pub vehicles: Vec<OpenedItem>,
+    /// The other parts newly for sale.
     pub parts: Vec<OpenedItem>,
     /// The skills with evidence, in order.
     pub skills: Vec<SkillChange>,
@@ -48,7 +50,7 @@ pub struct Reward {
 
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct OpenedItem {
-    /// The id of the mission or part.
+    /// The id of the mission, kind of vehicle or part.
     pub id: String,
     /// The item's name on the screen.
     pub title: Text,
@@ -95,6 +97,12 @@ impl Reward {
             licence_before: before.licence(),
             licence: after.licence(),
             missions: opened_missions(before, after, course, flight.day),
+            vehicles: opened_kinds(before, after, course)
+                .map(|kind| OpenedItem {
+                    id: kind.id().to_owned(),
+                    title: kind.name(),
+                })
+                .collect(),
             parts: opened_parts(before, after, course),
             skills: skill_changes(before, after, flight),
             unpaid: (pay_credits == 0).then(|| unpaid(before, flight)),
@@ -122,6 +130,8 @@ impl Reward {
         }
         let missions = self.missions.iter();
         lines.extend(missions.map(|it| text!("reward-mission", mission = it.title.clone())));
+        let vehicles = self.vehicles.iter();
+        lines.extend(vehicles.map(|it| text!("reward-vehicle", kind = it.title.clone())));
         if !self.parts.is_empty() {
             let names = self.parts.iter().map(|it| it.title.clone()).collect();
             lines.push(text!("reward-parts", parts = Text::joined(", ", names)));
@@ -230,6 +240,17 @@ fn opened_missions(
         .collect()
 }
 
+fn opened_kinds(
+    before: &CareerStanding,
+    after: &CareerStanding,
+    course: &MissionCourse,
+) -> impl Iterator<Item = DesignKind> {
+    let is_locked =
+        move |kind, standing: &CareerStanding| standing.kind_lock(kind, course).is_some();
+    let kinds = DesignKind::ALL.into_iter();
+    kinds.filter(move |kind| is_locked(*kind, before) && !is_locked(*kind, after))
+}
+
 fn opened_parts(
     before: &CareerStanding,
     after: &CareerStanding,
@@ -238,8 +259,11 @@ fn opened_parts(
     let is_locked = |part, standing: &CareerStanding| {
         matches!(standing.part_state(part, course), PartState::Locked(_))
     };
+    let kinds: Vec<DesignKind> = opened_kinds(before, after, course).collect();
+    let is_of_kind = |part: &Part| part.only_for().is_some_and(|kind| kinds.contains(&kind));
     parts()
         .filter(|part| is_locked(part, before) && !is_locked(part, after))
+        .filter(|part| !is_of_kind(part))
         .map(|part| OpenedItem {
             id: part.id.to_owned(),
             title: part.name(),

@@ -4,11 +4,13 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use super::economy::{self, START_CREDITS, STARTER_PARTS};
 use super::knowledge::Skills;
-use super::{CareerEntry, CareerFlight, Knowledge, Mastery, MissionCourse, Purchase, Skill, Stake};
+use super::{
+    CareerEntry, CareerFlight, Knowledge, Mastery, MissionCourse, Offer, Purchase, Skill, Stake,
+};
 use crate::scoring::Medal;
 use crate::text;
 use crate::text::Text;
-use crate::workshop::{Design, Part, part};
+use crate::workshop::{Design, DesignKind, Part, part};
 
 /// Credits, experience, parts, skills and results of a trainee.
 #[derive(Debug, Clone, PartialEq)]
@@ -208,17 +210,22 @@ impl CareerStanding {
         if self.owned.contains(part.id) {
             return PartState::Owned;
         }
-        let mut unlocking = course
-            .offers()
-            .iter()
-            .filter(|offer| offer.parts.iter().any(|id| id == part.id))
-            .peekable();
+        let mut unlocking = course.unlocking(part).peekable();
         let first = unlocking.peek().map(|offer| offer.id.clone());
         let is_unlocked = unlocking.any(|offer| self.has_passed(&offer.id));
         match first {
             Some(mission) if !is_unlocked => PartState::Locked(mission),
             _ => PartState::ForSale(economy::licence_price(part.credits)),
         }
+    }
+
+    /// The mission that must be passed before vehicles of a kind can be built; `None` if they can.
+    pub fn kind_lock<'a>(&self, kind: DesignKind, course: &'a MissionCourse) -> Option<&'a Offer> {
+        let offers = course.offers().iter();
+        let mut unlocking = offers.filter(|offer| offer.kinds.contains(&kind));
+        let first = unlocking.clone().next()?;
+        let is_unlocked = unlocking.any(|offer| self.has_passed(&offer.id));
+        (!is_unlocked).then_some(first)
     }
 
     /// The parts of a design without a licence, in the order of its slots, each once.

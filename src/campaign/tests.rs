@@ -1,4 +1,5 @@
 mod advice;
+mod kinds;
 mod properties;
 mod reward;
 mod skills;
@@ -29,6 +30,7 @@ fn offer(id: &str, vehicles: u8, after: &[&str], parts: &[&str]) -> Offer {
         },
         credits: 400,
         parts: owned(parts),
+        kinds: Vec::new(),
         skills: vec![Skill::K3],
         objectives: BTreeMap::new(),
     }

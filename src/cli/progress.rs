@@ -3,7 +3,7 @@
 use std::time::{Duration, UNIX_EPOCH};
 
 use super::table::{Side, TextTable};
-use crate::campaign::{CareerProgress, Mastery, MissionState, Stake};
+use crate::campaign::{CareerProgress, Mastery, MissionState, Stake, VehicleProgress};
 use crate::scoring::{FlownBy, Medal};
 use crate::store::{PastRun, utc};
 use crate::text;
@@ -18,7 +18,7 @@ pub(super) fn date(day: i64) -> String {
     time.map_or_else(String::new, |time| utc(time).chars().take(10).collect())
 }
 
-/// Credits, level, licence, and the recommended training.
+/// Credits, level, licence, kinds of vehicles, and the recommended training.
 pub(super) fn heading(progress: &CareerProgress) -> Vec<Text> {
     let mut lines = vec![text!(
         "progress-standing",
@@ -29,6 +29,7 @@ pub(super) fn heading(progress: &CareerProgress) -> Vec<Text> {
         licence = progress.licence,
         flights = progress.flights
     )];
+    lines.push(VehicleProgress::line(&progress.vehicles));
     if progress.imported_flights > 0 {
         lines.push(text!(
             "progress-imported",

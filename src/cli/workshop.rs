@@ -11,10 +11,13 @@ use super::Failure;
 use super::designs::find;
 use super::settings::CliSettings;
 use crate::mission::Mission;
+use crate::sitl::gear_parameters;
 use crate::store;
 use crate::text;
 use crate::text::{Locale, Text, rounded};
-use crate::workshop::{Air, Design, FindingSeverity, Measure, PartSlot, Sheet, parts_for};
+use crate::workshop::{
+    Air, AirframeBuild, Design, FindingSeverity, Measure, PartSlot, Sheet, parts_for,
+};
 
 /// Options of `sortie workshop`.
 #[derive(Debug, Args)]
@@ -66,7 +69,7 @@ enum WorkshopCommand {
         /// A mission file, or the name or number of a mission.
         mission: String,
     },
-    /// Writes the airframe of a design for ArduPilot's SITL: NAME.json for `--model`, NAME.parm for `--defaults`.
+    /// Writes a design for ArduPilot's SITL: NAME.parm for `--defaults`, and of a drone also NAME.json for `--model`.
     #[command(after_help = "Examples:\n  \
                             sortie workshop export scout\n  \
                             sortie workshop export my-drone.toml --to airframes")]
@@ -179,7 +182,7 @@ fn show(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure>
     say!("{}", design.name)?;
     say!("\n{}", heading("workshop-parts"))?;
     for (part, pieces) in design.pieces() {
-        let slot = locale.text(&part.slot().name());
+        let slot = locale.text(&design.kind().slot_name(part.slot()));
         let name = locale.text(&part.name());
         let mass_g = part.mass_g * f64::from(pieces);
         let credits = part.credits * pieces;
@@ -191,7 +194,7 @@ fn show(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure>
     }
     say!("\n{}", heading("workshop-figures"))?;
     let sheet = Sheet::of(design, air);
-    for measure in Measure::ALL {
+    for measure in sheet.measures() {
         let value = measure
             .of(&sheet)
             .map_or_else(|| "-".to_owned(), |it| measure.shown(it));
@@ -203,7 +206,7 @@ fn show(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure>
     say!("\n{}", heading("workshop-findings"))?;
     let findings = design.findings(air);
     if findings.is_empty() {
-        say!("  {}", heading("workshop-none"))?;
+        say!("  {}", heading(design.kind().none_found()))?;
     }
     for finding in &findings {
         let mark = match finding.severity() {
@@ -231,10 +234,11 @@ fn show_json(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Fai
         .collect();
     let document = serde_json::json!({
         "name": design.name,
+        "kind": design.kind().id(),
         "parts": parts,
         "mass_kg": rounded(design.mass_kg(), 3),
         "credits": design.credits(),
-        "figures": with_rounded_numbers(serde_json::to_value(sheet.figures)?),
+        "figures": with_rounded_numbers(serde_json::to_value(sheet.performance)?),
         "findings": findings,
     });
     say!("{}", serde_json::to_string_pretty(&document)?)?;
@@ -254,7 +258,7 @@ fn compare(
         short(&before.name),
         short(&after.name)
     )?;
-    for measure in Measure::ALL {
+    for measure in Measure::of_both(&one, &two) {
         let (from, to) = (measure.of(&one), measure.of(&two));
         let shown =
             |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |it| measure.shown(it));
@@ -299,33 +303,43 @@ fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<
         let text = text!("workshop-incomplete", name = design.name.as_str());
         return Err(Failure::Invalid(format!("sortie: {}", locale.text(&text))));
     };
-    let stem: String = design
-        .name
-        .chars()
-        .map(|c| {
-            if c.is_ascii_alphanumeric() {
-                c.to_ascii_lowercase()
-            } else {
-                '-'
-            }
-        })
-        .collect();
-    let frame = folder.join(format!("{stem}.json"));
+    let stem = file_stem(&design.name);
+    let mut all = airframe.parameters;
     let parameters = folder.join(format!("{stem}.parm"));
-    let lines: Vec<String> = airframe
-        .parameters
+    let mut files = parameters.display().to_string();
+    match &airframe.build {
+        AirframeBuild::Frame(frame) => {
+            let file = folder.join(format!("{stem}.json"));
+            let text = serde_json::to_string_pretty(frame)? + "\n";
+            store::write(&file, &text, true)?;
+            files = format!("{}, {files}", file.display());
+        }
+        AirframeBuild::Gear(gear) => {
+            all.extend(gear_parameters(design.vehicle_kind(), gear));
+        }
+    }
+    let lines: Vec<String> = all
         .iter()
         .map(|(name, value)| format!("{name} {value}\n"))
         .collect();
-    let frame_text = serde_json::to_string_pretty(&airframe.frame)? + "\n";
-    store::write(&frame, &frame_text, true)?;
     store::write(&parameters, &lines.concat(), true)?;
-    let files = format!("{}, {}", frame.display(), parameters.display());
     say!(
         "{}",
         locale.text(&text!("workshop-exported", files = files))
     )?;
     Ok(ExitCode::SUCCESS)
+}
+
+/// A design's name as the name of a file.
+fn file_stem(name: &str) -> String {
+    let plain = |c: char| {
+        if c.is_ascii_alphanumeric() {
+            c.to_ascii_lowercase()
+        } else {
+            '-'
+        }
+    };
+    name.chars().map(plain).collect()
 }
 
 /// A document with its numbers rounded to thousandths, because further digits are arithmetic noise.

@@ -7,7 +7,7 @@ use super::client::RemoteHangar;
 use super::{HangarSetup, Hangars, Launch};
 use crate::scoring::FlightBackend;
 use crate::sim::{Airframe, Chassis, Start, VehicleKind, WorldConfig};
-use crate::sitl::{FormationShape, SitlKind, StartFormation};
+use crate::sitl::{FormationShape, SitlKind, StartFormation, gear_parameters};
 use crate::text;
 use crate::text::Text;
 
@@ -137,14 +137,19 @@ impl VehicleBackend {
         let launch = |(at, (&start, system)): (usize, (&Start, u8))| {
             let kind = world.kind(at);
             let airframe = world.airframes.get(at).or(world.airframes.last());
-            let airframe = airframe.filter(|_| kind == VehicleKind::Copter);
+            // A vehicle that drives has only an airframe that was built for it.
+            let airframe =
+                airframe.filter(|it| it.gear().is_some() == (kind != VehicleKind::Copter));
             let parameters = airframe.map_or(&[][..], |it| it.parameters());
+            let gear = airframe.and_then(|it| it.gear());
+            let of_gear = gear.map_or_else(Vec::new, |gear| gear_parameters(kind, gear));
             Launch {
                 kind: kind.into(),
                 model: (kind != VehicleKind::Copter).then(|| kind.name().to_owned()),
                 frame: airframe.and_then(|it| it.file().cloned()),
                 parameters: parameters
                     .iter()
+                    .chain(&of_gear)
                     .map(|&(name, value)| (name.to_owned(), value))
                     .collect(),
                 home: start.into(),

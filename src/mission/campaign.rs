@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::scoring::Medal;
+use crate::workshop::DesignKind;
 
 /// The achievements required before the mission is offered.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -34,6 +35,8 @@ pub enum Unlock {
     Mission(String),
     /// A threat that an instructor may trigger.
     Threat(String),
+    /// A kind of vehicle: the parts that only this kind takes.
+    Vehicle(DesignKind),
 }
 
 /// The limits of a fleet: its price, and the drones that are lent.

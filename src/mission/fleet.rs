@@ -1,4 +1,4 @@
-//! Missions flown with drones that the trainee built.
+//! Missions flown with vehicles that the trainee built.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -8,20 +8,50 @@ use super::fit::Fit;
 use super::ground_truth::Load;
 use super::radio::{Model, Radio, Set};
 use super::sensor::Sensor;
-use crate::sim::Airframe;
+use crate::sim::{Airframe, VehicleKind};
 use crate::text;
 use crate::text::Text;
-use crate::workshop::{Air, Design, FindingSeverity, PartSlot};
+use crate::workshop::{self, Air, Design, DesignKind, FindingSeverity, PartSlot};
 
 /// Seconds of spray in a sprayer's tank.
 pub(super) const TANK_S: u32 = 15;
 /// The part that releases pieces.
 pub(super) const DROPPER: &str = "s_drop";
+/// The part that clears mines ahead of a ground robot.
+pub(super) const FLAIL: &str = "s_flail";
+
+/// The designs of a fleet, dealt to seats of these kinds: each seat takes the next design of its kind, and the last one
+/// also fills the seats of the kind that follow. A seat without a design of its kind has the mission's own vehicle.
+pub fn dealt<'a>(seats: &[DesignKind], fleet: &'a [Design]) -> Vec<Option<&'a Design>> {
+    let nth = |seat: usize| {
+        seats[..seat]
+            .iter()
+            .filter(|it| **it == seats[seat])
+            .count()
+    };
+    let of_seat = |seat: usize| {
+        let mut alike = fleet.iter().filter(|it| it.kind() == seats[seat]);
+        let own = alike.clone().nth(nth(seat));
+        own.or_else(|| alike.next_back())
+    };
+    (0..seats.len()).map(of_seat).collect()
+}
 
 impl Mission {
-    /// The designs that fly the mission, one per seat; empty for the mission's own drones.
+    /// The designs that fly the mission, in the order of their seats; empty for the mission's own vehicles.
     pub fn fleet(&self) -> &[Design] {
         &self.seats.designs
+    }
+
+    /// The design of each seat; `None` for the mission's own vehicle.
+    pub fn designs(&self) -> Vec<Option<&Design>> {
+        dealt(&self.seat_kinds(), &self.seats.designs)
+    }
+
+    /// The kind of design that each seat takes.
+    pub fn seat_kinds(&self) -> Vec<DesignKind> {
+        let kinds = self.seats.kinds.iter();
+        kinds.map(|kind| DesignKind::of(*kind)).collect()
     }
 
     /// The air in which the mission is flown. Battery packs are warm at launch.
@@ -33,41 +63,70 @@ impl Mission {
         }
     }
 
-    /// The same mission flown with built drones: one design for all drones, or one per drone, where
-    /// the last one also fills the seats that follow. Ground robots and boats are the mission's own. Without any design, the mission's own drones
-    /// fly it.
+    /// The same mission flown with built vehicles. Each seat takes the next design of its kind, and the last one also
+    /// fills the seats of the kind that follow. Seats of kinds without a design keep the mission's own vehicles.
     ///
     /// # Errors
-    /// A text for each fault: more designs than seats, a design that does not fly in this air, a
-    /// fleet that costs more than the budget.
-    pub fn with_fleet(self, mut fleet: Vec<Design>) -> Result<Self, Vec<Text>> {
-        let Some(last) = fleet.last().cloned() else {
-            return Ok(self);
-        };
-        let drones = self.seats.are_drones().filter(|it| *it).count();
-        if fleet.len() > drones {
-            let designs = fleet.len();
-            return Err(vec![text!("fleet-many", seats = drones, designs = designs)]);
+    /// A text for each fault: a design of a kind that no seat takes, more designs than seats, a design that does not fly
+    /// or drive in this air, a fleet that costs more than the budget.
+    pub fn with_fleet(self, fleet: Vec<Design>) -> Result<Self, Vec<Text>> {
+        let unseated = self.unseated(&fleet);
+        if !unseated.is_empty() {
+            return Err(unseated);
         }
-        fleet.resize(drones, last.clone());
-        let mut faults = faults(&fleet, self.air());
-        faults.extend(too_dear(&fleet, self.seats.outlay.budget));
+        let seated: Vec<Design> = dealt(&self.seat_kinds(), &fleet)
+            .into_iter()
+            .flatten()
+            .cloned()
+            .collect();
+        let mut faults = faults(&seated, self.air());
+        faults.extend(too_dear(&seated, self.seats.outlay.budget));
         if faults.is_empty() {
-            let mut designs = fleet.into_iter();
-            let of_seat = |is_drone| if is_drone { designs.next() } else { None };
-            let all = self.seats.are_drones().map(of_seat);
-            let all = all.map(|design| design.unwrap_or_else(|| last.clone()));
-            let all = all.collect();
-            Ok(self.flown_by(all))
+            Ok(self.flown_by(fleet))
         } else {
             Err(faults)
         }
     }
 
-    /// The same mission with one design per seat, or with its own drones if `fleet` is empty; nothing is checked. The
-    /// drones carry the equipment of their designs, and their radios set the range.
+    /// Why the mission has no seats for some designs.
+    fn unseated(&self, fleet: &[Design]) -> Vec<Text> {
+        let seats = self.seat_kinds();
+        let of_kind = |kind| {
+            let designs: Vec<&Design> = fleet.iter().filter(|it| it.kind() == kind).collect();
+            let room = seats.iter().filter(|it| **it == kind).count();
+            let design = designs.first()?;
+            if room == 0 {
+                let mut taken = seats.clone();
+                taken.sort_unstable();
+                taken.dedup();
+                let taken = taken.into_iter().map(DesignKind::name).collect();
+                return Some(text!(
+                    "fleet-kind",
+                    design = design.name.as_str(),
+                    kind = kind.name(),
+                    kinds = Text::joined(", ", taken)
+                ));
+            }
+            let count = designs.len();
+            (count > room).then(|| {
+                text!(
+                    "fleet-many",
+                    kind = kind.id(),
+                    seats = room,
+                    designs = count
+                )
+            })
+        };
+        DesignKind::ALL.into_iter().filter_map(of_kind).collect()
+    }
+
+    /// The same mission with these designs in their seats, or with its own vehicles if `fleet` is empty; nothing is
+    /// checked. The vehicles carry the equipment of their designs, and their radios set the range.
     pub(super) fn flown_by(mut self, fleet: Vec<Design>) -> Self {
-        if fleet.is_empty() {
+        self.seats.designs = fleet;
+        let seated = self.designs();
+        self.seats.designs = seated.iter().copied().flatten().cloned().collect();
+        if self.seats.designs.is_empty() {
             return self;
         }
         let station = self.seats.pads.first().copied().unwrap_or_default();
@@ -76,35 +135,44 @@ impl Mission {
             station,
             antenna_m: Radio::USUAL_ANTENNA_M,
         });
-        let seats = fleet.iter().zip(&self.seats.asked);
-        self.seats.fits = seats
-            .zip(self.seats.are_drones())
-            .map(|((design, asked), is_drone)| {
-                if is_drone {
-                    Fit::of(design, asked, radio.own)
-                } else {
-                    asked.clone()
-                }
+        let own = radio.own;
+        let designs = self.designs();
+        let seats = designs.iter().zip(&self.seats.asked);
+        let fits: Vec<Fit> = seats
+            .map(|(design, asked)| match design {
+                Some(design) => Fit::of(design, asked, own),
+                None => asked.clone(),
             })
             .collect();
+        self.seats.fits = fits;
         let mut all = Fit::default();
         let carried = self.seats.fits.iter().flat_map(|fit| &fit.sensors);
         carried.for_each(|sensor| all.add(sensor));
         self.seats.sensors = all.sensors;
-        self.seats.designs = fleet;
         self
     }
 
-    /// The airframes of the built drones, in the order of the seats; empty if the mission's own drones fly it.
+    /// The kind of each vehicle in the simulator: that of its design, otherwise that of the mission.
+    pub(super) fn vehicle_kinds(&self) -> Vec<VehicleKind> {
+        let seats = self.designs().into_iter().zip(&self.seats.kinds);
+        seats
+            .map(|(design, own)| design.map_or(*own, Design::vehicle_kind))
+            .collect()
+    }
+
+    /// The airframes of the vehicles, in the order of the seats; empty if the mission's own ones fly it.
     pub(crate) fn airframes(&self) -> Vec<Arc<Airframe>> {
+        if self.seats.designs.is_empty() {
+            return Vec::new();
+        }
+        let designs = self.designs();
         let mut airframes: Vec<Arc<Airframe>> = Vec::new();
-        for (seat, design) in self.seats.designs.iter().enumerate() {
-            let alike = self.seats.designs[..seat]
-                .iter()
-                .position(|it| it == design);
-            airframes.push(match alike {
-                Some(first) => Arc::clone(&airframes[first]),
-                None => airframe(design),
+        for (seat, design) in designs.iter().enumerate() {
+            let alike = designs[..seat].iter().position(|it| it == design);
+            airframes.push(match (alike, design) {
+                (Some(first), _) => Arc::clone(&airframes[first]),
+                (None, Some(design)) => airframe(design),
+                (None, None) => Airframe::shared_standard(),
             });
         }
         airframes
@@ -118,6 +186,7 @@ impl Fit {
         let mut fit = Self {
             loads: loads(design),
             radio: radio(design, own),
+            flail: design.has(FLAIL),
             ..Self::default()
         };
         let mounted = design
@@ -163,12 +232,9 @@ fn radio(design: &Design, own: Option<Set>) -> Option<Set> {
     })
 }
 
-/// A design as the simulator flies it: with its parameters.
+/// A design as the simulator flies or drives it: with its parameters.
 fn airframe(design: &Design) -> Arc<Airframe> {
-    let built = design.airframe().and_then(|built| {
-        let (airframe, _) = Airframe::from_json(&built.frame.to_string()).ok()?;
-        Some(airframe.with_parameters(built.parameters))
-    });
+    let built = design.airframe().and_then(workshop::Airframe::simulated);
     // Designs without a drive were refused earlier.
     built.map_or_else(Airframe::shared_standard, Arc::new)
 }

@@ -12,6 +12,7 @@ use crate::swarm::Rules;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
+use crate::workshop::DesignKind;
 
 /// A mission on offer: its brief, its objectives and its rules.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,6 +33,8 @@ pub struct Listing {
     pub tier: u8,
     /// The number of vehicles.
     pub vehicles: usize,
+    /// The kind of design that each seat takes.
+    pub seats: Vec<DesignKind>,
     pub time_limit: Duration,
     /// The maximum mission time for full points.
     pub par_time: Duration,
@@ -131,6 +134,7 @@ impl Mission {
             drill_of: self.summary.drill_of.clone(),
             tier: self.summary.tier,
             vehicles: self.seats.count,
+            seats: self.seat_kinds(),
             time_limit: self.rules.time_limit,
             par_time: self.scoring.par_time,
             par_energy_wh: self.scoring.par_energy_wh,

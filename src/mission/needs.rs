@@ -1,9 +1,9 @@
-//! The needs of a mission for its drones, and whether a design meets them.
+//! The needs of a mission for its vehicles, and whether a design meets them.
 
 use std::time::Duration;
 
 use super::event::Action;
-use super::fleet::{DROPPER, TANK_S};
+use super::fleet::{DROPPER, FLAIL, TANK_S};
 use super::ground_truth::Load;
 use super::report::distance_m;
 use super::sensor::Sensor;
@@ -13,7 +13,9 @@ use super::{Mission, Point};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
-use crate::workshop::{Air, Design, Figures, GOOD_THRUST, LEAST_THRUST, Part, part};
+use crate::workshop::{
+    Air, Design, DesignKind, Figures, GOOD_THRUST, LEAST_THRUST, Part, Performance, part,
+};
 
 /// The margin on the range: paths are not straight, and wind and headings are unknown.
 const REACH: f64 = 1.3;
@@ -31,6 +33,8 @@ const GUSTY_THRUST: f64 = GOOD_THRUST;
 pub struct Need {
     /// The seats, by vehicle number.
     pub seats: Vec<VehicleId>,
+    /// The kind of vehicle that the seats take.
+    pub kind: DesignKind,
     pub sensors: Vec<&'static str>,
     /// Loads, and the parts that release or spray them, by id and count.
     pub loads: Vec<(&'static str, u32)>,
@@ -66,20 +70,25 @@ pub struct FitLine {
 }
 
 impl Mission {
-    /// The needs that built drones must meet, in the order of the seats; seats with the same needs share an entry.
+    /// The needs that built vehicles must meet, in the order of the seats; seats with the same needs share an entry.
     pub fn needs(&self) -> Vec<Need> {
         let mut needs: Vec<Need> = Vec::new();
         let far_m = self.farthest_m();
-        let drones = self.seats.are_drones().filter(|it| *it).count();
-        let seats = (1..).zip(&self.seats.asked).zip(self.seats.are_drones());
-        for ((vehicle, asked), _) in seats.filter(|(_, is_drone)| *is_drone) {
+        let seats = (1..).zip(&self.seats.asked).zip(self.seat_kinds());
+        for ((vehicle, asked), kind) in seats {
+            let loads = parts(asked.loads.iter().map(|(load, count)| (*load, *count)));
+            let flail = asked.flail.then_some((FLAIL, 1));
             let need = Need {
                 seats: vec![vehicle],
+                kind,
                 sensors: asked.sensors.iter().map(|sensor| sensor.id).collect(),
-                loads: parts(asked.loads.iter().map(|(load, count)| (*load, *count))),
+                loads: loads.into_iter().chain(flail).collect(),
                 reach_m: far_m * REACH,
                 far_m,
-                height_m: USUAL_HEIGHT_M.min(self.rules.max_height_m),
+                height_m: match kind {
+                    DesignKind::Drone => USUAL_HEIGHT_M.min(self.rules.max_height_m),
+                    DesignKind::Robot | DesignKind::Boat => 0.0,
+                },
                 wind_m_s: self.strongest_wind_m_s(),
                 time: self.scoring.par_time,
                 reserve_percent: self.rules.land_reserve_percent,
@@ -88,9 +97,11 @@ impl Mission {
                     .seats
                     .outlay
                     .budget
-                    .map(|all| all / drones.max(1) as u32),
+                    .map(|all| all / self.seats.count.max(1) as u32),
             };
-            let alike = |it: &&mut Need| it.sensors == need.sensors && it.loads == need.loads;
+            let alike = |it: &&mut Need| {
+                it.kind == need.kind && it.sensors == need.sensors && it.loads == need.loads
+            };
             match needs.iter_mut().find(alike) {
                 Some(known) => known.seats.push(vehicle),
                 None => needs.push(need),
@@ -173,31 +184,47 @@ pub(super) fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static s
 
 impl Need {
     /// Compares a design: required equipment first, then required figures. Figures are left out while parts of the
-    /// drive are missing.
+    /// drive are missing. With another kind of vehicle, nothing else is compared.
     pub fn fit(&self, design: &Design) -> Vec<FitLine> {
+        if design.kind() != self.kind && !design.is_empty() {
+            return vec![FitLine {
+                what: text!("need-kind"),
+                required: self.kind.name(),
+                has: design.kind().name(),
+                met: false,
+                is_block: true,
+            }];
+        }
         let sensors = self.sensors.iter().map(|id| sensor_line(design, id));
         let loads = self.loads.iter().map(|&(id, count)| {
             let pieces = design.pieces().filter(|(part, _)| part.id == id);
             mounted_line(id, pieces.map(|(_, pieces)| pieces).sum(), count)
         });
         let mut lines: Vec<FitLine> = sensors.chain(loads).collect();
-        if let Some(figures) = design.figures(self.air) {
-            lines.extend([
-                self.radius(&figures),
-                self.time(&figures),
+        match design.performance(self.air) {
+            Some(Performance::Flight(figures)) => lines.extend([
+                self.radius(figures.radius_m(self.wind_m_s)),
+                self.time(figures.hover_80_s),
                 self.thrust(&figures),
-            ]);
+            ]),
+            Some(Performance::Drive(figures)) => lines.extend([
+                self.radius(figures.radius_m()),
+                self.time(figures.drive_80_s),
+            ]),
+            None => {}
         }
         lines.push(self.link(design));
         lines.extend(self.cost(design));
         lines
     }
 
-    fn radius(&self, figures: &Figures) -> FitLine {
-        let has_m = figures.radius_m(self.wind_m_s);
+    fn radius(&self, has_m: f64) -> FitLine {
         let wind = format!("{:.0}", self.wind_m_s);
         FitLine {
-            what: text!("need-radius", wind = wind),
+            what: match self.kind {
+                DesignKind::Drone => text!("need-radius", wind = wind),
+                DesignKind::Robot | DesignKind::Boat => text!("need-drive-radius"),
+            },
             required: metres(self.reach_m),
             has: metres(has_m),
             met: has_m >= self.reach_m,
@@ -205,15 +232,18 @@ impl Need {
         }
     }
 
-    /// Compares the hover time down to the reserve.
-    fn time(&self, figures: &Figures) -> FitLine {
+    /// Compares the hover or driving time down to the reserve, by that to 20 %.
+    fn time(&self, until_80_s: f64) -> FitLine {
         let share = 1.0 - self.reserve_percent / 100.0;
-        let has_s = figures.hover_80_s * share / 0.8;
+        let has_s = until_80_s * share / 0.8;
+        let reserve = format!("{:.0}", self.reserve_percent);
         FitLine {
-            what: text!(
-                "need-time",
-                reserve = format!("{:.0}", self.reserve_percent)
-            ),
+            what: match self.kind {
+                DesignKind::Drone => text!("need-time", reserve = reserve),
+                DesignKind::Robot | DesignKind::Boat => {
+                    text!("need-drive-time", reserve = reserve)
+                }
+            },
             required: minutes(self.time.as_secs_f64()),
             has: minutes(has_s),
             met: has_s >= self.time.as_secs_f64(),
@@ -240,7 +270,10 @@ impl Need {
     fn link(&self, design: &Design) -> FitLine {
         let has_m = design.link(self.height_m).map(|link| link.range_m);
         FitLine {
-            what: text!("need-link", height = format!("{:.0}", self.height_m)),
+            what: match self.kind {
+                DesignKind::Drone => text!("need-link", height = format!("{:.0}", self.height_m)),
+                DesignKind::Robot | DesignKind::Boat => text!("need-ground-link"),
+            },
             required: metres(self.far_m),
             has: has_m.map_or_else(|| text!("need-none"), metres),
             met: has_m.is_some_and(|has_m| has_m >= self.far_m),
@@ -252,7 +285,10 @@ impl Need {
         let share = self.credits?;
         let credits = design.credits();
         Some(FitLine {
-            what: text!("need-cost"),
+            what: match self.kind {
+                DesignKind::Drone => text!("need-cost"),
+                DesignKind::Robot | DesignKind::Boat => text!("need-vehicle-cost"),
+            },
             required: Text::verbatim(share.to_string()),
             has: Text::verbatim(credits.to_string()),
             met: credits <= share,

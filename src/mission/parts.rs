@@ -105,17 +105,12 @@ pub struct MissionSeats {
     pub(crate) asked: Vec<fit::Fit>,
     /// The kind of each vehicle, in the order of the pads.
     pub(crate) kinds: Vec<VehicleKind>,
-    /// The designs of the drones built for the mission, in the order of the pads; empty if the
-    /// mission's own drones fly. Those of ground robots and boats, which are not built, are not used.
+    /// The designs of the vehicles built for the mission, in the order of their pads; empty if the
+    /// mission's own vehicles fly. Seats of a kind without a design have the mission's own vehicles.
     pub(crate) designs: Vec<Design>,
 }
 
 impl MissionSeats {
-    /// Whether each vehicle, in the order of the pads, is a drone, which a trainee may build.
-    pub(crate) fn are_drones(&self) -> impl Iterator<Item = bool> {
-        self.kinds.iter().map(|kind| *kind == VehicleKind::Copter)
-    }
-
     /// Whether the vehicles carry two kinds of detectors, so that one can confirm the finds of the other.
     pub(crate) fn can_confirm(&self) -> bool {
         let sensors = self.sensors.iter();

@@ -1,13 +1,17 @@
-//! A design as an airframe for both simulators: a SITL frame file, and the matching parameters.
+//! A design as an airframe for both simulators: a SITL frame file or a running gear, and the matching parameters.
+
+mod driving;
 
 use serde_json::{Value, json};
 
+use super::air::Air;
 use super::design::{Design, Drive};
-use super::figures::{Air, Figures};
+use super::figures::Figures;
+use super::kind::DesignKind;
 use super::pack::Pack;
-use super::part::Chemistry;
+use super::part::{Battery, Chemistry};
 use crate::geo::maths;
-use crate::sim::{GRAVITY_M_S2, SEA_LEVEL_DENSITY};
+use crate::sim::{self, GRAVITY_M_S2, RunningGear, SEA_LEVEL_DENSITY};
 use crate::text::rounded;
 
 /// The lean of the reference flight in the frame file, in degrees.
@@ -20,24 +24,58 @@ const RATE_GAIN: f64 = 0.135;
 const RATE_DAMPING: f64 = 0.0036;
 const DEFAULT_AUTHORITY: f64 = 7.31;
 
-/// A design as the simulators need it: a frame file, a motor layout and parameters.
+/// A design as the simulators need it: what moves it, a model and parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Airframe {
-    /// The frame file (`SIM_Frame` JSON).
-    pub frame: Value,
-    /// The motor layout, as `--model` names it.
+    pub build: AirframeBuild,
+    /// The model of SITL, as `--model` names it: of a drone, its motor layout.
     pub model: &'static str,
     pub parameters: Vec<(&'static str, f64)>,
+}
+
+/// What moves a vehicle in the simulators.
+#[derive(Debug, Clone, PartialEq)]
+pub enum AirframeBuild {
+    /// A drone: the frame file (`SIM_Frame` JSON).
+    Frame(Value),
+    /// A ground robot or boat, for the embedded simulator. SITL has models of its own for them.
+    Gear(RunningGear),
+}
+
+impl Airframe {
+    /// The vehicle for the embedded simulator; `None` if the simulator refuses its frame file.
+    pub fn simulated(self) -> Option<sim::Airframe> {
+        let airframe = match self.build {
+            AirframeBuild::Frame(frame) => sim::Airframe::from_json(&frame.to_string()).ok()?.0,
+            AirframeBuild::Gear(gear) => sim::Airframe::driven(gear),
+        };
+        Some(airframe.with_parameters(self.parameters))
+    }
+
+    /// The frame file for SITL; `None` for a ground robot or boat.
+    pub fn frame(&self) -> Option<&Value> {
+        match &self.build {
+            AirframeBuild::Frame(frame) => Some(frame),
+            AirframeBuild::Gear(_) => None,
+        }
+    }
 }
 
 impl Design {
     /// The airframe; `None` while parts of the drive are missing.
     pub fn airframe(&self) -> Option<Airframe> {
+        match self.kind() {
+            DesignKind::Drone => self.flying_airframe(),
+            DesignKind::Robot | DesignKind::Boat => self.driving_airframe(),
+        }
+    }
+
+    fn flying_airframe(&self) -> Option<Airframe> {
         let drive = self.drive()?;
         let figures = self.figures(Air::default())?;
         let pack = Pack::of(&drive, Air::default().battery_c);
         Some(Airframe {
-            frame: frame(&drive, &figures, &pack),
+            build: AirframeBuild::Frame(frame(&drive, &figures, &pack)),
             model: model(drive.frame.motors),
             parameters: parameters(&drive, &figures, &pack),
         })
@@ -87,17 +125,11 @@ fn frame(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Value {
 /// Frame class, battery limits of its chemistry, and gains for its control authority.
 fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'static str, f64)> {
     let cells = f64::from(drive.battery.cells);
-    let capacity_mah = pack.capacity_ah * 1000.0;
-    let reserve_mah = capacity_mah * (1.0 - pack.usable);
-    let (low_v, critical_v) = match drive.battery.chemistry {
-        Chemistry::Polymer => (3.5, 3.35),
-        Chemistry::Ion => (3.3, 3.1),
-    };
     let authority = figures.thrust_to_weight_full / drive.frame.wheelbase_m;
     let gain = (DEFAULT_AUTHORITY / authority).clamp(0.25, 2.0);
     let rate = rounded(RATE_GAIN * gain, 4);
     let damping = rounded(RATE_DAMPING * gain, 5);
-    vec![
+    let mut all = vec![
         (
             "FRAME_CLASS",
             match drive.frame.motors {
@@ -111,12 +143,9 @@ fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'stati
             "FRAME_TYPE",
             if drive.frame.motors == 8 { 14.0 } else { 1.0 },
         ),
-        ("BATT_MONITOR", 4.0),
-        ("BATT_CAPACITY", capacity_mah.round()),
-        ("BATT_LOW_VOLT", rounded(low_v * cells, 2)),
-        ("BATT_CRT_VOLT", rounded(critical_v * cells, 2)),
-        ("BATT_LOW_MAH", (reserve_mah * 1.25).round()),
-        ("BATT_CRT_MAH", (reserve_mah * 0.6).round()),
+    ];
+    all.extend(battery_limits(drive.battery, pack));
+    all.extend([
         ("BATT_FS_LOW_ACT", 2.0),
         ("BATT_FS_CRT_ACT", 1.0),
         ("MOT_BAT_VOLT_MAX", rounded(pack.full_v(), 2)),
@@ -141,5 +170,25 @@ fn parameters(drive: &Drive<'_>, figures: &Figures, pack: &Pack) -> Vec<(&'stati
         ("ATC_RAT_RLL_P", rate),
         ("ATC_RAT_RLL_I", rate),
         ("ATC_RAT_RLL_D", damping),
+    ]);
+    all
+}
+
+/// The battery's monitor and capacity, and its low and critical levels by its chemistry.
+fn battery_limits(battery: &Battery, pack: &Pack) -> [(&'static str, f64); 6] {
+    let cells = f64::from(battery.cells);
+    let capacity_mah = pack.capacity_ah * 1000.0;
+    let reserve_mah = capacity_mah * (1.0 - pack.usable);
+    let (low_v, critical_v) = match battery.chemistry {
+        Chemistry::Polymer => (3.5, 3.35),
+        Chemistry::Ion => (3.3, 3.1),
+    };
+    [
+        ("BATT_MONITOR", 4.0),
+        ("BATT_CAPACITY", capacity_mah.round()),
+        ("BATT_LOW_VOLT", rounded(low_v * cells, 2)),
+        ("BATT_CRT_VOLT", rounded(critical_v * cells, 2)),
+        ("BATT_LOW_MAH", (reserve_mah * 1.25).round()),
+        ("BATT_CRT_MAH", (reserve_mah * 0.6).round()),
     ]
 }

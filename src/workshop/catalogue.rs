@@ -1,4 +1,4 @@
-//! The parts that a drone can be built from.
+//! The parts that a drone, a ground robot or a boat can be built from.
 
 use super::part::{Part, PartSlot};
 
@@ -35,12 +35,17 @@ macro_rules! part {
 
 mod drive;
 mod equipment;
+mod surface;
 
 /// All parts, slot by slot in the order of building; within a slot by kind and size.
 pub fn parts() -> impl Iterator<Item = &'static Part> {
     let drive = [
         &drive::FRAMES[..],
+        &surface::CHASSIS,
+        &surface::HULLS,
         &drive::MOTORS,
+        &surface::WHEEL_DRIVES,
+        &surface::THRUSTERS,
         &drive::PROPELLERS,
         &drive::ESCS,
         &drive::BATTERIES,
@@ -50,6 +55,7 @@ pub fn parts() -> impl Iterator<Item = &'static Part> {
         &equipment::POWER_MODULES,
         &equipment::RADIOS,
         &equipment::PAYLOADS,
+        &surface::FLAILS,
     ];
     drive.into_iter().chain(carried).flatten()
 }

@@ -1,7 +1,11 @@
 //! Problems of a design, with reasons.
 
+mod driving;
+
+use super::air::Air;
 use super::design::Design;
-use super::figures::{Air, Figures, GOOD_THRUST, LEAST_THRUST};
+use super::figures::{Figures, GOOD_THRUST, LEAST_THRUST, Performance};
+use super::kind::DesignKind;
 use super::part::{Esc, Motor, PartSlot, Spec};
 use crate::text;
 use crate::text::Text;
@@ -14,7 +18,7 @@ const HOVER_SHARE: f64 = 0.5;
 /// The subject of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum FindingKind {
-    /// A slot that every drone needs is empty.
+    /// A slot that every vehicle of the kind needs is empty.
     Missing,
     /// The propellers have no room to turn.
     Propeller,
@@ -26,7 +30,7 @@ pub enum FindingKind {
     EscCurrent,
     /// The power module is not rated for the battery's voltage.
     PowerCells,
-    /// The power module is not rated for the current of a hover.
+    /// The power module is not rated for the current of a hover or a drive.
     PowerCurrent,
     /// The drone is too heavy: the thrust cannot hold a position in wind.
     Thrust,
@@ -40,6 +44,18 @@ pub enum FindingKind {
     HoverShare,
     /// The voltage sags before the battery is empty.
     Sag,
+    /// Another kind of vehicle takes the part.
+    Unfit,
+    /// The vehicle is heavier than its chassis or hull carries.
+    Overload,
+    /// The drive cannot move the vehicle.
+    Stuck,
+    /// The drive can hardly climb.
+    Slope,
+    /// Driving at cruise speed draws more current than the battery can supply.
+    CruiseCurrent,
+    /// The battery limits the pull.
+    PeakCurrent,
 }
 
 impl FindingKind {
@@ -54,10 +70,17 @@ impl FindingKind {
             | Self::PowerCurrent
             | Self::Thrust
             | Self::Collapse
-            | Self::HoverCurrent => FindingSeverity::Fault,
-            Self::EscCurrent | Self::Weak | Self::HoverShare | Self::Sag => {
-                FindingSeverity::Warning
-            }
+            | Self::HoverCurrent
+            | Self::Unfit
+            | Self::Overload
+            | Self::Stuck
+            | Self::CruiseCurrent => FindingSeverity::Fault,
+            Self::EscCurrent
+            | Self::Weak
+            | Self::HoverShare
+            | Self::Sag
+            | Self::Slope
+            | Self::PeakCurrent => FindingSeverity::Warning,
         }
     }
 }
@@ -91,26 +114,25 @@ impl DesignFinding {
 impl Design {
     /// All problems of the design, faults first. A design without faults can fly.
     pub fn findings(&self, air: Air) -> Vec<DesignFinding> {
-        self.findings_with(self.figures(air).as_ref())
+        self.findings_with(self.performance(air).as_ref())
     }
 
-    /// All problems of the design; `figures` must have been computed for it.
-    pub fn findings_with(&self, figures: Option<&Figures>) -> Vec<DesignFinding> {
+    /// All problems of the design; `performance` must have been computed for it.
+    pub fn findings_with(&self, performance: Option<&Performance>) -> Vec<DesignFinding> {
         let mut found = PackFindings::default();
-        for slot in PartSlot::ALL {
-            if slot.is_required() && self.in_slot(slot).is_empty() {
-                found.add(
-                    FindingKind::Missing,
-                    slot,
-                    text!("finding-missing", slot = slot.name()),
-                );
-            }
-        }
+        found.complete(self);
         found.turns(self);
         found.bears(self);
-        if let Some(figures) = figures {
-            found.flies(figures);
-            found.feeds(self, figures);
+        match performance {
+            Some(Performance::Flight(figures)) => {
+                found.flies(figures);
+                found.feeds(self, figures.hover_current_a);
+            }
+            Some(Performance::Drive(figures)) => {
+                found.drives(self, figures);
+                found.feeds(self, figures.cruise_current_a);
+            }
+            None => {}
         }
         found
             .0
@@ -132,6 +154,27 @@ struct PackFindings(Vec<DesignFinding>);
 impl PackFindings {
     fn add(&mut self, kind: FindingKind, slot: PartSlot, text: Text) {
         self.0.push(DesignFinding { kind, slot, text });
+    }
+
+    /// Checks that all slots of the kind have a part, and that the kind takes all parts.
+    fn complete(&mut self, design: &Design) {
+        let kind = design.kind();
+        let required = kind.slots().iter().filter(|slot| slot.is_required());
+        for &slot in required.filter(|slot| design.in_slot(**slot).is_empty()) {
+            let text = text!("finding-missing", slot = kind.slot_name(slot));
+            self.add(FindingKind::Missing, slot, text);
+        }
+        for (part, _) in design.pieces() {
+            if let Some(only) = part.only_for().filter(|only| *only != kind) {
+                let text = text!(
+                    "finding-unfit",
+                    part = part.name(),
+                    only = only.name(),
+                    kind = kind.name()
+                );
+                self.add(FindingKind::Unfit, part.slot(), text);
+            }
+        }
     }
 
     /// Checks that the propellers have room to turn.
@@ -290,17 +333,21 @@ impl PackFindings {
         }
     }
 
-    /// Checks that the power module supports the hover.
-    fn feeds(&mut self, design: &Design, figures: &Figures) {
+    /// Checks that the power module supports the hover or the drive.
+    fn feeds(&mut self, design: &Design, current_a: f64) {
         let Some(Spec::PowerModule(module)) = design.spec(PartSlot::Power) else {
             return;
         };
-        if figures.hover_current_a > module.max_current_a {
-            let text = text!(
-                "finding-power-current",
-                current = tenths(figures.hover_current_a),
-                most = tenths(module.max_current_a)
-            );
+        if current_a > module.max_current_a {
+            let (current, most) = (tenths(current_a), tenths(module.max_current_a));
+            let text = match design.kind() {
+                DesignKind::Drone => {
+                    text!("finding-power-current", current = current, most = most)
+                }
+                DesignKind::Robot | DesignKind::Boat => {
+                    text!("finding-power-cruise", current = current, most = most)
+                }
+            };
             self.add(FindingKind::PowerCurrent, PartSlot::Power, text);
         }
     }

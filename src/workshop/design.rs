@@ -4,7 +4,9 @@ mod file;
 
 use std::collections::BTreeMap;
 
+use super::kind::DesignKind;
 use super::part::{Battery, Esc, Frame, Motor, Part, PartSlot, Propeller, Radio, Spec};
+use crate::sim::{Chassis as Steering, VehicleKind};
 use crate::text::Text;
 
 pub use file::DesignError;
@@ -85,7 +87,8 @@ impl Design {
 
     /// This design with one more part. In a slot for one part it replaces the current one, and so
     /// does a battery of another kind. Any other part that is already on board is not added again,
-    /// unless it is a load. A full slot takes no further part.
+    /// unless it is a load. A full slot takes no further part. A frame, chassis or hull removes the
+    /// parts that only another kind of vehicle takes.
     #[must_use]
     pub fn with(&self, part: &'static Part) -> Self {
         let slot = part.slot();
@@ -111,7 +114,19 @@ impl Design {
         if there.len() < slot.room() && (may_repeat || !is_twice) {
             there.push(part);
         }
+        if slot == PartSlot::Frame {
+            changed.drop_unfit();
+        }
         changed
+    }
+
+    /// Removes the parts that the design's kind of vehicle does not take.
+    fn drop_unfit(&mut self) {
+        let kind = self.kind();
+        for parts in self.slots.values_mut() {
+            parts.retain(|part| part.fits(kind));
+        }
+        self.slots.retain(|_, parts| !parts.is_empty());
     }
 
     /// This design with one piece of a part removed.
@@ -129,17 +144,33 @@ impl Design {
         changed
     }
 
-    /// The frame's number of motors; 0 without a frame.
+    /// The number of motors of the frame, chassis or hull; 0 without one.
     pub fn motors(&self) -> u8 {
-        self.in_slot(PartSlot::Frame)
-            .first()
-            .map_or(0, |part| match &part.spec {
-                Spec::Frame(frame) => frame.motors,
-                _ => 0,
-            })
+        match self.spec(PartSlot::Frame) {
+            Some(Spec::Frame(frame)) => frame.motors,
+            Some(Spec::Chassis(chassis)) => chassis.motors,
+            Some(Spec::Hull(hull)) => hull.motors,
+            _ => 0,
+        }
     }
 
-    /// Mass ready to fly, in kilograms.
+    /// The kind of vehicle: that of the frame, chassis or hull, otherwise that of the other parts; a drone while no part
+    /// says.
+    pub fn kind(&self) -> DesignKind {
+        let mut parts = self.slots.values().flatten();
+        parts.find_map(|part| part.only_for()).unwrap_or_default()
+    }
+
+    /// What the design is in the simulators.
+    pub fn vehicle_kind(&self) -> VehicleKind {
+        match self.spec(PartSlot::Frame) {
+            Some(Spec::Chassis(chassis)) => VehicleKind::Rover(chassis.steering),
+            Some(Spec::Hull(_)) => VehicleKind::Rover(Steering::Boat),
+            _ => VehicleKind::Copter,
+        }
+    }
+
+    /// Mass ready to fly or drive, in kilograms.
     pub fn mass_kg(&self) -> f64 {
         let parts: f64 = self
             .pieces()

@@ -2,14 +2,17 @@
 
 use serde::Serialize;
 
+use super::air::Air;
 use super::design::{Design, Drive};
 use super::drive::VOLTAGE_SHARE;
+use super::driving::DriveFigures;
 use super::forward::Forward;
+use super::kind::DesignKind;
 use super::loss::{GROUND_ANTENNA_M, LOWEST_ANTENNA_M, reach_m};
 use super::pack::Pack;
 use super::part::Radio;
 use crate::geo::maths;
-use crate::sim::{GRAVITY_M_S2, SEA_LEVEL_DENSITY};
+use crate::sim::GRAVITY_M_S2;
 
 /// The thrust over weight below which a drone cannot hold its position in wind.
 pub const LEAST_THRUST: f64 = 1.3;
@@ -26,37 +29,7 @@ const SPEED_STEPS: u32 = 70;
 /// The planned margin of a link, in decibels.
 const FADE_MARGIN_DB: f64 = 20.0;
 
-/// The air that a drone flies in.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Air {
-    /// Altitude above sea level, in metres.
-    pub altitude_m: f64,
-    /// The temperature of the air in degrees Celsius.
-    pub temperature_c: f64,
-    /// The battery's temperature in degrees Celsius: packs are warm at launch, unless a mission sets another value.
-    pub battery_c: f64,
-}
-
-impl Default for Air {
-    /// The standard atmosphere at sea level.
-    fn default() -> Self {
-        Self {
-            altitude_m: 0.0,
-            temperature_c: 15.0,
-            battery_c: 25.0,
-        }
-    }
-}
-
-impl Air {
-    /// The density in kilograms per cubic metre (standard atmosphere, corrected for the temperature).
-    pub fn density(&self) -> f64 {
-        let standard = SEA_LEVEL_DENSITY * maths::powf(1.0 - 2.255_77e-5 * self.altitude_m, 5.2559);
-        standard * 288.15 / (273.15 + self.temperature_c)
-    }
-}
-
-/// The figures of a complete design.
+/// The figures of a complete drone.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Figures {
     /// The mass ready to fly, in kilograms.
@@ -108,6 +81,32 @@ pub struct Figures {
     pub spare_kg: f64,
 }
 
+/// The figures of a complete vehicle, by its kind.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum Performance {
+    Flight(Figures),
+    Drive(DriveFigures),
+}
+
+impl Performance {
+    /// The figures of a drone.
+    pub fn flight(&self) -> Option<&Figures> {
+        match self {
+            Self::Flight(figures) => Some(figures),
+            Self::Drive(_) => None,
+        }
+    }
+
+    /// The figures of a ground robot or boat.
+    pub fn drive(&self) -> Option<&DriveFigures> {
+        match self {
+            Self::Flight(_) => None,
+            Self::Drive(figures) => Some(figures),
+        }
+    }
+}
+
 /// The reach of a design's radio.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Link {
@@ -116,18 +115,26 @@ pub struct Link {
 }
 
 impl Design {
-    /// The design's figures in given air; `None` while parts of the drive are missing.
+    /// The figures of the design's kind of vehicle; `None` while parts of the drive are missing.
+    pub fn performance(&self, air: Air) -> Option<Performance> {
+        match self.kind() {
+            DesignKind::Drone => self.figures(air).map(Performance::Flight),
+            DesignKind::Robot | DesignKind::Boat => self.drive_figures(air).map(Performance::Drive),
+        }
+    }
+
+    /// The figures of a drone in given air; `None` while parts of the drive are missing, and for another kind of vehicle.
     pub fn figures(&self, air: Air) -> Option<Figures> {
         let drive = self.drive()?;
         let bench = FigureInputs::new(self, &drive, air);
         Some(bench.figures(self))
     }
 
-    /// The power of level flight in watts at each speed from 0 in steps of half a metre per second, up to the
-    /// fastest that the drone can fly; empty while parts of the drive are missing.
+    /// The power in watts at each speed, up to the fastest one: of level flight, in steps of half a metre per second, or
+    /// of driving; empty while parts of the drive are missing.
     pub fn polar(&self, air: Air) -> Vec<(f64, f64)> {
         let Some(drive) = self.drive() else {
-            return Vec::new();
+            return self.drive_polar(air);
         };
         let bench = FigureInputs::new(self, &drive, air);
         let top = bench.top_speed_m_s();
@@ -137,10 +144,11 @@ impl Design {
             .collect()
     }
 
-    /// Hover time in seconds by added payload in kilograms, up to a thrust of [`LEAST_THRUST`] times the weight.
+    /// Hover time in seconds by added payload in kilograms, up to a thrust of [`LEAST_THRUST`] times the weight; or
+    /// driving time, up to what the chassis or hull carries.
     pub fn endurance_by_payload(&self, air: Air) -> Vec<(f64, f64)> {
         let Some(drive) = self.drive() else {
-            return Vec::new();
+            return self.drive_time_by_payload(air);
         };
         let bench = FigureInputs::new(self, &drive, air);
         let most_kg =

@@ -1,7 +1,7 @@
 //! The battery of a design under load.
 
 use super::design::Drive;
-use super::part::Chemistry;
+use super::part::{Battery, Chemistry};
 
 /// Resting voltage of a lithium polymer cell, by charge in percent.
 const POLYMER: [(f64, f64); 14] = [
@@ -73,8 +73,12 @@ pub(super) struct Loaded {
 
 impl Pack {
     pub fn of(drive: &Drive<'_>, temperature_c: f64) -> Self {
-        let battery = drive.battery;
-        let packs = f64::from(drive.packs);
+        Self::of_cells(drive.battery, drive.packs, temperature_c)
+    }
+
+    /// Packs of a kind in parallel.
+    pub fn of_cells(battery: &Battery, packs: u8, temperature_c: f64) -> Self {
+        let packs = f64::from(packs);
         let cells = f64::from(battery.cells);
         let cold = 1.0 + COLD_RESISTANCE * (ROOM_TEMPERATURE_C - temperature_c).max(0.0);
         Self {

@@ -1,17 +1,18 @@
-//! Components of a drone: one [`Part`] of the catalogue, and the [`PartSlot`]s of a drone.
+//! Components of a vehicle: one [`Part`] of the catalogue, and the [`PartSlot`]s.
 
 use crate::geo::maths;
+use crate::sim::Chassis as Steering;
 use crate::text;
 use crate::text::Text;
 
 const INCH_M: f64 = 0.0254;
 
-/// A slot of a drone for parts, in the order of building.
+/// A slot of a vehicle for parts, in the order of building.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum PartSlot {
-    /// The frame: arms, hubs, legs.
+    /// The frame of a drone, the chassis of a robot, or the hull of a boat.
     Frame,
-    /// A motor for each arm.
+    /// A motor for each arm, a drive for each driven wheel, or the thrusters.
     Motor,
     /// A propeller for each motor.
     Propeller,
@@ -92,12 +93,12 @@ impl PartSlot {
         }
     }
 
-    /// Whether a drone has one piece for each motor.
+    /// Whether a vehicle has one piece for each motor.
     pub fn is_per_motor(self) -> bool {
         matches!(self, Self::Motor | Self::Propeller | Self::Esc)
     }
 
-    /// Whether every drone needs a part in this slot.
+    /// Whether every vehicle that has this slot needs a part in it.
     pub fn is_required(self) -> bool {
         self != Self::Payload
     }
@@ -131,6 +132,73 @@ pub(super) enum Spec {
     Payload,
     /// A load to drop; several may be carried.
     Load,
+    Chassis(Chassis),
+    WheelDrive(WheelDrive),
+    /// Chains that strike the ground ahead of a robot and set off mines.
+    Flail,
+    Hull(Hull),
+    Thruster(Thruster),
+}
+
+/// The chassis of a ground robot, with its wheels.
+#[derive(Debug, PartialEq)]
+pub(super) struct Chassis {
+    pub steering: Steering,
+    /// The number of driven wheels.
+    pub motors: u8,
+    pub length_m: f64,
+    /// The distance between the wheels of both sides.
+    pub track_m: f64,
+    pub wheel_radius_m: f64,
+    /// The radius of the tightest turn; 0 for a vehicle that turns on the spot.
+    pub turning_radius_m: f64,
+    /// The resistance to rolling on short grass, as a share of the weight.
+    pub rolling: f64,
+    /// Drag coefficient times area.
+    pub drag_area_m2: f64,
+    /// The greatest mass of the whole robot.
+    pub max_mass_kg: f64,
+}
+
+/// A motor with its gear and its controller, for one driven wheel. Figures are those at the wheel.
+#[derive(Debug, PartialEq)]
+pub(super) struct WheelDrive {
+    pub kv_rpm_v: f64,
+    pub resistance_ohm: f64,
+    pub idle_current_a: f64,
+    pub max_current_a: f64,
+    /// The efficiency of gear and controller.
+    pub efficiency: f64,
+    pub fewest_cells: u8,
+    pub most_cells: u8,
+}
+
+/// The hull of a boat.
+#[derive(Debug, PartialEq)]
+pub(super) struct Hull {
+    /// The number of thrusters.
+    pub motors: u8,
+    pub length_m: f64,
+    /// The radius of the tightest turn.
+    pub turning_radius_m: f64,
+    /// Drag coefficient times area in water, at the mass for which the hull is built.
+    pub drag_area_m2: f64,
+    pub built_for_kg: f64,
+    /// The greatest mass of the whole boat.
+    pub max_mass_kg: f64,
+}
+
+/// A thruster with its controller.
+#[derive(Debug, PartialEq)]
+pub(super) struct Thruster {
+    pub diameter_m: f64,
+    /// The share of the electrical power that momentum theory needs for the thrust.
+    pub efficiency: f64,
+    /// The greatest electrical power, and the voltage at which the thruster draws it.
+    pub max_power_w: f64,
+    pub rated_v: f64,
+    pub fewest_cells: u8,
+    pub most_cells: u8,
 }
 
 #[derive(Debug, PartialEq)]
@@ -218,8 +286,8 @@ impl Part {
     /// The slot that the part belongs in.
     pub fn slot(&self) -> PartSlot {
         match self.spec {
-            Spec::Frame(_) => PartSlot::Frame,
-            Spec::Motor(_) => PartSlot::Motor,
+            Spec::Frame(_) | Spec::Chassis(_) | Spec::Hull(_) => PartSlot::Frame,
+            Spec::Motor(_) | Spec::WheelDrive(_) | Spec::Thruster(_) => PartSlot::Motor,
             Spec::Propeller(_) => PartSlot::Propeller,
             Spec::Esc(_) => PartSlot::Esc,
             Spec::Battery(_) => PartSlot::Battery,
@@ -227,7 +295,7 @@ impl Part {
             Spec::Navigation => PartSlot::Navigation,
             Spec::PowerModule(_) => PartSlot::Power,
             Spec::Radio(_) => PartSlot::Radio,
-            Spec::Payload | Spec::Load => PartSlot::Payload,
+            Spec::Payload | Spec::Load | Spec::Flail => PartSlot::Payload,
         }
     }
 
@@ -259,7 +327,12 @@ impl Part {
             | Spec::PowerModule(_)
             | Spec::Radio(_)
             | Spec::Payload
-            | Spec::Load => Text::new(self.id, Vec::new()),
+            | Spec::Load
+            | Spec::Chassis(_)
+            | Spec::WheelDrive(_)
+            | Spec::Flail
+            | Spec::Hull(_)
+            | Spec::Thruster(_) => Text::new(self.id, Vec::new()),
         }
     }
 

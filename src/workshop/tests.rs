@@ -2,9 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use super::{Air, Design, FindingSeverity, Part, PartSlot, part, parts};
+use super::{Air, Design, DesignKind, FindingKind, FindingSeverity, Part, PartSlot, part, parts};
 use crate::text::{Language, Locale};
 
+mod driving;
 mod machines;
 mod properties;
 mod worked;

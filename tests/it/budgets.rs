@@ -1,4 +1,4 @@
-//! The embedded missions' budgets: every mission can be flown with drones that are within its
+//! The embedded missions' budgets: every mission can be flown with vehicles that are within its
 //! budget.
 
 use sortie::mission::{Mission, Need};
@@ -33,7 +33,7 @@ fn equipped(design: &Design, need: &Need) -> Option<Design> {
         })
 }
 
-/// The cheapest stock drone that has the required parts.
+/// The cheapest stock design that has the required parts.
 fn cheapest(need: &Need) -> Option<Design> {
     let equipped = stock().into_iter().filter_map(|it| equipped(&it, need));
     equipped
@@ -43,13 +43,12 @@ fn cheapest(need: &Need) -> Option<Design> {
 }
 
 #[test]
-fn every_mission_can_be_flown_with_built_drones_within_its_budget() {
+fn every_mission_can_be_flown_with_built_vehicles_within_its_budget() {
     for source in store::missions() {
         let mission = Mission::parse(&source.text).expect("no faults");
         let (id, budget) = (mission.id.clone(), mission.seats.outlay.budget);
-        // Ground robots and boats, which are the mission's own, come after the drones.
-        let drones = mission.needs().iter().map(|need| need.seats.len()).sum();
-        let mut fleet = vec![Design::new("none"); drones];
+        let seats = mission.needs().iter().map(|need| need.seats.len()).sum();
+        let mut fleet = vec![Design::new("none"); seats];
         for need in mission.needs() {
             let Some(design) = cheapest(&need) else {
                 panic!("{id}: nothing flies on seats {:?}", need.seats);

@@ -1,19 +1,22 @@
-//! Drones of the workshop: computed figures against measured flights, at sea level and without wind.
+//! Drones, robots and boats of the workshop: computed figures against measured flights and drives, at sea level and
+//! without wind.
 
 use std::sync::Arc;
 
 use mavlink::dialects::ardupilotmega::{
-    COMMAND_LONG_DATA, MavCmd, MavMessage, PARAM_SET_DATA, RC_CHANNELS_OVERRIDE_DATA,
+    COMMAND_LONG_DATA, MavCmd, MavFrame, MavMessage, PARAM_SET_DATA, PositionTargetTypemask,
+    RC_CHANNELS_OVERRIDE_DATA, SET_POSITION_TARGET_GLOBAL_INT_DATA,
 };
 use mavlink::types::CharArray;
 use sortie::geo::LatLon;
 use sortie::geo::maths;
-use sortie::sim::{Airframe, PortId, STEP, Start, Truth, World, WorldConfig};
+use sortie::sim::{Airframe, PortId, STEP, Start, Truth, VehicleKind, World, WorldConfig};
 use sortie::wire::Encoder;
-use sortie::workshop::{Air, Design, Figures};
+use sortie::workshop::{Air, Design, DriveFigures, Figures};
 
 const ALT_HOLD: f32 = 2.0;
 const GUIDED: f32 = 4.0;
+const DRIVE_GUIDED: f32 = 15.0;
 /// The share of the charge over which the endurance is compared.
 const USED: f64 = 0.8;
 
@@ -26,7 +29,14 @@ const DESIGNS: [&str; 5] = [
     include_str!("../../designs/scout.toml"),
 ];
 
-/// A simulated vehicle and the ground station that flies it.
+/// Steered and skid-steered robots, and boats.
+const DRIVEN: [&str; 3] = [
+    include_str!("../../designs/sapper.toml"),
+    include_str!("../../designs/courier.toml"),
+    include_str!("../../designs/lifeboat.toml"),
+];
+
+/// A simulated vehicle and the ground station that flies or drives it.
 struct Flight {
     world: World,
     port: PortId,
@@ -36,6 +46,17 @@ struct Flight {
 impl Flight {
     /// A vehicle that hovers at 20 m. No failsafe takes it home before its battery is empty.
     fn hovering(airframe: Airframe) -> Self {
+        let mut flight = Self::ready(airframe, VehicleKind::Copter);
+        flight.command(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, GUIDED], 0.0);
+        flight.command(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0], 0.0);
+        flight.command(MavCmd::MAV_CMD_NAV_TAKEOFF, [0.0, 0.0], 20.0);
+        flight.run(35.0);
+        assert!(flight.truth().armed && flight.height_m() > 19.0, "hovers");
+        flight
+    }
+
+    /// A vehicle at rest that no failsafe takes home.
+    fn ready(airframe: Airframe, kind: VehicleKind) -> Self {
         let start = Start {
             at: LatLon::new(-35.363_262, 149.165_237),
             altitude_amsl_m: 0.0,
@@ -43,6 +64,7 @@ impl Flight {
         };
         let mut world = World::new(&WorldConfig {
             airframes: vec![Arc::new(airframe)],
+            kinds: vec![kind],
             ..WorldConfig::row(1, start)
         });
         let port = world.connect(0);
@@ -51,22 +73,41 @@ impl Flight {
             port,
             encoder: Encoder::new(255, 190),
         };
-        for name in ["BATT_FS_LOW_ACT", "BATT_FS_CRT_ACT"] {
-            flight.say(MavMessage::PARAM_SET(PARAM_SET_DATA {
-                param_value: 0.0,
-                target_system: 1,
-                target_component: 1,
-                param_id: CharArray::from(name),
-                ..Default::default()
-            }));
+        for name in ["BATT_FS_LOW_ACT", "BATT_FS_CRT_ACT", "SIM_WIND_SPD"] {
+            flight.set(name, 0.0);
         }
         flight.run(2.0);
-        flight.command(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, GUIDED], 0.0);
-        flight.command(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0], 0.0);
-        flight.command(MavCmd::MAV_CMD_NAV_TAKEOFF, [0.0, 0.0], 20.0);
-        flight.run(35.0);
-        assert!(flight.truth().armed && flight.height_m() > 19.0, "hovers");
         flight
+    }
+
+    fn set(&mut self, name: &str, value: f32) {
+        self.say(MavMessage::PARAM_SET(PARAM_SET_DATA {
+            param_value: value,
+            target_system: 1,
+            target_component: 1,
+            param_id: CharArray::from(name),
+            ..Default::default()
+        }));
+    }
+
+    /// Sends the vehicle far to the north.
+    fn go_north(&mut self) {
+        self.say(MavMessage::SET_POSITION_TARGET_GLOBAL_INT(
+            SET_POSITION_TARGET_GLOBAL_INT_DATA {
+                lat_int: -345_000_000,
+                lon_int: 1_491_652_370,
+                coordinate_frame: MavFrame::MAV_FRAME_GLOBAL,
+                type_mask: PositionTargetTypemask::from_bits_retain(0b1101_1111_1000),
+                target_system: 1,
+                target_component: 1,
+                ..Default::default()
+            },
+        ));
+    }
+
+    fn ground_speed_m_s(&self) -> f64 {
+        let [north, east, _] = self.truth().velocity_ned_m_s;
+        maths::hypot(north, east)
     }
 
     fn say(&mut self, message: MavMessage) {
@@ -107,9 +148,10 @@ fn flown(source: &str) -> (Design, Figures, Flight) {
     let design = Design::from_toml(source).expect("a good design");
     let figures = design.figures(Air::default()).expect("complete");
     let built = design.airframe().expect("complete");
-    let (airframe, warnings) = Airframe::from_json(&built.frame.to_string()).expect("valid");
+    let frame = built.frame().expect("a drone").to_string();
+    let (_, warnings) = Airframe::from_json(&frame).expect("valid");
     assert_eq!(warnings, []);
-    let airframe = airframe.with_parameters(built.parameters);
+    let airframe = built.simulated().expect("valid");
     (design, figures, Flight::hovering(airframe))
 }
 
@@ -187,8 +229,52 @@ fn a_design_flies_as_fast_as_computed() {
             ));
             flight.run(0.1);
         }
-        let [north, east, _] = flight.truth().velocity_ned_m_s;
-        let speed = maths::hypot(north, east);
+        let speed = flight.ground_speed_m_s();
         compare(name, "top m/s", figures.top_speed_m_s, speed, 0.1 * speed);
+    }
+}
+
+/// A design that drives, its computed figures, and its vehicle under way to a far place.
+fn driven(source: &str) -> (Design, DriveFigures, Flight) {
+    let design = Design::from_toml(source).expect("a good design");
+    let figures = design.drive_figures(Air::default()).expect("complete");
+    let built = design.airframe().expect("complete");
+    let airframe = built.simulated().expect("valid");
+    let mut flight = Flight::ready(airframe, design.vehicle_kind());
+    flight.command(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, DRIVE_GUIDED], 0.0);
+    flight.command(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0, 0.0], 0.0);
+    flight.run(1.0);
+    flight.go_north();
+    flight.run(30.0);
+    assert!(flight.truth().armed && flight.ground_speed_m_s() > 0.1);
+    (design, figures, flight)
+}
+
+#[test]
+fn a_design_drives_at_cruise_speed_for_as_long_as_computed() {
+    for source in DRIVEN {
+        let (design, figures, mut flight) = driven(source);
+        let name = design.name.as_str();
+        let speed = flight.ground_speed_m_s();
+        let cruise = figures.cruise_speed_m_s;
+        compare(name, "cruise m/s", cruise, speed, 0.05 * cruise);
+        let time_s = endurance_s(&mut flight, figures.capacity_ah, USED);
+        compare(name, "drive s", figures.drive_80_s, time_s, 0.05 * time_s);
+    }
+}
+
+#[test]
+fn a_design_drives_as_fast_as_computed_and_stops_when_its_battery_is_empty() {
+    for source in DRIVEN {
+        let (design, figures, mut flight) = driven(source);
+        flight.command(MavCmd::MAV_CMD_DO_CHANGE_SPEED, [1.0, 50.0], 0.0);
+        flight.run(60.0);
+        let speed = flight.ground_speed_m_s();
+        let top = figures.top_speed_m_s;
+        compare(&design.name, "top m/s", top, speed, 0.1 * top);
+        flight.set("SIM_BATT_VOLTAGE", 0.1);
+        flight.run(120.0);
+        let speed = flight.ground_speed_m_s();
+        assert!(speed < 0.05 * top, "{}: {speed} m/s", design.name);
     }
 }

@@ -1,6 +1,6 @@
 //! The airframe of a multirotor, described as in `ArduPilot`'s `SIM_Frame` by figures of a
 //! reference flight. Drag, thrust and current follow from them by the relations of `SIM_Frame`, so
-//! one file gives both simulators the same drone.
+//! one file gives both simulators the same drone. A built ground robot or boat has its running gear instead.
 
 mod figures;
 mod file;
@@ -18,6 +18,7 @@ pub use file::AirframeError;
 pub(super) use layout::Motor;
 
 use super::kinematics::GRAVITY_M_S2;
+use super::wheels::RunningGear;
 use sortie_geo::maths;
 
 /// Density of the standard atmosphere at sea level, in kilograms per cubic metre.
@@ -30,6 +31,8 @@ const COMPENSATED: f64 = 0.9777;
 const ROTATION_DRAG_DEG_S: f64 = 400.0;
 /// The share of the full voltage below which the battery cannot turn the motors.
 const DEAD_VOLTAGE_SHARE: f64 = 0.1;
+/// The width across the propellers of SITL's default quad, by the distance of its motors from the centre.
+const WIDTH_PER_DIAGONAL: f64 = 0.5 / 0.35;
 
 /// A kind of multirotor, shared among vehicles by its `Arc`.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,6 +52,8 @@ pub struct Airframe {
     /// Speed of the rotors' outflow in the hover, metres per second.
     outflow_m_s: f64,
     hover_throttle_at_reference: f64,
+    /// What drives a ground robot or boat; `None` for a multirotor.
+    gear: Option<RunningGear>,
 }
 
 /// The state of the air and of the battery that affects thrust and drag.
@@ -92,6 +97,32 @@ impl Airframe {
         Self { parameters, ..self }
     }
 
+    /// A ground robot or boat with this running gear. It has no frame file.
+    pub fn driven(gear: RunningGear) -> Self {
+        let figures = Figures {
+            mass_kg: gear.mass_kg,
+            diagonal_m: gear.length_m / WIDTH_PER_DIAGONAL,
+            full_voltage_v: gear.full_voltage_v,
+            battery_capacity_ah: gear.battery_capacity_ah,
+            battery_resistance_ohm: gear.battery_resistance_ohm,
+            ..Figures::default()
+        };
+        Self {
+            gear: Some(gear),
+            ..Self::derived(figures)
+        }
+    }
+
+    /// What drives a ground robot or boat; `None` for a multirotor.
+    pub fn gear(&self) -> Option<&RunningGear> {
+        self.gear.as_ref()
+    }
+
+    /// Whether the battery can still turn the motors.
+    pub(super) fn has_power(voltage_share: f64) -> bool {
+        voltage_share >= DEAD_VOLTAGE_SHARE
+    }
+
     /// The frame file as plain JSON, without comments: the input for ArduPilot's SITL. The default
     /// quad has none.
     pub fn file(&self) -> Option<&Value> {
@@ -133,7 +164,7 @@ impl Airframe {
     /// The width across the propellers, in metres. They reach beyond the motors: SITL's default quad of 0.35 m is half
     /// a metre wide.
     pub fn size_m(&self) -> f64 {
-        self.figures.diagonal_m * (0.5 / 0.35)
+        self.figures.diagonal_m * WIDTH_PER_DIAGONAL
     }
 
     /// The drag coefficients that balance the reference flight (`SIM_Frame`'s `init`).
@@ -165,6 +196,7 @@ impl Airframe {
             figures,
             file: None,
             parameters: Vec::new(),
+            gear: None,
         }
     }
 

@@ -360,10 +360,13 @@ pub(super) fn factory_parameters(kind: VehicleKind, system: u8, airframe: &Airfr
         for &(name, value) in chassis.parameters() {
             parameters.set(name, value);
         }
-        return parameters;
+        if airframe.gear().is_none() {
+            return parameters;
+        }
+    } else {
+        parameters.set("FRAME_CLASS", airframe.frame_class());
     }
     let capacity_ah = airframe.battery_capacity_ah() as f32;
-    parameters.set("FRAME_CLASS", airframe.frame_class());
     parameters.set("SIM_BATT_VOLTAGE", airframe.full_voltage_v() as f32);
     parameters.set("SIM_BATT_CAP_AH", capacity_ah);
     if capacity_ah > 0.0 {
@@ -371,6 +374,11 @@ pub(super) fn factory_parameters(kind: VehicleKind, system: u8, airframe: &Airfr
     }
     for &(name, value) in airframe.parameters() {
         parameters.set(name, value as f32);
+    }
+    if let (Some(chassis), Some(gear)) = (kind.chassis(), airframe.gear()) {
+        for (name, value) in gear.tuning(chassis) {
+            parameters.set(name, value as f32);
+        }
     }
     parameters
 }

@@ -146,6 +146,7 @@ pub use self::parameters::{AliasSense, other_name};
 use self::plan::{Item, ListKind};
 use self::slot::VehicleSlot;
 pub use self::truth::Truth;
+pub use self::wheels::RunningGear;
 use self::wind::Wind;
 
 /// The fixed time step of [`World::step`].

@@ -381,8 +381,19 @@ impl Vehicle {
         match self.kind {
             VehicleKind::Copter => self.plant.power_w(),
             VehicleKind::Rover(_) => {
-                let throttle = self.plant.body.throttle.abs();
-                throttle * ROVER_FULL_CURRENT_A * self.plant.battery.voltage_v
+                let Plant {
+                    body,
+                    battery,
+                    airframe,
+                    ..
+                } = &self.plant;
+                let speed_m_s = body.velocity_m_s.truncate().dot(body.heading());
+                let accel_m_s2 = body.accel_m_s2.truncate().dot(body.heading());
+                match airframe.gear() {
+                    Some(gear) if self.safety.armed => gear.power_at_w(speed_m_s, accel_m_s2),
+                    Some(_) => 0.0,
+                    None => body.throttle.abs() * ROVER_FULL_CURRENT_A * battery.voltage_v,
+                }
             }
         }
     }

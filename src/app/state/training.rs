@@ -72,8 +72,8 @@ impl Training {
         ended.rev().max_by_key(|one| one.score)
     }
 
-    /// The designs chosen for a mission: one for all seats or one per seat; empty if the mission
-    /// lends its drones.
+    /// The designs chosen for a mission, which are dealt to the seats of their kinds; empty if the
+    /// mission lends its vehicles.
     pub fn fleet(&self, mission: &str) -> &[Design] {
         self.fleets.get(mission).map_or(&[], Vec::as_slice)
     }

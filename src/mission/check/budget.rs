@@ -2,9 +2,10 @@
 
 use super::Examined;
 use crate::mission::fit::Fit;
+use crate::mission::fleet::FLAIL;
 use crate::mission::needs;
 use crate::text;
-use crate::workshop::{self, Design, Part, PartSlot};
+use crate::workshop::{self, Design, DesignKind, Part, PartSlot};
 
 /// Reports a budget below the cheapest fleet that carries the equipment listed in the file. Lent
 /// vehicles may cost more.
@@ -15,14 +16,12 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     let (Some(budget), Some(written)) = (mission.seats.outlay.budget, written) else {
         return;
     };
-    let vehicle = cheapest_vehicle();
     let mut prices: Vec<u32> = mission
         .seats
         .fits
         .iter()
-        .zip(mission.seats.are_drones())
-        .filter(|(_, is_drone)| *is_drone)
-        .map(|(fit, _)| vehicle + price(fit))
+        .zip(mission.seat_kinds())
+        .map(|(fit, kind)| cheapest_vehicle(kind) + price(fit))
         .collect();
     prices.sort_unstable();
     let bought = prices
@@ -35,14 +34,13 @@ pub(super) fn check(examined: &mut Examined<'_>) {
     }
 }
 
-/// The minimum price of a vehicle with a part in each slot, in credits, whether or not the parts fit together.
-fn cheapest_vehicle() -> u32 {
+/// The minimum price of a vehicle of a kind with a part in each slot, in credits, whether or not the parts fit together.
+fn cheapest_vehicle(kind: DesignKind) -> u32 {
     let with_frame = |frame: &'static Part| {
-        let others = PartSlot::ALL
-            .into_iter()
-            .filter(|slot| slot.is_required() && *slot != PartSlot::Frame);
+        let others = kind.slots().iter().copied();
+        let others = others.filter(|slot| slot.is_required() && *slot != PartSlot::Frame);
         let cheapest = others.filter_map(|slot| {
-            let parts = workshop::parts_for(slot);
+            let parts = workshop::parts_for(slot).filter(|part| part.fits(kind));
             parts.min_by_key(|part| part.credits)
         });
         let bare = Design::new("").with(frame);
@@ -51,6 +49,7 @@ fn cheapest_vehicle() -> u32 {
             .credits()
     };
     workshop::parts_for(PartSlot::Frame)
+        .filter(|part| part.fits(kind))
         .map(with_frame)
         .min()
         .unwrap_or_default()
@@ -60,7 +59,8 @@ fn cheapest_vehicle() -> u32 {
 fn price(fit: &Fit) -> u32 {
     let sensors = fit.sensors.iter().map(|sensor| (sensor.id, 1));
     let loads = fit.loads.iter().map(|(load, count)| (*load, *count));
-    let parts = sensors.chain(needs::parts(loads));
+    let flail = fit.flail.then_some((FLAIL, 1));
+    let parts = sensors.chain(needs::parts(loads)).chain(flail);
     parts
         .filter_map(|(id, pieces)| Some(workshop::part(id)?.credits * pieces))
         .sum()

@@ -66,7 +66,7 @@ impl Mission {
             .zip(items("rewards", "unlock"))
             .filter_map(|(unlock, written)| match unlock {
                 Unlock::Mission(id) => Some(named(id, written.span.clone())),
-                Unlock::Part(_) | Unlock::Threat(_) => None,
+                Unlock::Part(_) | Unlock::Threat(_) | Unlock::Vehicle(_) => None,
             });
         let mut all: Vec<_> = drill.into_iter().collect();
         all.extend(needed.map(|(id, written)| named(id, written.span.clone())));

@@ -11,13 +11,16 @@ use crate::mission::format::{
 use crate::mission::skill::Skill;
 use crate::scoring::Medal;
 use crate::text;
-use crate::workshop;
+use crate::workshop::{self, DesignKind};
 
 /// The maximum number of missions of one list, and the maximum number of unlocks.
 const MOST_NAMES: usize = 50;
 /// The highest reward in credits.
 const MOST_CREDITS: u32 = 100_000;
 const HIGHEST_TIER: u32 = 3;
+
+/// The kinds of vehicles that missions unlock: drones can be built from the start.
+const UNLOCKED_KINDS: [DesignKind; 2] = [DesignKind::Robot, DesignKind::Boat];
 
 const MEDALS: [(&str, Medal); 3] = [
     ("bronze", Medal::Bronze),
@@ -84,12 +87,16 @@ pub(super) fn rewards(table: &mut FileTable<'_>) -> Option<Rewards> {
         tier,
         "tier that sets the experience earned (default `tier`)",
     );
-    let unlock_form = list(text("`part:ID`, `mission:ID`, `threat:ID`"), 0, MOST_NAMES);
+    let unlock_form = list(
+        text("`part:ID`, `mission:ID`, `threat:ID`, `vehicle:KIND`"),
+        0,
+        MOST_NAMES,
+    );
     let unlock = table
         .may(
             "unlock",
             unlock_form,
-            "parts, missions and threats that a pass unlocks",
+            "parts, missions, threats and kinds of vehicles that a pass unlocks",
         )
         .unwrap_or_default();
     let own = table.draft().tier;
@@ -130,8 +137,16 @@ fn unlocked(table: &mut FileTable<'_>, written: &Spanned<String>) -> Option<Unlo
             }
             Some(Unlock::Threat(name))
         }
+        "vehicle" => {
+            let kind = UNLOCKED_KINDS.into_iter().find(|kind| kind.id() == name);
+            if kind.is_none() {
+                let known = UNLOCKED_KINDS.map(DesignKind::id);
+                faults.unknown(NameKind::VehicleKind, &named, &known);
+            }
+            kind.map(Unlock::Vehicle)
+        }
         _ => {
-            let fault = "write `part:ID`, `mission:ID` or `threat:ID`";
+            let fault = "write `part:ID`, `mission:ID`, `threat:ID` or `vehicle:KIND`";
             faults.add(written.span(), fault);
             None
         }

@@ -150,3 +150,108 @@ fn the_simulator_gets_the_airframe_and_the_parameters_of_the_design() {
     assert!(world.airframes[0].parameters().contains(&capacity));
     assert!(mission(None).world(1).airframes.is_empty());
 }
+
+fn lane() -> Mission {
+    parsed(include_str!("../../../missions/18-robot-lane.toml"))
+}
+
+fn sapper() -> Design {
+    design(include_str!("../../../designs/sapper.toml"))
+}
+
+fn lifeboat() -> Design {
+    design(include_str!("../../../designs/lifeboat.toml"))
+}
+
+#[test]
+fn seats_take_designs_of_their_kind_and_the_others_keep_the_vehicles_of_the_mission() {
+    let names = |fleet: Vec<Design>| -> Vec<Option<String>> {
+        let flown = lane().with_fleet(fleet).expect("they may fly");
+        let designs = flown.designs().into_iter();
+        designs.map(|it| it.map(|it| it.name.clone())).collect()
+    };
+    let (drone, robot) = (
+        Some("Starter 450".to_owned()),
+        Some("Sapper 930".to_owned()),
+    );
+    assert_eq!(names(vec![sapper()]), [None, None, robot.clone()]);
+    assert_eq!(names(vec![starter()]), [drone.clone(), drone.clone(), None]);
+    let all = [drone.clone(), drone, robot];
+    assert_eq!(names(vec![sapper(), starter()]), all);
+    let flown = lane().with_fleet(vec![sapper()]).expect("it may drive");
+    let fits: Vec<bool> = flown.seats.fits.iter().map(|fit| fit.flail).collect();
+    assert_eq!(fits, [false, false, true]);
+    let bare = sapper().without(part("s_flail").expect("a part"));
+    let flown = lane().with_fleet(vec![bare]).expect("it may drive");
+    assert!(!flown.seats.fits[2].flail, "only what is mounted");
+}
+
+/// Records of older programs have a drone's design in the seat of a robot, which the mission drove with its own.
+#[test]
+fn a_design_of_another_kind_leaves_its_seat_to_the_mission() {
+    let flown = lane().flown_by(vec![starter(), relay(), relay()]);
+    let kinds = flown.vehicle_kinds();
+    assert_eq!((flown.fleet().len(), kinds[2].name()), (2, "rover-skid"));
+    assert!(flown.seats.fits[2].flail && flown.designs()[2].is_none());
+}
+
+#[test]
+fn a_design_without_a_seat_of_its_kind_is_refused_with_the_kinds_that_have_one() {
+    let refused = |mission: Mission, fleet| -> String {
+        let faults = mission.with_fleet(fleet).expect_err("refused");
+        let words = faults.iter().map(ToString::to_string);
+        words.collect::<Vec<_>>().join("\n")
+    };
+    let boat = refused(lane(), vec![lifeboat()]);
+    assert!(boat.contains("Lifeboat 120 is a boat"), "{boat}");
+    assert!(boat.contains("drone, ground robot"), "{boat}");
+    let robot = refused(mission(None), vec![sapper()]);
+    assert!(robot.contains("Sapper 930 is a ground robot"), "{robot}");
+    let many = refused(lane(), vec![sapper(), sapper()]);
+    assert!(many.contains("1 seat for ground robots"), "{many}");
+    let mut poor = lane();
+    poor.seats.outlay.budget = Some(sapper().credits() - 1);
+    assert!(refused(poor, vec![sapper()]).contains("1 cr more"));
+}
+
+#[test]
+fn the_simulator_gets_the_kind_and_the_gear_of_a_driven_design() {
+    let courier = design(include_str!("../../../designs/courier.toml"));
+    let world = lane()
+        .with_fleet(vec![courier.clone()])
+        .expect("it may drive")
+        .world(1);
+    let kinds: Vec<&str> = world.kinds.iter().map(|kind| kind.name()).collect();
+    assert_eq!(
+        kinds,
+        ["copter", "copter", "rover"],
+        "it has steered wheels"
+    );
+    let gear = world.airframes[2].gear().expect("it drives");
+    assert!((gear.mass_kg - courier.mass_kg()).abs() < 1e-9);
+    assert!(world.airframes[0].gear().is_none());
+}
+
+#[test]
+fn needs_of_a_robot_are_those_of_its_task() {
+    let needs = lane().needs();
+    let robot = needs
+        .iter()
+        .find(|need| need.kind == DesignKind::Robot)
+        .expect("a seat");
+    assert_eq!(
+        (robot.seats.as_slice(), robot.loads.as_slice()),
+        (&[3][..], &[(FLAIL, 1)][..])
+    );
+    let blocks = |design: &Design| {
+        robot
+            .fit(design)
+            .iter()
+            .filter(|line| line.is_block)
+            .count()
+    };
+    assert_eq!(
+        (blocks(&sapper()), blocks(&starter()), blocks(&lifeboat())),
+        (0, 1, 1)
+    );
+}

@@ -83,6 +83,7 @@ fn course() -> MissionCourse {
         drill_of: None,
         requires: Requires::default(),
         credits: 400,
+        kinds: Vec::new(),
         parts: vec!["s_gpr".to_owned()],
         skills: Vec::new(),
         objectives: BTreeMap::new(),

@@ -8,6 +8,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::room::standing::{Pane, shows_all};
 use crate::app::state::Career;
+use crate::campaign::VehicleProgress;
 use crate::text;
 use crate::text::Text;
 use crate::ui::look::Look;
@@ -39,9 +40,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         look: panel.look,
     };
     draw_summary(&subject, panel.area, buffer);
-    let panel = panel.below(2);
+    let panel = panel.below(3);
     let (width, height) = state.display().size();
-    if !shows_all(width, height) && !shows_all(panel.area.width, panel.area.height + 4) {
+    if !shows_all(width, height) && !shows_all(panel.area.width, panel.area.height + 5) {
         match state.rooms().standing().pane() {
             Pane::Skills => skills::draw(&subject, panel.area, buffer),
             Pane::Scores => scores::draw(&subject, panel.area, buffer),
@@ -75,7 +76,7 @@ fn draw_nobody(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     }
 }
 
-/// Draws name, level, credits, licence and level of automatic advice.
+/// Draws name, level, credits, licence, level of automatic advice, and the kinds of vehicles.
 fn draw_summary(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffer) {
     let look = subject.look;
     let standing = &subject.career.standing;
@@ -110,6 +111,10 @@ fn draw_summary(subject: &StandingSubject<'_>, area: Rect, buffer: &mut Buffer) 
         ),
     ]);
     put(buffer, area, 1, &aids);
+    let kinds = VehicleProgress::all(standing, &subject.career.course);
+    let kinds = look.text(&VehicleProgress::line(&kinds));
+    let kinds = Line::styled(format!(" {kinds}"), look.style(Role::Muted));
+    put(buffer, area, 2, &kinds);
 }
 
 impl StandingSubject<'_> {

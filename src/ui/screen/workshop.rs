@@ -41,7 +41,7 @@ const CHART_ROWS: u16 = 9;
 const SLOTS_PERCENT: u16 = 34;
 const WIDE_FIGURES: u16 = 56;
 /// The number of rows of the figures with their title.
-const FIGURES_ROWS: u16 = Measure::ALL.len() as u16 + 1;
+const FIGURES_ROWS: u16 = Measure::MOST as u16 + 1;
 /// The number of rows of the design's problems if something follows below them.
 const FINDINGS_ROWS: u16 = 10;
 

@@ -1,4 +1,4 @@
-//! Properties of every design.
+//! Properties of every drone.
 
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -8,7 +8,7 @@ use super::*;
 fn any_part(slot: PartSlot) -> impl Strategy<Value = &'static Part> {
     select(
         parts()
-            .filter(|part| part.slot() == slot)
+            .filter(|part| part.slot() == slot && part.fits(DesignKind::Drone))
             .collect::<Vec<_>>(),
     )
 }

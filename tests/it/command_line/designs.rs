@@ -58,3 +58,96 @@ fn what_a_mission_needs_is_told_beside_what_a_design_has() {
     assert_eq!(lacks.status.code(), Some(1), "{told}");
     assert!(told.contains("  x thermal camera 160x120"), "{told}");
 }
+
+#[test]
+fn robots_and_boats_are_shown_fitted_exported_and_driven() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let said = |arguments: &[&str]| {
+        let output = sortie_in(folder.path(), arguments);
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    let shown = said(&["workshop", "show", "sapper"]);
+    for word in ["chassis", "driving time", "slope", "none: it can drive"] {
+        assert!(shown.contains(word), "{word}: {shown}");
+    }
+    let json = said(&["workshop", "show", "lifeboat", "--json"]);
+    let shown: serde_json::Value = serde_json::from_str(&json).expect("a document");
+    assert_eq!(shown["kind"], "boat");
+    assert!(
+        shown["figures"]["drive_time_s"].as_f64() > Some(600.0),
+        "{json}"
+    );
+    let compared = said(&["workshop", "compare", "starter", "sapper"]);
+    assert!(compared.contains("hover time") && compared.contains("driving time"));
+    said(&["workshop", "export", "sapper"]);
+    let written = std::fs::read_to_string(folder.path().join("sapper-930.parm"));
+    let written = written.expect("it is written");
+    for name in [
+        "CRUISE_SPEED",
+        "WP_SPEED",
+        "BATT_CAPACITY",
+        "SERVO3_MAX",
+        "SIM_BATT_CAP_AH",
+    ] {
+        assert_eq!(
+            written.lines().filter(|it| it.starts_with(name)).count(),
+            1,
+            "{written}"
+        );
+    }
+    assert!(!folder.path().join("sapper-930.json").exists());
+    let flown = [
+        "run",
+        "17",
+        "--pilot",
+        "17-boat-rescue",
+        "--json",
+        "--design",
+        "lifeboat",
+    ];
+    let report: serde_json::Value = serde_json::from_str(&said(&flown)).expect("a document");
+    assert_eq!(report["passed"], true, "{report}");
+}
+
+#[test]
+fn a_robot_for_a_drone_and_a_drone_for_a_boat_are_refused() {
+    for (arguments, said) in [
+        (
+            [
+                "run",
+                "01",
+                "--pilot",
+                "01-air-sample",
+                "--design",
+                "sapper",
+            ],
+            "ground robot",
+        ),
+        (
+            [
+                "run",
+                "18",
+                "--pilot",
+                "18-robot-lane",
+                "--design",
+                "lifeboat",
+            ],
+            "drone, ground robot",
+        ),
+    ] {
+        let output = sortie(&arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(
+            text(&output.stderr).contains(said),
+            "{}",
+            text(&output.stderr)
+        );
+    }
+    let fits = sortie(&["workshop", "fit", "starter", "18"]);
+    assert!(
+        text(&fits.stdout).contains("kind of vehicle"),
+        "{}",
+        text(&fits.stdout)
+    );
+}

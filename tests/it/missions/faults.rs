@@ -154,7 +154,12 @@ const REFUSALS: &[(&str, &str, &str)] = &[
     (
         "[fleet]",
         "[rewards]\nunlock = [\"s_gpr\"]\n[fleet]",
-        "24:11: write `part:ID`, `mission:ID` or `threat:ID`",
+        "24:11: write `part:ID`, `mission:ID`, `threat:ID` or `vehicle:KIND`",
+    ),
+    (
+        "[fleet]",
+        "[rewards]\nunlock = [\"vehicle:robt\"]\n[fleet]",
+        "24:11: unknown kind of vehicle `robt`; known: robot, boat (did you mean `robot`?)",
     ),
     (
         "[fleet]",

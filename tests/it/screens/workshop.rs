@@ -10,7 +10,7 @@ use sortie::campaign::MissionCourse;
 use sortie::config::Symbols;
 use sortie::text::{Language, Locale};
 use sortie::ui::{self, Look, Role};
-use sortie::workshop::{Design, Measure};
+use sortie::workshop::{Design, DesignKind, Measure};
 
 use super::{SIZES, draw_at_some_sizes};
 use crate::harness::Console;
@@ -70,7 +70,7 @@ fn figures_stand_apart_from_their_names_which_are_whole() {
     for language in [Language::English, Language::Ukrainian] {
         let locale = Locale::new(language);
         let text = looking(language).screen(80, 24);
-        for measure in Measure::ALL {
+        for measure in Measure::of_kind(DesignKind::Drone) {
             let name = locale.text(&measure.name());
             let whole = text.lines().any(|line| line.contains(&format!("{name} ")));
             assert!(whole, "{name}: {text}");
@@ -230,4 +230,32 @@ fn no_size_of_terminal_panics_in_the_workshop() {
     }
     let widths = [80, 81, 97, 120, 149, 150, 160, 200, 250];
     draw_at_some_sizes(&consoles, &widths, &[24, 25, 33, 36, 37, 50, 80]);
+}
+
+/// A console with a robot or boat on the bench.
+fn driven(source: &str, language: Language) -> Console {
+    let built = design(source);
+    let mut console = Console::set_up(|setup| {
+        setup.locale = Arc::new(Locale::new(language));
+        setup.stock = vec![built];
+    });
+    console.press("W").press("o").press("enter");
+    console
+}
+
+#[test]
+fn robots_and_boats_have_slots_figures_and_curves_of_their_own() {
+    let sapper = include_str!("../../../designs/sapper.toml");
+    let lifeboat = include_str!("../../../designs/lifeboat.toml");
+    for language in Language::ALL {
+        let console = driven(sapper, language);
+        check(&format!("robot_{}", language.code()), &console);
+    }
+    let mut console = driven(lifeboat, Language::English);
+    console.press("j").press("tab").press("j");
+    check("boat_parts", &console);
+    console.press("v");
+    insta::assert_snapshot!("workshop_boat_polar_80x24", console.screen(80, 24));
+    console.press("v");
+    insta::assert_snapshot!("workshop_boat_payload_80x24", console.screen(80, 24));
 }

@@ -73,7 +73,7 @@ fn practice(reason: &PracticeReason) -> Vec<Fact> {
     vec![stage, pay]
 }
 
-/// The name of a mission, part or threat that a mission unlocks.
+/// The name of a mission, part, threat or kind of vehicle that a mission unlocks.
 pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
     match unlock {
         Unlock::Mission(id) => {
@@ -90,6 +90,7 @@ pub fn unlocked(state: &State, unlock: &Unlock) -> Text {
             let title = threat_title(id).unwrap_or_else(|| id.as_str().into());
             text!("mission-reward-threat", threat = title)
         }
+        Unlock::Vehicle(kind) => text!("mission-reward-vehicle", kind = kind.name()),
     }
 }
 

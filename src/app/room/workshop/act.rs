@@ -75,7 +75,7 @@ impl RoomModel for Workshop {
             Page::Designs => shelf::step(state, step),
             Page::Compare => {
                 let slots = crate::workshop::PartSlot::ALL.len();
-                let most = crate::workshop::Measure::ALL.len() + 2 * slots;
+                let most = crate::workshop::Measure::MOST + 2 * slots;
                 room.scroll = step.apply(room.scroll, most);
             }
             Page::Fleet => fleet::step(state, step),

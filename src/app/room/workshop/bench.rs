@@ -4,7 +4,7 @@
 use crate::app::action::Step;
 use crate::text::Text;
 use crate::workshop::{
-    Air, Design, DesignFinding, FindingSeverity, Part, PartSlot, Sheet, parts_for,
+    Air, Design, DesignFinding, FindingKind, FindingSeverity, Part, PartSlot, Sheet, parts_for,
 };
 
 const MOST_UNDONE: usize = 200;
@@ -31,7 +31,7 @@ pub struct Bench {
 pub struct Curves {
     /// Power in watts by speed in m/s.
     pub polar: Vec<(f64, f64)>,
-    /// Hover time in seconds by kilograms of payload added.
+    /// Hover or driving time in seconds by kilograms of payload added.
     pub endurance: Vec<(f64, f64)>,
 }
 
@@ -244,7 +244,7 @@ impl Bench {
 
     pub fn renew(&mut self, air: Air) {
         self.sheet = Sheet::of(&self.design, air);
-        self.findings = self.design.findings_with(self.sheet.figures.as_ref());
+        self.findings = self.design.findings_with(self.sheet.performance.as_ref());
         self.curves = Curves::of(&self.design, air);
         self.list(air);
         self.trace(air);
@@ -306,7 +306,9 @@ impl Bench {
 
     fn list(&mut self, air: Air) {
         let slot = self.slot();
+        let kind = self.design.kind();
         let mut candidates: Vec<Candidate> = parts_for(slot)
+            .filter(|part| slot == PartSlot::Frame || part.fits(kind))
             .map(|part| self.consider(part, air))
             .collect();
         candidates.sort_by_key(|candidate| candidate.misfit.is_some());
@@ -326,7 +328,7 @@ impl Bench {
             };
         }
         let sheet = Sheet::of(&changed, air);
-        let findings = changed.findings_with(sheet.figures.as_ref());
+        let findings = changed.findings_with(sheet.performance.as_ref());
         Candidate {
             part,
             on_board,
@@ -341,11 +343,12 @@ impl Bench {
     }
 
     /// The first fault that a change causes: any fault in the changed slot, or a new one in another
-    /// slot.
+    /// slot. A part that is missing now is none: a chassis for a drone begins a robot.
     fn misfit(&self, slot: PartSlot, after: &[DesignFinding]) -> Option<Text> {
         let mut faults = after
             .iter()
-            .filter(|it| it.severity() == FindingSeverity::Fault);
+            .filter(|it| it.severity() == FindingSeverity::Fault)
+            .filter(|it| it.kind != FindingKind::Missing);
         let was_there = |fault: &DesignFinding| {
             let mut before = self.findings.iter();
             before.any(|it| it.slot == fault.slot && it.kind == fault.kind)
@@ -356,11 +359,15 @@ impl Bench {
 }
 
 /// The lines of a design's list of slots: one for each kind of part in a slot, one for each empty
-/// slot, and one for a further payload.
+/// slot of its kind of vehicle, and one for a further payload.
 pub fn rows(design: &Design) -> Vec<SlotRow> {
     let mut rows: Vec<SlotRow> = Vec::new();
+    let own = design.kind().slots();
     for slot in PartSlot::ALL {
         let there = design.in_slot(slot);
+        if there.is_empty() && !own.contains(&slot) {
+            continue;
+        }
         let first = rows.len();
         for &part in there {
             let same = |row: &&mut SlotRow| row.part.is_some_and(|it| it.id == part.id);

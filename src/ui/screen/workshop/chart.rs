@@ -1,4 +1,4 @@
-//! Power by speed, or hover time by payload, as a curve.
+//! Power by speed, or hover or driving time by payload, as a curve.
 
 use ratatui::buffer::Buffer;
 use ratatui::text::Line;
@@ -11,9 +11,9 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::curve::{self, Curve, steps};
 use crate::ui::widget::{aligned, below, columns, put, upper, wrap};
-use crate::workshop::{GOOD_THRUST, LEAST_THRUST, Sheet};
+use crate::workshop::{DesignKind, GOOD_THRUST, LEAST_THRUST, Performance, Sheet};
 
-/// The width of the figures beside the curve, in columns.
+/// The minimum width of the figures beside the curve, in columns.
 const LABELS: u16 = 7;
 /// The minimum number of rows of the curve.
 const LEAST: u16 = 3;
@@ -50,11 +50,18 @@ impl<'a> Chart<'a> {
     }
 
     fn title(&self) -> &'static str {
-        if self.is_payload() {
-            "bench-payload"
-        } else {
-            "workshop-polar"
+        match (self.is_payload(), self.kind()) {
+            (false, _) => "workshop-polar",
+            (true, DesignKind::Drone) => "bench-payload",
+            (true, DesignKind::Robot | DesignKind::Boat) => "bench-drive-payload",
         }
+    }
+
+    /// The kind of vehicle whose curve this is: with the marked part, or as built.
+    fn kind(&self) -> DesignKind {
+        let marked = self.marked_part().filter(|_| self.is_marked);
+        let built = self.room.bench().sheet();
+        marked.map_or(built, |candidate| &candidate.sheet).kind
     }
 
     /// The units of both axes.
@@ -71,6 +78,17 @@ impl<'a> Chart<'a> {
         let end =
             |of: fn((f64, f64)) -> f64| self.points.iter().copied().map(of).fold(0.0, f64::max);
         [end(|point| point.0), end(|point| point.1)]
+    }
+
+    /// A value on the vertical axis.
+    fn label(&self, value: f64) -> String {
+        format!("{value:.0} {}", self.units()[1])
+    }
+
+    /// The width of the figures beside the curve, in columns.
+    fn labels(&self) -> u16 {
+        let [_, high] = self.ends();
+        LABELS.max(self.label(high).len() as u16 + 1)
     }
 
     fn is_drawn(&self) -> bool {
@@ -108,22 +126,33 @@ impl<'a> Chart<'a> {
 
     /// The figures that belong to a curve, or why there is none.
     fn figures(&self, sheet: &Sheet) -> Text {
-        let Some(figures) = &sheet.figures else {
-            return text!("bench-no-curve");
-        };
-        if self.is_payload() {
-            text!(
+        match (&sheet.performance, self.is_payload()) {
+            (None, _) => match sheet.kind {
+                DesignKind::Drone => text!("bench-no-curve"),
+                DesignKind::Robot => text!("bench-no-robot-curve"),
+                DesignKind::Boat => text!("bench-no-boat-curve"),
+            },
+            (Some(Performance::Flight(figures)), true) => text!(
                 "bench-payload-about",
                 spare = format!("{:.2}", figures.spare_kg),
                 least = LEAST_THRUST.to_string(),
                 good = GOOD_THRUST.to_string()
-            )
-        } else {
-            text!(
+            ),
+            (Some(Performance::Flight(figures)), false) => text!(
                 "bench-polar-about",
                 longest = format!("{:.1}", figures.endurance_speed_m_s),
                 farthest = format!("{:.1}", figures.range_speed_m_s)
-            )
+            ),
+            (Some(Performance::Drive(figures)), true) => text!(
+                "bench-drive-payload-about",
+                spare = format!("{:.1}", figures.spare_kg),
+                cruise = format!("{:.1}", figures.cruise_speed_m_s)
+            ),
+            (Some(Performance::Drive(figures)), false) => text!(
+                "bench-drive-polar-about",
+                cruise = format!("{:.1}", figures.cruise_speed_m_s),
+                top = format!("{:.1}", figures.top_speed_m_s)
+            ),
         }
     }
 }
@@ -152,9 +181,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 }
 
 fn draw_curve(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
-    let ([last, high], [_, unit]) = (chart.ends(), chart.units());
+    let ([last, high], labels) = (chart.ends(), chart.labels());
     for (row, value) in [(0, high), (panel.area.height - 1, 0.0)] {
-        let label = aligned(&format!("{value:.0} {unit}"), usize::from(LABELS) - 1, true);
+        let label = aligned(&chart.label(value), usize::from(labels) - 1, true);
         put(
             buffer,
             panel.area,
@@ -162,7 +191,7 @@ fn draw_curve(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
             &Line::styled(label, panel.style(Role::Muted)),
         );
     }
-    let place = columns(panel.area, LABELS, panel.area.width.saturating_sub(LABELS));
+    let place = columns(panel.area, labels, panel.area.width.saturating_sub(labels));
     let symbols = panel.look.symbols;
     let values = spread(&chart.points, last, steps(place.width, symbols));
     let curve = Curve {
@@ -176,10 +205,11 @@ fn draw_curve(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
 
 fn draw_axis(chart: &Chart<'_>, panel: Panel<'_>, buffer: &mut Buffer) {
     let ([last, _], [unit, _]) = (chart.ends(), chart.units());
+    let labels = chart.labels();
     let end = format!("{last:.1} {unit}");
-    let room = panel.area.width.saturating_sub(LABELS + 1);
+    let room = panel.area.width.saturating_sub(labels + 1);
     let end = aligned(&end, usize::from(room), true);
-    let line = format!("{}0{end}", " ".repeat(usize::from(LABELS)));
+    let line = format!("{}0{end}", " ".repeat(usize::from(labels)));
     put(
         buffer,
         panel.area,

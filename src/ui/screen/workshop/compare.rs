@@ -39,7 +39,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         None,
         Role::Title,
     )];
-    for measure in Measure::ALL {
+    for measure in Measure::of_both(sheet, room.bench().sheet()) {
         let (before, after) = (measure.of(sheet), measure.of(room.bench().sheet()));
         let shown = |value: Option<f64>| value.map_or("-".to_owned(), |it| measure.shown(it));
         let changed = before.zip(after).and_then(|(a, b)| change(measure, a, b));

@@ -73,7 +73,8 @@ impl BenchFigures {
         let change = if then.is_some() { CHANGE } else { 0 };
         let with = |form: ValueForm| {
             let row = |measure| figure_row(measure, now, then, form, panel.look);
-            let rows: Vec<BenchFigure> = Measure::ALL.into_iter().map(row).collect();
+            let shown = then.unwrap_or(now).measures().iter().copied();
+            let rows: Vec<BenchFigure> = shown.map(row).collect();
             let widest = |of: fn(&BenchFigure) -> &str| {
                 let widths = rows.iter().map(|row| width(of(row)));
                 widths.max().unwrap_or(0)

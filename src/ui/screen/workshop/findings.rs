@@ -24,7 +24,9 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let bench = state.rooms().workshop().bench();
     let is_missing = |it: &&DesignFinding| it.kind == FindingKind::Missing;
     let found = bench.findings().iter();
-    let missing: Vec<Text> = found.filter(is_missing).map(|it| it.slot.name()).collect();
+    let kind = bench.sheet().kind;
+    let missing = found.filter(is_missing);
+    let missing: Vec<Text> = missing.map(|it| kind.slot_name(it.slot)).collect();
     let mut texts: Vec<(String, Style)> = Vec::new();
     if !missing.is_empty() {
         let text = text!("bench-missing", slots = Text::joined(", ", missing));
@@ -40,7 +42,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         texts.push((text, panel.style(role)));
     }
     if texts.is_empty() {
-        texts.push((panel.say("workshop-none"), panel.style(Role::Ok)));
+        texts.push((panel.say(kind.none_found()), panel.style(Role::Ok)));
     }
     for part in lacking(state, bench.design()) {
         let text = match licence(state, part) {

@@ -12,6 +12,7 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, row_of, upper};
+use crate::workshop::DesignKind;
 
 /// The widths of a seat's number and of a drone's price, in columns.
 const NUMBER: usize = 8;
@@ -65,13 +66,19 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
 fn line_of(seat: Seat<'_>, look: &Look, width: u16) -> Line<'static> {
     let room = usize::from(width).saturating_sub(NUMBER + PRICE + 2);
     let number = aligned(&seat.number.to_string(), 4, true);
+    let lent = || match seat.kind {
+        DesignKind::Drone => look.say("bench-lent"),
+        DesignKind::Robot | DesignKind::Boat => {
+            look.text(&text!("bench-lent-kind", kind = seat.kind.name()))
+        }
+    };
     let (name, price, role) = match seat.design {
         Some(design) => (
             look.text(&Text::verbatim(design.name.clone())),
             format!("{} cr", design.credits()),
             Role::Text,
         ),
-        None => (look.say("bench-lent"), String::new(), Role::Muted),
+        None => (lent(), String::new(), Role::Muted),
     };
     Line::from(vec![
         Span::styled(format!(" {number}   "), look.style(Role::Muted)),

@@ -13,6 +13,7 @@ use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, width};
 use crate::vehicle_id::ranges;
+use crate::workshop::DesignKind;
 
 /// Draws the mission's budget and needs.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -38,7 +39,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         ),
         None => (text!("bench-no-budget", cost = cost), Role::Text),
     };
-    let seats = text!("bench-seats", count = mission.vehicles);
+    let are_drones = mission.seats.iter().all(|kind| *kind == DesignKind::Drone);
+    let seats = if are_drones {
+        text!("bench-seats", count = mission.vehicles)
+    } else {
+        text!("bench-seats-mixed", count = mission.vehicles)
+    };
     let texts: Vec<(String, Style)> = vec![
         (panel.text(&seats), panel.style(Role::Text)),
         (panel.text(&budget), panel.style(role)),

@@ -9,11 +9,12 @@ use crate::app::State;
 use crate::app::action::{Action, WorkshopAction};
 use crate::app::room::workshop::{Candidate, Licence, Pane, licence};
 use crate::text;
+use crate::text::Text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, columns, put, row_of, upper, width as width_of, wrap};
-use crate::workshop::{Measure, PartSlot, Sheet};
+use crate::workshop::{DesignKind, Measure, PartSlot, Sheet};
 
 /// The columns before a name: the cursor, a blank, the mark, a blank.
 const LEAD: usize = 4;
@@ -33,7 +34,8 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let bench = state.rooms().workshop().bench();
     let layout = PartColumns::new(state, panel.look, panel.area.width);
     let has_keys = state.rooms().workshop().pane() == Pane::Parts;
-    let title = layout.title(bench.slot(), panel.look);
+    let slot = bench.sheet().kind.slot_name(bench.slot());
+    let title = layout.title(&panel.text(&slot), panel.look);
     let mut inner = panel.focused(&title, has_keys, buffer);
     if layout.shown.len() > 1 {
         let style = panel.style(Role::Muted);
@@ -89,10 +91,10 @@ impl PartColumns {
         } else {
             0
         };
-        let flies = |sheet: &Sheet| sheet.figures.is_some();
+        let flies = |sheet: &Sheet| sheet.performance.is_some();
         let has_figures =
             flies(bench.sheet()) || bench.candidates().iter().any(|it| flies(&it.sheet));
-        let telling = telling(bench.slot(), has_figures);
+        let telling = telling(bench.slot(), bench.sheet().kind, has_figures);
         let room = width.saturating_sub(LEAD + licence);
         if room < LONG_NAME + 2 * WIDE_CHANGE {
             let shown: Vec<_> = telling.iter().take(1).map(|it| (*it, CHANGE)).collect();
@@ -126,11 +128,10 @@ impl PartColumns {
     }
 
     /// The slot, and the measure if there is only one.
-    fn title(&self, slot: PartSlot, look: &Look) -> String {
-        let slot = look.text(&slot.name());
+    fn title(&self, slot: &str, look: &Look) -> String {
         match self.shown.as_slice() {
             [(only, _)] => format!("{slot}: {}", look.text(&only.name())),
-            _ => slot,
+            _ => slot.to_owned(),
         }
     }
 
@@ -204,7 +205,25 @@ impl PartColumns {
 }
 
 /// The most important measures for a slot.
-fn telling(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
+fn telling(slot: PartSlot, kind: DesignKind, has_figures: bool) -> &'static [Measure] {
+    match kind {
+        DesignKind::Drone => telling_of_drone(slot, has_figures),
+        DesignKind::Robot | DesignKind::Boat => telling_of_driven(slot, has_figures),
+    }
+}
+
+fn telling_of_driven(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
+    use Measure::{Cost, DriveRange, DriveTime, Load, Mass, Pull, RadioReach, TopSpeed};
+    match slot {
+        PartSlot::Radio if has_figures => &[RadioReach, DriveTime, Mass, Cost],
+        PartSlot::Radio => &[RadioReach, Mass, Cost],
+        _ if !has_figures => &[Mass, Cost],
+        PartSlot::Frame | PartSlot::Motor => &[TopSpeed, Pull, DriveTime, Load, Mass, Cost],
+        _ => &[DriveTime, DriveRange, Load, TopSpeed, Mass, Cost],
+    }
+}
+
+fn telling_of_drone(slot: PartSlot, has_figures: bool) -> &'static [Measure] {
     use Measure::{Cost, HoverTime, Mass, RadioReach, Range, Ratio, Spare, TopSpeed};
     match slot {
         PartSlot::Radio if has_figures => &[RadioReach, HoverTime, Mass, Cost],
@@ -229,6 +248,16 @@ fn short(licence: &Licence, look: &Look) -> (String, Role) {
     }
 }
 
+/// That a frame, chassis or hull would make the design another kind of vehicle.
+fn begins(state: &State, candidate: &Candidate) -> Option<Text> {
+    let (before, after) = (
+        state.rooms().workshop().bench().sheet().kind,
+        candidate.sheet.kind,
+    );
+    let begins = || text!("bench-begins", kind = after.name(), before = before.name());
+    (before != after).then(begins)
+}
+
 /// Draws the part's full name, its price, whether it may be used, and why it does not fit.
 fn draw_detail(state: &State, candidate: &Candidate, panel: Panel<'_>, buffer: &mut Buffer) {
     let part = candidate.part;
@@ -243,6 +272,9 @@ fn draw_detail(state: &State, candidate: &Candidate, panel: Panel<'_>, buffer: &
         let reason = text!("bench-misfit", reason = reason.clone());
         texts.push((panel.text(&reason), panel.style(Role::Danger)));
     }
+    texts.extend(
+        begins(state, candidate).map(|begins| (panel.text(&begins), panel.style(Role::Warning))),
+    );
     let held = match licence(state, part) {
         Licence::Held => None,
         Licence::ForSale(price) => Some(text!(
@@ -258,7 +290,11 @@ fn draw_detail(state: &State, candidate: &Candidate, panel: Panel<'_>, buffer: &
         texts.push((panel.text(&text), panel.style(Role::Muted)));
     }
     if part.slot() == PartSlot::Radio {
-        texts.push((panel.say("bench-radio"), panel.style(Role::Muted)));
+        let about = match state.rooms().workshop().bench().sheet().kind {
+            DesignKind::Drone => "bench-radio",
+            DesignKind::Robot | DesignKind::Boat => "bench-ground-radio",
+        };
+        texts.push((panel.say(about), panel.style(Role::Muted)));
     }
     let rows = |(text, _): &(String, Style)| wrap(text, usize::from(panel.area.width)).len();
     while texts.iter().map(rows).sum::<usize>() > usize::from(panel.area.height) && texts.len() > 2

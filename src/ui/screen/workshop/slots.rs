@@ -35,9 +35,10 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let cursor = room.bench().row();
     let first = first_shown(cursor, rows.len(), inner.height);
     let width = usize::from(inner.width);
+    let kind = room.bench().sheet().kind;
     let names = rows
         .iter()
-        .map(|row| width_of(&panel.text(&row.slot.name())));
+        .map(|row| width_of(&panel.text(&kind.slot_name(row.slot))));
     let name = names.max().unwrap_or(0).min(width * NAMES_PERCENT / 100);
     let shown = rows.iter().enumerate().skip(first);
     for (at, row) in shown.take(usize::from(inner.height)) {
@@ -80,7 +81,7 @@ struct SlotLine<'a> {
 impl SlotLine<'_> {
     fn drawn(&self, design: &Design, look: &Look) -> Line<'static> {
         let slot = if self.is_first {
-            look.text(&self.there.slot.name())
+            look.text(&design.kind().slot_name(self.there.slot))
         } else {
             String::new()
         };

@@ -3,6 +3,7 @@
 use super::*;
 use crate::app::room::home;
 use crate::app::state::Activity;
+use crate::workshop::DesignKind;
 
 #[test]
 fn a_fleet_is_chosen_given_back_and_flown() {
@@ -102,4 +103,74 @@ fn a_fleet_beyond_the_budget_stays_on_the_ground() {
     assert_eq!(press(&mut state, "f * g"), []);
     state.training.missions[0].outlay.budget = Some(starter().credits());
     assert_eq!(press(&mut state, "g").len(), 1);
+}
+
+/// A console that builds for a mission with two drones and a robot.
+fn for_the_lane() -> State {
+    let mut state = workshop(None);
+    let lane = include_str!("../../../../../missions/18-robot-lane.toml");
+    let mission = crate::mission::Mission::parse(lane).expect("it is good");
+    state.training.missions = vec![mission.listing()];
+    state.training.missions[0].outlay.budget = None;
+    state
+}
+
+fn sapper() -> Design {
+    let source = include_str!("../../../../../designs/sapper.toml");
+    Design::from_toml(source).expect("it is good")
+}
+
+#[test]
+fn a_seat_takes_only_a_design_of_its_kind_and_says_so() {
+    let mut state = for_the_lane();
+    press(&mut state, "f j j enter");
+    assert!(state.training.fleets.is_empty());
+    let said = state.message().expect("a reason").text.to_string();
+    assert!(
+        said.contains("seat 3") && said.contains("ground robot"),
+        "{said}"
+    );
+    press(&mut state, "k enter");
+    let id = state.training.missions[0].id.clone();
+    assert_eq!(state.training.fleets[&id], [starter(), starter()]);
+    state.rooms.workshop.bench.open(sapper(), None, air());
+    press(&mut state, "enter");
+    assert_eq!(
+        state.training.fleets[&id],
+        [starter(), starter()],
+        "a drone's seat"
+    );
+    press(&mut state, "*");
+    assert_eq!(state.training.fleets[&id], [starter(), starter(), sapper()]);
+    let said = state
+        .message()
+        .expect("the seats are named")
+        .text
+        .to_string();
+    assert!(said.contains("ground robots"), "{said}");
+    let mission = &state.training.missions[0];
+    let price = 2 * starter().credits() + sapper().credits();
+    assert_eq!(bill(&state, mission), price);
+}
+
+#[test]
+fn a_chassis_on_the_bench_begins_a_robot_and_undo_brings_the_drone_back() {
+    let mut state = workshop(None);
+    put(&mut state, PartSlot::Frame, "ch_410k");
+    let bench = &state.rooms.workshop.bench;
+    assert_eq!(bench.sheet().kind, DesignKind::Robot);
+    let slots: Vec<PartSlot> = bench.rows().iter().map(|row| row.slot).collect();
+    assert!(!slots.contains(&PartSlot::Propeller) && slots.contains(&PartSlot::Motor));
+    put(&mut state, PartSlot::Motor, "gm_37");
+    let bench = &state.rooms.workshop.bench;
+    assert_eq!(bench.findings(), []);
+    assert!(bench.curves().polar.len() > 10 && bench.curves().endurance.len() > 10);
+    let ids = bench.candidates().iter().map(|it| it.part.id);
+    assert!(
+        ids.clone().all(|id| id.starts_with("gm_")),
+        "{:?}",
+        ids.collect::<Vec<_>>()
+    );
+    press(&mut state, "u u");
+    assert_eq!(design(&state), &starter());
 }
