@@ -78,6 +78,8 @@ pub struct Replay {
     known_gaps: usize,
     /// Whether the damage to the frames has been reported.
     has_told_damage: bool,
+    /// Whether it goes to the end, which may turn out to be later than estimated.
+    goes_to_end: bool,
 }
 
 impl Replay {
@@ -121,6 +123,7 @@ impl Replay {
             contents: Contents::new(&film),
             known_length: Duration::ZERO,
             has_told_damage: false,
+            goes_to_end: false,
             known_gaps: 0,
             film,
         };
@@ -140,6 +143,10 @@ impl Replay {
     /// Advances it with the program's clock; returns its events.
     pub fn tick(&mut self, now: Duration) -> Vec<Event> {
         let length = self.length();
+        if self.goes_to_end {
+            self.player.go_to(length);
+            self.goes_to_end = self.index.length().is_none();
+        }
         self.player
             .tick(now, self.stage.now(), &self.contents, length);
         let mut events = self.approach();
@@ -166,6 +173,7 @@ impl Replay {
     /// Applies a control; returns a remark about an effect that the user may not expect.
     fn control(&mut self, effect: ReplayEffect) -> Result<Option<Text>, Text> {
         let now = self.stage.now();
+        self.goes_to_end = effect == ReplayEffect::Seek(SeekTarget::End);
         match effect {
             ReplayEffect::Play(plays) => {
                 self.player.play(plays);

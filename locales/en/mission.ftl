@@ -248,7 +248,10 @@ mission-hint-price = { $percent ->
    *[other] { $key } requests the next one, level { $level }: it costs { $percent } % of the score
 }
 mission-hint-of = hint { $level }: { $hint }
-mission-rule-carries = vehicle { $vehicles }
+mission-rule-carries = { $count ->
+    [one] vehicle { $vehicles }
+   *[other] vehicles { $vehicles }
+}
 mission-rule-carries-nothing = no sensor, no load
 mission-rule-load = { $name } x{ $count }
 mission-rule-areas = areas

@@ -260,7 +260,10 @@ mission-hint-price = { $percent ->
    *[other] { $key } — наступна підказка, рівень { $level }: коштує { $percent } % балів
 }
 mission-hint-of = підказка { $level }: { $hint }
-mission-rule-carries = апарат { $vehicles }
+mission-rule-carries = { $count ->
+    [1] апарат { $vehicles }
+   *[other] апарати { $vehicles }
+}
 mission-rule-carries-nothing = без датчика й вантажу
 mission-rule-load = { $name } x{ $count }
 mission-rule-areas = зони

@@ -43,6 +43,9 @@ enum ClassTask {
         name: Option<String>,
     },
     /// Lists the lesson plans that the desk can begin.
+    #[command(after_help = "Examples:\n  \
+                            sortie class lessons             the shipped ones, and those in the folder lessons\n  \
+                            sortie check my-lesson.toml      checks a plan of your own")]
     Lessons,
     /// Prints the results of a class: trainee by mission, trainee by skill, and what the whole class does not know.
     Report(ReportArguments),

@@ -104,6 +104,8 @@ pub struct FitListing {
     pub sensors: Vec<Text>,
     /// Their loads with the count of each, or the seconds for spray.
     pub loads: Vec<(Text, u32)>,
+    /// Whether they carry a flail against mines.
+    pub flail: bool,
 }
 
 /// An objective of a mission on offer.
@@ -186,8 +188,11 @@ impl Mission {
                 vehicles: vec![vehicle],
                 sensors: sensors.map(|it| Text::new(it.name, Vec::new())).collect(),
                 loads: loads.map(|(load, count)| (load.name(), *count)).collect(),
+                flail: fit.flail,
             };
-            let alike = |it: &&mut FitListing| it.sensors == new.sensors && it.loads == new.loads;
+            let alike = |it: &&mut FitListing| {
+                (&it.sensors, &it.loads, it.flail) == (&new.sensors, &new.loads, new.flail)
+            };
             match listed.iter_mut().find(alike) {
                 Some(known) => known.vehicles.push(vehicle),
                 None => listed.push(new),

@@ -351,7 +351,7 @@ fn hints_follow_the_flight() {
     let mut pilot = Pilot::new(1);
     let hint = |pilot: &Pilot| pilot.flight.progress().hint.unwrap_or_default();
     pilot.tick();
-    assert!(hint(&pilot).contains("then arm the drone"));
+    assert!(hint(&pilot).contains("Arm the drone"));
     pilot.take_off(20.0);
     let said = hint(&pilot);
     assert!(
@@ -374,7 +374,7 @@ fn hints_follow_the_flight() {
         hint(&pilot)
     );
     pilot.look_above();
-    assert!(hint(&pilot).contains("send it home"));
+    assert!(hint(&pilot).contains("send the drone home"));
 }
 
 #[test]

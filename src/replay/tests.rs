@@ -323,6 +323,22 @@ fn frames_are_replayed_without_a_journal_or_a_run_that_cannot_be_read() {
     }
 }
 
+/// The length is an estimate until all of the recording has been read; its last frames and the result come later.
+#[test]
+fn the_end_is_that_of_the_whole_recording() {
+    let recorded = record();
+    let (mut replay, _) = Replay::open(&recorded.frames, &Config::default()).expect("a recording");
+    drop(replay.steer(ReplayEffect::Seek(SeekTarget::End)));
+    while !replay.is_there() {
+        drop(replay.tick(Duration::ZERO));
+    }
+    replay.wait_for_index();
+    for _ in 0..3 {
+        drop(replay.tick(Duration::ZERO));
+    }
+    assert_eq!(replay.now(), replay.length());
+}
+
 #[test]
 fn a_review_that_cannot_be_read_is_not_replaced() {
     let recorded = record();

@@ -114,6 +114,14 @@ impl Look {
         self.key(&sanitised(&self.locale.text(text)))
     }
 
+    /// The arrow between a value before a change and the one after it: a single `>` would compare the two.
+    pub fn arrow(&self) -> &'static str {
+        match self.symbols {
+            Symbols::Ascii => "->",
+            Symbols::Braille | Symbols::Block => "→",
+        }
+    }
+
     /// A message without arguments; it may have several lines.
     pub fn say(&self, id: &str) -> String {
         self.locale.say(id)

@@ -31,6 +31,7 @@ pub(super) fn truth() -> TruthReport {
         at,
         side_m: 20.0,
         strength,
+        is_fire: false,
     };
     TruthReport {
         squares: vec![square([10.0, 90.0], 1.0), square([30.0, 90.0], 0.4)],

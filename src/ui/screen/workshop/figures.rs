@@ -132,7 +132,7 @@ fn figure_row(
     let value = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), |it| measure.figure(it));
     let differs = changed.is_some() || before.is_some() != after.is_some();
     let figures = if differs && form == ValueForm::BeforeAndAfter {
-        format!("{} → {}", value(before), value(after))
+        format!("{} {} {}", value(before), look.arrow(), value(after))
     } else {
         value(after)
     };

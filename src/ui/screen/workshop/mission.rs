@@ -77,7 +77,7 @@ fn draw_stand(stand: &Stand, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let what = format!("{mark} {}", panel.text(&line.what));
     let mut has = panel.text(&line.has);
     if let Some(before) = &stand.before {
-        has = format!("{} → {has}", panel.text(before));
+        has = format!("{} {} {has}", panel.text(before), panel.look.arrow());
     }
     let figures = format!("{has} / {}", panel.text(&line.required));
     let columns = usize::from(panel.area.width);

@@ -24,6 +24,7 @@ impl MissionPage<'_> {
             let whose = if fits.len() > 1 {
                 text!(
                     "mission-rule-carries",
+                    count = fit.vehicles.len(),
                     vehicles = ranges(fit.vehicles.clone())
                 )
             } else {
@@ -32,7 +33,9 @@ impl MissionPage<'_> {
             let carried_loads = fit.loads.iter();
             let loads = carried_loads
                 .map(|(name, count)| text!("mission-rule-load", name = name, count = *count));
-            let carried: Vec<Text> = fit.sensors.iter().cloned().chain(loads).collect();
+            let flail = fit.flail.then(|| text!("s_flail"));
+            let carried = fit.sensors.iter().cloned().chain(loads).chain(flail);
+            let carried: Vec<Text> = carried.collect();
             if carried.is_empty() {
                 return (whose, text!("mission-rule-carries-nothing"));
             }
@@ -40,7 +43,7 @@ impl MissionPage<'_> {
         };
         let all = fits.iter().map(row);
         match fits {
-            [only] if only.sensors.is_empty() && only.loads.is_empty() => Vec::new(),
+            [only] if only.sensors.is_empty() && only.loads.is_empty() && !only.flail => Vec::new(),
             _ => all.collect(),
         }
     }
