@@ -154,6 +154,20 @@ fn a_lesson_is_read_for_the_meant_seats_and_goes_on_by_conditions_and_keys() {
 }
 
 #[test]
+fn all_seats_that_a_key_starts_are_named() {
+    let mut console = desk(Language::English);
+    begin(&mut console, &first_lesson(Language::English), vec![0, 1]);
+    // It is a step of all seats.
+    for seats in ["@all", "@bohdan"] {
+        console.give(&format!("class lesson next {seats}"));
+        let screen = console.screen(120, 40);
+        let notice = "next step of the lesson: anna, bohdan";
+        assert!(screen.contains(notice), "{screen}");
+        carry_out(&mut console, None);
+    }
+}
+
+#[test]
 fn without_a_lesson_the_lessons_are_listed() {
     let mut console = desk(Language::English);
     console.press("l");
@@ -185,6 +199,8 @@ fn step(mission: Option<&str>, when: Option<&str>) -> Deed {
         step: Some("s".into()),
         mission: mission.map(Into::into),
         when: when.map(Into::into),
+        is_held: false,
+        before: 0,
     })
 }
 
