@@ -12,7 +12,7 @@ use sortie::class::{
     Deed, Entry, Happening, JournalBatch, LessonWait, NotedStep, OrderId, OrderState, Outcome,
     Refusal,
 };
-use sortie::lesson_plan::{Lesson, LessonMissions, LessonSetting};
+use sortie::lesson_plan::{FaultyLesson, Lesson, LessonList, LessonMissions, LessonSetting};
 use sortie::mission::{Expected, Progress};
 use sortie::text::{Language, Locale};
 
@@ -176,9 +176,26 @@ fn without_a_lesson_the_lessons_are_listed() {
     let screen = console.screen(80, 24);
     assert!(screen.contains("The lessons are being read."), "{screen}");
     let lesson = first_lesson(Language::English);
-    console.hear(ClassEvent::Lessons(vec![lesson]));
+    console.hear(ClassEvent::Lessons(LessonList {
+        good: vec![lesson],
+        faulty: vec![FaultyLesson {
+            name: "mine".to_owned(),
+            file: "lessons/mine.toml".to_owned(),
+        }],
+    }));
     let screen = console.screen(80, 24);
     assert!(screen.contains("first-lesson: First lesson."), "{screen}");
+    let faulty = console.screen(120, 40);
+    assert!(
+        faulty.contains("sortie check lessons/mine.toml"),
+        "{faulty}"
+    );
+    // It is known, and read again: that says what its faults are.
+    console.give("class lesson mine");
+    let name = "mine".to_owned();
+    let seats = vec![0];
+    let read = ClassEffect::ReadLesson { name, seats };
+    assert_eq!(class_effects(&console), [&read]);
     console.press("esc");
     assert!(!console.screen(80, 24).contains("first-lesson"));
 
