@@ -78,6 +78,7 @@ fn refusal_text(refusal: Refusal) -> Text {
         Refusal::Condition => text!("class-refusal-condition"),
         Refusal::NotArmed => text!("class-refusal-not-armed"),
         Refusal::Flying => text!("class-refusal-flying"),
+        Refusal::Locked => text!("class-refusal-locked"),
     }
 }
 

@@ -120,6 +120,7 @@ class-refusal-no-inject = the mission does not permit this inject
 class-refusal-condition = the condition names something that the mission does not have
 class-refusal-not-armed = no such inject is armed
 class-refusal-flying = another flight is under way
+class-refusal-locked = the mission is locked in the profile of the seat, so it cannot be an exam
 class-desk-line = { $instructor }: { $deed }: { $outcome }
 class-given = { $deed }: sent to { $seats }
 class-seats = { $count ->

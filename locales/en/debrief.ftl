@@ -35,7 +35,7 @@ debrief-commands = { $count ->
 }
 # One row for a refusal by several drones.
 debrief-to-many = { $what } ({ $count } drones)
-debrief-drone = drone { $vehicle }: { $what }
+debrief-drone = vehicle { $vehicle }: { $what }
 debrief-vehicle = vehicle { $vehicle }: { $what }
 
 debrief-improve = WHAT TO IMPROVE   (biggest gain first)

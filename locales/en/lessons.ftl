@@ -9,7 +9,7 @@ lesson-id = `{ $name }` is no name for a step: use letters, digits, `-` and `_`,
 lesson-id-twice = a step before is called `{ $name }` too
 lesson-no-step = there is no step `{ $name }`
 lesson-known-steps = the steps are: { $known }
-lesson-no-flight = no mission is flown yet, so nothing can be waited for in it
+lesson-no-flight = no mission is flown before this step, so there is nothing to wait for
 lesson-no-flight-help = put `fly MISSION` into a step before, or wait for the instructor with `when = "manual"`
 lesson-condition-long = a condition in a lesson is at most { $most } characters long
 lesson-when = `{ $word }` is neither `manual`, `started`, `over` or `passed` nor a condition

@@ -107,7 +107,7 @@ s_med = rescue kit
 s_node = sensor node
 s_spray = sprayer with a tank
 s_relay = relay antenna
-s_flail = flail against mines
+s_flail = mine flail
 
 design-schema = unknown schema { $found }: this version reads schema { $known }
 design-name = a name is one line of 1 to { $most } characters
@@ -132,8 +132,7 @@ finding-power-current = the hover draws { $current } A; the power module takes a
 finding-unfit = { $part } fits only this kind of vehicle: { $only }; the design is a { $kind }
 finding-overload = the vehicle weighs { $mass } kg; its chassis or hull carries at most { $most } kg with its own mass
 finding-stuck = the drive pulls with { $pull } N, but the vehicle needs { $needed } N to move
-finding-slope = it climbs slopes of { $slope }° at most: on open ground, { $good }° are good
-finding-cruise-current = driving at cruise speed draws { $current } A; the battery supplies { $most } A
+finding-slope = climbs at most { $slope }°; open ground needs { $good }°
 finding-peak-current = the drive could draw more than the { $most } A that the battery supplies: the battery limits pull and speed
 finding-power-cruise = driving at cruise speed draws { $current } A; the power module takes at most { $most } A
 

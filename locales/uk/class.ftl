@@ -121,6 +121,7 @@ class-refusal-no-inject = завдання не дозволяє цієї под
 class-refusal-condition = умова називає те, чого в завданні немає
 class-refusal-not-armed = такої підготовленої події немає
 class-refusal-flying = триває інший політ
+class-refusal-locked = у профілі цього місця завдання ще закрите, тож іспиту не буде
 class-desk-line = { $instructor }: { $deed }: { $outcome }
 class-given = { $deed }: надіслано { $seats }
 class-seats = { $count ->

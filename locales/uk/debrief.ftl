@@ -36,7 +36,7 @@ debrief-commands = { $count ->
 }
 # Один рядок про відмову кількох дронів.
 debrief-to-many = { $what } (дронів: { $count })
-debrief-drone = дрон { $vehicle }: { $what }
+debrief-drone = апарат { $vehicle }: { $what }
 debrief-vehicle = апарат { $vehicle }: { $what }
 
 debrief-improve = ЩО ПОЛІПШИТИ   (спершу те, що дає найбільше)

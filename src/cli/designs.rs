@@ -14,9 +14,9 @@ use crate::workshop::Design;
 /// Options of commands that fly a mission.
 #[derive(Debug, Clone, Default, Args)]
 pub(super) struct DesignArguments {
-    /// Fly this drone of the workshop in the mission: a design file, or the name of a design. One design applies to
-    /// all drones; with several, each drone takes the next one, and the last one applies to all further drones.
-    /// Separate them with commas, or repeat the option.
+    /// Use this design of the workshop in the mission: a design file, or the name of a design. One design applies to
+    /// all vehicles of its kind (drones, ground robots, boats); with several of a kind, each vehicle takes the next one,
+    /// and the last one applies to all further ones. Separate them with commas, or repeat the option.
     #[arg(
         long = "design",
         value_name = "DESIGN",

@@ -75,9 +75,9 @@ fn every_rule_broken_and_every_rejection_stands_in_the_timeline() {
     let text = text(&bad_flight(), &Locale::default());
     for words in [
         "r 1 arm: refused",
-        "x drone 1: above 60 m",
-        "x drone 1: outside the fence \"fence\"",
-        "x drone 1: motors stopped",
+        "x vehicle 1: above 60 m",
+        "x vehicle 1: outside the fence \"fence\"",
+        "x vehicle 1: motors stopped",
     ] {
         assert!(text.contains(words), "{words} is missing:\n{text}");
     }

@@ -152,13 +152,34 @@ pub enum Route {
     },
 }
 
+impl Route {
+    /// The route of a message that the stations already have.
+    fn without_stations(self) -> Self {
+        match self {
+            Self::To { vehicles, .. } => Self::To {
+                vehicles,
+                stations: Reach::Nobody,
+            },
+            Self::Repeated | Self::Returned | Self::Unknown => self,
+        }
+    }
+}
+
+/// The first source of a content.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum FrameOrigin {
+    /// A message of the console itself.
+    Console,
+    Port(Port),
+}
+
 /// Records where senders are heard, and finds the route of each frame.
 #[derive(Debug)]
 pub struct Router {
     own: MavAddress,
     ports: BTreeMap<MavAddress, BTreeMap<Port, Duration>>,
-    /// Where each content came from; `None` for the console's own messages.
-    contents: Recent<u64, Option<Port>>,
+    /// Where each content came from.
+    contents: Recent<u64, FrameOrigin>,
     /// Each frame by its content and its sequence number.
     frames: Recent<(u64, u8), ()>,
 }
@@ -178,7 +199,7 @@ impl Router {
     pub fn note_own(&mut self, bytes: &[u8], now: Duration) {
         if let Some(anatomy) = Anatomy::of(bytes) {
             let content = content_of(&anatomy);
-            self.contents.note(content, None, now);
+            self.contents.note(content, FrameOrigin::Console, now);
             self.frames.note((content, anatomy.sequence), (), now);
         }
     }
@@ -187,13 +208,16 @@ impl Router {
     pub fn route(&mut self, from: Port, facts: &FrameFacts, now: Duration) -> Route {
         let origin = self.contents.get(&facts.content, now);
         let has_gone_round = self.frames.get(&(facts.content, facts.sequence), now);
-        let is_second = origin.is_some_and(|origin| origin != Some(from));
-        if is_second && self.has_not_reached_its_vehicle(from, facts, origin) {
-            return self.to_vehicles_only(from, facts, now);
+        let is_second = origin.is_some_and(|origin| origin != FrameOrigin::Port(from));
+        if let Some(receiver) = facts.receiver
+            && self.has_not_reached_its_vehicle(from, facts, origin)
+        {
+            self.note(from, facts, now);
+            return self.to(from, receiver, now).without_stations();
         }
         if has_gone_round.is_some() || is_second {
             // Another ground station may use the console's own address: answers must reach it.
-            if origin == Some(None) {
+            if origin == Some(FrameOrigin::Console) {
                 self.learn(from, facts, now);
             }
             // Another station with this address numbers its frames by itself.
@@ -223,28 +247,16 @@ impl Router {
         &self,
         from: Port,
         facts: &FrameFacts,
-        origin: Option<Option<Port>>,
+        origin: Option<FrameOrigin>,
     ) -> bool {
         let is_of_station = matches!(from, Port::Station { .. }) && facts.sender != self.own;
-        let came_over_link = matches!(origin, Some(Some(Port::Vehicle { .. })));
-        is_of_station && came_over_link && facts.receiver.is_some()
-    }
-
-    /// The route of a message that the stations already have.
-    fn to_vehicles_only(&mut self, from: Port, facts: &FrameFacts, now: Duration) -> Route {
-        self.note(from, facts, now);
-        let receiver = facts.receiver.unwrap_or(self.own);
-        match self.to(from, receiver, now) {
-            Route::To { vehicles, .. } => Route::To {
-                vehicles,
-                stations: Reach::Nobody,
-            },
-            nowhere => nowhere,
-        }
+        let came_over_link = matches!(origin, Some(FrameOrigin::Port(Port::Vehicle { .. })));
+        is_of_station && came_over_link
     }
 
     fn note(&mut self, from: Port, facts: &FrameFacts, now: Duration) {
-        self.contents.note(facts.content, Some(from), now);
+        self.contents
+            .note(facts.content, FrameOrigin::Port(from), now);
         self.frames.note((facts.content, facts.sequence), (), now);
         self.learn(from, facts, now);
     }

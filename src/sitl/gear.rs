@@ -47,7 +47,10 @@ pub fn gear_parameters(kind: VehicleKind, gear: &RunningGear) -> Vec<(&'static s
             (100.0 * gear.cruise_throttle(chassis)).round(),
         ),
         ("BATT_AMP_PERVLT", (amperes * 1e3).round() * 1e-3),
-        ("SIM_BATT_VOLTAGE", gear.full_voltage_v),
+        (
+            "SIM_BATT_VOLTAGE",
+            (gear.full_voltage_v * 1e3).round() / 1e3,
+        ),
         ("SIM_BATT_CAP_AH", gear.battery_capacity_ah),
     ]);
     all

@@ -52,8 +52,6 @@ pub enum FindingKind {
     Stuck,
     /// The drive can hardly climb.
     Slope,
-    /// Driving at cruise speed draws more current than the battery can supply.
-    CruiseCurrent,
     /// The battery limits the pull.
     PeakCurrent,
 }
@@ -73,8 +71,7 @@ impl FindingKind {
             | Self::HoverCurrent
             | Self::Unfit
             | Self::Overload
-            | Self::Stuck
-            | Self::CruiseCurrent => FindingSeverity::Fault,
+            | Self::Stuck => FindingSeverity::Fault,
             Self::EscCurrent
             | Self::Weak
             | Self::HoverShare

@@ -176,4 +176,6 @@ pub enum Refusal {
     NotArmed,
     /// A flight is under way, which the order would end.
     Flying,
+    /// The mission is locked in the trainee's career, so it cannot be an exam.
+    Locked,
 }

@@ -224,9 +224,8 @@ impl RunningGear {
     /// The power from the battery at a speed and acceleration. Nothing is won back by braking.
     pub(super) fn power_at_w(&self, speed_m_s: f64, accel_m_s2: f64) -> f64 {
         let idle_w = self.power_w.first().map_or(0.0, |point| point.1);
-        let speed_m_s = speed_m_s.abs();
         let gained_w = self.mass_kg * accel_m_s2 * speed_m_s / self.efficiency;
-        (self.steady_w(speed_m_s) + gained_w).max(idle_w)
+        (self.steady_w(speed_m_s.abs()) + gained_w).max(idle_w)
     }
 
     fn steady_w(&self, speed_m_s: f64) -> f64 {
@@ -343,6 +342,8 @@ mod tests {
             (4.0, 0.0, 260.0),
             (1.0, 0.5, 60.0 + 40.0 * 0.5 / 0.5),
             (2.0, -1.5, 10.0),
+            (-1.0, -0.5, 60.0 + 40.0 * 0.5 / 0.5),
+            (-2.0, 1.5, 10.0),
         ] {
             let found = gear.power_at_w(speed_m_s, accel_m_s2);
             assert!((found - power_w).abs() < 1e-9, "{speed_m_s}: {found}");

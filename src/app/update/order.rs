@@ -7,7 +7,7 @@ use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
 use crate::app::room::{Room, files, parameters};
-use crate::app::state::{Confirm, Consequence, Overlay, YES};
+use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ConsoleLine, Meaning, Statement, words};
@@ -199,14 +199,9 @@ pub fn give(state: &mut State, order: Order) -> Effects {
 
 /// Asks before a message to the mission, which concerns no vehicle.
 fn ask_about_saying(state: &mut State, order: Order, hazard: Option<Text>) -> Effects {
-    state.overlay = Some(Overlay::Confirm(Confirm {
-        question: order.verb.name.to_uppercase().into(),
-        reason: hazard.unwrap_or_default(),
-        answer: YES.to_owned(),
-        typed: String::new(),
-        cancelled: false,
-        then: Consequence::Order(order),
-    }));
+    let question = order.verb.name.to_uppercase().into();
+    let then = Consequence::Order(order);
+    state.ask(question, hazard.unwrap_or_default(), then);
     Effects::none()
 }
 

@@ -196,7 +196,7 @@ impl BoardColumn {
             let at = last - usize::from(columns >= WIDE);
             fitting.insert(at, Self::LESSON);
         }
-        let used: usize = known.iter().map(|(_, width)| width + 1).sum();
+        let used: usize = fitting.iter().map(|(_, width)| width + 1).sum();
         if let Some((_, last)) = fitting.last_mut() {
             *last += usize::from(columns).saturating_sub(used + MARKS);
         }

@@ -65,14 +65,7 @@ impl PackFindings {
 
     fn drive_current(&mut self, figures: &DriveFigures) {
         let most_a = figures.max_current_a;
-        if figures.cruise_current_a > most_a {
-            let text = text!(
-                "finding-cruise-current",
-                current = tenths(figures.cruise_current_a),
-                most = tenths(most_a)
-            );
-            self.add(FindingKind::CruiseCurrent, PartSlot::Battery, text);
-        } else if figures.peak_current_a > 0.95 * most_a {
+        if figures.peak_current_a > 0.95 * most_a {
             let text = text!("finding-peak-current", most = tenths(most_a));
             self.add(FindingKind::PeakCurrent, PartSlot::Battery, text);
         }

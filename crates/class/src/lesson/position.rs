@@ -266,7 +266,9 @@ impl LessonPosition {
         if self.is_ready() && (together || !step.together) {
             return Some(LessonMove::Act);
         }
-        let limit = step.limit.filter(|it| self.waited(now) >= it.within)?;
+        // A seat that is ready is not late if it waits for others.
+        let limit = step.limit.filter(|_| !self.is_ready());
+        let limit = limit.filter(|it| self.waited(now) >= it.within)?;
         Some(LessonMove::Go(limit.otherwise))
     }
 
@@ -418,7 +420,7 @@ impl GivenDeed {
         Self {
             id,
             // What comes after it is about that flight.
-            is_needed: matches!(deed, Deed::Fly { .. }),
+            is_needed: matches!(deed, Deed::Fly { .. } | Deed::Start),
             outcome: None,
         }
     }

@@ -52,7 +52,7 @@ impl Pupil {
                 end(&mut self.journal, order.clone(), Outcome::Armed);
                 self.waits = Some(order);
             }
-            Deed::Fly { .. } if self.refuses_to_fly => {
+            Deed::Fly { .. } | Deed::Start if self.refuses_to_fly => {
                 end(&mut self.journal, order, Outcome::Refused(Refusal::Flying));
             }
             _ => end(&mut self.journal, order, Outcome::Done),
@@ -264,6 +264,25 @@ fn a_step_of_all_seats_waits_for_all_that_are_there() {
 }
 
 #[test]
+fn a_seat_that_waits_for_the_others_is_not_late() {
+    let mut start = step("start", when("ready"), StepTarget::End);
+    start.together = true;
+    start.limit = Some(StepLimit {
+        within: seconds(10),
+        otherwise: StepTarget::Step(1),
+    });
+    let late = step("late", StepStart::AtOnce, StepTarget::End);
+    let mut class = Class::new(&["a", "b"]);
+    class
+        .desk
+        .teach(&plan(vec![start, late]), &[0, 1], class.now);
+    class.seats[0].holds.insert("ready".to_owned());
+    class.run(15);
+    assert_eq!(class.seats[0].done(), ["start"]);
+    assert_eq!(class.seats[1].done(), ["late"]);
+}
+
+#[test]
 fn the_instructors_key_starts_a_step_of_all_seats_at_all_of_them() {
     let mut start = step("start", StepStart::Instructor, StepTarget::End);
     start.together = true;
@@ -310,6 +329,18 @@ fn the_instructor_skips_goes_back_and_stops() {
     class.reopen();
     class.run(2);
     assert!(class.desk.unknown_lessons().is_empty());
+}
+
+#[test]
+fn a_start_that_is_refused_holds_the_lesson() {
+    let mut start = step("start", StepStart::AtOnce, StepTarget::End);
+    start.deeds = vec![Deed::Start];
+    let mut class = Class::new(&["a"]);
+    class.seats[0].refuses_to_fly = true;
+    class.desk.teach(&plan(vec![start]), &[0], class.now);
+    class.run(2);
+    let held = LessonWait::Instructor(Some(HoldReason::NotFlown));
+    assert_eq!(class.lesson(0).wait(), held);
 }
 
 #[test]

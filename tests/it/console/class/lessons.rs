@@ -348,3 +348,21 @@ fn a_flight_is_let_begin_as_soon_as_its_vehicles_have_started() {
     let refused = Outcome::Refused(Refusal::NoMission);
     assert_eq!(outcomes(&console), [(1, refused)]);
 }
+
+/// A mission that is locked would silently be flown for practice.
+#[test]
+fn a_locked_mission_is_no_exam() {
+    let mut console = fixtures::career::opened(joined(), fixtures::career::newcomer());
+    let fly = |mission: &str| Deed::Fly {
+        mission: mission.into(),
+        exam: true,
+    };
+    order(&mut console, 1, fly("04-line-inspection"));
+    let refused = Outcome::Refused(Refusal::Locked);
+    assert_eq!(outcomes(&console), [(1, refused)]);
+    order(&mut console, 2, fly("00-first-flight"));
+    assert!(matches!(
+        session_effects(&console)[..],
+        [SessionEffect::StartMission(_)]
+    ));
+}

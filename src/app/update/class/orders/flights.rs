@@ -7,7 +7,7 @@ use crate::app::State;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
 use crate::app::state::Activity;
-use crate::campaign::Stake;
+use crate::campaign::{MissionStage, Stake};
 use crate::class::{Outcome, Refusal};
 
 /// Begins the flight of a mission with its brief, unless another flight would be lost.
@@ -15,6 +15,9 @@ pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOr
     let is_connected = matches!(state.session.activity, Some(Activity::Connected { .. }));
     if loss(state).is_some() || is_connected && state.replay.is_none() {
         return Err(Refusal::Flying);
+    }
+    if is_exam && is_locked(state, mission) {
+        return Err(Refusal::Locked);
     }
     let launch = Launch {
         stake: if is_exam { Stake::Exam } else { Stake::Graded },
@@ -25,6 +28,15 @@ pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOr
         effects: Effect::Session(SessionEffect::StartMission(launch)).into(),
         trace: OrderTrace::Flight(flights),
     })
+}
+
+/// Whether the trainee's career does not permit the mission yet: it would be flown for practice.
+fn is_locked(state: &State, mission: &str) -> bool {
+    let stage = state
+        .training()
+        .career()
+        .and_then(|career| career.stage(mission));
+    matches!(stage, Some(MissionStage::Locked(_)))
 }
 
 /// Whether the flight of a mission has begun after this many others.
