@@ -46,6 +46,21 @@ pub struct Lesson {
     pub untranslated: Vec<Diagnostic>,
 }
 
+/// All lesson plans that can be read.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct LessonList {
+    pub good: Vec<Arc<Lesson>>,
+    pub faulty: Vec<FaultyLesson>,
+}
+
+/// A lesson plan with faults.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FaultyLesson {
+    pub name: String,
+    /// Its file.
+    pub file: String,
+}
+
 /// The texts of the missions that lessons may fly, by id.
 #[derive(Debug, Default)]
 pub struct LessonMissions(BTreeMap<String, String>);

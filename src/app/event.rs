@@ -22,7 +22,7 @@ use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
 use crate::ledger::{ForeignCommand, Risk, RowUpdate};
-use crate::lesson_plan::Lesson;
+use crate::lesson_plan::{Lesson, LessonList};
 use crate::mission::{Area, Listing, Progress};
 use crate::moment::Moment;
 use crate::notice::Notice;
@@ -288,8 +288,8 @@ pub enum ClassEvent {
     },
     /// At the desk: a record is complete, but cannot be scored.
     Unscored(Text),
-    /// At the desk: the lesson plans that can be begun.
-    Lessons(Vec<Arc<Lesson>>),
+    /// At the desk: the lesson plans.
+    Lessons(LessonList),
     /// At the desk: a lesson plan was read, or why not, for these seats.
     LessonRead {
         name: String,

@@ -16,7 +16,7 @@ pub(super) fn check(
     steps: &[LessonStep],
     findings: &mut Findings,
 ) {
-    let reached = reached(steps);
+    let reached = LessonStep::reached(steps, 0);
     let ending = ending(steps);
     for (at, (step, read)) in written.get_ref().iter().zip(steps).enumerate() {
         let name = step.id.get_ref();
@@ -32,45 +32,14 @@ pub(super) fn check(
     }
 }
 
-/// The steps to which a step leads.
-fn targets(step: &LessonStep) -> impl Iterator<Item = StepTarget> {
-    let otherwise = step.limit.map(|limit| limit.otherwise);
-    [step.then].into_iter().chain(otherwise)
-}
-
-/// The steps to which the first one leads, with itself.
-fn reached(steps: &[LessonStep]) -> BTreeSet<usize> {
-    let mut reached = BTreeSet::new();
-    let mut left: Vec<usize> = (!steps.is_empty()).then_some(0).into_iter().collect();
-    while let Some(at) = left.pop() {
-        if reached.insert(at) {
-            left.extend(
-                steps
-                    .get(at)
-                    .into_iter()
-                    .flat_map(targets)
-                    .filter_map(index),
-            );
-        }
-    }
-    reached
-}
-
-fn index(target: StepTarget) -> Option<usize> {
-    match target {
-        StepTarget::Step(index) => Some(index),
-        StepTarget::End => None,
-    }
-}
-
 /// The steps from which a way leads to the end.
 fn ending(steps: &[LessonStep]) -> BTreeSet<usize> {
     let mut ending = BTreeSet::new();
     loop {
-        let ends = |target: StepTarget| index(target).is_none_or(|step| ending.contains(&step));
+        let ends = |target: StepTarget| target.index().is_none_or(|step| ending.contains(&step));
         let all = steps.iter().enumerate();
         let new: Vec<usize> = all
-            .filter(|(at, step)| !ending.contains(at) && targets(step).any(ends))
+            .filter(|(at, step)| !ending.contains(at) && step.targets().any(ends))
             .map(|(at, _)| at)
             .collect();
         if new.is_empty() {
@@ -87,7 +56,7 @@ fn is_in_circle(steps: &[LessonStep], from: usize) -> bool {
         let Some(step) = steps.get(at).filter(|it| it.start == StepStart::AtOnce) else {
             return false;
         };
-        match index(step.then) {
+        match step.then.index() {
             Some(next) if next == from => return true,
             Some(next) => at = next,
             None => return false,

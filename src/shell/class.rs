@@ -227,7 +227,7 @@ impl Console {
                 self.post(ClassEvent::Begun { id, refusal });
             }
             ClassEffect::Expect { id, when } => {
-                let refusal = self.instruct(|flight| flight.expect(&when));
+                let refusal = self.instruct(|flight| flight.expect(id, &when));
                 if refusal.is_some() {
                     self.post(ClassEvent::Begun { id, refusal });
                 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::lesson::{FoundPosition, GivenDeed, LessonMove, lesson_in, position_in};
-use super::{Deed, Desk, LessonPlan, LessonPosition, NotedStep, SeatRecord, StepTarget, Words};
+use super::{Desk, LessonPlan, LessonPosition, SeatRecord, StepTarget, Words};
 
 /// How long a desk waits after a seat's position was found in its journal before a step of all seats starts: the
 /// other seats connect again within 4 s.
@@ -64,12 +64,13 @@ impl Desk {
         position.next(self.are_together(position, now), now)
     }
 
-    /// Whether all connected seats of the lesson are ready for a seat's step, or past it.
+    /// Whether all connected seats of the lesson are ready for a seat's step, past it, or on a way that does not lead to
+    /// it.
     fn are_together(&self, position: &LessonPosition, now: Duration) -> bool {
         let step = position.step_index();
         let visit = position.times_left(step);
         let is_there = |other: &LessonPosition| {
-            let is_past = other.has_ended() || other.times_left(step) > visit;
+            let is_past = !other.may_come_to(step) || other.times_left(step) > visit;
             is_past || other.step_index() == step && other.is_ready()
         };
         let is_gathering = |it: &SeatRecord| {
@@ -110,7 +111,7 @@ impl Desk {
         let Some(position) = self.lesson_mut(seat) else {
             return;
         };
-        let note = position.plan().note(Some(position.step_index()));
+        let note = position.note();
         let id = self.order(seat, note, now);
         if let Some(position) = self.lesson_mut(seat) {
             position.noted(id, now);
@@ -139,13 +140,14 @@ impl Desk {
             return;
         };
         position.go(target, now);
-        let end = (target == StepTarget::End).then(|| position.plan().note(None));
+        let end = (target == StepTarget::End).then(|| position.plan().end_note());
         if let Some(end) = end {
             self.order(seat, end, now);
         }
     }
 
-    /// Directs the lesson of a seat for the instructor. A step of all seats starts at all that wait at it.
+    /// Directs the lesson of a seat for the instructor. A step of all seats starts at all that wait at it. Returns the
+    /// seats that go on.
     ///
     /// # Errors
     /// It is not possible.
@@ -154,14 +156,16 @@ impl Desk {
         seat: usize,
         direction: LessonDirection,
         now: Duration,
-    ) -> Result<(), LessonFault> {
+    ) -> Result<Vec<usize>, LessonFault> {
         let position = self.lesson_mut(seat).ok_or(LessonFault::NoLesson)?;
         match direction {
             LessonDirection::Next if !position.can_start() => return Err(LessonFault::NotWaiting),
             LessonDirection::Next => {
-                for seat in self.with(seat) {
+                let started = self.with(seat);
+                for &seat in &started {
                     self.act(seat, now);
                 }
+                return Ok(started);
             }
             LessonDirection::Skip => {
                 let step = position.step().filter(|_| !position.has_ended());
@@ -170,18 +174,18 @@ impl Desk {
             }
             LessonDirection::Back if !position.back(now) => return Err(LessonFault::First),
             LessonDirection::Back => {
-                let note = position.plan().note(Some(position.step_index()));
-                self.order(seat, without_condition(note), now);
+                let note = position.note();
+                self.order(seat, note, now);
             }
             LessonDirection::Stop => {
-                let end = position.plan().note(None);
+                let end = position.plan().end_note();
                 self.order(seat, end, now);
                 if let Some(record) = self.seats.get_mut(seat) {
                     record.lesson = None;
                 }
             }
         }
-        Ok(())
+        Ok(vec![seat])
     }
 
     /// The seat, and if its step is one of all seats, the connected ones that wait at it too.
@@ -242,13 +246,5 @@ impl Desk {
         for record in self.seats.iter_mut().filter(same) {
             record.is_lesson_known = true;
         }
-    }
-}
-
-/// The note of a step that waits for the instructor.
-fn without_condition(note: Deed) -> Deed {
-    match note {
-        Deed::Step(step) => Deed::Step(NotedStep { when: None, ..step }),
-        other => other,
     }
 }

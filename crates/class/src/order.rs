@@ -91,6 +91,13 @@ pub struct NotedStep {
     /// The condition that the step waits for. While it waits, the outcome is [`Outcome::Armed`].
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub when: Option<Words>,
+    /// Whether the instructor has gone back to it: it waits for the instructor, without its condition.
+    #[serde(default, skip_serializing_if = "is_false")]
+    pub is_held: bool,
+    /// The number of steps that the seat went through before it. A step to which the instructor has gone back has the
+    /// number that it had.
+    #[serde(default)]
+    pub before: u32,
 }
 
 #[expect(

@@ -14,7 +14,7 @@ use crate::app::keymap::{
 use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
 use crate::class::{Desk, LessonPlan};
 use crate::class_results::ClassResults;
-use crate::lesson_plan::Lesson;
+use crate::lesson_plan::{Lesson, LessonList};
 use crate::text;
 use crate::text::Text;
 
@@ -70,8 +70,8 @@ impl ResultsPage {
 pub struct Lessons {
     /// Whether the lessons, or the lesson of the seat under the cursor, are shown instead of what happened there.
     pub(in crate::app) is_shown: bool,
-    /// Those that can be begun; `None` until they are read.
-    pub(in crate::app) listed: Option<Vec<Arc<Lesson>>>,
+    /// Those that can be read; `None` until they are.
+    pub(in crate::app) listed: Option<LessonList>,
     /// Those that have begun.
     pub(in crate::app) begun: Vec<Arc<Lesson>>,
     /// The names of those that journals have, and that were asked for.
@@ -84,9 +84,9 @@ impl Lessons {
         self.is_shown
     }
 
-    /// Those that can be begun; `None` until they are read.
-    pub fn listed(&self) -> Option<&[Arc<Lesson>]> {
-        self.listed.as_deref()
+    /// Those that can be read; `None` until they are.
+    pub fn listed(&self) -> Option<&LessonList> {
+        self.listed.as_ref()
     }
 
     /// The texts of a plan that a seat is in.

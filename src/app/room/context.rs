@@ -51,11 +51,16 @@ fn lessons(state: &State) -> Listed {
     let Some(listed) = state.rooms.class.lessons.listed() else {
         return Listed::Anything;
     };
-    let named = listed.iter().map(|lesson| Named {
+    let good = listed.good.iter().map(|lesson| Named {
         name: lesson.plan.name.to_string(),
         meaning: lesson.title.clone(),
     });
-    Listed::Names(named.collect())
+    // Whoever begins one learns its faults.
+    let faulty = listed.faulty.iter().map(|lesson| Named {
+        name: lesson.name.clone(),
+        meaning: text!("class-lesson-has-faults"),
+    });
+    Listed::Names(good.chain(faulty).collect())
 }
 
 fn drafts(state: &State) -> Listed {

@@ -2,14 +2,15 @@
 
 use super::Flight;
 use super::injects::InjectFault;
+use crate::class::OrderId;
 use crate::mission::event::expression::Expression;
 use crate::mission::event::scope::Scope;
 
 /// A condition, and whether it has held since the desk asked.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Expected {
-    /// The condition as it was written.
-    pub when: String,
+    /// The order with which the desk asked.
+    pub asked_by: OrderId,
     /// Whether it holds, or has held.
     pub has_held: bool,
 }
@@ -27,24 +28,24 @@ impl Expectation {
         self.state.has_held = self.state.has_held || self.condition.holds(scope);
     }
 
-    pub fn state(&self) -> &Expected {
-        &self.state
+    pub fn state(&self) -> Expected {
+        self.state
     }
 }
 
 impl Flight {
-    /// Watches a condition instead of the one before.
+    /// Watches the condition of an order instead of the one before.
     ///
     /// # Errors
     /// The condition cannot be read, or the flight is over.
-    pub fn expect(&mut self, when: &str) -> Result<(), InjectFault> {
+    pub fn expect(&mut self, asked_by: OrderId, when: &str) -> Result<(), InjectFault> {
         if self.is_over() {
             return Err(InjectFault::Over);
         }
         let condition = self.mission.condition(when);
         let condition = condition.map_err(InjectFault::Condition)?;
         let state = Expected {
-            when: when.to_owned(),
+            asked_by,
             has_held: false,
         };
         self.threats.expectation = Some(Expectation { condition, state });

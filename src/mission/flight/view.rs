@@ -1,5 +1,6 @@
 //! The state of a flight for the mission panel.
 
+use super::expectation::Expectation;
 use super::{Craft, Flight, ObjectiveStanding, result};
 use crate::language::Findings;
 use crate::mission::event::alert::OpenAlert;
@@ -44,11 +45,7 @@ impl Flight {
             contacts: self.search.shown_contacts(&self.mission.site.origin),
             injects: self.injects(),
             injected: self.threats.injects.done().to_vec(),
-            expected: self
-                .threats
-                .expectation
-                .as_ref()
-                .map(|it| it.state().clone()),
+            expected: self.threats.expectation.as_ref().map(Expectation::state),
             marks: self.search.shown_marks(&self.mission.site.origin),
             cells: self.cells(),
             mapped: self.mapped(),

@@ -4,28 +4,31 @@ use std::sync::Arc;
 
 use crate::app::event::ClassEvent;
 use crate::diagnostic::first_shown;
-use crate::lesson_plan::{Lesson, LessonSetting};
+use crate::lesson_plan::{FaultyLesson, Lesson, LessonList, LessonSetting};
 use crate::shell::Console;
 use crate::store::{self, Source};
 use crate::text::{Locale, Text};
 
 impl Console {
-    /// Reads all lesson plans; those with faults are left out.
+    /// Reads all lesson plans.
     pub(super) fn list_lessons(&mut self) {
         let missions = store::lesson_missions();
         let setting = LessonSetting {
             missions: &missions,
             locale: self.app.state().locale(),
         };
-        let lessons = store::lessons().into_iter();
-        let read = lessons.filter_map(|it| {
-            let lesson = Lesson::parse(it.stem(), &it.text, &setting);
-            let name = it.name.as_str();
-            let read = lesson.inspect_err(|_| tracing::warn!(name, "a lesson plan has faults"));
-            read.ok().map(Arc::new)
-        });
-        let read = read.collect();
-        self.post(ClassEvent::Lessons(read));
+        let mut list = LessonList::default();
+        for it in store::lessons() {
+            let name = it.stem();
+            match Lesson::parse(name, &it.text, &setting) {
+                Ok(lesson) => list.good.push(Arc::new(lesson)),
+                Err(_) => list.faulty.push(FaultyLesson {
+                    name: name.to_owned(),
+                    file: it.name,
+                }),
+            }
+        }
+        self.post(ClassEvent::Lessons(list));
     }
 
     /// Reads a lesson plan for seats.

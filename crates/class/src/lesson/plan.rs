@@ -1,5 +1,6 @@
 //! A lesson plan.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use crate::{Deed, NotedStep, Words};
@@ -94,17 +95,48 @@ impl LessonPlan {
         self.steps.iter().position(|step| step.id == *id)
     }
 
-    /// The note for a seat that comes to a step; without a step, that the lesson ends.
-    pub(crate) fn note(&self, step: Option<usize>) -> Deed {
-        let step = step.and_then(|step| self.steps.get(step));
+    /// The note for a seat whose lesson ends.
+    pub(crate) fn end_note(&self) -> Deed {
         Deed::Step(NotedStep {
             lesson: self.name.clone(),
-            step: step.map(|step| step.id.clone()),
-            mission: step.and_then(|step| step.mission.clone()),
-            when: step.and_then(|step| match &step.start {
-                StepStart::When(condition) => Some(condition.clone()),
-                StepStart::AtOnce | StepStart::Instructor => None,
-            }),
+            step: None,
+            mission: None,
+            when: None,
+            is_held: false,
+            before: 0,
         })
+    }
+}
+
+impl LessonStep {
+    /// What may follow: after its orders, and after its time limit.
+    pub fn targets(&self) -> impl Iterator<Item = StepTarget> {
+        let otherwise = self.limit.map(|limit| limit.otherwise);
+        [self.then].into_iter().chain(otherwise)
+    }
+
+    /// The steps to which a step leads, with itself.
+    pub fn reached(steps: &[Self], from: usize) -> BTreeSet<usize> {
+        let mut reached = BTreeSet::new();
+        let mut left = vec![from];
+        while let Some(at) = left.pop() {
+            let Some(step) = steps.get(at) else {
+                continue;
+            };
+            if reached.insert(at) {
+                left.extend(step.targets().filter_map(StepTarget::index));
+            }
+        }
+        reached
+    }
+}
+
+impl StepTarget {
+    /// The index of the step that follows; `None` if the lesson ends.
+    pub fn index(self) -> Option<usize> {
+        match self {
+            Self::Step(index) => Some(index),
+            Self::End => None,
+        }
     }
 }

@@ -5,10 +5,10 @@ use std::time::Duration;
 
 use super::plan::{LessonPlan, LessonStep, StepStart, StepTarget};
 use crate::order::ANSWERED_WITHIN;
-use crate::{Deed, OrderId, Outcome, Words};
+use crate::{Deed, NotedStep, OrderId, Outcome, Words};
 
 /// The number of steps that are remembered for the way back.
-const REMEMBERED: usize = 200;
+pub(super) const REMEMBERED: usize = 200;
 /// A seat that comes to more than so many steps within [`LAP`] runs in circles.
 const MOST_STEPS: u32 = 20;
 const LAP: Duration = Duration::from_secs(10);
@@ -22,6 +22,8 @@ pub struct LessonPosition {
     since: Duration,
     /// The steps before, oldest first.
     path: Vec<usize>,
+    /// The number of steps before those in `path`.
+    forgotten: u32,
     stage: StepStage,
     /// The steps since the beginning of the present [`LAP`].
     lap: (Duration, u32),
@@ -38,6 +40,15 @@ enum StepStage {
     Acts { at: Duration, given: Vec<GivenDeed> },
     /// The lesson has ended.
     Ended,
+}
+
+/// The way of a seat to its step.
+#[derive(Debug, Default)]
+pub(super) struct FoundWay {
+    /// The last steps, oldest first.
+    pub path: Vec<usize>,
+    /// The number of steps before those.
+    pub forgotten: u32,
 }
 
 /// The note at the seat that it is at the step.
@@ -112,25 +123,27 @@ impl LessonPosition {
             step: 0,
             since: now,
             path: Vec::new(),
+            forgotten: 0,
             stage,
             lap: (now, 0),
         }
     }
 
-    /// At the last of these steps, where the note is given already.
+    /// At a step after those of a way, where the note is given already.
     pub(super) fn found(
         plan: Arc<LessonPlan>,
-        steps: &[usize],
+        step: usize,
+        way: FoundWay,
         note: GivenNote,
         now: Duration,
-    ) -> Option<Self> {
-        let (&step, path) = steps.split_last()?;
-        Some(Self {
+    ) -> Self {
+        Self {
             step,
-            path: path.to_vec(),
+            path: way.path,
+            forgotten: way.forgotten,
             stage: StepStage::Waits(note),
             ..Self::new(plan, now)
-        })
+        }
     }
 
     /// The plan of the lesson.
@@ -199,6 +212,12 @@ impl LessonPosition {
         matches!(self.stage, StepStage::Waits(_) | StepStage::Held(_))
     }
 
+    /// Whether the seat is at a step, or may still come to it.
+    pub(crate) fn may_come_to(&self, step: usize) -> bool {
+        let steps = &self.plan.steps;
+        !self.has_ended() && LessonStep::reached(steps, self.step).contains(&step)
+    }
+
     /// How often the seat has left a step.
     pub(crate) fn times_left(&self, step: usize) -> usize {
         self.path.iter().filter(|before| **before == step).count()
@@ -253,6 +272,26 @@ impl LessonPosition {
         Some(LessonMove::Go(limit.otherwise))
     }
 
+    /// The note for a seat that comes to the step, or is back at it.
+    pub(crate) fn note(&self) -> Deed {
+        let step = self.step();
+        let is_held = self.held() == Some(HoldReason::Back);
+        let when = step
+            .filter(|_| !is_held)
+            .and_then(|step| match &step.start {
+                StepStart::When(condition) => Some(condition.clone()),
+                StepStart::AtOnce | StepStart::Instructor => None,
+            });
+        Deed::Step(NotedStep {
+            lesson: self.plan.name.clone(),
+            step: step.map(|step| step.id.clone()),
+            mission: step.and_then(|step| step.mission.clone()),
+            when,
+            is_held,
+            before: self.forgotten.saturating_add(self.path.len() as u32),
+        })
+    }
+
     /// The note of the step was given to the seat.
     pub(crate) fn noted(&mut self, id: OrderId, now: Duration) {
         self.stage = StepStage::Waits(GivenNote {
@@ -301,6 +340,7 @@ impl LessonPosition {
             StepTarget::Step(step) => {
                 if self.path.len() == REMEMBERED {
                     self.path.remove(0);
+                    self.forgotten = self.forgotten.saturating_add(1);
                 }
                 self.path.push(self.step);
                 self.come_to(step, now);

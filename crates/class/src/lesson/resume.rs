@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::plan::LessonPlan;
-use super::position::{GivenDeed, GivenNote, HoldReason, LessonPosition};
+use super::position::{FoundWay, GivenDeed, GivenNote, HoldReason, LessonPosition, REMEMBERED};
 use crate::{Deed, Happening, JournalCopy, NotedStep, OrderId, Outcome, Words};
 
 /// A position that was found.
@@ -59,37 +59,39 @@ pub(crate) fn position_in(
 ) -> Option<FoundPosition> {
     let note = newest(journal)?;
     let step = plan.step(note.step.step.as_ref()?)?;
-    let steps = path_in(journal, plan);
+    let way = way_in(journal, plan, note.step.before);
     let given = given_in(journal, &note, &plan.steps[step].deeds);
-    // A step to which the instructor has gone back is noted without its condition.
-    let is_planned = plan.note(Some(step)) == Deed::Step(note.step.clone());
+    let is_held = note.step.is_held;
     let note = GivenNote {
         id: Some(note.id),
         at: now,
         outcome: Some(note.outcome),
     };
-    let mut position = LessonPosition::found(Arc::clone(plan), &steps, note, now)?;
-    if !is_planned {
+    let mut position = LessonPosition::found(Arc::clone(plan), step, way, note, now);
+    if is_held {
         position.hold(HoldReason::Back);
     }
     Some(FoundPosition { position, given })
 }
 
-/// The steps of the lesson since it began, oldest first.
-fn path_in(journal: &JournalCopy, plan: &LessonPlan) -> Vec<usize> {
-    let mut seen: Vec<(OrderId, usize)> = Vec::new();
-    for note in notes(journal) {
-        let is_same = note.step.lesson == plan.name;
-        let Some(id) = note.step.step.as_ref().filter(|_| is_same) else {
-            break;
-        };
-        let is_new = seen.iter().all(|(id, _)| *id != note.id);
-        if let Some(step) = plan.step(id).filter(|_| is_new) {
-            seen.push((note.id, step));
+/// The way of a seat through a lesson to the step with this many steps before it.
+fn way_in(journal: &JournalCopy, plan: &LessonPlan, before: u32) -> FoundWay {
+    let mut way = FoundWay {
+        path: Vec::new(),
+        forgotten: before,
+    };
+    let same = notes(journal).take_while(|note| note.step.lesson == plan.name);
+    for NotedStep { step, before, .. } in same.map(|note| note.step) {
+        // Of a step that was noted again, and of those from which the instructor went back, only the newest count.
+        let is_before = *before < way.forgotten && way.path.len() < REMEMBERED;
+        let known = step.as_ref().filter(|_| is_before);
+        if let Some(step) = known.and_then(|id| plan.step(id)) {
+            way.path.push(step);
+            way.forgotten = *before;
         }
     }
-    seen.reverse();
-    seen.into_iter().map(|(_, step)| step).collect()
+    way.path.reverse();
+    way
 }
 
 /// The first orders of a step that were given after its note, as far as they follow each other.

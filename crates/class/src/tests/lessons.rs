@@ -8,6 +8,8 @@ use super::{STEP, desk, joined, seconds};
 use crate::protocol::SeatMessage;
 use crate::*;
 
+mod branches;
+mod going_back;
 mod properties;
 
 /// A class: the desk, and what its seats do.
@@ -162,7 +164,11 @@ impl Class {
         step.id.as_str()
     }
 
-    fn direct(&mut self, seat: usize, direction: LessonDirection) -> Result<(), LessonFault> {
+    fn direct(
+        &mut self,
+        seat: usize,
+        direction: LessonDirection,
+    ) -> Result<Vec<usize>, LessonFault> {
         self.desk.direct(seat, direction, self.now)
     }
 }
@@ -219,7 +225,7 @@ fn each_seat_goes_through_the_steps_on_its_own() {
     class.run(60);
     assert_eq!(class.seats[1].done(), ["brief", "help"]);
     assert_eq!(class.at(0), "praise");
-    assert_eq!(class.direct(0, LessonDirection::Next), Ok(()));
+    assert_eq!(class.direct(0, LessonDirection::Next), Ok(vec![0]));
     class.run(2);
     assert!(class.lesson(0).has_ended());
     assert_eq!(class.seats[0].done(), ["brief", "up", "praise"]);
@@ -283,7 +289,7 @@ fn the_instructors_key_starts_a_step_of_all_seats_at_all_of_them() {
     let mut class = Class::new(&["a", "b"]);
     class.desk.teach(&plan(vec![start]), &[0, 1], class.now);
     class.run(1);
-    assert_eq!(class.direct(1, LessonDirection::Next), Ok(()));
+    assert_eq!(class.direct(1, LessonDirection::Next), Ok(vec![0, 1]));
     class.run(1);
     assert_eq!(class.seats[0].done(), ["start"]);
     assert_eq!(class.seats[1].done(), ["start"]);
@@ -302,19 +308,19 @@ fn the_instructor_skips_goes_back_and_stops() {
         Err(LessonFault::First)
     );
     class.run(1);
-    assert_eq!(class.direct(0, LessonDirection::Skip), Ok(()));
+    assert_eq!(class.direct(0, LessonDirection::Skip), Ok(vec![0]));
     class.run(1);
     assert_eq!((class.at(0), class.seats[0].done().len()), ("praise", 1));
-    assert_eq!(class.direct(0, LessonDirection::Back), Ok(()));
-    assert_eq!(class.direct(0, LessonDirection::Back), Ok(()));
+    assert_eq!(class.direct(0, LessonDirection::Back), Ok(vec![0]));
+    assert_eq!(class.direct(0, LessonDirection::Back), Ok(vec![0]));
     class.run(2);
     assert_eq!(class.at(0), "brief", "it waits although it starts at once");
     let back = LessonWait::Instructor(Some(HoldReason::Back));
     assert_eq!(class.lesson(0).wait(), back);
-    assert_eq!(class.direct(0, LessonDirection::Next), Ok(()));
+    assert_eq!(class.direct(0, LessonDirection::Next), Ok(vec![0]));
     class.run(1);
     assert_eq!(class.seats[0].done(), ["brief", "brief"]);
-    assert_eq!(class.direct(0, LessonDirection::Stop), Ok(()));
+    assert_eq!(class.direct(0, LessonDirection::Stop), Ok(vec![0]));
     class.run(1);
     assert_eq!(class.desk.seats()[0].lesson, None);
     class.seats[0].holds.insert("airborne > 0".to_owned());
@@ -350,7 +356,7 @@ fn a_mission_that_is_not_begun_holds_the_lesson() {
     let held = LessonWait::Instructor(Some(HoldReason::NotFlown));
     assert_eq!(class.lesson(0).wait(), held);
     class.seats[0].refuses_to_fly = false;
-    assert_eq!(class.direct(0, LessonDirection::Next), Ok(()));
+    assert_eq!(class.direct(0, LessonDirection::Next), Ok(vec![0]));
     class.run(2);
     assert_eq!(class.seats[0].done(), ["fly 00"]);
     assert!(class.lesson(0).has_ended());
@@ -396,7 +402,7 @@ fn a_desk_that_is_opened_again_goes_on_where_each_seat_was() {
         ["brief", "up"],
         "nothing comes twice"
     );
-    assert_eq!(class.direct(0, LessonDirection::Back), Ok(()));
+    assert_eq!(class.direct(0, LessonDirection::Back), Ok(vec![0]));
     assert_eq!(class.at(0), "up");
 }
 
@@ -408,7 +414,7 @@ fn orders_that_a_killed_desk_had_given_are_not_repeated() {
     });
     let plan = plan(vec![two]);
     let mut class = Class::new(&["a"]);
-    let note = plan.note(Some(0));
+    let note = LessonPosition::new(Arc::clone(&plan), class.now).note();
     for (number, deed) in (1..).zip([note, plan.steps[0].deeds[0].clone()]) {
         let id = OrderId { desk: 9, number };
         class.seats[0].obey(Order { id, deed });

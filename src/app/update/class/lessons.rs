@@ -127,24 +127,28 @@ pub(super) fn direct(
 ) -> Result<Effects, Text> {
     let wall = state.wall;
     let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
-    let mut seats = connected(state, desk, choice)?;
+    let seats = connected(state, desk, choice)?;
     let meant = names(state, &seats);
+    let mut directed = Vec::new();
     let mut fault = None;
-    if let Some(desk) = state.class.desk_mut() {
-        seats.retain(|&seat| {
-            let directed = desk.direct(seat, direction, wall);
-            fault = fault.or(directed.err());
-            directed.is_ok()
-        });
+    for seat in seats {
+        let is_directed = directed.contains(&seat);
+        let Some(desk) = state.class.desk_mut().filter(|_| !is_directed) else {
+            continue;
+        };
+        match desk.direct(seat, direction, wall) {
+            Ok(seats) => directed.extend(seats),
+            Err(new) => fault = fault.or(Some(new)),
+        }
     }
-    if let Some(fault) = fault.filter(|_| seats.is_empty()) {
+    if let Some(fault) = fault.filter(|_| directed.is_empty()) {
         return Err(match fault {
             LessonFault::NoLesson => text!("class-lesson-none", seats = meant),
             LessonFault::NotWaiting => text!("class-lesson-not-waiting", seats = meant),
             LessonFault::First => text!("class-lesson-first", seats = meant),
         });
     }
-    let seats = names(state, &seats);
+    let seats = names(state, &directed);
     let text = match direction {
         LessonDirection::Next => text!("class-lesson-next", seats = seats),
         LessonDirection::Skip => text!("class-lesson-skip", seats = seats),

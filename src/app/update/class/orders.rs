@@ -199,9 +199,11 @@ pub fn settle(state: &mut State) -> Effects {
     let pending = std::mem::take(&mut place.pending);
     let mut effects = Effects::none();
     for one in pending {
-        let outcome = match effect_of(state, &one) {
-            Some(outcome) => Some(outcome),
-            None => (state.wall >= one.due).then_some(Outcome::NoEffect),
+        let outcome = match (&one.deed, one.trace) {
+            // Vehicles may take minutes to start.
+            (Deed::Start, OrderTrace::Flight(flight)) => flights::begin(state, flight),
+            _ => effect_of(state, &one)
+                .or_else(|| (state.wall >= one.due).then_some(Outcome::NoEffect)),
         };
         match outcome {
             Some(outcome) => effects.extend(end(state, one.id, one.deed, outcome)),
@@ -226,8 +228,11 @@ fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
     let session = &state.session;
     let is_done = match &pending.deed {
         Deed::Message { .. } | Deed::Step(_) => true,
-        // The shell reports it.
-        Deed::Mark { .. } | Deed::Disarm { .. } | Deed::Inject { when: Some(_), .. } => false,
+        // The shell reports it, or what begins the flight.
+        Deed::Mark { .. }
+        | Deed::Disarm { .. }
+        | Deed::Inject { when: Some(_), .. }
+        | Deed::Start => false,
         Deed::Inject { when: None, .. } => injects::is_done(state, pending),
         Deed::Hint => return hint_outcome(state, pending.trace),
         Deed::Freeze => session.is_paused(),
@@ -237,7 +242,6 @@ fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
             OrderTrace::Flight(before) => flights::is_flown(state, mission.as_str(), before),
             OrderTrace::State | OrderTrace::Entry(_) | OrderTrace::Injected(_) => false,
         },
-        Deed::Start => !session.is_reading(),
     };
     is_done.then_some(Outcome::Done)
 }

@@ -15,7 +15,7 @@ use crate::class::{
     HoldReason, LessonPosition, LessonStep, LessonWait, SeatRecord, StepLimit, StepTarget,
 };
 use crate::class_text::deed_text;
-use crate::lesson_plan::Lesson;
+use crate::lesson_plan::{Lesson, LessonList};
 use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
@@ -77,23 +77,31 @@ fn heading(seat: &SeatRecord, position: &LessonPosition, lesson: &Lesson) -> Tex
     )
 }
 
-/// The lessons that can be begun.
-fn listed(lessons: Option<&[std::sync::Arc<Lesson>]>) -> Vec<(Text, Role)> {
-    match lessons {
-        None => vec![(text!("class-lessons-reading"), Role::Muted)],
-        Some([]) => vec![(text!("class-lessons-none"), Role::Muted)],
-        Some(lessons) => {
-            let line = |lesson: &std::sync::Arc<Lesson>| {
-                text!(
-                    "class-lesson-named",
-                    name = lesson.plan.name.as_str(),
-                    title = lesson.title.clone(),
-                    about = lesson.about.clone()
-                )
-            };
-            lessons.iter().map(|it| (line(it), Role::Text)).collect()
-        }
+/// The lessons, first those that can be begun.
+fn listed(lessons: Option<&LessonList>) -> Vec<(Text, Role)> {
+    let Some(lessons) = lessons else {
+        return vec![(text!("class-lessons-reading"), Role::Muted)];
+    };
+    let good = lessons.good.iter().map(|lesson| {
+        let line = text!(
+            "class-lesson-named",
+            name = lesson.plan.name.as_str(),
+            title = lesson.title.clone(),
+            about = lesson.about.clone()
+        );
+        (line, Role::Text)
+    });
+    let faulty = lessons.faulty.iter().map(|lesson| {
+        let name = lesson.name.as_str();
+        let file = lesson.file.as_str();
+        let line = text!("class-lesson-faulty", name = name, file = file);
+        (line, Role::Warning)
+    });
+    let lines: Vec<_> = good.chain(faulty).collect();
+    if lines.is_empty() {
+        return vec![(text!("class-lessons-none"), Role::Muted)];
     }
+    lines
 }
 
 /// What a seat waits for, what the instructor reads, and what follows.

@@ -5,19 +5,20 @@ use std::time::Duration;
 
 use sortie::app::effect::{ClassEffect, Effect, SessionEffect};
 use sortie::app::event::{ClassEvent, Event, SessionEvent};
-use sortie::app::state::Activity;
+use sortie::app::state::{Activity, SitlStage};
 use sortie::campaign::Stake;
 use sortie::class::protocol::SeatMessage;
 use sortie::class::{
     Deed, Entry, Happening, JournalBatch, LessonWait, NotedStep, OrderId, OrderState, Outcome,
     Refusal,
 };
-use sortie::lesson_plan::{Lesson, LessonMissions, LessonSetting};
+use sortie::lesson_plan::{FaultyLesson, Lesson, LessonList, LessonMissions, LessonSetting};
 use sortie::mission::{Expected, Progress};
 use sortie::text::{Language, Locale};
 
 use super::desk::{deeds, desk, say};
 use super::{flying_mission, joined, order, outcomes, pass, session_effects};
+use crate::console::hangar::{self, instance};
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -154,6 +155,20 @@ fn a_lesson_is_read_for_the_meant_seats_and_goes_on_by_conditions_and_keys() {
 }
 
 #[test]
+fn all_seats_that_a_key_starts_are_named() {
+    let mut console = desk(Language::English);
+    begin(&mut console, &first_lesson(Language::English), vec![0, 1]);
+    // It is a step of all seats.
+    for seats in ["@all", "@bohdan"] {
+        console.give(&format!("class lesson next {seats}"));
+        let screen = console.screen(120, 40);
+        let notice = "next step of the lesson: anna, bohdan";
+        assert!(screen.contains(notice), "{screen}");
+        carry_out(&mut console, None);
+    }
+}
+
+#[test]
 fn without_a_lesson_the_lessons_are_listed() {
     let mut console = desk(Language::English);
     console.press("l");
@@ -161,9 +176,26 @@ fn without_a_lesson_the_lessons_are_listed() {
     let screen = console.screen(80, 24);
     assert!(screen.contains("The lessons are being read."), "{screen}");
     let lesson = first_lesson(Language::English);
-    console.hear(ClassEvent::Lessons(vec![lesson]));
+    console.hear(ClassEvent::Lessons(LessonList {
+        good: vec![lesson],
+        faulty: vec![FaultyLesson {
+            name: "mine".to_owned(),
+            file: "lessons/mine.toml".to_owned(),
+        }],
+    }));
     let screen = console.screen(80, 24);
     assert!(screen.contains("first-lesson: First lesson."), "{screen}");
+    let faulty = console.screen(120, 40);
+    assert!(
+        faulty.contains("sortie check lessons/mine.toml"),
+        "{faulty}"
+    );
+    // It is known, and read again: that says what its faults are.
+    console.give("class lesson mine");
+    let name = "mine".to_owned();
+    let seats = vec![0];
+    let read = ClassEffect::ReadLesson { name, seats };
+    assert_eq!(class_effects(&console), [&read]);
     console.press("esc");
     assert!(!console.screen(80, 24).contains("first-lesson"));
 
@@ -185,14 +217,16 @@ fn step(mission: Option<&str>, when: Option<&str>) -> Deed {
         step: Some("s".into()),
         mission: mission.map(Into::into),
         when: when.map(Into::into),
+        is_held: false,
+        before: 0,
     })
 }
 
-/// The mission says whether the watched condition holds.
-fn expected(console: &mut Console, when: &str, has_held: bool) {
-    let when = when.to_owned();
+/// The mission says whether the condition of an order holds.
+fn expected(console: &mut Console, number: u32, has_held: bool) {
+    let asked_by = OrderId { desk: 1, number };
     let progress = Progress {
-        expected: Some(Expected { when, has_held }),
+        expected: Some(Expected { asked_by, has_held }),
         ..fixtures::progress()
     };
     console.hear(SessionEvent::Mission(Box::new(progress)));
@@ -210,10 +244,10 @@ fn a_seat_watches_the_condition_of_a_step_and_does_not_tell_the_trainee() {
         *it == ClassEffect::Expect { id, when }
     });
     assert!(asks);
-    expected(&mut console, "airborne > 0", false);
+    expected(&mut console, 1, false);
     assert!(class_effects(&console).is_empty(), "it is asked once");
     assert_eq!(outcomes(&console).len(), 1);
-    expected(&mut console, "airborne > 0", true);
+    expected(&mut console, 1, true);
     assert_eq!(outcomes(&console)[1..], [(1, Outcome::Done)]);
     assert_eq!(console.state().notices().lines().len(), notices);
 
@@ -226,6 +260,20 @@ fn a_seat_watches_the_condition_of_a_step_and_does_not_tell_the_trainee() {
         (3, Outcome::Done),
     ];
     assert_eq!(outcomes(&console)[2..], ended);
+}
+
+#[test]
+fn a_step_does_not_start_because_the_same_condition_held_for_the_one_before() {
+    let mut console = flying_mission(Stake::Graded);
+    order(&mut console, 1, step(None, Some("no_command(5)")));
+    expected(&mut console, 1, true);
+    order(&mut console, 2, step(None, Some("no_command(5)")));
+    // The flight has not looked yet.
+    pass(&mut console, 1);
+    let ended = [(1, Outcome::Armed), (1, Outcome::Done), (2, Outcome::Armed)];
+    assert_eq!(outcomes(&console), ended);
+    expected(&mut console, 2, true);
+    assert_eq!(outcomes(&console)[3..], [(2, Outcome::Done)]);
 }
 
 #[test]
@@ -275,6 +323,30 @@ fn the_desk_opens_a_mission_unless_another_flight_would_be_lost() {
     order(&mut console, 2, Deed::Start);
     let refused = Outcome::Refused(Refusal::NoMission);
     assert_eq!(outcomes(&console)[1..], [(2, refused)]);
+}
+
+#[test]
+fn a_flight_is_let_begin_as_soon_as_its_vehicles_have_started() {
+    let mission = || Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+        stake: Stake::Graded,
+    };
+    let mut console = hangar::start(joined(), mission(), 1);
+    order(&mut console, 1, Deed::Start);
+    pass(&mut console, 60);
+    assert_eq!(outcomes(&console), [], "it waits for the vehicles");
+    hangar::hear(&mut console, vec![instance(1, SitlStage::Ready)]);
+    assert!(!console.state().session().is_reading());
+    assert_eq!(outcomes(&console), [(1, Outcome::Done)]);
+
+    // Another flight is not the one that was meant.
+    let mut console = hangar::start(joined(), mission(), 1);
+    order(&mut console, 1, Deed::Start);
+    console = hangar::start(console, mission(), 1);
+    pass(&mut console, 1);
+    let refused = Outcome::Refused(Refusal::NoMission);
+    assert_eq!(outcomes(&console), [(1, refused)]);
 }
 
 /// A mission that is locked would silently be flown for practice.

@@ -1,6 +1,7 @@
 //! The lesson of a seat, and the list of lessons.
 
 use sortie::app::event::ClassEvent;
+use sortie::lesson_plan::{FaultyLesson, LessonList};
 use sortie::text::Language;
 
 use crate::console::class::{begin, carry_out, desk, first_lesson, flight, report};
@@ -36,8 +37,14 @@ fn the_lessons_that_can_be_begun_are_listed() {
     for language in Language::ALL {
         let mut console = desk(language);
         console.press("l");
-        let lessons = vec![first_lesson(language)];
-        console.hear(ClassEvent::Lessons(lessons));
+        let faulty = FaultyLesson {
+            name: "mine".to_owned(),
+            file: "lessons/mine.toml".to_owned(),
+        };
+        console.hear(ClassEvent::Lessons(LessonList {
+            good: vec![first_lesson(language)],
+            faulty: vec![faulty],
+        }));
         for (width, height) in [(80, 24), (120, 40)] {
             let name = format!("lessons_{}_{width}x{height}", language.code());
             insta::assert_snapshot!(name, console.screen(width, height));

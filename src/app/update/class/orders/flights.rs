@@ -4,11 +4,11 @@ use super::super::super::loss::loss;
 use super::super::super::show;
 use super::{BegunOrder, OrderTrace};
 use crate::app::State;
-use crate::app::effect::{Effect, Launch, SessionEffect};
+use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
 use crate::app::state::Activity;
 use crate::campaign::{MissionStage, Stake};
-use crate::class::Refusal;
+use crate::class::{Outcome, Refusal};
 
 /// Begins the flight of a mission with its brief, unless another flight would be lost.
 pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOrder, Refusal> {
@@ -46,18 +46,35 @@ pub(super) fn is_flown(state: &State, mission: &str, before: u32) -> bool {
     flights > before && flown.is_some_and(|flown| flown.id == mission)
 }
 
-/// Lets the time of a mission begin whose brief is shown.
-pub(super) fn start(state: &mut State) -> Result<BegunOrder, Refusal> {
-    let session = &state.session;
-    if state.flown_mission().is_none() || session.task.over || state.replay.is_some() {
+/// Lets the time of a mission begin whose brief is shown; if its vehicles are still starting, after that.
+pub(super) fn start(state: &State) -> Result<BegunOrder, Refusal> {
+    if !has_mission(state) {
         return Err(Refusal::NoMission);
     }
-    if session.is_starting() {
-        return Err(Refusal::NotFlying);
+    let flights = state.class.seat().map_or(0, |place| place.flights);
+    Ok(BegunOrder {
+        effects: Effects::none(),
+        trace: OrderTrace::Flight(flights),
+    })
+}
+
+/// Lets the time of this flight begin once its vehicles have started; `None` while they do.
+pub(super) fn begin(state: &mut State, flight: u32) -> Option<Outcome> {
+    let flights = state.class.seat().map_or(0, |place| place.flights);
+    if flights != flight || !has_mission(state) {
+        return Some(Outcome::Refused(Refusal::NoMission));
     }
-    if session.is_reading() {
+    if state.session.is_starting() {
+        return None;
+    }
+    if state.session.is_reading() {
         show::show(state, Room::Fly);
         state.session.leave_brief();
     }
-    Ok(BegunOrder::default())
+    Some(Outcome::Done)
+}
+
+/// Whether a mission is flown that is not over.
+fn has_mission(state: &State) -> bool {
+    state.flown_mission().is_some() && !state.session.task.over && state.replay.is_none()
 }

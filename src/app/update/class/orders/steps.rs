@@ -106,7 +106,8 @@ fn standing(state: &State, waiting: &WaitingStep) -> Standing {
         None => {
             let progress = session.task.progress.as_ref();
             let expected = progress.and_then(|it| it.expected.as_ref());
-            expected.is_some_and(|it| it.has_held && it.when == when.as_str())
+            // The flight may not have looked since it was asked.
+            expected.is_some_and(|it| it.has_held && it.asked_by == waiting.id)
         }
     };
     if holds {
