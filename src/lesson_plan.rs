@@ -57,7 +57,7 @@ pub struct LessonList {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct FaultyLesson {
     pub name: String,
-    /// Its file.
+    /// The path of the plan, for `sortie check`.
     pub file: String,
 }
 

@@ -144,7 +144,7 @@ fn each_fault_has_its_place_and_what_to_do() {
         ),
         (
             "[[steps]]\nid = \"a\"\ntext = \"T\"\nwhen = \"t > 5\"\n".to_owned(),
-            "x:7:9: no mission is flown yet",
+            "x:7:9: no mission is flown before this step",
         ),
         (
             "[[steps]]\nid = \"a\"\ntext = \"T\"\ndo = [\"fly 99\"]\n".to_owned(),

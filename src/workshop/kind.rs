@@ -9,12 +9,12 @@ use crate::text::Text;
 /// What a design is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Default)]
 pub enum DesignKind {
-    /// A multirotor.
+    /// A multirotor, which has a frame.
     #[default]
     Drone,
     /// A ground robot, steered or skid-steered.
     Robot,
-    /// A boat.
+    /// A boat, which has a hull.
     Boat,
 }
 
@@ -67,7 +67,7 @@ impl DesignKind {
         }
     }
 
-    /// The kind's name.
+    /// The name of the kind for people.
     pub fn name(self) -> Text {
         match self {
             Self::Drone => text!("kind-drone"),

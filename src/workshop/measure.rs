@@ -53,7 +53,7 @@ pub enum Measure {
     DriveRange,
     /// The radius of the tightest turn.
     TurningRadius,
-    /// The steepest slope.
+    /// The steepest slope that it climbs, in degrees.
     Slope,
     /// The mass that the chassis or hull can still carry.
     Load,

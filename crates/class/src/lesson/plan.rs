@@ -36,9 +36,9 @@ pub struct LessonStep {
 /// What a step waits for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum StepStart {
-    /// Nothing.
+    /// It waits for nothing.
     AtOnce,
-    /// The instructor.
+    /// It waits for a key of the instructor.
     Instructor,
     /// A condition in the language of mission files, or a [`FlightMoment`], which the seat watches.
     When(Words),
@@ -80,12 +80,12 @@ pub struct StepLimit {
     pub otherwise: StepTarget,
 }
 
-/// What follows.
+/// What follows a step, or its time limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum StepTarget {
     /// The step with this index.
     Step(usize),
-    /// The lesson ends.
+    /// The lesson ends for the seat.
     End,
 }
 

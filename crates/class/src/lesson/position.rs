@@ -87,11 +87,11 @@ pub enum HoldReason {
 pub enum LessonWait<'a> {
     /// The answer of the seat.
     Seat,
-    /// The instructor.
+    /// For a key of the instructor, and why if the lesson stopped by itself.
     Instructor(Option<HoldReason>),
-    /// A condition.
+    /// For a condition of its own flight.
     Condition(&'a Words),
-    /// The other seats.
+    /// For the other seats of the lesson.
     Others,
     /// Nothing: the lesson has ended.
     Ended,
@@ -156,7 +156,7 @@ impl LessonPosition {
         self.step
     }
 
-    /// The step.
+    /// The step at which the seat is; `None` once the lesson has ended.
     pub fn step(&self) -> Option<&LessonStep> {
         self.plan.steps.get(self.step)
     }
