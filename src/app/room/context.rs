@@ -55,7 +55,7 @@ fn lessons(state: &State) -> Listed {
         name: lesson.plan.name.to_string(),
         meaning: lesson.title.clone(),
     });
-    // Whoever begins one learns its faults.
+    // The desk that begins one shows its faults.
     let faulty = listed.faulty.iter().map(|lesson| Named {
         name: lesson.name.clone(),
         meaning: text!("class-lesson-has-faults"),

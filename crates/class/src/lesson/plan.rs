@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use crate::{Deed, NotedStep, Words};
 
-/// The steps of a lesson. Whoever makes one checks that every [`StepTarget`] exists.
+/// The steps of a lesson. The maker of a plan checks that every [`StepTarget`] exists.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct LessonPlan {
     /// The name by which the lesson is started, and found again in journals.
