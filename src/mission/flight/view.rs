@@ -144,7 +144,7 @@ impl Flight {
         })
     }
 
-    /// The advice after a landing; `None` if the flight goes on.
+    /// The advice after a landing; `None` if the flight continues.
     fn on_the_ground(&self, phase: Phase) -> Option<Text> {
         let grounding = self.grounding().filter(|_| phase == Phase::Ground);
         if let Some(event) = grounding {

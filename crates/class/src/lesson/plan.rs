@@ -1,4 +1,4 @@
-//! A lesson plan.
+//! Lesson plans: their steps, and what each step waits for, orders and leads to.
 
 use std::collections::BTreeSet;
 use std::time::Duration;

@@ -64,7 +64,7 @@ pub(super) fn teach(state: &State, choice: &SeatChoice, lesson: String) -> Resul
     Ok(Effect::Class(ClassEffect::ReadLesson { name, seats }).into())
 }
 
-/// A lesson was read, or why not: begins it with these seats, or goes on with it.
+/// Handles a plan that was read: the lesson begins with these seats or continues, or its faults are shown.
 pub(super) fn read(
     state: &mut State,
     name: &str,

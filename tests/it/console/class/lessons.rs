@@ -122,7 +122,7 @@ fn a_lesson_is_read_for_the_meant_seats_and_goes_on_by_conditions_and_keys() {
     assert_eq!(step_of(&console, 2), None);
     let screen = console.screen(120, 40);
     assert!(screen.contains("! welcome"), "{screen}");
-    assert!(screen.contains("waits for you: n goes on"), "{screen}");
+    assert!(screen.contains("waits for you: n continues"), "{screen}");
     // A step of all seats: the key at one of them is enough.
     console.press("n");
     carry_out(&mut console, None);
