@@ -30,6 +30,26 @@ fn is_met(report: &Report, id: &str) -> bool {
     objectives.any(|objective| objective.id == id && objective.met)
 }
 
+/// Gates and landing earn silver. Gold requires the hover too, and commands whose effects are waited for.
+#[test]
+fn a_first_flight_without_the_hover_or_with_hasty_commands_earns_less_than_gold() {
+    let mission = include_str!("../../../missions/00-first-flight.toml");
+    let gates = ["gate1", "gate2", "gate3"]
+        .map(|gate| format!("all goto {gate} up 20\nwait all arrived timeout 40s\n"));
+    let plain = flown(mission, &there_and_back(20, &gates.concat()));
+    assert!(is_met(&plain, "gates"), "{:?}", plain.objectives);
+    assert!(!is_met(&plain, "hover"), "{:?}", plain.objectives);
+    assert_eq!(plain.medal, Some(Medal::Silver), "{}", plain.score);
+    let hasty = there_and_back(20, &format!("wait 11s\n{}", gates.concat()));
+    let hasty = format!("all takeoff 20\nall arm\nall takeoff 20\n{hasty}");
+    let hasty = flown(mission, &hasty);
+    assert!(is_met(&hasty, "hover"), "{:?}", hasty.objectives);
+    assert!(hasty.medal < Some(Medal::Gold), "{}", hasty.score);
+    let reference = include_str!("../../../missions/pilots/00-first-flight.pilot");
+    let reference = flown(mission, reference);
+    assert_eq!(reference.medal, Some(Medal::Gold), "{}", reference.score);
+}
+
 /// A survey at the right speed is one command. Gold requires more: a second look from another
 /// height.
 #[test]
