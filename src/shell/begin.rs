@@ -50,10 +50,14 @@ impl Console {
         let chosen = seed.or(self.options.seed);
         let terms = self.terms(&mission, wanted, chosen);
         let reasons = terms.practice_reasons();
+        let misfits = mission.misfits();
         self.attempt = terms.decide();
         let started = self.start(SessionPlan::Mission(mission)).await?;
         self.begun(started);
         self.tell_practice(&reasons);
+        for misfit in misfits {
+            self.post(Event::Answer(misfit));
+        }
         Ok(())
     }
 
