@@ -1,6 +1,8 @@
 //! A vehicle that can be flown: its build, its estimated position and its current task. The
 //! decisions (commands, plans, failsafes) are made in the autopilot, which contains the vehicle.
 
+mod breadcrumbs;
+mod circling;
 mod flight;
 mod fly;
 mod follow;
@@ -26,7 +28,6 @@ use super::failsafe::RadioInputs;
 use super::fence::{Geofence, severity};
 use super::flight_log::{self, FlightLog, LogInputs, LogSample};
 use super::kind::VehicleKind;
-use super::mode::ModeId;
 use super::parameters::{BY_NAME, Parameters};
 use super::place::{LocalDatum, Place};
 use super::plan::Plans;
@@ -327,28 +328,6 @@ impl Vehicle {
             altitude_amsl_m: self.datum.start.altitude_amsl_m,
             ..self.here()
         });
-    }
-
-    /// Starts the trail here, if the position is known.
-    pub(super) fn begin_trail(&mut self, known: bool) {
-        let here_m = known.then(|| self.believed().position_m);
-        let now = self.uptime();
-        let rules = &self.tuning.flight.trail;
-        self.flight.trail.begin(here_m, rules, now);
-    }
-
-    /// Drops a breadcrumb when one is due.
-    pub(super) fn watch_trail(&mut self) {
-        if !self.safety.armed || self.flight.mode.id == ModeId::SmartRtl {
-            return;
-        }
-        let here_m = self.is_ready().then(|| self.believed().position_m);
-        let now = self.uptime();
-        let rules = &self.tuning.flight.trail;
-        if let Some(reason) = self.flight.trail.note(here_m, rules, now) {
-            let text = format!("SmartRTL deactivated: {reason}");
-            self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
-        }
     }
 
     /// Applies the uploaded fence.
