@@ -92,7 +92,7 @@ impl Vehicle {
             system: build.system,
             board_id: build.board_id,
             parameters,
-            estimator: Estimator::new(build.board_id),
+            estimator: Estimator::new(build.board_id, build.kind),
             datum: LocalDatum::at(build.start),
             flight: FlightState::resting(build.kind, &plant.body),
             tuning: Arc::new(tuning),

@@ -18,7 +18,8 @@ impl Autopilot {
             let text = "No Mission. Can't set AUTO.";
             vehicle.say(MavSeverity::MAV_SEVERITY_NOTICE, text);
         }
-        let is_lost = mode.needs_position() && vehicle.safety.armed && !vehicle.is_ready();
+        let is_known = vehicle.is_ready() && !self.failsafe.distrusts_estimate();
+        let is_lost = mode.needs_position() && vehicle.safety.armed && !is_known;
         let refuses = is_lost
             || match mode.id {
                 ModeId::Follow => vehicle.tuning.flight.follow.is_none(),
