@@ -150,6 +150,7 @@ const ROVER: &[(u16, Handler)] = &[
     (cmd::DO_CHANGE_SPEED, driving::change_speed),
     (cmd::DO_REPOSITION, driving::reposition),
     (cmd::MISSION_START, driving::start_mission),
+    (cmd::DO_SET_REVERSE, driving::set_reverse),
     (cmd::NAV_SET_YAW_SPEED, driving::set_yaw_and_speed),
 ];
 

@@ -244,6 +244,7 @@ impl Vehicle {
             tuning: &self.tuning.flight,
             fence: &mut self.fence,
             trail: &mut self.flight.trail,
+            backs_up: self.flight.backs_up,
             leader: self.following.as_deref().and_then(|it| it.leader.as_ref()),
             rally: Rally {
                 items: &self.plans.rally,

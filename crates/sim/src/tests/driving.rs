@@ -36,7 +36,7 @@ pub(super) fn guided(chassis: Chassis) -> Ground {
     ground
 }
 
-fn texts(ground: &Ground) -> Vec<String> {
+pub(super) fn texts(ground: &Ground) -> Vec<String> {
     let said = ground.messages_since(0).into_iter();
     said.filter_map(|message| match message {
         MavMessage::STATUSTEXT(text) => text.text.to_str().ok().map(str::to_owned),
@@ -50,7 +50,7 @@ pub(super) fn speed(truth: &Truth) -> f64 {
     maths::hypot(north, east)
 }
 
-fn off_m(truth: &Truth, [north, east]: [f64; 2]) -> f64 {
+pub(super) fn off_m(truth: &Truth, [north, east]: [f64; 2]) -> f64 {
     let [x, y, _] = truth.position_ned_m;
     maths::hypot(x - north, y - east)
 }
