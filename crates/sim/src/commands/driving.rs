@@ -68,10 +68,8 @@ pub(super) fn set_yaw_and_speed(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    if command.frame.is_none() {
-        let text = "Received message (MAV_CMD_NAV_SET_YAW_SPEED) is deprecated";
-        autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
-    }
+    let text = "Received message (MAV_CMD_NAV_SET_YAW_SPEED) is deprecated";
+    autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
     let [heading_deg, speed_m_s, relative, _] = command.p.map(f64::from);
     let is_sensible = heading_deg.is_finite() && speed_m_s.is_finite();
     if autopilot.vehicle.flight.mode.id != ModeId::Guided || !is_sensible {

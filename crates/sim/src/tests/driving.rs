@@ -233,3 +233,12 @@ fn a_lost_ground_station_stops_the_vehicle_by_the_name_of_the_radio() {
     ground.run(0.3);
     assert!(texts(&ground).contains(&"GCS Failsafe Cleared".to_owned()));
 }
+
+#[test]
+fn a_rover_with_a_fence_can_be_armed() {
+    let mut ground = connected(Chassis::Ackermann);
+    ground.set("FENCE_ENABLE", 1.0);
+    ground.run(2.0);
+    let arm = ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0]);
+    assert_eq!(arm, MavResult::MAV_RESULT_ACCEPTED, "{:?}", texts(&ground));
+}
