@@ -4,8 +4,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::place::{item_place, item_point, reference_point};
-use super::start::circle_radius_m;
+use super::place::{circle_radius_m, item_place, item_point, reference_point};
 use super::{AutoPlan, PlanWait, sequence};
 use crate::cmd;
 use crate::helm::bearing_deg;

@@ -6,7 +6,7 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavSeverity, SpeedType};
 
 use super::guided::GuidedLimits;
-use super::place::{item_down_m, item_place, item_point, reference_point};
+use super::place::{circle_radius_m, item_down_m, item_place, item_point, reference_point};
 use super::{AutoPlan, PlanWait, command, driving, sequence};
 use crate::cmd;
 use crate::flight_log::EPOCH_US;
@@ -21,8 +21,6 @@ use sortie_geo::LatLon;
 const LEAST_CLIMB_M: f64 = 1.0;
 /// The distance from its edge within which a circle begins at once, in metres.
 const AT_EDGE_M: f64 = 3.0;
-/// Radii above this, in metres, are stored in steps of 10 m.
-const COARSE_RADIUS_M: f64 = 255.0;
 
 impl AutoPlan {
     /// Starts a navigation command; `false` if it cannot be flown and the next one is to be tried.
@@ -297,16 +295,6 @@ fn announce_item(vehicle: &mut Vehicle, at: u16) -> Option<Item> {
     };
     vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
     Some(item)
-}
-
-/// The radius of a circle, as it is stored.
-pub(super) fn circle_radius_m(item: &Item) -> f64 {
-    let asked_m = f64::from(item.params[2]).abs().min(2550.0);
-    if asked_m > COARSE_RADIUS_M {
-        (asked_m / 10.0).floor() * 10.0
-    } else {
-        asked_m.floor()
-    }
 }
 
 /// The speed types of `DO_CHANGE_SPEED` other than ground speed.
