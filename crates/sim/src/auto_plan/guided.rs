@@ -37,7 +37,7 @@ impl GuidedLimits {
         let is_low = self.lowest_m != 0.0 && -here_m.z < self.lowest_m;
         let is_high = self.highest_m != 0.0 && -here_m.z > self.highest_m;
         // Heights do not matter to a rover.
-        let height_is_off = !vehicle.kind.chassis().is_some() && (is_low || is_high);
+        let height_is_off = vehicle.kind.chassis().is_none() && (is_low || is_high);
         let way_m = (here_m - from_m).truncate().length();
         height_is_off || self.furthest_m > 0.0 && way_m > self.furthest_m
     }

@@ -87,7 +87,7 @@ impl AutoPlan {
                 }
             }
             cmd::DO_CHANGE_SPEED if vehicle.kind.chassis().is_some() => {
-                driving::change_speed(vehicle, &item)
+                driving::change_speed(vehicle, &item);
             }
             cmd::DO_CHANGE_SPEED => change_mission_speed(vehicle, &item),
             cmd::DO_SET_REVERSE => vehicle.flight.backs_up = item.params[0] as u16 == 1,

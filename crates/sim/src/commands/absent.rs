@@ -16,7 +16,7 @@ const UNSUPPORTED: MavResult = MavResult::MAV_RESULT_UNSUPPORTED;
 enum Answer {
     Always(MavResult),
     /// One that depends on the parameters.
-    By(fn([f32; 4]) -> MavResult),
+    By(fn(&Command) -> MavResult),
 }
 
 const ANSWERS: &[(u16, Answer)] = &[
@@ -64,21 +64,22 @@ pub(super) fn answer(command: &Command, kind: VehicleKind) -> Option<MavResult> 
     let (_, answer) = ANSWERS.iter().find(|(known, _)| *known == command.number)?;
     Some(match answer {
         Always(result) => *result,
-        By(parameters) => parameters(command.p),
+        By(answer) => answer(command),
     })
 }
 
 /// Formats a memory card, which is absent.
-fn format(p: [f32; 4]) -> MavResult {
-    if p[0] == 1.0 && p[1] == 1.0 {
+fn format(command: &Command) -> MavResult {
+    if command.is(0, 1.0) && command.is(1, 1.0) {
         FAILED
     } else {
         UNSUPPORTED
     }
 }
 
-/// Knows steps and metres as kinds of focus, but no camera has them.
-fn focus([kind, ..]: [f32; 4]) -> MavResult {
+/// Denies steps, metres and unknown kinds of focus; the others fail without a camera.
+fn focus(command: &Command) -> MavResult {
+    let [kind, ..] = command.p;
     let known = SetFocusType::FOCUS_TYPE_CONTINUOUS as i32
         ..=SetFocusType::FOCUS_TYPE_AUTO_CONTINUOUS as i32;
     let is_possible =
@@ -86,17 +87,20 @@ fn focus([kind, ..]: [f32; 4]) -> MavResult {
     if is_possible { FAILED } else { DENIED }
 }
 
-fn pictures([camera, ..]: [f32; 4]) -> MavResult {
+fn pictures(command: &Command) -> MavResult {
+    let [camera, ..] = command.p;
     if camera < 0.0 { UNSUPPORTED } else { FAILED }
 }
 
 /// Ends the pictures of all cameras; a single one is absent.
-fn no_pictures([camera, ..]: [f32; 4]) -> MavResult {
+fn no_pictures(command: &Command) -> MavResult {
+    let [camera, ..] = command.p;
     if camera == 0.0 { ACCEPTED } else { UNSUPPORTED }
 }
 
 /// Ends forwarding from every bus; a single one is absent.
-fn bus([number, ..]: [f32; 4]) -> MavResult {
+fn bus(command: &Command) -> MavResult {
+    let [number, ..] = command.p;
     if number as i8 == 0 { ACCEPTED } else { FAILED }
 }
 
@@ -107,19 +111,26 @@ mod tests {
     /// As a real copter answered.
     #[test]
     fn an_answer_depends_on_the_parameters_where_it_does_on_the_real_vehicle() {
-        let first = |value: f32| [value, value, 0.0, 0.0];
+        let first = |value: f32| Command {
+            number: 0,
+            p: [value, value, 0.0, 0.0],
+            x: 0,
+            y: 0,
+            z: 0.0,
+            frame: None,
+        };
         assert_eq!(
-            [format(first(0.0)), format(first(1.0))],
+            [format(&first(0.0)), format(&first(1.0))],
             [UNSUPPORTED, FAILED]
         );
-        assert_eq!([focus(first(0.0)), focus(first(1.0))], [DENIED, FAILED]);
+        assert_eq!([focus(&first(0.0)), focus(&first(1.0))], [DENIED, FAILED]);
         assert_eq!(
-            [no_pictures(first(0.0)), no_pictures(first(1.0))],
+            [no_pictures(&first(0.0)), no_pictures(&first(1.0))],
             [ACCEPTED, UNSUPPORTED]
         );
-        assert_eq!([bus(first(0.0)), bus(first(1.0))], [ACCEPTED, FAILED]);
+        assert_eq!([bus(&first(0.0)), bus(&first(1.0))], [ACCEPTED, FAILED]);
         assert_eq!(
-            [pictures(first(-1.0)), pictures(first(1.0))],
+            [pictures(&first(-1.0)), pictures(&first(1.0))],
             [UNSUPPORTED, FAILED]
         );
     }
