@@ -59,6 +59,8 @@ pub(super) struct Safety {
     pub(super) may_arm: bool,
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
+    /// Whether the vehicle stood on the ground when the landing under way began.
+    stood: Option<bool>,
 }
 
 impl Default for Safety {
@@ -74,6 +76,7 @@ impl Default for Safety {
             may_arm: false,
             idle_since: None,
             resting_since: None,
+            stood: None,
         }
     }
 }
@@ -123,11 +126,15 @@ impl Safety {
             return false;
         }
         if let Some(touched) = inputs.touched {
+            let stood = *self.stood.get_or_insert(self.landed);
             if now >= touched + LANDED_AFTER {
                 self.landed = true;
             }
-            return Self::ends_landing(touched, now);
+            // Without a flight, the motors stop at once, unless they have yet to spin up.
+            let ends_at_once = stood && now >= self.lifts_from();
+            return ends_at_once || Self::ends_landing(touched, now);
         }
+        self.stood = None;
         if !inputs.is_resting {
             self.idle_since = None;
             self.resting_since = None;

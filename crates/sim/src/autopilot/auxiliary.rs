@@ -2,6 +2,7 @@
 //! `DO_AUX_FUNCTION`.
 
 mod pilot;
+mod surface;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
@@ -147,6 +148,11 @@ const ANNOUNCED: &[(u16, &str)] = &[
     (177, "Mount LRF Enable"),
 ];
 
+/// Whether a function enters a mode of a copter.
+fn is_mode(function: u16) -> bool {
+    MODES.iter().any(|(known, _)| *known == function)
+}
+
 /// The names of functions that act.
 pub(crate) fn acting() -> impl Iterator<Item = &'static str> {
     let modes = MODES.iter().filter_map(|(_, id)| {
@@ -203,6 +209,11 @@ impl Autopilot {
 
     /// Runs a function for a position of its switch; `false` for one that does not exist or fails.
     pub(crate) fn run_function(&mut self, function: u16, position: SwitchPosition) -> bool {
+        if self.vehicle.kind != VehicleKind::Copter
+            && let Some(worked) = self.run_surface_function(function, position)
+        {
+            return worked;
+        }
         if let Some((_, mode)) = MODES.iter().find(|(known, _)| *known == function) {
             self.switch_mode(*mode, position);
             return true;
@@ -228,13 +239,16 @@ impl Autopilot {
             }
             known if WITHOUT_EFFECT.contains(&known) => {}
             known if FAILING.contains(&known) => return false,
-            _ => {
-                let text = format!("Invalid channel option ({function})");
-                self.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
-                return false;
-            }
+            _ => return self.refuse_function(function),
         }
         true
+    }
+
+    /// Reports a function that the vehicle does not know.
+    fn refuse_function(&mut self, function: u16) -> bool {
+        let text = format!("Invalid channel option ({function})");
+        self.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        false
     }
 
     /// Arms, disarms, or stops the motors, as the function defines for the position.

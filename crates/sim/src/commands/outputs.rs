@@ -4,11 +4,11 @@ use mavlink::dialects::ardupilotmega::{
     MavResult, MavSeverity, ParachuteAction, SafetySwitchState,
 };
 
-use super::{Command, done};
+use super::{ACCEPTED, Command, FAILED};
 use crate::autopilot::Autopilot;
 use crate::cmd;
 use crate::link::Link;
-use crate::workbench::MotorTest;
+use crate::workbench::{self, MotorTest};
 
 /// `SERVOn_FUNCTION` of outputs that a command may drive: none, RC input through, sprayer, gripper.
 const FREE_FUNCTIONS: &[i32] = &[0, 1, 22, 23, 28];
@@ -51,11 +51,18 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
 
 /// Switches the only relay, which has the number 0.
 pub(super) fn relay(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    let known = command.whole(0) == Some(0) && command.whole(1).is_some();
-    if known && command.number == cmd::DO_SET_RELAY {
-        autopilot.workbench.relay_on = command.p[1] > 0.0;
+    let present = workbench::relays(&autopilot.vehicle.parameters);
+    let relay = command
+        .whole(0)
+        .and_then(|number| u32::try_from(number).ok());
+    let bit = relay.and_then(|number| 1_u16.checked_shl(number));
+    let Some(bit) = bit.filter(|bit| present & bit != 0 && command.whole(1).is_some()) else {
+        return FAILED;
+    };
+    if command.number == cmd::DO_SET_RELAY {
+        autopilot.workbench.switch_relays(bit, command.p[1] > 0.0);
     }
-    done(known)
+    ACCEPTED
 }
 
 pub(super) fn parachute(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {

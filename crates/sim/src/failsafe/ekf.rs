@@ -10,15 +10,15 @@ use crate::mode::ModeId;
 use crate::reaction::Reaction;
 
 /// The number of bad checks (at 10 Hz) that trigger the failsafe, and of good ones that end it.
-const LOOKS: u8 = 10;
+pub(super) const LOOKS: u8 = 10;
 /// The minimum time between two texts `EKF variance`.
 const WARNED_EVERY: Duration = Duration::from_secs(30);
 
 /// The state of the EKF check.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct EkfWatch {
-    failures: u8,
-    bad: bool,
+    pub(super) failures: u8,
+    pub(super) bad: bool,
     /// Whether the failsafe changed the mode; if so, its end is reported.
     acted: bool,
     warned: Option<Duration>,
@@ -39,20 +39,20 @@ impl EkfWatch {
 impl Failsafe {
     pub(crate) fn watch_estimate(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         let estimator = inputs.estimator;
-        let good = estimator.has_position() && estimator.fix().is_none();
+        let threshold = inputs.rules.ekf_threshold;
+        let trusted = estimator.has_position() && !is_over(estimator, threshold);
+        let good = trusted && estimator.fix().is_none();
         if !inputs.is_booted || (good && self.ekf.is_idle()) {
             return Vec::new();
         }
         let mut reactions = Vec::new();
         reactions.extend(self.ekf.watch_glitches(estimator.is_glitching()));
-        let threshold = inputs.rules.ekf_threshold;
         if threshold <= 0.0 {
             self.ekf.failures = 0;
             reactions.extend(self.ekf.end());
             return reactions;
         }
-        let passed = estimator.has_position() && !is_over(estimator, threshold);
-        if passed {
+        if trusted {
             self.ekf.failures = self.ekf.failures.saturating_sub(1);
             if self.ekf.failures == 0 {
                 reactions.extend(self.ekf.end());
@@ -83,7 +83,7 @@ impl Failsafe {
 }
 
 impl EkfWatch {
-    fn say_variance(&mut self, now: Duration) -> Option<Reaction> {
+    pub(super) fn say_variance(&mut self, now: Duration) -> Option<Reaction> {
         let again = self.warned.map(|at| at + WARNED_EVERY);
         again.is_none_or(|again| now > again).then(|| {
             self.warned = Some(now);

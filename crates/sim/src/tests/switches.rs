@@ -233,3 +233,27 @@ fn a_parachute_is_released_above_its_least_height_only() {
     ground.long(MavCmd::MAV_CMD_DO_PARACHUTE, [2.0]);
     assert!(said(&ground, "Parachute: Released") && !ground.truth().armed);
 }
+
+/// As a real rover answered.
+#[test]
+fn a_rover_has_switches_of_its_own_and_lacks_those_of_copters() {
+    let mut ground = super::driving::guided(Chassis::Ackermann);
+    for (function, mode) in [(51.0, 0), (53.0, 3), (54.0, 4), (59.0, 7), (72.0, 9)] {
+        let answer = ground.long(MavCmd::MAV_CMD_DO_AUX_FUNCTION, [function, 2.0]);
+        assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED, "{function}");
+        assert_eq!(ground.truth().mode, mode, "{function}");
+    }
+    for (function, answer) in [
+        (0.0, MavResult::MAV_RESULT_ACCEPTED),
+        (74.0, MavResult::MAV_RESULT_ACCEPTED),
+        (3.0, MavResult::MAV_RESULT_FAILED),
+        (33.0, MavResult::MAV_RESULT_FAILED),
+    ] {
+        let got = ground.long(MavCmd::MAV_CMD_DO_AUX_FUNCTION, [function, 2.0]);
+        assert_eq!(got, answer, "{function}");
+    }
+    let told = ground
+        .texts()
+        .contains(&"Invalid channel option (33)".to_owned());
+    assert!(told, "the copter's BRAKE");
+}

@@ -32,7 +32,7 @@ impl Autopilot {
             FENCE => {
                 self.vehicle.enable_fence(is_high);
             }
-            RELAY => self.workbench.relay_on = is_high,
+            RELAY => self.workbench.switch_relays(1, is_high),
             GPS_OFF => {
                 self.vehicle.flight.gps_off = is_high;
                 self.vehicle.retune();

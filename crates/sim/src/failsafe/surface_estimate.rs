@@ -1,0 +1,85 @@
+//! The estimate of a rover: the change to the simpler estimate while the EKF does not know the position, and the
+//! failsafe of `FS_EKF_ACTION` (`ArduRover`'s `ekf_check`).
+
+use mavlink::dialects::ardupilotmega::MavSeverity;
+
+use super::ekf::{LOOKS, is_over};
+use super::{Failsafe, FailsafeInputs};
+use crate::mode::ModeId;
+use crate::reaction::Reaction;
+
+/// The values of `FS_EKF_ACTION`; with any other one, the vehicle enters HOLD.
+const NOTHING: i32 = 0;
+const REPORT: i32 = 2;
+
+const HOLD: Reaction = Reaction::EnterFirst(&[ModeId::Hold]);
+
+impl Failsafe {
+    /// Whether a rover distrusts its estimate: modes that need a position are refused.
+    pub(crate) fn distrusts_estimate(&self) -> bool {
+        self.ekf.is_bad()
+    }
+
+    /// Whether the EKF was given up for the simpler estimate.
+    pub(crate) fn falls_back(&self) -> bool {
+        self.falls_back
+    }
+
+    pub(crate) fn watch_surface_estimate(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
+        if !inputs.is_booted {
+            return Vec::new();
+        }
+        let mut reactions = Vec::new();
+        reactions.extend(self.watch_fallback(inputs));
+        let threshold = inputs.rules.ekf_threshold;
+        if !inputs.armed || threshold <= 0.0 {
+            self.ekf.failures = 0;
+            reactions.extend(self.end_surface_failsafe());
+        } else if !self.falls_back && !is_over(inputs.estimator, threshold) {
+            self.ekf.failures = self.ekf.failures.saturating_sub(1);
+            if self.ekf.failures == 0 {
+                reactions.extend(self.end_surface_failsafe());
+            }
+        } else if !self.ekf.is_bad() {
+            self.ekf.failures += 1;
+            if self.ekf.failures >= LOOKS {
+                self.ekf.bad = true;
+                reactions.extend(self.ekf.say_variance(inputs.now));
+                reactions.extend(surface_action(inputs));
+            }
+        }
+        reactions
+    }
+
+    fn watch_fallback(&mut self, inputs: &FailsafeInputs<'_>) -> Option<Reaction> {
+        let estimator = inputs.estimator;
+        let ignores_gps = inputs.armed && estimator.ignores_gps(inputs.now);
+        let falls_back = ignores_gps || !estimator.has_position();
+        if falls_back == self.falls_back {
+            return None;
+        }
+        self.falls_back = falls_back;
+        let text = if falls_back {
+            "AHRS: DCM active"
+        } else {
+            "AHRS: EKF3 active"
+        };
+        Some(Reaction::say(MavSeverity::MAV_SEVERITY_INFO, text))
+    }
+
+    fn end_surface_failsafe(&mut self) -> Option<Reaction> {
+        std::mem::take(&mut self.ekf.bad)
+            .then(|| Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF failsafe cleared"))
+    }
+}
+
+/// The action in a mode that needs a position.
+fn surface_action(inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
+    let action = inputs.rules.ekf_action;
+    if !inputs.mode.needs_position() || action == NOTHING {
+        return Vec::new();
+    }
+    let hold = (action != REPORT).then_some(HOLD);
+    let told = Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF failsafe");
+    hold.into_iter().chain([told]).collect()
+}
