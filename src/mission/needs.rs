@@ -240,7 +240,7 @@ impl Need {
     fn misfits(&self, design: &Design, seats: &[VehicleId]) -> Vec<Text> {
         let blocks = self.fit(design).into_iter().filter(|line| line.is_block);
         let vehicles: Vec<String> = seats.iter().map(ToString::to_string).collect();
-        let told = |line: FitLine| {
+        let misfit = |line: FitLine| {
             text!(
                 "fleet-misfit",
                 design = design.name.as_str(),
@@ -251,7 +251,7 @@ impl Need {
                 required = line.required
             )
         };
-        blocks.map(told).collect()
+        blocks.map(misfit).collect()
     }
 
     fn radius(&self, has_m: f64) -> FitLine {

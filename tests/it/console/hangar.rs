@@ -442,12 +442,3 @@ fn output_opens_and_scrolls() {
     console.press("esc");
     assert_eq!(console.state().room(), Room::Fly);
 }
-
-#[test]
-fn escape_goes_home_where_no_flight_runs() {
-    let mut console = Console::new();
-    console.press("G");
-    assert_eq!(console.state().room(), Room::Hangar);
-    console.press("esc");
-    assert_eq!(console.state().room(), Room::Home);
-}
