@@ -113,9 +113,11 @@ impl Safety {
         self.reports_at = Duration::ZERO;
     }
 
-    /// Whether a landing that touched down at `touched` is over and the motors stop.
-    pub(super) fn ends_landing(touched: Duration, now: Duration) -> bool {
-        now >= touched + DISARMED_AFTER_TOUCH
+    /// Whether a landing that touched down at `touched` is over and the motors stop: at once without a flight, unless
+    /// they have yet to spin up. A mission learns of it a step before they stop.
+    pub(super) fn ends_landing(&self, touched: Duration, now: Duration) -> bool {
+        let ends_at_once = self.stood == Some(true) && now > touched && now >= self.lifts_from();
+        ends_at_once || now >= touched + DISARMED_AFTER_TOUCH
     }
 
     /// Detects landings, and armed vehicles that idle; returns whether to stop the motors.
@@ -126,13 +128,11 @@ impl Safety {
             return false;
         }
         if let Some(touched) = inputs.touched {
-            let stood = *self.stood.get_or_insert(self.landed);
+            self.stood.get_or_insert(self.landed);
             if now >= touched + LANDED_AFTER {
                 self.landed = true;
             }
-            // Without a flight, the motors stop at once, unless they have yet to spin up.
-            let ends_at_once = stood && now >= self.lifts_from();
-            return ends_at_once || Self::ends_landing(touched, now);
+            return self.ends_landing(touched, now);
         }
         self.stood = None;
         if !inputs.is_resting {

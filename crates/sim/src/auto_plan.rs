@@ -216,6 +216,7 @@ impl AutoPlan {
     /// Handles the entry into AUTO: the mission starts with the next step.
     pub(super) fn enter(&mut self) {
         self.starting = true;
+        self.ends_in = None;
         self.guided_limits = GuidedLimits::default();
         self.paused = false;
         self.looks_at_place = false;
@@ -227,6 +228,7 @@ impl AutoPlan {
             self.state = PlanState::Stopped;
         }
         self.starting = false;
+        self.ends_in = None;
         self.returns = false;
         self.wait = PlanWait::Nothing;
     }

@@ -142,14 +142,13 @@ impl Trail {
 
     /// Removes points that the return does not need.
     pub(super) fn tidy(&mut self, rules: &TrailRules) {
-        let room = self.room.unwrap_or(0);
-        self.crumbs.tidy(rules.accuracy_m, room);
+        self.crumbs.tidy(rules.accuracy_m);
     }
 
     /// Removes and returns the last breadcrumb, and whether it is the first one of the flight;
     /// `None` if there are none left.
     pub(super) fn pop(&mut self) -> Option<(DVec3, bool)> {
-        let point = self.crumbs.pop().filter(|_| self.active)?;
+        let point = self.active.then(|| self.crumbs.pop())??;
         Some((point.as_dvec3(), self.crumbs.len() == 0))
     }
 

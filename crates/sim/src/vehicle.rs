@@ -196,11 +196,11 @@ impl Vehicle {
             return false;
         };
         // Without an index, since it was not requested by one.
-        let told = PARAM_VALUE_DATA {
+        let value = PARAM_VALUE_DATA {
             param_index: BY_NAME,
             ..self.parameters.fields_of(&parameter)
         };
-        self.outbox.push(MavMessage::PARAM_VALUE(told));
+        self.outbox.push(MavMessage::PARAM_VALUE(value));
         true
     }
 
@@ -296,7 +296,7 @@ impl Vehicle {
     /// Whether a landing has reached the point where the motors are disarmed.
     pub(super) fn landing_is_over(&self) -> bool {
         let touched = self.flight.task.touched_in_landing();
-        touched.is_some_and(|touched| Safety::ends_landing(touched, self.uptime()))
+        touched.is_some_and(|touched| self.safety.ends_landing(touched, self.uptime()))
     }
 
     /// Sets home and announces it.

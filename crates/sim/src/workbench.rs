@@ -145,13 +145,15 @@ pub(super) fn relays(all: &Parameters) -> u16 {
 }
 
 impl Workbench {
-    /// Switches relays on or off.
-    pub(super) fn switch_relays(&mut self, bits: u16, on: bool) {
+    /// Switches the relay with a bit on or off; `false` if it is absent.
+    pub(super) fn switch_relay(&mut self, all: &Parameters, bit: u16, on: bool) -> bool {
+        let present = relays(all) & bit;
         if on {
-            self.relays_on |= bits;
+            self.relays_on |= present;
         } else {
-            self.relays_on &= !bits;
+            self.relays_on &= !present;
         }
+        present != 0
     }
 
     /// Advances by one step; returns whether a motor test is over.

@@ -381,7 +381,7 @@ impl ArmingChecks<'_> {
             return None;
         }
         if self.rules.rover_speed_m_s.is_some() {
-            return self.surface_estimate_obstacle();
+            return (!self.estimator.has_position()).then(|| "Need Position Estimate".into());
         }
         let threshold = self.failsafe_rules.ekf_threshold;
         let is_doubtful = threshold > 0.0 && is_over(self.estimator, threshold);
@@ -404,13 +404,6 @@ impl ArmingChecks<'_> {
         } else {
             None
         }
-    }
-
-    fn surface_estimate_obstacle(&self) -> Option<Reason> {
-        if self.failsafe.distrusts_estimate() {
-            return Some("EKF failsafe".into());
-        }
-        (!self.estimator.has_position()).then(|| "Need Position Estimate".into())
     }
 
     fn power_obstacles(&self, reasons: &mut Vec<Reason>) {

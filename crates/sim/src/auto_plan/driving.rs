@@ -19,8 +19,6 @@ use sortie_geo::wrap_180;
 const DONE_LOITER: i32 = 1;
 const DONE_ACRO: i32 = 2;
 const DONE_MANUAL: i32 = 3;
-/// The lowest speed that a rover accepts along a path, in m/s.
-const SPEED_MIN_M_S: f64 = 0.05;
 
 impl AutoPlan {
     /// Starts a navigation command of a rover; `false` if it cannot be driven.
@@ -83,9 +81,7 @@ impl AutoPlan {
                 Task::Drive(Drive::Heading(heading)) => heading.is_reached(),
                 _ => true,
             },
-            cmd::NAV_GUIDED_ENABLE => {
-                item.params[0] as u16 == 0 || self.guiding_is_over(vehicle, &item)
-            }
+            cmd::NAV_GUIDED_ENABLE => self.guiding_is_over(vehicle, &item),
             cmd::NAV_DELAY => {
                 matches!(self.wait, PlanWait::Until(until) if vehicle.uptime() > until)
             }
@@ -221,20 +217,7 @@ impl AutoPlan {
 /// Sets the speed of what the mission does now, and reports it.
 pub(super) fn change_speed(vehicle: &mut Vehicle, item: &Item) {
     let speed_m_s = f64::from(item.params[1]);
-    let is_set = match &mut vehicle.flight.task {
-        Task::Drive(Drive::Circle(_)) => vehicle.set_circle_speed(speed_m_s),
-        Task::Drive(Drive::Heading(heading)) => {
-            heading.set_speed(speed_m_s);
-            true
-        }
-        Task::Drive(Drive::Loiter(_)) => false,
-        _ if speed_m_s >= SPEED_MIN_M_S => {
-            vehicle.flight.speeds.ground_m_s = Some(speed_m_s);
-            true
-        }
-        _ => false,
-    };
-    if is_set {
+    if vehicle.set_drive_speed(speed_m_s) {
         let text = format!("speed: {speed_m_s:.1} m/s");
         vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
     }

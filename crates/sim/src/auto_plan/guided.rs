@@ -57,15 +57,15 @@ impl AutoPlan {
         }
     }
 
-    /// Whether the control by setpoints is over: at a limit, or where a rover was to arrive.
+    /// Whether the control by setpoints is over: switched off by the item, at a limit, or where a rover was to arrive.
     pub(super) fn guiding_is_over(&self, vehicle: &Vehicle, item: &Item) -> bool {
-        let PlanWait::Guided { since, from_m } = self.wait else {
+        let (1.., PlanWait::Guided { since, from_m }) = (item.params[0] as u16, &self.wait) else {
             return true;
         };
         let here_m = vehicle.believed().position_m.truncate();
         let goal_m = item_place(vehicle, item).filter(|_| vehicle.kind.chassis().is_some());
         let radius_m = vehicle.tuning.flight.auto.radius_m;
         goal_m.is_some_and(|goal_m| goal_m.distance(here_m) <= radius_m)
-            || self.guided_limits.are_exceeded(vehicle, since, from_m)
+            || self.guided_limits.are_exceeded(vehicle, *since, *from_m)
     }
 }

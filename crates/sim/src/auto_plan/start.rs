@@ -90,7 +90,9 @@ impl AutoPlan {
                 driving::change_speed(vehicle, &item);
             }
             cmd::DO_CHANGE_SPEED => change_mission_speed(vehicle, &item),
-            cmd::DO_SET_REVERSE => vehicle.flight.backs_up = item.params[0] as u16 == 1,
+            cmd::DO_SET_REVERSE if vehicle.kind.chassis().is_some() => {
+                vehicle.flight.backs_up = item.params[0] as u16 == 1;
+            }
             cmd::DO_GUIDED_LIMITS => self.guided_limits = GuidedLimits::of(&item),
             cmd::DO_FENCE_ENABLE => switch_fence(vehicle, &item),
             cmd::DO_SET_HOME => set_mission_home(vehicle, &item),

@@ -18,7 +18,8 @@ impl Autopilot {
             let text = "No Mission. Can't set AUTO.";
             vehicle.say(MavSeverity::MAV_SEVERITY_NOTICE, text);
         }
-        let is_known = vehicle.is_ready() && !self.failsafe.distrusts_estimate();
+        let is_trusted = !self.failsafe.falls_back() && !self.failsafe.distrusts_estimate();
+        let is_known = vehicle.is_ready() && is_trusted;
         let is_lost = mode.needs_position() && vehicle.safety.armed && !is_known;
         let refuses = is_lost
             || match mode.id {

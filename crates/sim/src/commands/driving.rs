@@ -8,40 +8,15 @@ use crate::autopilot::Autopilot;
 use crate::guided;
 use crate::link::Link;
 use crate::mode::{self, ModeId};
-use crate::task::{Drive, Task};
 
-/// The lowest speed that a rover accepts, in m/s.
-const SPEED_MIN_M_S: f64 = 0.05;
-
-/// Changes the speed along a path, until the mode changes.
+/// Changes the speed of the drive under way, until the mode changes.
 pub(super) fn change_speed(
     autopilot: &mut Autopilot,
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    done(set_speed(autopilot, f64::from(command.p[1])))
-}
-
-/// Sets the speed along a path; `false` while there is none, or for a speed that is too low.
-fn set_speed(autopilot: &mut Autopilot, speed_m_s: f64) -> bool {
-    match &mut autopilot.vehicle.flight.task {
-        Task::Drive(Drive::Circle(_)) => return autopilot.vehicle.set_circle_speed(speed_m_s),
-        Task::Drive(Drive::Follow(fastest_m_s)) if speed_m_s >= 0.0 => {
-            *fastest_m_s = speed_m_s;
-            return true;
-        }
-        _ => {}
-    }
-    let flight = &mut autopilot.vehicle.flight;
-    let on_path = match &flight.task {
-        Task::Route(_) | Task::Drive(Drive::Goto(_) | Drive::Return(_)) => true,
-        _ => flight.mode.id == ModeId::Auto,
-    };
-    let able = on_path && speed_m_s >= SPEED_MIN_M_S && speed_m_s.is_finite();
-    if able {
-        flight.speeds.ground_m_s = Some(speed_m_s);
-    }
-    able
+    let speed_m_s = f64::from(command.p[1]);
+    done(autopilot.vehicle.set_drive_speed(speed_m_s))
 }
 
 pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
@@ -54,7 +29,7 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
         return MavResult::MAV_RESULT_FAILED;
     }
     let speed_m_s = f64::from(command.p[0]);
-    if speed_m_s > 0.0 && !set_speed(autopilot, speed_m_s) {
+    if speed_m_s > 0.0 && !autopilot.vehicle.set_drive_speed(speed_m_s) {
         return MavResult::MAV_RESULT_FAILED;
     }
     let goal_m = autopilot.vehicle.datum.point_of(place);

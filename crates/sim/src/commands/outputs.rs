@@ -4,7 +4,7 @@ use mavlink::dialects::ardupilotmega::{
     MavResult, MavSeverity, ParachuteAction, SafetySwitchState,
 };
 
-use super::{ACCEPTED, Command, FAILED};
+use super::{Command, FAILED, done};
 use crate::autopilot::Autopilot;
 use crate::cmd;
 use crate::link::Link;
@@ -49,20 +49,21 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// Switches the only relay, which has the number 0.
+/// Switches a relay on or off, or back and forth, which leaves it as it was; the numbers begin at 0.
 pub(super) fn relay(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    let present = workbench::relays(&autopilot.vehicle.parameters);
-    let relay = command
-        .whole(0)
-        .and_then(|number| u32::try_from(number).ok());
-    let bit = relay.and_then(|number| 1_u16.checked_shl(number));
-    let Some(bit) = bit.filter(|bit| present & bit != 0 && command.whole(1).is_some()) else {
+    let (Some(number), Some(_)) = (command.whole(0), command.whole(1)) else {
         return FAILED;
     };
-    if command.number == cmd::DO_SET_RELAY {
-        autopilot.workbench.switch_relays(bit, command.p[1] > 0.0);
-    }
-    ACCEPTED
+    let number = u32::try_from(number).ok();
+    let bit = number.and_then(|number| 1_u16.checked_shl(number));
+    let bit = bit.unwrap_or(0);
+    let all = &autopilot.vehicle.parameters;
+    done(if command.number == cmd::DO_SET_RELAY {
+        let on = command.p[1] > 0.0;
+        autopilot.workbench.switch_relay(all, bit, on)
+    } else {
+        workbench::relays(all) & bit != 0
+    })
 }
 
 pub(super) fn parachute(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {

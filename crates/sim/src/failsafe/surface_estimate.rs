@@ -3,7 +3,7 @@
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::ekf::{LOOKS, is_over};
+use super::ekf::{EkfChange, is_over};
 use super::{Failsafe, FailsafeInputs};
 use crate::mode::ModeId;
 use crate::reaction::Reaction;
@@ -32,21 +32,22 @@ impl Failsafe {
         let mut reactions = Vec::new();
         reactions.extend(self.watch_fallback(inputs));
         let threshold = inputs.rules.ekf_threshold;
-        if !inputs.armed || threshold <= 0.0 {
-            self.ekf.failures = 0;
-            reactions.extend(self.end_surface_failsafe());
-        } else if !self.falls_back && !is_over(inputs.estimator, threshold) {
-            self.ekf.failures = self.ekf.failures.saturating_sub(1);
-            if self.ekf.failures == 0 {
-                reactions.extend(self.end_surface_failsafe());
-            }
-        } else if !self.ekf.is_bad() {
-            self.ekf.failures += 1;
-            if self.ekf.failures >= LOOKS {
-                self.ekf.bad = true;
+        let change = if !inputs.armed || threshold <= 0.0 {
+            self.ekf.reset()
+        } else {
+            let passed = !self.falls_back && !is_over(inputs.estimator, threshold);
+            self.ekf.count(passed)
+        };
+        match change {
+            Some(EkfChange::Begins) => {
                 reactions.extend(self.ekf.say_variance(inputs.now));
                 reactions.extend(surface_action(inputs));
             }
+            Some(EkfChange::Ends) => {
+                let text = "EKF failsafe cleared";
+                reactions.push(Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, text));
+            }
+            None => {}
         }
         reactions
     }
@@ -66,11 +67,6 @@ impl Failsafe {
         };
         Some(Reaction::say(MavSeverity::MAV_SEVERITY_INFO, text))
     }
-
-    fn end_surface_failsafe(&mut self) -> Option<Reaction> {
-        std::mem::take(&mut self.ekf.bad)
-            .then(|| Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF failsafe cleared"))
-    }
 }
 
 /// The action in a mode that needs a position.
@@ -80,6 +76,6 @@ fn surface_action(inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         return Vec::new();
     }
     let hold = (action != REPORT).then_some(HOLD);
-    let told = Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF failsafe");
-    hold.into_iter().chain([told]).collect()
+    let text = Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF failsafe");
+    hold.into_iter().chain([text]).collect()
 }

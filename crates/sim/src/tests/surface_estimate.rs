@@ -6,6 +6,7 @@ use super::driving::{enter, guided, texts};
 use super::*;
 
 const HOLD: u8 = 4;
+const LOITER: f32 = 5.0;
 
 /// The texts and their seconds.
 fn timeline(ground: &mut Ground, seconds: f64) -> Vec<(f64, String)> {
@@ -106,6 +107,19 @@ fn a_glitch_is_a_failsafe_until_the_position_is_adopted() {
         (11.0, "EKF failsafe cleared"),
     ];
     assert_timeline(&timeline(&mut ground, 25.0), &glitch);
+}
+
+#[test]
+fn without_the_failsafe_modes_are_refused_on_the_simpler_estimate() {
+    let mut ground = under_way();
+    ground.set("FS_EKF_THRESH", 0.0);
+    ground.set("SIM_GPS_GLITCH_X", 0.001);
+    ground.run(6.0);
+    let said = texts(&ground);
+    assert!(said.contains(&"AHRS: DCM active".to_owned()), "{said:?}");
+    assert_eq!(enter(&mut ground, LOITER), MavResult::MAV_RESULT_FAILED);
+    ground.run(10.0);
+    assert_eq!(enter(&mut ground, LOITER), MavResult::MAV_RESULT_ACCEPTED);
 }
 
 #[test]

@@ -116,8 +116,8 @@ fn a_narrow_circle_is_as_wide_as_the_vehicle_can_turn() {
     let narrow = at(10.0, 0.0, TURNS, [1.0, 0.0, 0.0, 0.0]);
     let mut ground = on_a_mission(Chassis::Ackermann, &[narrow]);
     ground.run(0.1);
-    let told = "Circle: radius increased to TURN_RADIUS ( 0.9)".to_owned();
-    assert!(texts(&ground).contains(&told));
+    let text = "Circle: radius increased to TURN_RADIUS ( 0.9)".to_owned();
+    assert!(texts(&ground).contains(&text));
 }
 
 /// The real one stood there for as long as it was watched, too.
@@ -162,22 +162,72 @@ fn a_heading_is_driven_to_and_a_relative_one_to_the_west_for_ever() {
 }
 
 #[test]
+fn north_is_reached_from_either_side() {
+    for legs in [
+        vec![waypoint(20.0, 0.0)],
+        vec![waypoint(20.0, 0.0), waypoint(20.0, 20.0)],
+        vec![waypoint(20.0, 0.0), waypoint(20.0, -20.0)],
+    ] {
+        let next = format!("Mission: {} WP", legs.len() + 2);
+        let north = [act(YAW_SPEED, [0.0, 2.0, 0.0, 0.0]), waypoint(90.0, 0.0)];
+        let items = [legs.as_slice(), &north].concat();
+        let mut ground = on_a_mission(Chassis::Ackermann, &items);
+        assert!(until_text(&mut ground, &next, 60.0).is_finite(), "{legs:?}");
+    }
+}
+
+#[test]
+fn a_commanded_speed_is_that_of_what_the_mission_does() {
+    let west = act(YAW_SPEED, [-90.0, 1.0, 1.0, 0.0]);
+    let mut ground = on_a_mission(Chassis::Ackermann, &[west]);
+    ground.run(10.0);
+    near("before", super::driving::speed(&ground.truth()), 1.0, 0.2);
+    let answer = ground.long(MavCmd::MAV_CMD_DO_CHANGE_SPEED, [1.0, 2.0]);
+    assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED);
+    ground.run(10.0);
+    near("after", super::driving::speed(&ground.truth()), 2.0, 0.2);
+}
+
+#[test]
 fn a_speed_is_that_of_what_the_vehicle_does() {
+    // The first one precedes the circle, the others are for it.
     let items = [
-        at(20.0, 0.0, TURNS, [1.0, 0.0, 10.0, 0.0]),
+        act(CHANGE_SPEED, [1.0, 1.5, 0.0, 0.0]),
         act(CHANGE_SPEED, [1.0, 3.0, 0.0, 0.0]),
         act(CHANGE_SPEED, [1.0, -2.0, 0.0, 0.0]),
+        at(20.0, 0.0, TURNS, [1.0, 0.0, 10.0, 0.0]),
         waypoint(0.0, 20.0),
     ];
     let mut ground = on_a_mission(Chassis::Ackermann, &items);
-    ground.run(0.2);
+    ground.run(20.0);
     let said = texts(&ground);
-    assert!(!said.contains(&"speed: -2.0 m/s".to_owned()), "{said:?}");
+    let speeds: Vec<_> = said
+        .iter()
+        .filter(|text| text.starts_with("speed"))
+        .collect();
+    assert_eq!(speeds, ["speed: 1.5 m/s", "speed: 3.0 m/s"], "{said:?}");
+    assert!(
+        said.contains(&"Mission: 3 ChangeSpeed".to_owned()),
+        "{said:?}"
+    );
+    near(
+        "the circle",
+        super::driving::speed(&ground.truth()),
+        3.0,
+        0.3,
+    );
 }
 
 #[test]
 fn a_mission_ends_as_its_parameter_says() {
-    for (behaviour, mode) in [(0.0, 10), (1.0, 10), (2.0, 1), (3.0, 0)] {
+    // A place that is held has no speed to change.
+    let (stops, holds) = (MavResult::MAV_RESULT_ACCEPTED, MavResult::MAV_RESULT_FAILED);
+    for (behaviour, mode, answer) in [
+        (0.0, 10, Some(stops)),
+        (1.0, 10, Some(holds)),
+        (2.0, 1, None),
+        (3.0, 0, None),
+    ] {
         let mut ground = guided(Chassis::Ackermann);
         ground.set("MIS_DONE_BEHAVE", behaviour);
         begin(&mut ground, &[waypoint(15.0, 0.0)]);
@@ -189,6 +239,10 @@ fn a_mission_ends_as_its_parameter_says() {
         );
         ground.run(1.0);
         assert_eq!(ground.truth().mode, mode, "{behaviour}");
+        if let Some(answer) = answer {
+            let got = ground.long(MavCmd::MAV_CMD_DO_CHANGE_SPEED, [1.0, 2.0]);
+            assert_eq!(got, answer, "{behaviour}");
+        }
     }
 }
 
@@ -266,14 +320,21 @@ fn a_reversed_vehicle_backs_up_until_the_mission_or_the_mode_changes_that() {
 fn the_fence_is_switched_with_a_text() {
     let items = [
         act(FENCE, [1.0, 0.0, 0.0, 0.0]),
-        act(FENCE, [0.0; 4]),
         waypoint(10.0, 0.0),
+        act(FENCE, [0.0; 4]),
+        waypoint(15.0, 0.0),
     ];
+    let is_on = |ground: &Ground| {
+        let vehicle = &ground.world.slots[0].autopilot.vehicle;
+        vehicle.tuning.flight.fence.is_enabled
+    };
     let mut ground = on_a_mission(Chassis::Ackermann, &items);
+    assert!(!is_on(&ground));
     ground.run(0.2);
     let said = texts(&ground);
-    for text in ["Fence Enabled", "Fence Disabled"] {
-        assert!(said.contains(&text.to_owned()), "{said:?}");
-    }
+    assert!(said.contains(&"Fence Enabled".to_owned()), "{said:?}");
+    assert!(is_on(&ground));
+    assert!(until_text(&mut ground, "Fence Disabled", 30.0).is_finite());
+    assert!(!is_on(&ground));
     assert_eq!(ground.truth().mode, u32::from(AUTO) as u8);
 }

@@ -252,8 +252,26 @@ fn a_rover_has_switches_of_its_own_and_lacks_those_of_copters() {
         let got = ground.long(MavCmd::MAV_CMD_DO_AUX_FUNCTION, [function, 2.0]);
         assert_eq!(got, answer, "{function}");
     }
-    let told = ground
+    let is_said = ground
         .texts()
         .contains(&"Invalid channel option (33)".to_owned());
-    assert!(told, "the copter's BRAKE");
+    assert!(is_said, "the copter's BRAKE");
+}
+
+#[test]
+fn each_relay_has_its_switch_and_an_absent_one_stays_off() {
+    let mut ground = Ground::new();
+    ground.run(2.0);
+    let mut switched = |function: f32, position: f32, is_present: f32, number: usize| {
+        ground.set(&format!("RELAY{number}_FUNCTION"), is_present);
+        let answer = ground.long(MavCmd::MAV_CMD_DO_AUX_FUNCTION, [function, position]);
+        assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED, "{function}");
+        ground.world.slots[0].autopilot.workbench.relays_on
+    };
+    let functions = [28.0, 34.0, 35.0, 36.0, 66.0, 67.0];
+    for (function, number) in functions.into_iter().zip(1..) {
+        assert_eq!(switched(function, 2.0, 0.0, number), 0, "{function}");
+        assert_eq!(switched(function, 2.0, 1.0, number), 1 << (number - 1));
+        assert_eq!(switched(function, 0.0, 1.0, number), 0, "{function}");
+    }
 }

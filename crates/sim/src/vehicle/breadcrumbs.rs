@@ -7,6 +7,11 @@ use crate::mode::ModeId;
 use crate::trail::TrailNews;
 
 impl Vehicle {
+    /// Whether the position is known, well or badly: to a rover always.
+    pub(crate) fn knows_place(&self) -> bool {
+        self.is_ready() || self.kind.chassis().is_some()
+    }
+
     /// Starts the trail here, if the position is known.
     pub(crate) fn begin_trail(&mut self, known: bool) {
         let here_m = known.then(|| self.believed().position_m);
@@ -18,9 +23,7 @@ impl Vehicle {
     /// Drops a breadcrumb when one is due.
     pub(crate) fn watch_trail(&mut self) {
         let now = self.uptime();
-        // A rover always knows where it is, well or badly.
-        let is_known = self.is_ready() || self.kind.chassis().is_some();
-        let here_m = is_known.then(|| self.believed().position_m);
+        let here_m = self.knows_place().then(|| self.believed().position_m);
         let saves = self.safety.armed && self.flight.mode.id != ModeId::SmartRtl;
         let rules = &self.tuning.flight.trail;
         let trail = &mut self.flight.trail;

@@ -2,7 +2,7 @@
 
 use super::super::Autopilot;
 use crate::mode::ModeId;
-use crate::radio::SwitchPosition;
+use crate::radio::{MOTOR_INTERLOCK, SwitchPosition};
 
 /// Functions that enter a mode of a rover.
 const MODES: &[(u16, ModeId)] = &[
@@ -24,8 +24,33 @@ const MODES: &[(u16, ModeId)] = &[
 const WITHOUT_EFFECT: &[u16] = &[0, 50, 63, 74, 97, 155, 201, 202, 207, 211];
 /// Functions of copters that a rover does not know, apart from modes.
 const UNKNOWN: &[u16] = &[
-    3, 5, 10, 13, 14, 21, 22, 23, 25, 26, 29, 32, 39, 44, 45, 61, 75, 76, 83, 84, 109, 152, 154,
-    159, 160, 178,
+    super::SIMPLE,
+    super::SAVE_TRIM,
+    super::SUPER_SIMPLE,
+    super::ACRO_TRAINER,
+    super::PARACHUTE_ENABLE,
+    super::PARACHUTE_RELEASE,
+    super::PARACHUTE,
+    MOTOR_INTERLOCK,
+    super::ZIGZAG_POINTS,
+    super::STANDBY,
+    super::SIMPLE_HEADING,
+    super::ARM_OR_DISARM_AIRMODE,
+    super::PAUSE,
+    // Those that have no effect on a copter either.
+    10,
+    25,
+    26,
+    29,
+    39,
+    44,
+    45,
+    75,
+    83,
+    84,
+    109,
+    159,
+    160,
 ];
 
 /// What a function is to a rover.

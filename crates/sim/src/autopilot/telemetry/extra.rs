@@ -296,10 +296,11 @@ pub(super) fn state_for_gimbal(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn relay_status(autopilot: &Autopilot) -> MavMessage {
+    let present = workbench::relays(&autopilot.vehicle.parameters);
     MavMessage::RELAY_STATUS(RELAY_STATUS_DATA {
         time_boot_ms: boot_ms(autopilot),
-        on: autopilot.workbench.relays_on,
-        present: workbench::relays(&autopilot.vehicle.parameters),
+        on: autopilot.workbench.relays_on & present,
+        present,
     })
 }
 

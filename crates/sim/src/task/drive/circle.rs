@@ -11,7 +11,7 @@ use sortie_geo::maths;
 /// The circle counts as reached within this distance, in metres, or within the turning circle.
 const REACHED_M: f64 = 0.2;
 
-/// Where a circle is asked for.
+/// A requested circle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct CirclePlace {
     pub(crate) centre_m: DVec2,

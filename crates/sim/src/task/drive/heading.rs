@@ -1,16 +1,18 @@
 //! A turn to a heading while driving at a speed (`NAV_SET_YAW_SPEED` in a mission).
 
+use std::ops::RangeInclusive;
+
 use crate::helm::{Course, HelmRules};
 use sortie_geo::wrap_180;
 
 /// The heading counts as reached within this angle, in degrees.
 const REACHED_DEG: f64 = 5.0;
+const REACHABLE_DEG: RangeInclusive<f64> = 0.0..=360.0;
 
 /// A heading to turn to, and a speed.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct DriveHeading {
-    /// From 0 to 360 degrees for one that is reached. As on the real vehicle, a relative heading in the western half is
-    /// negative, and is driven along for ever.
+    /// Outside 0 to 360 degrees it is never reached, as on the real vehicle.
     heading_deg: f64,
     speed_m_s: f64,
     is_reached: bool,
@@ -25,7 +27,7 @@ impl DriveHeading {
         }
     }
 
-    /// A heading that lies to the right of another one.
+    /// A heading that lies to the right of another one; in the western half it is negative.
     pub(crate) fn relative(
         from_deg: f64,
         right_deg: f64,
@@ -49,10 +51,36 @@ impl DriveHeading {
         if self.is_reached {
             return Course::Stop;
         }
-        self.is_reached = (self.heading_deg - yaw_deg.rem_euclid(360.0)).abs() < REACHED_DEG;
+        let off_deg = wrap_180(self.heading_deg - yaw_deg).abs();
+        self.is_reached = REACHABLE_DEG.contains(&self.heading_deg) && off_deg < REACHED_DEG;
         Course::Heading {
             heading_deg: wrap_180(self.heading_deg),
             speed_m_s: self.speed_m_s,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Chassis;
+    use crate::kind::VehicleKind;
+    use crate::parameters::Parameters;
+
+    #[test]
+    fn a_heading_is_reached_from_either_side_unless_it_is_negative() {
+        let all = Parameters::new(VehicleKind::Rover(Chassis::Ackermann), 1);
+        let rules = HelmRules::read(&all);
+        let is_reached = |mut drive: DriveHeading, yaw_deg: f64| {
+            drive.course(yaw_deg);
+            drive.is_reached()
+        };
+        for yaw_deg in [358.0, -2.0, 2.0] {
+            assert!(is_reached(DriveHeading::new(0.0, 1.0, &rules), yaw_deg));
+            assert!(is_reached(DriveHeading::new(360.0, 1.0, &rules), yaw_deg));
+        }
+        assert!(!is_reached(DriveHeading::new(0.0, 1.0, &rules), 270.0));
+        let west = DriveHeading::relative(0.0, -90.0, 1.0, &rules);
+        assert!(!is_reached(west, 270.0));
     }
 }
