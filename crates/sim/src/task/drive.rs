@@ -208,7 +208,39 @@ impl Drive {
         }
     }
 
+    /// The course of this step. A boat that has got where it was going loiters there from the next step on.
     fn course(
+        &mut self,
+        cockpit: &mut Cockpit<'_>,
+        rules: &HelmRules,
+    ) -> (Course, Option<DriveNews>) {
+        let decided = self.course_of_task(cockpit, rules);
+        if rules.is_boat && self.is_over() {
+            *self = Self::rest(cockpit, rules);
+        }
+        decided
+    }
+
+    /// Whether nothing is left to drive to.
+    fn is_over(&self) -> bool {
+        match self {
+            Self::Heading(heading) => heading.is_reached(),
+            Self::Goto(goto) => goto.arrived,
+            Self::Setpoint(setpoint) => setpoint.is_over,
+            Self::Return(home) => home.arrived,
+            Self::Hold
+            | Self::Stop
+            | Self::Manual
+            | Self::Acro
+            | Self::Steering
+            | Self::Simple { .. }
+            | Self::Loiter(_)
+            | Self::Circle(_)
+            | Self::Follow(_) => false,
+        }
+    }
+
+    fn course_of_task(
         &mut self,
         cockpit: &mut Cockpit<'_>,
         rules: &HelmRules,
@@ -225,30 +257,14 @@ impl Drive {
             Self::Loiter(loiter) => (loiter.course(cockpit, rules), None),
             Self::Circle(circle) => (circle.course(cockpit, &rules.circle), None),
             Self::Follow(fastest_m_s) => (follow::course(cockpit, *fastest_m_s), None),
-            Self::Heading(heading) if heading.is_reached() && rules.is_boat => {
-                *self = Self::rest(cockpit, rules);
-                self.course(cockpit, rules)
-            }
             Self::Heading(heading) => (heading.course(cockpit.body.yaw_deg), None),
             Self::Goto(goto) => {
                 let (course, arrives) = goto.course(cockpit, rules);
-                if goto.arrived && rules.is_boat {
-                    *self = Self::rest(cockpit, rules);
-                }
                 (course, arrives.then_some(DriveNews::Reached))
             }
-            Self::Setpoint(setpoint) => {
-                let (course, news) = setpoint.course(cockpit.now);
-                if setpoint.is_over && rules.is_boat {
-                    *self = Self::rest(cockpit, rules);
-                }
-                (course, news)
-            }
+            Self::Setpoint(setpoint) => setpoint.course(cockpit.now),
             Self::Return(home) => {
                 let (course, arrives) = home.course(cockpit, rules);
-                if home.arrived && rules.is_boat {
-                    *self = Self::rest(cockpit, rules);
-                }
                 (course, arrives.then_some(ARRIVED))
             }
         }
