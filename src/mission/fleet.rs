@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::Mission;
-use super::fit::Fit;
+use super::fit::{DROPPER, FLAIL, Fit, TANK_S};
 use super::ground_truth::Load;
 use super::radio::{Model, Radio, Set};
 use super::sensor::Sensor;
@@ -12,13 +12,6 @@ use crate::sim::{Airframe, VehicleKind};
 use crate::text;
 use crate::text::Text;
 use crate::workshop::{self, Air, Design, DesignKind, FindingSeverity, PartSlot};
-
-/// Seconds of spray in a sprayer's tank.
-pub(super) const TANK_S: u32 = 15;
-/// The part that releases pieces.
-pub(super) const DROPPER: &str = "s_drop";
-/// The part that clears mines ahead of a ground robot.
-pub(super) const FLAIL: &str = "s_flail";
 
 /// The designs of a fleet, dealt to seats of these kinds: each seat takes the next design of its kind, and the last one
 /// also fills the seats of the kind that follow. A seat without a design of its kind has the mission's own vehicle.

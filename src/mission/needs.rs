@@ -3,8 +3,7 @@
 use std::time::Duration;
 
 use super::event::Action;
-use super::fleet::{DROPPER, FLAIL, TANK_S};
-use super::ground_truth::Load;
+use super::price;
 use super::report::distance_m;
 use super::sensor::Sensor;
 use super::world::World;
@@ -52,7 +51,8 @@ pub struct Need {
     pub reserve_percent: f64,
     /// The air at the site.
     pub air: Air,
-    /// A seat's share of the budget in credits; `None` without a budget.
+    /// A seat's share of the budget in credits: that of a robot is larger than that of a drone, as the cheapest robot
+    /// costs more. `None` without a budget.
     pub credits: Option<u32>,
 }
 
@@ -74,15 +74,14 @@ impl Mission {
     pub fn needs(&self) -> Vec<Need> {
         let mut needs: Vec<Need> = Vec::new();
         let far_m = self.farthest_m();
+        let shares = price::shares(self);
         let seats = (1..).zip(&self.seats.asked).zip(self.seat_kinds());
-        for ((vehicle, asked), kind) in seats {
-            let loads = parts(asked.loads.iter().map(|(load, count)| (*load, *count)));
-            let flail = asked.flail.then_some((FLAIL, 1));
+        for (((vehicle, asked), kind), credits) in seats.zip(shares) {
             let need = Need {
                 seats: vec![vehicle],
                 kind,
                 sensors: asked.sensors.iter().map(|sensor| sensor.id).collect(),
-                loads: loads.into_iter().chain(flail).collect(),
+                loads: asked.tools(),
                 reach_m: far_m * REACH,
                 far_m,
                 height_m: match kind {
@@ -93,11 +92,7 @@ impl Mission {
                 time: self.scoring.par_time,
                 reserve_percent: self.rules.land_reserve_percent,
                 air: self.air(),
-                credits: self
-                    .seats
-                    .outlay
-                    .budget
-                    .map(|all| all / self.seats.count.max(1) as u32),
+                credits,
             };
             let alike = |it: &&mut Need| {
                 it.kind == need.kind && it.sensors == need.sensors && it.loads == need.loads
@@ -180,24 +175,6 @@ impl Mission {
         });
         later.fold(mean_m_s, f64::max) + self.site.weather.gust_m_s
     }
-}
-
-/// The parts for these loads. Loads counted in pieces need a dropper.
-pub(super) fn parts(loads: impl Iterator<Item = (Load, u32)>) -> Vec<(&'static str, u32)> {
-    let mut parts = Vec::new();
-    let mut drops = false;
-    for (load, count) in loads {
-        drops |= load != Load::Spray;
-        let pieces = match load {
-            Load::Spray => count.div_ceil(TANK_S),
-            Load::Ball | Load::Kit | Load::Node => count,
-        };
-        parts.push((load.part(), pieces));
-    }
-    if drops {
-        parts.insert(0, (DROPPER, 1));
-    }
-    parts
 }
 
 impl Need {

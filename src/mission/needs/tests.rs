@@ -15,6 +15,7 @@ fn starter() -> Design {
 const AIR: &str = include_str!("../../../missions/01-air-sample.toml");
 const FLOOD: &str = include_str!("../../../missions/11-flood-search.toml");
 const RELAY: &str = include_str!("../../../missions/12-relay-chain.toml");
+const ROBOT: &str = include_str!("../../../missions/18-robot-lane.toml");
 
 #[test]
 fn seats_that_need_the_same_are_together() {
@@ -101,6 +102,25 @@ fn a_need_follows_the_wind_the_budget_and_the_missing_parts() {
         radio.map(|line| line.has.to_string()),
         Some("none".to_owned())
     );
+}
+
+/// An equal share once called every robot too dear, though the fleet kept within its budget.
+#[test]
+fn each_seat_gets_the_share_of_the_budget_that_its_kind_needs() {
+    let mut mission = Mission::parse(ROBOT).expect("it is good");
+    let shares = |mission: &Mission| -> Vec<(DesignKind, u32)> {
+        let needs = mission.needs();
+        let share = |need: &Need| Some((need.kind, need.credits?));
+        needs.iter().filter_map(share).collect()
+    };
+    let least: Vec<u32> = price::least(&mission).collect();
+    mission.seats.outlay.budget = Some(2 * least.iter().sum::<u32>());
+    let kinds = mission.seat_kinds();
+    for (kind, share) in shares(&mission) {
+        let seat = kinds.iter().position(|it| *it == kind).expect("a seat");
+        assert_eq!(share, 2 * least[seat], "{kind:?}");
+    }
+    assert_eq!(shares(&mission).len(), 2, "drones and robots");
 }
 
 #[test]
