@@ -67,6 +67,7 @@ mod objective;
 mod pad;
 mod parts;
 mod planning;
+mod price;
 mod progress;
 mod radio;
 pub mod record;

@@ -235,10 +235,16 @@ fn show(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure>
             padded(&locale.text(&measure.name()), 22)
         )?;
     }
-    say!("\n{}", heading("workshop-findings"))?;
+    show_findings(design, air, locale)?;
+    Ok(ExitCode::from(u8::from(!design.is_airworthy(air))))
+}
+
+fn show_findings(design: &Design, air: Air, locale: &Locale) -> Result<(), Failure> {
+    let say_text = |id: &'static str| locale.text(&Text::new(id, Vec::new()));
+    say!("\n{}", say_text("workshop-findings"))?;
     let findings = design.findings(air);
     if findings.is_empty() {
-        say!("  {}", heading(design.kind().none_found()))?;
+        say!("  {}", say_text(design.kind().none_found()))?;
     }
     for finding in &findings {
         let mark = match finding.severity() {
@@ -247,7 +253,7 @@ fn show(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure>
         };
         say!("  {mark} {}", locale.text(&finding.text))?;
     }
-    Ok(ExitCode::from(u8::from(!design.is_airworthy(air))))
+    Ok(())
 }
 
 fn show_json(design: &Design, air: Air, locale: &Locale) -> Result<ExitCode, Failure> {
@@ -306,8 +312,8 @@ fn compare(
     Ok(ExitCode::SUCCESS)
 }
 
-/// Prints how well a design meets a mission's requirements; seats with the same requirements are
-/// merged. Exit code 1 if the design cannot do the task of any seat.
+/// Prints how well a design meets a mission's requirements, and the design's own problems; seats with the same
+/// requirements are merged. Exit code 1 if the design cannot do the task of any seat, or cannot leave its place.
 fn fit(design: &Design, mission: &Mission, locale: &Locale) -> Result<ExitCode, Failure> {
     let mut fits_somewhere = false;
     for need in mission.needs() {
@@ -327,7 +333,9 @@ fn fit(design: &Design, mission: &Mission, locale: &Locale) -> Result<ExitCode, 
             say!("  {mark} {} {has:>10} / {required}", padded(&what, 46))?;
         }
     }
-    Ok(ExitCode::from(u8::from(!fits_somewhere)))
+    show_findings(design, mission.air(), locale)?;
+    let does_fit = fits_somewhere && design.is_airworthy(mission.air());
+    Ok(ExitCode::from(u8::from(!does_fit)))
 }
 
 fn export(design: &Design, folder: &std::path::Path, locale: &Locale) -> Result<ExitCode, Failure> {

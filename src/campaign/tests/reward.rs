@@ -25,7 +25,7 @@ fn a_reward_tells_what_a_flight_changed_and_why() {
     let lines: Vec<String> = second.lines().iter().map(ToString::to_string).collect();
     assert_eq!(
         lines[0],
-        "credits +380, -7 for wear on your drones, 1233 now"
+        "credits +380, -7 for wear and damage to your vehicles, 1233 now"
     );
     assert!(
         lines.iter().any(|line| line == "licence for 2 -> 4 drones"),
@@ -112,7 +112,7 @@ fn what_does_not_count_is_not_paid_whatever_wear_takes() {
         let reward = reward(stake);
         assert_eq!((reward.pay_credits, reward.wear_credits), (0, 60));
         assert_eq!(reward.skills, []);
-        let line = format!("no credits: {why}; -60 for wear on your drones, 0 now");
+        let line = format!("no credits: {why}; -60 for wear and damage to your vehicles, 0 now");
         assert_eq!(reward.lines()[0].to_string(), line);
     }
 }

@@ -49,14 +49,33 @@ fn what_a_mission_needs_is_told_beside_what_a_design_has() {
     let fits = sortie(&["workshop", "fit", "starter", "01"]);
     let told = text(&fits.stdout);
     assert!(fits.status.success() && told.contains("seats 1"), "{told}");
-    assert!(
-        told.lines().skip(1).all(|line| line.starts_with("  + ")),
-        "{told}"
-    );
+    let mut needs = told.lines().skip(1).take_while(|line| !line.is_empty());
+    assert!(needs.all(|line| line.starts_with("  + ")), "{told}");
+    assert!(told.ends_with("none: it can fly\n"), "{told}");
     let lacks = sortie(&["workshop", "fit", "starter", "05"]);
     let told = text(&lacks.stdout);
     assert_eq!(lacks.status.code(), Some(1), "{told}");
     assert!(told.contains("  x thermal camera 160x120"), "{told}");
+}
+
+#[test]
+fn the_fit_of_a_design_names_its_own_faults() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("bare.toml");
+    let starter = include_str!("../../../designs/starter.toml");
+    let bare: Vec<&str> = starter
+        .lines()
+        .filter(|line| !line.contains("propeller"))
+        .collect();
+    fs::write(&file, bare.join("\n")).expect("written");
+    let output = sortie(&["workshop", "fit", &file.display().to_string(), "01"]);
+    let told = text(&output.stdout);
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    let fault = told.lines().last().unwrap_or_default();
+    assert!(
+        fault.starts_with("  x ") && fault.contains("propellers"),
+        "{told}"
+    );
 }
 
 #[test]

@@ -122,6 +122,17 @@ fn a_design_from_nothing_says_what_is_missing_and_what_does_not_fit() {
     check("new", &console);
 }
 
+/// The list of problems once ended where the screen does, without a sign.
+#[test]
+fn problems_that_do_not_fit_are_counted() {
+    let mut console = workshop(Language::English);
+    console.press("n").press("tab").press("end").press("enter");
+    let screen = console.screen(80, 24);
+    let whole = console.screen(80, 50);
+    assert!(!whole.contains(" more"), "{whole}");
+    insta::assert_snapshot!("workshop_more_problems_80x24", screen);
+}
+
 #[test]
 fn a_proposed_name_is_in_the_prompt_and_typing_replaces_it() {
     let mut console = workshop(Language::English);

@@ -3,7 +3,7 @@
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
 
-use super::put_wrapped;
+use super::put_or_count;
 use crate::app::State;
 use crate::app::action::{Action, WorkshopAction};
 use crate::app::room::workshop::{Licence, lacking, licence};
@@ -62,5 +62,5 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         let offer = format!("$ {}", panel.text(&text));
         texts.push((offer, panel.style(Role::Accent)));
     }
-    put_wrapped(&texts, inner, buffer);
+    put_or_count(&texts, panel.at(inner), buffer);
 }
