@@ -21,6 +21,7 @@ pub(super) mod demand;
 pub(super) mod engine;
 pub(super) mod expression;
 pub(super) mod fault;
+mod gusts;
 pub(super) mod mover;
 pub(super) mod scope;
 pub(super) mod standard;

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use super::fault::{Broken, FaultKind};
 use crate::geo::maths;
 use crate::geo::{LatLon, METRES_PER_DEGREE};
-use crate::mission::weather::Weather;
+use crate::mission::weather::Wind;
 use crate::session::{RadioFault, Want};
 use crate::vehicle::VehicleId;
 
@@ -54,9 +54,6 @@ const USUAL_SATELLITES: f64 = 10.0;
 /// The number of satellites in view at the inner border of a jammed zone's edge.
 const FEWEST_SATELLITES: f64 = 5.0;
 const USUAL_COMPASS_MGAUSS: f64 = 5.0;
-/// Standard deviation of gusts in m/s per unit of `SIM_WIND_TURB`, fitted to the motion of a hovering vehicle in
-/// ArduPilot's SITL; the embedded simulator has the same value.
-const GUST_PER_TURBULENCE: f64 = 0.35;
 /// The height below which the wind weakens towards the ground, in metres. Without that, an `ArduCopter` that has landed
 /// in 6 m/s keeps leaning against the wind, and with a lean of more than 15 degrees it never detects its landing.
 pub const WIND_FULL_FROM_M: f64 = 5.0;
@@ -69,13 +66,13 @@ const WIND_STEP_DEG: f64 = 2.0;
 pub(crate) struct Wishes(BTreeMap<&'static str, f64>);
 
 impl Wishes {
-    /// Sets the weather, to the extent that simulators model it.
-    pub fn weather(&mut self, weather: &Weather) {
+    /// Sets the wind at this moment; the simulators add no gusts of their own.
+    pub fn wind(&mut self, wind: Wind) {
         let rounded = |value: f64, step: f64| (value / step).round() * step;
         let all = [
-            (WIND_SPEED, rounded(weather.wind.speed_m_s, WIND_STEP_M_S)),
-            (WIND_FROM, rounded(weather.wind.from_deg, WIND_STEP_DEG)),
-            (TURBULENCE, weather.gust_m_s / GUST_PER_TURBULENCE),
+            (WIND_SPEED, rounded(wind.speed_m_s, WIND_STEP_M_S)),
+            (WIND_FROM, rounded(wind.from_deg, WIND_STEP_DEG)),
+            (TURBULENCE, 0.0),
             (WIND_PROFILE, 0.0),
             (WIND_PROFILE_HEIGHT, WIND_FULL_FROM_M),
         ];

@@ -12,6 +12,7 @@ use super::alert::{Alerts, OpenAlert};
 use super::demand::{Demand, Demands};
 use super::expression::{self, Expression};
 use super::fault::Breakdowns;
+use super::gusts::Gusts;
 use super::mover::Mover;
 use super::scope::{Scope, Sight};
 use super::standard::Standard;
@@ -63,6 +64,7 @@ pub(crate) struct Engine {
     active: Vec<bool>,
     schedule: Schedule,
     drifts: Vec<Drift>,
+    gusts: Gusts,
     movers: Vec<Mover>,
     breakdowns: Breakdowns,
     alerts: Alerts,
@@ -91,6 +93,7 @@ impl Engine {
             active: mission.site.zones.iter().map(|zone| zone.active).collect(),
             schedule,
             drifts: Vec::new(),
+            gusts: Gusts::new(seed),
             movers: Vec::new(),
             breakdowns: Breakdowns::default(),
             alerts: Alerts::default(),
@@ -132,6 +135,7 @@ impl Engine {
                 .map(|(id, breach)| EngineNews::Broken(id, breach)),
         );
         if is_due(sight.now, expression::EVERY) || sight.now <= TICK {
+            self.gusts.step(weather, expression::EVERY);
             self.demand(mission, weather, sight);
         }
         news

@@ -41,7 +41,7 @@ impl Engine {
     pub(super) fn demand(&mut self, mission: &Mission, weather: &Weather, sight: &Sight<'_>) {
         for craft in sight.crafts {
             let mut wishes = Wishes::default();
-            wishes.weather(weather);
+            wishes.wind(self.gusts.wind(weather));
             self.navigation(mission, craft, &mut wishes);
             for broken in self.breakdowns.of(craft.id) {
                 wishes.broken(broken, mission.site.origin.at);
