@@ -59,8 +59,8 @@ pub use complete::{
 };
 pub use console::{
     AlertLine, ClassLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource,
-    LineNeeds, LoopTarget, MessagesLine, ParametersLine, ProcessDeed, RadioChoice, ReplayLine,
-    Report, ReviewLine, SeatChoice, SeekTarget, TableLine,
+    GradingLine, LineNeeds, LoopTarget, MessagesLine, ParametersLine, ProcessDeed, RadioChoice,
+    Rating, ReplayLine, Report, ReviewLine, SeatChoice, SeekTarget, TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};

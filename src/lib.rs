@@ -23,6 +23,7 @@
 //! | | [`store`] | files: missions, pilots, designs, the user's theme files, settings, profiles, runs, records; what a finished or abandoned flight adds to a career |
 //! | pure | [`exercise`] | when a mission begins and which clock counts its time (also in the console); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles and the mission, and the outcome back to the ledger |
+//! | | [`grading`] | an instructor's grades of flights: rubrics, what the record says, and how far graders agree |
 //! | | [`lesson_plan`] | the file of a lesson: its steps, and the faults in them |
 //! | | [`class_results`] | the results of a class: per trainee, mission, objective and skill |
 //! | | [`campaign`] | a career: unlocks, credits and experience, licences for parts, the costs of flying, the mastery of each skill, and what an attempt counts as |
@@ -121,6 +122,7 @@ pub mod exercise;
 pub mod fidelity;
 pub mod fleet;
 pub mod forward;
+pub mod grading;
 pub mod hangar;
 pub mod hash;
 pub mod inspector;

@@ -23,6 +23,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::campaign::{MissionCourse, Offer};
+use crate::grading::Rubric;
 use crate::language::mission_meant;
 use crate::lesson_plan::LessonMissions;
 use crate::mission::Mission;
@@ -57,7 +58,7 @@ mod transferred;
 mod unsaved;
 mod waiting_records;
 
-pub use class_records::{ClassRecords, KeptRecord};
+pub use class_records::{ClassRecords, KeptRecord, KeptSheet};
 pub use class_results::{class_flight, class_trainees};
 pub use closed::{closed_folders, unreadable_below};
 pub use folders::Folders;
@@ -98,7 +99,7 @@ mod shipped {
     include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
 }
 
-use shipped::{DESIGNS, LESSONS, MISSIONS, PILOTS};
+use shipped::{DESIGNS, LESSONS, MISSIONS, PILOTS, RUBRICS};
 
 const MISSION_FOLDER: &str = "missions";
 
@@ -182,6 +183,24 @@ pub fn lessons() -> Vec<Source> {
 pub fn lesson(path_or_name: &str) -> Result<Source, StoreError> {
     at_path("file-lesson", path_or_name)
         .unwrap_or_else(|| LESSON_FILES.named(path_or_name, &lessons()))
+}
+
+/// All rubrics by name: the embedded ones, and those in the folders, which may replace embedded ones.
+pub fn rubrics() -> Vec<Source> {
+    RUBRIC_FILES.merged(RUBRICS)
+}
+
+/// A rubric, by its path or its name.
+///
+/// # Errors
+/// No such rubric exists, or it cannot be read, or it has faults.
+pub fn rubric(path_or_name: &str) -> Result<Rubric, StoreError> {
+    let source = at_path("file-rubric", path_or_name)
+        .unwrap_or_else(|| RUBRIC_FILES.named(path_or_name, &rubrics()))?;
+    Rubric::parse(source.stem(), &source.text).map_err(|faults| StoreError::Faulty {
+        file: source,
+        faults,
+    })
 }
 
 /// The missions that lessons may fly.
@@ -362,6 +381,11 @@ const PILOT_FILES: FolderFiles = FolderFiles {
 const LESSON_FILES: FolderFiles = FolderFiles {
     kind: "file-lesson",
     folder: "lessons",
+    ending: "toml",
+};
+const RUBRIC_FILES: FolderFiles = FolderFiles {
+    kind: "file-rubric",
+    folder: "rubrics",
     ending: "toml",
 };
 const DESIGN_FILES: FolderFiles = FolderFiles {

@@ -10,6 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::draft::Trial;
 use crate::forward::ForwardSpec;
 use crate::geo::Square;
+use crate::grading::GradeSheet;
 use crate::language::{GhostSource, LoopTarget, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
@@ -232,6 +233,21 @@ pub enum ClassEffect {
     /// At the desk: read a lesson plan, by its name or its path, and begin it with these seats; without any, go on with
     /// it at the seats that have it in their journals.
     ReadLesson { name: String, seats: Vec<usize> },
+    /// At the desk: read a flight of a trainee, and the grades that it has.
+    ReadGraded {
+        /// The trainee's user name.
+        user: String,
+        /// How many flights are newer.
+        back: usize,
+        /// The rubric's name or path; `None` for the standard one.
+        rubric: Option<String>,
+    },
+    /// At the desk: keep the grades of a flight.
+    KeepGrades {
+        user: String,
+        record: String,
+        sheet: GradeSheet,
+    },
     /// At the desk: take in a record, or a piece of one.
     Receive {
         connection: ConnectionId,

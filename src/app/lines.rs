@@ -27,7 +27,9 @@ impl Names for NamesInFiles<'_> {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject
-            | NameList::Lesson => Listed::Anything,
+            | NameList::Lesson
+            | NameList::Trainee
+            | NameList::Rubric => Listed::Anything,
         }
     }
 }

@@ -14,9 +14,11 @@ use super::settings::CliSettings;
 use crate::carrier::{ClassPlace, own_user_name};
 use crate::shell::{ClassOptions, ClassPart, ConsoleOptions, Opening};
 use export::ExportArguments;
+use grades::GradesArguments;
 use report::ReportArguments;
 
 mod export;
+mod grades;
 mod lessons;
 mod report;
 mod results;
@@ -41,7 +43,14 @@ enum ClassTask {
         /// The name of the class, or the path of its folder; by default your user name.
         #[arg(value_name = "NAME|PATH")]
         name: Option<String>,
+        /// Keep grades under this name, so that several graders can be compared; by default your user name.
+        #[arg(long, value_name = "NAME", value_parser = grader_name)]
+        grader: Option<String>,
     },
+    /// Lists the rubrics with which the desk grades flights.
+    Rubrics,
+    /// Prints the grades of a class: trainee by category, and how far graders agree.
+    Grades(GradesArguments),
     /// Lists the lesson plans that the desk can begin.
     #[command(after_help = "Examples:\n  \
                             sortie class lessons             the shipped ones, and those in the folder lessons\n  \
@@ -60,18 +69,36 @@ pub(super) fn class(
 ) -> Result<ExitCode, Failure> {
     match &arguments.task {
         ClassTask::Lessons => lessons::lessons(&settings),
-        ClassTask::Open { name } => open(name.as_deref(), settings),
+        ClassTask::Open { name, grader } => open(name.as_deref(), grader.as_deref(), settings),
+        ClassTask::Rubrics => grades::rubrics(&settings),
+        ClassTask::Grades(arguments) => grades::grades(arguments, &settings),
         ClassTask::Report(arguments) => report::report(arguments, &settings),
         ClassTask::Export(arguments) => export::export(arguments, &settings),
     }
 }
 
-fn open(name: Option<&str>, settings: CliSettings) -> Result<ExitCode, Failure> {
-    let name = name.map_or_else(own_user_name, str::to_owned);
+/// A name of a grader, which becomes part of the names of files.
+fn grader_name(text: &str) -> Result<String, String> {
+    let is_plain = |c: char| c.is_alphanumeric() || matches!(c, '-' | '_');
+    if !text.is_empty() && text.len() <= 64 && text.chars().all(is_plain) {
+        Ok(text.to_owned())
+    } else {
+        Err("expected up to 64 letters, digits, `-` and `_`".to_owned())
+    }
+}
+
+fn open(
+    name: Option<&str>,
+    grader: Option<&str>,
+    settings: CliSettings,
+) -> Result<ExitCode, Failure> {
+    let own = own_user_name();
+    let name = name.map_or_else(|| own.clone(), str::to_owned);
     let class = ClassOptions {
         place: ClassPlace::named(&name, None),
         part: ClassPart::Desk {
             name: results::class_name(&name).to_owned(),
+            grader: grader.map_or(own, str::to_owned),
         },
     };
     let options = ConsoleOptions {

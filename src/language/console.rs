@@ -15,8 +15,10 @@ use crate::plan::generate::Course;
 use crate::vehicle::{RadioTest, VehicleId};
 
 mod class;
+mod grading;
 
 pub use class::{ClassLine, SeatChoice};
+pub use grading::{GradingLine, Rating};
 
 /// A line that the console carries out itself, without any vehicle.
 #[derive(Debug, Clone, PartialEq)]

@@ -30,6 +30,10 @@ pub enum NameList {
     SeatInject,
     /// The lessons of the desk; a path is valid, too.
     Lesson,
+    /// The trainees of the class, by user name.
+    Trainee,
+    /// The rubrics; a path is valid, too.
+    Rubric,
 }
 
 /// A name that a line may contain.
@@ -108,10 +112,16 @@ impl Listed {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject => words.iter().copied().find(|word| *word == written),
-            NameList::Lesson if written.contains(['/', '.']) => {
+            NameList::Lesson | NameList::Rubric if written.contains(['/', '.']) => {
                 return Ok(written.to_owned());
             }
-            NameList::Lesson => words.iter().copied().find(|word| *word == written),
+            NameList::Lesson | NameList::Rubric => {
+                words.iter().copied().find(|word| *word == written)
+            }
+            NameList::Trainee => {
+                let name = written.trim_start_matches('@');
+                words.iter().copied().find(|word| *word == name)
+            }
         };
         found.map(str::to_owned).ok_or_else(unknown)
     }

@@ -20,6 +20,7 @@ use crate::carrier::{ClassFault, ClassPlace, DeskArrival, Outbox, SeatArrival};
 use crate::class::{Consent, Desk, Picture, Refusal, Seat};
 use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
+use crate::text;
 use desk_end::DeskEnd;
 use desk_files::DeskAnswer;
 use seat_end::SeatEnd;
@@ -51,6 +52,8 @@ pub enum ClassPart {
     Desk {
         /// The name of the class.
         name: String,
+        /// The name under which the instructor's grades are kept.
+        grader: String,
     },
 }
 
@@ -68,7 +71,7 @@ impl ClassOptions {
                 };
                 ClassRole::Seat(Box::new(SeatPlace::new(Seat::new(number, consent))))
             }
-            ClassPart::Desk { name } => {
+            ClassPart::Desk { name, .. } => {
                 ClassRole::Desk(Box::new(Desk::new(number, name.as_str().into())))
             }
         }
@@ -117,7 +120,10 @@ impl ClassEnd {
         };
         Ok(match part {
             ClassPart::Seat { .. } => Self::Seat(Box::new(SeatEnd::new(place, options))),
-            ClassPart::Desk { name } => Self::Desk(DeskEnd::open(place, name, options)?),
+            ClassPart::Desk { name, grader } => {
+                let files = desk_files::start(options, name, grader);
+                Self::Desk(DeskEnd::open(place, files)?)
+            }
         })
     }
 
@@ -239,8 +245,15 @@ impl Console {
             }
             ClassEffect::ListLessons => self.list_lessons(),
             ClassEffect::ReadLesson { name, seats } => self.read_lesson(name, seats),
+            ClassEffect::ReadGraded { .. } | ClassEffect::KeepGrades { .. }
+                if self.options.preferences.data.is_none() =>
+            {
+                self.post(ClassEvent::Graded(Err(text!("career-nowhere"))));
+            }
             ClassEffect::HandIn(_)
             | ClassEffect::Settle(_)
+            | ClassEffect::ReadGraded { .. }
+            | ClassEffect::KeepGrades { .. }
             | ClassEffect::Receive { .. }
             | ClassEffect::Deny { .. } => self.class_work.push(effect),
         }

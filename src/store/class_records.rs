@@ -13,6 +13,10 @@ use super::records::ending_of;
 use super::{RecordFiles, sharing};
 use crate::class::{Held, RecordName, RecordPart, RecordShelf, ShelfFault, Submission};
 
+mod grades;
+
+pub use grades::KeptSheet;
+
 /// The folder of all classes in a data folder.
 const CLASSES: &str = "classes";
 /// The suffix of a submission.

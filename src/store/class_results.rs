@@ -6,15 +6,24 @@ use super::runs::moment;
 use super::{ClassRecords, KeptRecord, complete, day_of, read_run};
 use crate::campaign::without_end;
 use crate::class_results::{ClassFlight, ClassTrainee, add_flight};
+use crate::mission::Mission;
 use crate::mission::record::Stored;
+use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
 
-/// A flight from its record.
+/// A flight that was scored again.
+pub(super) struct RescoredFlight {
+    pub stored: Stored,
+    pub mission: Mission,
+    pub report: Report,
+}
+
+/// Scores a flight again from its record.
 ///
 /// # Errors
 /// A text if the record cannot be read, or was changed after the flight.
-pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
+pub(super) fn rescored(kept: &KeptRecord) -> Result<RescoredFlight, Text> {
     let stem = kept.files.stem.as_str();
     let faulty = |fault: Text| {
         let place = format!("{}/{stem}", kept.user);
@@ -32,8 +41,27 @@ pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
     let again = stored.rescore(without_end(head.stake, head.flown_by));
     let mut report = again.map_err(faulty)?.report;
     complete(&mut report, &mission);
+    Ok(RescoredFlight {
+        stored,
+        mission,
+        report,
+    })
+}
+
+/// A flight from its record.
+///
+/// # Errors
+/// A text if the record cannot be read, or was changed after the flight.
+pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
+    let RescoredFlight {
+        stored,
+        mission,
+        report,
+    } = rescored(kept)?;
+    let head = &stored.head;
     let began = moment(&head.when).unwrap_or(SystemTime::UNIX_EPOCH);
-    let flight = ClassFlight::of(stem.to_owned(), head, &mission, report, day_of(began));
+    let record = kept.files.stem.clone();
+    let flight = ClassFlight::of(record, head, &mission, report, day_of(began));
     Ok(ClassFlight {
         has_end: stored.end().is_some(),
         ..flight

@@ -31,6 +31,7 @@ catalogue! {
     "fleet",
     "fly",
     "ftp",
+    "grading",
     "hangar",
     "hazards",
     "logs",

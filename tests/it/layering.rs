@@ -31,6 +31,7 @@ const PURE: &[&[&str]] = &[
     &["fidelity", "mission", "scoring", "debrief"],
     &["campaign", "comparison", "review"],
     &["class_results", "lesson_plan"],
+    &["grading"],
     &["operator"],
     &["exercise"],
 ];

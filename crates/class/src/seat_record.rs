@@ -76,6 +76,11 @@ pub struct SeatRecord {
 }
 
 impl SeatRecord {
+    /// The name of the user of the machine.
+    pub fn user(&self) -> &str {
+        &self.user
+    }
+
     pub(super) fn new(name: String, user: &str, connection: ConnectionId, now: Duration) -> Self {
         Self {
             name,

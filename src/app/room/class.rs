@@ -18,6 +18,10 @@ use crate::lesson_plan::{Lesson, LessonList};
 use crate::text;
 use crate::text::Text;
 
+mod grading;
+
+pub use grading::GradingPage;
+
 /// A page of the results of the class.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ResultsPage {
@@ -120,6 +124,10 @@ pub struct ClassRoom {
     page: Option<ResultsPage>,
     /// The first row of the page that is to be shown.
     results_row: usize,
+    /// The flight that is being graded instead of the board being shown.
+    pub(in crate::app) grading: Option<GradingPage>,
+    /// The rubric that was asked for last, by its name or path; `None` for the standard one.
+    pub(in crate::app) rubric: Option<String>,
 }
 
 impl ClassRoom {
@@ -264,6 +272,7 @@ const DESK_HINTS: &[KeyHint] = &[
     hint_words("class inject ", "class-key-inject"),
     hint_words("class end", "class-key-end"),
     hint_words("class results", "class-key-results"),
+    hint_words("class grade", "class-key-grade"),
     hint_words("class lesson", "class-key-lesson"),
     hint_words("class lesson next", "class-key-next-step"),
     hint(&[Action::Quit], "hint-quit"),
@@ -274,6 +283,17 @@ const RESULTS_HINTS: &[KeyHint] = &[
     footer_keys::HELP,
     footer_keys::MOVE,
     hint_words("class results", "class-key-next-page"),
+    hint(&[Action::Escape], "class-key-board"),
+];
+
+const GRADING_HINTS: &[KeyHint] = &[
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::MOVE,
+    hint_words("class rate 3", "class-key-rate"),
+    hint(&[Action::Submit], "class-key-remark"),
+    hint_words("class cite ", "class-key-cite"),
+    hint(&[Action::Move(Step::Left)], "class-key-older"),
     hint(&[Action::Escape], "class-key-board"),
 ];
 
@@ -339,6 +359,14 @@ impl RoomModel for ClassRoom {
         gives('i', "class injects"),
         gives('x', "class end"),
         gives('t', "class results"),
+        gives('g', "class grade"),
+        gives('1', "class rate 1"),
+        gives('2', "class rate 2"),
+        gives('3', "class rate 3"),
+        gives('4', "class rate 4"),
+        gives('5', "class rate 5"),
+        gives('0', "class rate unobserved"),
+        writes('c', "class cite "),
         gives('l', "class lesson"),
         gives('n', "class lesson next"),
         gives('b', "class lesson back"),
@@ -349,6 +377,7 @@ impl RoomModel for ClassRoom {
     fn hints(state: &State) -> &'static [KeyHint] {
         match state.class.desk() {
             Some(desk) if desk.watched().is_some() => WATCH_HINTS,
+            Some(_) if state.rooms.class.grading.is_some() => GRADING_HINTS,
             Some(_) if state.rooms.class.page.is_some() => RESULTS_HINTS,
             Some(_) if state.rooms.class.lessons.is_shown => LESSON_HINTS,
             Some(_) => DESK_HINTS,
@@ -360,6 +389,10 @@ impl RoomModel for ClassRoom {
         if let Some(seat) = state.class.desk().and_then(Desk::watched) {
             move_view(state, seat, step);
             return Some(Vec::new());
+        }
+        if state.rooms.class.grading.is_some() {
+            let asked = state.rooms.class.move_in_grading(step);
+            return Some(asked.into_iter().map(RoomRequest::from).collect());
         }
         let board = state.class.desk().map(Desk::board).unwrap_or_default();
         let room = &mut state.rooms.class;
@@ -376,6 +409,9 @@ impl RoomModel for ClassRoom {
     fn submit(state: &mut State) -> Answer {
         let desk = state.class.desk()?;
         let seat = state.rooms.class.cursor?;
+        if state.rooms.class.grading.is_some() {
+            return Some(vec![RoomRequest::Write("class remark ".to_owned())]);
+        }
         let is_board = desk.watched().is_none() && state.rooms.class.page.is_none();
         if is_board && desk.seats().get(seat)?.is_here() {
             watch(state, seat);
@@ -391,7 +427,8 @@ impl RoomModel for ClassRoom {
             return Some(Vec::new());
         }
         let room = &mut state.rooms.class;
-        let is_open = room.page.take().is_some()
+        let is_open = room.grading.take().is_some()
+            || room.page.take().is_some()
             || std::mem::take(&mut room.shows_injects)
             || std::mem::take(&mut room.lessons.is_shown);
         if !is_open {

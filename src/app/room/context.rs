@@ -4,6 +4,9 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::State;
+use std::collections::BTreeSet;
+
+use crate::class::SeatRecord;
 use crate::geo::Outline;
 use crate::language::{
     Channel, Context, Listed, NameList, Named, Names, OfferedModes, VehicleChoice, field_text,
@@ -34,6 +37,8 @@ impl Names for Known<'_> {
             | NameList::Seat
             | NameList::SeatInject => self.0.listed(list),
             NameList::Lesson => lessons(self.0),
+            NameList::Trainee => trainees(self.0),
+            NameList::Rubric => Listed::Anything,
         }
     }
 
@@ -41,6 +46,24 @@ impl Names for Known<'_> {
         let document = self.0.documents().get(name);
         document.map_or_else(String::new, |it| it.about(value))
     }
+}
+
+/// The trainees who have handed something in or have a seat; before the records are read, any name will do.
+fn trainees(state: &State) -> Listed {
+    let Some(desk) = state.class.desk() else {
+        return Listed::Nothing(text!("class-no-desk"));
+    };
+    let Some(results) = state.rooms.class.results() else {
+        return Listed::Anything;
+    };
+    let seated = desk.seats().iter().map(SeatRecord::user);
+    let users = results.trainees.iter().map(|it| it.user.as_str());
+    let users: BTreeSet<&str> = users.chain(seated).collect();
+    let named = users.into_iter().map(|user| Named {
+        name: user.to_owned(),
+        meaning: Text::default(),
+    });
+    Listed::Names(named.collect())
 }
 
 /// The lessons of the desk; before they are read, any name will do.

@@ -3,7 +3,8 @@
 //! # How the parts fit
 //! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
 //! - After a flight: `hand_in`, the records that a seat hands in.
-//! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan.
+//! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan; `grading` is the
+//!   instructor's judgement of a flight.
 
 use crate::app::State;
 use crate::app::effect::{Effect, Effects};
@@ -18,6 +19,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 
 mod desk;
+mod grading;
 mod hand_in;
 mod lessons;
 mod orders;
@@ -76,6 +78,14 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
             lesson,
             seats,
         } => lessons::read(state, &name, lesson, &seats),
+        ClassEvent::Graded(flight) => grading::read(state, flight),
+        ClassEvent::GradesLost(fault) => {
+            tell(
+                state,
+                Severity::Warning,
+                text!("grading-lost", fault = fault),
+            );
+        }
         ClassEvent::Results(results) => state.rooms.class.results = Some(results),
     }
     Effects::none()
@@ -260,6 +270,7 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         ClassLine::Direct { seats, direction } => lessons::direct(state, &seats, direction),
         ClassLine::Injects => desk::show_injects(state),
         ClassLine::Results => desk::show_results(state),
+        ClassLine::Grading(line) => grading::carry_out(state, line),
         ClassLine::Watch(choice) => desk::watch(state, &choice),
         ClassLine::Unwatch => desk::unwatch(state),
     }

@@ -8,6 +8,7 @@ use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
 
+use super::grades::{self, ReadGrades};
 use super::results::ReadClass;
 use super::tables;
 use super::xapi::Statements;
@@ -52,6 +53,8 @@ enum ClassFormat {
     Md,
     /// xAPI statements, one per line: every flight.
     Xapi,
+    /// Comma-separated values: a row for each graded element and grader.
+    Grades,
 }
 
 /// An address for accounts: an absolute one without spaces.
@@ -78,6 +81,11 @@ pub(super) fn export(
             return done(&class, output);
         }
         ClassFormat::Csv => tables::rows(&class.trainees, &class.locale).csv()?,
+        ClassFormat::Grades => {
+            let name = arguments.name.as_deref();
+            let grades = ReadGrades::read(name, settings, &class.locale)?;
+            grades::rows(&grades, &class.locale).csv()?
+        }
         ClassFormat::Moodle => tables::moodle(&class.results(), &class.locale).csv()?,
         ClassFormat::Xapi => {
             let home_page = arguments.home_page.clone().unwrap_or_else(own_home_page);

@@ -28,6 +28,37 @@ pub(super) fn class_name(name_or_path: &str) -> &str {
     parts.find(|it| !it.is_empty()).unwrap_or(name_or_path)
 }
 
+/// The name and the records of a class, by default the user's own.
+///
+/// # Errors
+/// Nothing was ever handed in to the class.
+pub(super) fn records_of(
+    named: Option<&str>,
+    settings: &CliSettings,
+    locale: &Locale,
+) -> Result<(String, ClassRecords), Failure> {
+    settings.data.require(locale)?;
+    let refused = |text| Failure::Invalid(format!("sortie: {}", locale.text(&text)));
+    let data = settings.data.path();
+    let data = data.ok_or_else(|| refused(text!("career-nowhere")))?;
+    let own = own_user_name();
+    let name = class_name(named.unwrap_or(&own));
+    let records = ClassRecords::within(data, name);
+    if !records.exist() {
+        let known = ClassRecords::classes(data);
+        return Err(refused(if known.is_empty() {
+            text!("class-no-records", class = name)
+        } else {
+            text!(
+                "class-no-records-known",
+                class = name,
+                known = known.join(", ")
+            )
+        }));
+    }
+    Ok((name.to_owned(), records))
+}
+
 impl ReadClass {
     /// Reads the records of the class with this name, by default the user's own; names those that cannot be read.
     ///
@@ -35,31 +66,13 @@ impl ReadClass {
     /// Nothing was ever handed in to the class.
     pub fn read(named: Option<&str>, settings: &CliSettings) -> Result<Self, Failure> {
         let locale = Locale::new(settings.language());
-        settings.data.require(&locale)?;
-        let refused = |text| Failure::Invalid(format!("sortie: {}", locale.text(&text)));
-        let data = settings.data.path();
-        let data = data.ok_or_else(|| refused(text!("career-nowhere")))?;
-        let own = own_user_name();
-        let name = class_name(named.unwrap_or(&own));
-        let records = ClassRecords::within(data, name);
-        if !records.exist() {
-            let known = ClassRecords::classes(data);
-            return Err(refused(if known.is_empty() {
-                text!("class-no-records", class = name)
-            } else {
-                text!(
-                    "class-no-records-known",
-                    class = name,
-                    known = known.join(", ")
-                )
-            }));
-        }
+        let (name, records) = records_of(named, settings, &locale)?;
         let (trainees, faults) = class_trainees(&records);
         for fault in faults {
             tell!("sortie: {}", locale.text(&fault));
         }
         Ok(Self {
-            name: name.to_owned(),
+            name,
             trainees,
             course: store::course(),
             day: day_of(SystemTime::now()),

@@ -1,5 +1,6 @@
 //! Lines about a class.
 
+use super::grading::GradingLine;
 use crate::class::{Deed, LessonDirection};
 
 /// A command about the class.
@@ -13,6 +14,8 @@ pub enum ClassLine {
     Injects,
     /// At the desk: show the results of the class, or their next page.
     Results,
+    /// At the desk: grade a flight.
+    Grading(GradingLine),
     /// At the desk: show the screen of a seat.
     Watch(SeatChoice),
     /// At the desk: show the board again.

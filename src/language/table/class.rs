@@ -2,8 +2,8 @@
 
 use super::{Built, Problem, console};
 use crate::class::{Deed, LessonDirection};
-use crate::language::argument::{Argument, Arguments, Kind};
-use crate::language::console::{ClassLine, ConsoleLine, Report, SeatChoice};
+use crate::language::argument::{Argument, Arguments, Kind, Unit};
+use crate::language::console::{ClassLine, ConsoleLine, GradingLine, Rating, Report, SeatChoice};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
@@ -30,6 +30,10 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class start @all",
         "class lesson @all first-lesson",
         "class lesson next",
+        "class grade",
+        "class rate 4",
+        "class remark answered at once",
+        "class cite 1",
         "class join",
     ],
     forms: &[
@@ -76,6 +80,24 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         }),
         Form::new(&[Argument::flag("results", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Results))
+        }),
+        Form::new(&[Argument::flag("grade", ""), TRAINEE, RUBRIC], |given| {
+            let [trainee, rubric] =
+                ["trainee", "rubric"].map(|name| given.word(name).map(str::to_owned));
+            let trainee = trainee.map(|it| it.trim_start_matches('@').to_owned());
+            grade(GradingLine::Open { trainee, rubric })
+        }),
+        Form::new(&[Argument::flag("rate", ""), RATING], |given| {
+            let word = given.required_word("mark")?;
+            let rating = Rating::by_name(word);
+            grade(GradingLine::Rate(rating.unwrap_or(Rating::Clear)))
+        }),
+        Form::new(&[Argument::flag("remark", ""), TEXT.optional()], |given| {
+            let text = given.word("text").unwrap_or_default();
+            grade(GradingLine::Remark(text.to_owned()))
+        }),
+        Form::new(&[Argument::flag("cite", ""), BOOKMARK], |given| {
+            grade(GradingLine::Cite(given.required("bookmark")? as usize))
         }),
         Form::new(&[Argument::flag("fly", ""), SEAT, MISSION, EXAM], |given| {
             let mission = given.required_word("mission")?.into();
@@ -129,6 +151,26 @@ const EXAM: Argument = Argument::flag("exam", "argument-exam").optional();
 const LESSON: Argument = Argument::flag("lesson", "");
 const LESSON_NAME: Argument =
     Argument::value("name", Kind::Name(NameList::Lesson), "argument-lesson");
+
+const TRAINEE: Argument =
+    Argument::value("trainee", Kind::Name(NameList::Trainee), "argument-trainee").optional();
+const RUBRIC: Argument = Argument::keyed(
+    "with",
+    "rubric",
+    Kind::Name(NameList::Rubric),
+    "argument-rubric",
+)
+.optional();
+const RATING: Argument = Argument::value("mark", Kind::Choice(Rating::NAMES), "argument-mark");
+const BOOKMARK: Argument = Argument::value(
+    "bookmark",
+    Kind::Whole(Unit::None, 1.0, 1000.0),
+    "argument-bookmark",
+);
+
+fn grade(line: GradingLine) -> Built {
+    console(ConsoleLine::Class(ClassLine::Grading(line)))
+}
 
 fn direct(given: &Arguments, direction: LessonDirection) -> Built {
     let seats = seats(given);

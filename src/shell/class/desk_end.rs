@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::desk_files::{self, DeskAnswer, DeskTask};
+use super::desk_files::{DeskAnswer, DeskTask};
 use super::worker::Worker;
 use super::{ClassArrival, OpenLine, or_never};
 use crate::app::State;
@@ -11,8 +11,7 @@ use crate::app::event::ClassEvent;
 use crate::carrier::{ClassFault, ClassPlace, DeskArrival, DeskPort, unix};
 use crate::class::protocol::DeskMessage;
 use crate::class::{ConnectionId, Desk, DeskHeard, DeskLine, SubmissionEnd, SubmissionRefusal};
-use crate::shell::{Console, ConsoleOptions};
-use crate::store::ClassRecords;
+use crate::shell::Console;
 
 /// The connections of a desk.
 pub(in crate::shell) struct DeskEnd {
@@ -30,18 +29,14 @@ struct DeskConnection {
 }
 
 impl DeskEnd {
-    /// Opens the desk of a class with this name.
+    /// Opens the desk of a class. `files` keeps the records that are handed in; `None` without a data folder.
     ///
     /// # Errors
     /// Its socket cannot be opened.
-    pub fn open(
+    pub(super) fn open(
         place: &ClassPlace,
-        name: &str,
-        options: &ConsoleOptions,
+        mut files: Option<Worker<DeskTask, DeskAnswer>>,
     ) -> Result<Self, ClassFault> {
-        let data = options.preferences.data.as_deref();
-        let records = data.map(|data| ClassRecords::within(data, name));
-        let mut files = records.and_then(desk_files::start);
         if let Some(files) = &mut files {
             files.give(DeskTask::Look);
         }
@@ -93,7 +88,25 @@ impl DeskEnd {
                 }),
                 None => self.refuse(connection, &heard),
             },
+            ClassEffect::ReadGraded { user, back, rubric } => {
+                self.give(DeskTask::ReadGraded { user, back, rubric });
+            }
+            ClassEffect::KeepGrades {
+                user,
+                record,
+                sheet,
+            } => self.give(DeskTask::KeepGrades {
+                user,
+                record,
+                sheet,
+            }),
             _ => {}
+        }
+    }
+
+    fn give(&mut self, task: DeskTask) {
+        if let Some(files) = &mut self.files {
+            files.give(task);
         }
     }
 

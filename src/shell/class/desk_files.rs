@@ -9,8 +9,13 @@ use crate::campaign::MissionCourse;
 use crate::class::protocol::DeskMessage;
 use crate::class::{ConnectionId, DeskHeard, Receipt, ReceiptNews, Reception};
 use crate::class_results::{ClassResults, ClassTrainee, add_flight};
+use crate::grading::{GradeSheet, GradedFlight};
+use crate::shell::ConsoleOptions;
 use crate::store::{self, ClassRecords, class_flight, class_trainees, day_of};
 use crate::text::Text;
+
+/// The name of the rubric with which flights are graded unless another one is named.
+const STANDARD_RUBRIC: &str = "notechs";
 
 /// What is to be done with the records of a class.
 pub(in crate::shell) enum DeskTask {
@@ -24,6 +29,19 @@ pub(in crate::shell) enum DeskTask {
     },
     /// A connection has ended.
     Leave(ConnectionId),
+    /// Read a flight to grade it; `back` counts from the trainee's newest one.
+    ReadGraded {
+        user: String,
+        back: usize,
+        /// The rubric's name or path; `None` for the standard one.
+        rubric: Option<String>,
+    },
+    /// Keep the grades of a flight.
+    KeepGrades {
+        user: String,
+        record: String,
+        sheet: GradeSheet,
+    },
 }
 
 /// What has become of a task.
@@ -33,12 +51,18 @@ pub(in crate::shell) enum DeskAnswer {
     Event(Box<ClassEvent>),
 }
 
-/// Starts the thread for the records of a class.
-pub(super) fn start(records: ClassRecords) -> Option<Worker<DeskTask, DeskAnswer>> {
+/// Starts the thread for the records of a class; `None` without a data folder.
+pub(super) fn start(
+    options: &ConsoleOptions,
+    class: &str,
+    grader: &str,
+) -> Option<Worker<DeskTask, DeskAnswer>> {
+    let data = options.preferences.data.as_deref()?;
     let mut files = DeskFiles {
-        reception: Reception::new(records),
+        reception: Reception::new(ClassRecords::within(data, class)),
         course: store::course(),
         trainees: Vec::new(),
+        grader: grader.to_owned(),
     };
     Worker::start("class-records", move |task| files.answer(task))
 }
@@ -47,6 +71,8 @@ struct DeskFiles {
     reception: Reception<ClassRecords>,
     course: MissionCourse,
     trainees: Vec<ClassTrainee>,
+    /// The name under which the instructor's grades are kept.
+    grader: String,
 }
 
 impl DeskFiles {
@@ -68,6 +94,22 @@ impl DeskFiles {
             DeskTask::Leave(connection) => {
                 self.reception.leave(connection);
                 Vec::new()
+            }
+            DeskTask::ReadGraded { user, back, rubric } => {
+                let flight = self.graded(&user, back, rubric.as_deref());
+                vec![event(ClassEvent::Graded(flight.map(Box::new)))]
+            }
+            DeskTask::KeepGrades {
+                user,
+                record,
+                sheet,
+            } => {
+                let shelf = self.reception.shelf();
+                let kept = shelf.keep_sheet(&user, &record, &sheet);
+                let lost = kept.err().map(|error| Text::from(&error));
+                lost.map(|fault| event(ClassEvent::GradesLost(fault)))
+                    .into_iter()
+                    .collect()
             }
         }
     }
@@ -117,6 +159,14 @@ impl DeskFiles {
         };
         add_flight(&mut self.trainees, &user, flight);
         vec![event(kept), self.results()]
+    }
+
+    /// A flight of a trainee, with the grades that it has.
+    fn graded(&self, user: &str, back: usize, rubric: Option<&str>) -> Result<GradedFlight, Text> {
+        let rubric = store::rubric(rubric.unwrap_or(STANDARD_RUBRIC));
+        let rubric = rubric.map_err(|error| Text::from(&error))?;
+        let shelf = self.reception.shelf();
+        shelf.graded(user, back, &Arc::new(rubric), &self.grader)
     }
 
     fn results(&self) -> DeskAnswer {

@@ -111,7 +111,16 @@ fn class(folder: &Path, part: ClassPart) -> ClassOptions {
 
 async fn desk(folder: &Path) -> Member {
     let name = "9-A".to_owned();
-    let member = Member::new(Opening::Home, class(folder, ClassPart::Desk { name }));
+    let member = Member::new(
+        Opening::Home,
+        class(
+            folder,
+            ClassPart::Desk {
+                name,
+                grader: "petro".to_owned(),
+            },
+        ),
+    );
     Box::pin(member).await
 }
 

@@ -17,6 +17,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, row_of, short_clock, width, wrap};
 
 mod detail;
+mod grading;
 mod lesson;
 mod results;
 mod watch;
@@ -58,6 +59,10 @@ fn draw_desk(state: &State, desk: &Desk, panel: Panel<'_>, buffer: &mut Buffer) 
     let watched = desk.watched().and_then(|seat| desk.seats().get(seat));
     if let Some(seat) = watched {
         watch::draw(state, seat, panel, buffer);
+        return;
+    }
+    if let Some(page) = state.rooms().class().grading() {
+        grading::draw(page, panel, buffer);
         return;
     }
     if let Some(page) = state.rooms().class().page() {

@@ -100,3 +100,81 @@ fn the_lessons_are_listed_and_those_with_faults_named() {
     let said = text(&listed.stderr);
     assert!(said.contains("mine.toml:1:1: "), "{said}");
 }
+
+/// The grades of a grader for the flight of anna.
+fn grades_of(grader: &str, marks: [(&str, u8); 3]) -> String {
+    let mut text = format!("rubric = \"notechs\"\ngrader = \"{grader}\"\n");
+    for (element, mark) in marks {
+        text += &format!("[grades.{element}]\nmark = {mark}\ntext = \"=seen\"\n");
+    }
+    text
+}
+
+#[test]
+fn grades_are_shown_compared_and_exported_and_the_score_stays() {
+    let folder = class_folder();
+    let own = folder.path().join("sortie/classes/9-A/anna");
+    let names = fs::read_dir(&own).expect("there").flatten();
+    let record = names
+        .map(|it| it.file_name().to_string_lossy().into_owned())
+        .find_map(|name| name.strip_suffix(".run.jsonl").map(str::to_owned))
+        .expect("a record");
+    let sortie = |arguments: &[&str]| sortie_in(folder.path(), arguments);
+    let none = sortie(&["class", "grades", "9-A"]);
+    assert!(text(&none.stdout).contains("No flight of the class has been graded"));
+    let before = text(&sortie(&["class", "report", "9-A"]).stdout);
+
+    let petra = [("planning", 5), ("standards", 3), ("workload", 2)];
+    let petro = [("planning", 2), ("standards", 3), ("choice", 4)];
+    for (grader, marks) in [("petra", petra), ("petro", petro)] {
+        let path = own.join(format!("{record}.grades.notechs.{grader}.toml"));
+        fs::write(path, grades_of(grader, marks)).expect("written");
+    }
+    let shown = sortie(&["class", "grades", "9-A"]);
+    let shown = text(&shown.stdout);
+    assert!(
+        shown.contains("petra and petro: 2 marks by both, 1 equal"),
+        "{shown}"
+    );
+    assert!(shown.contains("planning: 5 and 2"), "{shown}");
+    let document = sortie(&["class", "grades", "9-A", "--json"]);
+    let document: serde_json::Value = serde_json::from_slice(&document.stdout).expect("JSON");
+    assert_eq!(document["agreement"][0]["mean_difference"], -1.5);
+    assert_eq!(document["sheets"][1]["grades"]["choice"]["mark"], 4);
+
+    let table = [
+        "class", "export", "9-A", "--output", "-", "--format", "grades",
+    ];
+    let table = text(&sortie(&table).stdout);
+    assert_eq!(table.lines().count(), 7, "{table}");
+    assert!(table.contains("'=seen"), "no formulas: {table}");
+    let after = text(&sortie(&["class", "report", "9-A"]).stdout);
+    assert_eq!(before, after, "grades change no score");
+
+    fs::write(
+        own.join(format!("{record}.grades.notechs.ivan.toml")),
+        "mark = 9",
+    )
+    .expect("written");
+    let broken = sortie(&["class", "grades", "9-A"]);
+    assert_eq!(broken.status.code(), Some(0));
+    assert!(text(&broken.stderr).contains("cannot be read"));
+}
+
+#[test]
+fn the_rubrics_are_listed_and_checked() {
+    let folder = folder_with(&[("config/sortie/rubrics/mine.toml", "schema = 1\n")]);
+    let listed = sortie_in(folder.path(), &["class", "rubrics"]);
+    assert!(text(&listed.stdout).contains("notechs: Non-technical skills"));
+    let rubric = include_str!("../../../rubrics/notechs.toml");
+    let files = [("own.toml", rubric.replace("\"idle\"", "\"idel\""))];
+    let [(name, content)] = &files;
+    fs::write(folder.path().join(name), content).expect("written");
+    let checked = sortie_in(folder.path(), &["check", name]);
+    assert_eq!(checked.status.code(), Some(1));
+    let said = text(&checked.stdout) + &text(&checked.stderr);
+    assert!(
+        said.contains("own.toml:47:13") && said.contains("idle"),
+        "{said}"
+    );
+}

@@ -15,11 +15,13 @@ use crate::fixtures;
 use crate::harness::Console;
 
 mod desk;
+mod grading;
 mod injects;
 mod lessons;
 mod watch;
 
 pub use desk::{desk, flight, join, report, say};
+pub use grading::grading;
 pub use injects::flight_with_injects;
 pub use lessons::{begin, carry_out, first_lesson};
 pub use watch::send_screen;

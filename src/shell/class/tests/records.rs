@@ -73,7 +73,10 @@ async fn a_desk_that_was_away_gets_the_record_from_the_next_console() {
     assert_eq!(marks(&own), 1, "it waits for the desk");
 
     let name = "9-A".to_owned();
-    let part_of_desk = ClassPart::Desk { name };
+    let part_of_desk = ClassPart::Desk {
+        name,
+        grader: "petro".to_owned(),
+    };
     let mut desk = keeping(Opening::Home, class(folder.path(), part_of_desk), &theirs).await;
     until(&mut [&mut desk], |members| members[0].trainees() == Some(0)).await;
     let mut anna = keeping(Opening::Home, class(folder.path(), part()), &own).await;

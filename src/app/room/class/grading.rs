@@ -1,0 +1,90 @@
+//! The page on which a flight is graded.
+
+use super::ClassRoom;
+use crate::app::action::Step;
+use crate::app::effect::{ClassEffect, Effect};
+use crate::grading::{Grade, GradeSheet, GradedFlight, RubricElement};
+use crate::text;
+use crate::text::Text;
+
+/// A flight that is being graded.
+#[derive(Debug, Clone)]
+pub struct GradingPage {
+    flight: GradedFlight,
+    /// The element under the cursor, in the order of the rubric.
+    cursor: usize,
+}
+
+impl GradingPage {
+    /// Shows a flight; with the same rubric as before, the cursor stays on its element.
+    pub(in crate::app) fn new(flight: GradedFlight, before: Option<&Self>) -> Self {
+        let before = before.filter(|it| it.flight.rubric == flight.rubric);
+        Self {
+            cursor: before.map_or(0, |it| it.cursor),
+            flight,
+        }
+    }
+
+    /// The flight with its grades.
+    pub fn flight(&self) -> &GradedFlight {
+        &self.flight
+    }
+
+    /// The number of the element under the cursor, from 0.
+    pub fn cursor(&self) -> usize {
+        self.cursor
+    }
+
+    /// The element under the cursor; a rubric always has elements.
+    pub fn element(&self) -> Option<&RubricElement> {
+        self.flight.rubric.elements().nth(self.cursor)
+    }
+
+    pub(in crate::app) fn sheet_mut(&mut self) -> &mut GradeSheet {
+        &mut self.flight.sheet
+    }
+
+    /// The grade of the element under the cursor.
+    ///
+    /// # Errors
+    /// It has none yet.
+    pub(in crate::app) fn grade_mut(&mut self) -> Result<&mut Grade, Text> {
+        let element = self.element().map(|it| it.id.clone());
+        let grade = element.and_then(|id| self.flight.sheet.grade_mut(&id));
+        grade.ok_or_else(|| text!("grading-rate-first"))
+    }
+}
+
+impl ClassRoom {
+    /// The flight that is being graded while the board is not shown.
+    pub fn grading(&self) -> Option<&GradingPage> {
+        self.grading.as_ref()
+    }
+
+    /// Asks for a trainee's flight; `back` counts from the newest one, which is 0.
+    pub(in crate::app) fn read_graded(&self, user: String, back: usize) -> Effect {
+        Effect::Class(ClassEffect::ReadGraded {
+            user,
+            back,
+            rubric: self.rubric.clone(),
+        })
+    }
+
+    /// Moves to another element, or asks for an older or newer flight of the trainee.
+    pub(super) fn move_in_grading(&mut self, step: Step) -> Option<Effect> {
+        let page = self.grading.as_mut()?;
+        let flight = &page.flight;
+        let back = flight.flights - flight.number;
+        let back = match step {
+            Step::Left if flight.number > 1 => back + 1,
+            Step::Right if back > 0 => back - 1,
+            Step::Left | Step::Right => return None,
+            _ => {
+                page.cursor = step.apply(page.cursor, flight.rubric.elements().count());
+                return None;
+            }
+        };
+        let user = flight.user.clone();
+        Some(self.read_graded(user, back))
+    }
+}

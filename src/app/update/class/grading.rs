@@ -1,0 +1,98 @@
+//! Grades of flights at the desk.
+
+use super::super::show::show;
+use crate::app::State;
+use crate::app::effect::{ClassEffect, Effect, Effects};
+use crate::app::room::class::GradingPage;
+use crate::app::state::Room;
+use crate::grading::{GradedFlight, Mark};
+use crate::language::{GradingLine, Rating};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// Carries out a line about grades.
+///
+/// # Errors
+/// This console is no desk, no trainee is meant, or no flight is being graded.
+pub(super) fn carry_out(state: &mut State, line: GradingLine) -> Result<Effects, Text> {
+    match line {
+        GradingLine::Open { trainee, rubric } => open(state, trainee, rubric),
+        GradingLine::Rate(rating) => {
+            let page = page(state)?;
+            let element = page.element().map_or_else(String::new, |it| it.id.clone());
+            let sheet = page.sheet_mut();
+            match rating {
+                Rating::Mark(number) => sheet.rate(&element, Mark::try_from(number).ok()),
+                Rating::NotObserved => sheet.rate(&element, None),
+                Rating::Clear => sheet.clear(&element),
+            }
+            Ok(keep(page))
+        }
+        GradingLine::Remark(text) => {
+            let page = page(state)?;
+            page.grade_mut()?.text = text;
+            Ok(keep(page))
+        }
+        GradingLine::Cite(number) => {
+            let page = page(state)?;
+            let bookmarks = &page.flight().bookmarks;
+            let count = bookmarks.len();
+            let bookmark = number.checked_sub(1).and_then(|it| bookmarks.get(it));
+            let at = bookmark.map(|it| it.at.as_secs_f64());
+            let at_s = at.ok_or_else(|| text!("grading-no-bookmark", count = count))?;
+            page.grade_mut()?.cite(at_s);
+            Ok(keep(page))
+        }
+    }
+}
+
+/// Asks for the newest flight of a trainee.
+fn open(
+    state: &mut State,
+    trainee: Option<String>,
+    rubric: Option<String>,
+) -> Result<Effects, Text> {
+    let user = trainee.or_else(|| under_cursor(state));
+    let desk = state.class.desk_mut();
+    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
+    let user = user.ok_or_else(|| text!("grading-no-trainee"))?;
+    show(state, Room::Class);
+    let room = &mut state.rooms.class;
+    if rubric.is_some() {
+        room.rubric = rubric;
+    }
+    Ok(room.read_graded(user, 0).into())
+}
+
+/// The trainee at the seat under the cursor.
+fn under_cursor(state: &State) -> Option<String> {
+    let seat = state.rooms.class.cursor()?;
+    let seat = state.class.desk()?.seats().get(seat)?;
+    Some(seat.user().to_owned())
+}
+
+fn page(state: &mut State) -> Result<&mut GradingPage, Text> {
+    let page = state.rooms.class.grading.as_mut();
+    page.ok_or_else(|| text!("grading-none"))
+}
+
+fn keep(page: &GradingPage) -> Effects {
+    let flight = page.flight();
+    Effects::from(Effect::Class(ClassEffect::KeepGrades {
+        user: flight.user.clone(),
+        record: flight.record.clone(),
+        sheet: flight.sheet.clone(),
+    }))
+}
+
+/// Shows a flight that was read, or why it cannot be graded.
+pub(super) fn read(state: &mut State, flight: Result<Box<GradedFlight>, Text>) {
+    match flight {
+        Ok(flight) => {
+            let page = GradingPage::new(*flight, state.rooms.class.grading.as_ref());
+            state.rooms.class.grading = Some(page);
+        }
+        Err(fault) => state.say(Severity::Warning, fault),
+    }
+}
