@@ -67,6 +67,8 @@ pub(super) struct Helm {
     steering_idle: u32,
     following_idle: u32,
     stopped_idle: u32,
+    /// The heading of the last turn on the spot, in degrees; 0 before the first.
+    pivot_deg: f64,
 }
 
 /// The outputs that are at their limits.
@@ -90,6 +92,7 @@ impl Default for Helm {
             steering_idle: TIMEOUT_STEPS,
             following_idle: TIMEOUT_STEPS,
             stopped_idle: STAYS_STOPPED_STEPS,
+            pivot_deg: 0.0,
         }
     }
 }
@@ -98,6 +101,11 @@ impl Helm {
     /// Whether the vehicle has been brought to a stop.
     pub(super) fn has_stopped(&self) -> bool {
         self.stopped_idle == 0
+    }
+
+    /// The heading of the last turn on the spot, in degrees; 0 before the first.
+    pub(super) fn last_pivot_deg(&self) -> f64 {
+        self.pivot_deg
     }
 
     /// The pulses of the first and the third output in microseconds: steering and throttle, or the left and the right
@@ -218,6 +226,7 @@ impl Helm {
 
     /// Stops, then turns to a heading.
     fn pivot(&mut self, heading_deg: f64, motion: &DrivenMotion, rules: &HelmRules) -> Outputs {
+        self.pivot_deg = heading_deg;
         let rate = if self.limited_speed(0.0, rules) == 0.0 {
             turn_to(heading_deg, rules.pivot_rad_s, motion, rules)
         } else {

@@ -4,11 +4,11 @@
 mod curve;
 mod orbit;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use self::curve::{CurveBounds, SpeedCurve};
 pub(crate) use self::orbit::Orbit;
-use super::drive::rolling_point;
+use super::drive::{left_of_leg_m, rolling_point};
 use super::{Act, Cockpit};
 use crate::control::Limits;
 use crate::helm::HelmRules;
@@ -224,6 +224,11 @@ impl Route {
 
     pub(crate) fn goal_m(&self) -> DVec3 {
         self.this.to_m
+    }
+
+    /// How far a rover is to the left of its leg, in metres.
+    pub(crate) fn cross_track_m(&self, here_m: DVec2) -> f64 {
+        left_of_leg_m([self.from_m, self.this.to_m].map(DVec3::truncate), here_m)
     }
 
     /// Continues to a point; an unfinished leg is abandoned first.
