@@ -22,9 +22,6 @@ const STEER_SPEED_MIN_M_S: f64 = 1.0;
 const VELOCITY_BLEND: f64 = 0.239_057_188_6;
 /// A vehicle that has stopped stays stopped for this long, whatever its speed: in steps.
 const STAYS_STOPPED_STEPS: u32 = 30;
-/// The heading as the controllers see it, less the true one. A real estimate is off by about a degree: a goal exactly
-/// behind the vehicle makes it turn. This is just enough for that.
-const HEADING_OFF_DEG: f64 = 0.05;
 /// The controllers start afresh after this pause, in steps.
 const TIMEOUT_STEPS: u32 = 20;
 
@@ -396,12 +393,10 @@ struct DrivenMotion {
 
 impl DrivenMotion {
     fn of(body: &Body) -> Self {
-        let yaw_deg = body.yaw_deg + HEADING_OFF_DEG;
-        let (sin, cos) = maths::sin_cos(yaw_deg.to_radians());
-        let heading = DVec2::new(cos, sin);
+        let heading = body.heading();
         let velocity_m_s = body.velocity_m_s.truncate();
         Self {
-            heading_deg: yaw_deg,
+            heading_deg: body.yaw_deg,
             heading,
             velocity_m_s,
             speed_m_s: velocity_m_s.dot(heading),
