@@ -188,6 +188,12 @@ impl Body {
         self.heading = DVec2::from_angle(self.yaw_deg.to_radians());
     }
 
+    /// Turns by an angle at once.
+    pub(super) fn turn_by(&mut self, right_deg: f64) {
+        self.yaw_deg += right_deg;
+        self.heading = DVec2::from_angle(self.yaw_deg.to_radians());
+    }
+
     /// Applies a collision: the velocity changes, the propellers break, and the vehicle tumbles.
     pub(super) fn hit(&mut self, change_m_s: DVec3) {
         self.velocity_m_s += change_m_s;

@@ -10,6 +10,7 @@ mod compass;
 mod faults;
 mod gps;
 mod lanes;
+mod odometry;
 mod trust;
 
 use std::time::Duration;
@@ -22,6 +23,7 @@ use self::compass::Compass;
 pub(super) use self::faults::{Faults, GpsUnused, RadioFault};
 pub(super) use self::gps::Fix;
 use self::gps::Receiver;
+pub(super) use self::odometry::Odometry;
 use self::trust::Trust;
 pub(super) use self::trust::{FLAGS_GIVEN_UP, FLAGS_GOOD, Ratios};
 use super::body::Body;
@@ -256,6 +258,15 @@ impl Estimator {
         belief.as_mut().clone_from(truth);
         belief.position_m += self.error_m;
         belief.velocity_m_s += self.velocity_error_m_s + self.shake_m_s;
+    }
+
+    /// Adds the small errors of a rover to the estimate.
+    pub(super) fn blur(&mut self, truth: &Body, odometry: &Odometry) {
+        let belief = self.belief.get_or_insert_with(|| Box::new(truth.clone()));
+        if !self.disturbed {
+            belief.as_mut().clone_from(truth);
+        }
+        odometry.blur(belief);
     }
 
     fn watch_gps(

@@ -70,6 +70,7 @@ impl Vehicle {
             tuning: _,
             plant,
             estimator,
+            odometry,
             datum,
             flight,
             safety,
@@ -94,6 +95,9 @@ impl Vehicle {
         }
         if let Some(adsb) = adsb {
             add(adsb);
+        }
+        if let Some(odometry) = odometry {
+            add(odometry);
         }
         if let Some(following) = following {
             add(following);

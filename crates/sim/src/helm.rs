@@ -22,9 +22,6 @@ const STEER_SPEED_MIN_M_S: f64 = 1.0;
 const VELOCITY_BLEND: f64 = 0.239_057_188_6;
 /// A vehicle that has stopped stays stopped for this long, whatever its speed: in steps.
 const STAYS_STOPPED_STEPS: u32 = 30;
-/// The heading as the controllers see it, less the true one. A real estimate is off by about a degree: a goal exactly
-/// behind the vehicle makes it turn. This is just enough for that.
-const HEADING_OFF_DEG: f64 = 0.05;
 /// The controllers start afresh after this pause, in steps.
 const TIMEOUT_STEPS: u32 = 20;
 
@@ -67,6 +64,8 @@ pub(super) struct Helm {
     steering_idle: u32,
     following_idle: u32,
     stopped_idle: u32,
+    /// The heading of the last turn on the spot, in degrees; 0 before the first.
+    pivot_deg: f64,
 }
 
 /// The outputs that are at their limits.
@@ -90,6 +89,7 @@ impl Default for Helm {
             steering_idle: TIMEOUT_STEPS,
             following_idle: TIMEOUT_STEPS,
             stopped_idle: STAYS_STOPPED_STEPS,
+            pivot_deg: 0.0,
         }
     }
 }
@@ -98,6 +98,11 @@ impl Helm {
     /// Whether the vehicle has been brought to a stop.
     pub(super) fn has_stopped(&self) -> bool {
         self.stopped_idle == 0
+    }
+
+    /// The heading of the last turn on the spot, in degrees; 0 before the first.
+    pub(super) fn last_pivot_deg(&self) -> f64 {
+        self.pivot_deg
     }
 
     /// The pulses of the first and the third output in microseconds: steering and throttle, or the left and the right
@@ -218,6 +223,7 @@ impl Helm {
 
     /// Stops, then turns to a heading.
     fn pivot(&mut self, heading_deg: f64, motion: &DrivenMotion, rules: &HelmRules) -> Outputs {
+        self.pivot_deg = heading_deg;
         let rate = if self.limited_speed(0.0, rules) == 0.0 {
             turn_to(heading_deg, rules.pivot_rad_s, motion, rules)
         } else {
@@ -387,12 +393,10 @@ struct DrivenMotion {
 
 impl DrivenMotion {
     fn of(body: &Body) -> Self {
-        let yaw_deg = body.yaw_deg + HEADING_OFF_DEG;
-        let (sin, cos) = maths::sin_cos(yaw_deg.to_radians());
-        let heading = DVec2::new(cos, sin);
+        let heading = body.heading();
         let velocity_m_s = body.velocity_m_s.truncate();
         Self {
-            heading_deg: yaw_deg,
+            heading_deg: body.yaw_deg,
             heading,
             velocity_m_s,
             speed_m_s: velocity_m_s.dot(heading),

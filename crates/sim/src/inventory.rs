@@ -66,7 +66,7 @@ impl Inventory {
                 .collect(),
             answered_commands: commands::answered().map(command_name).collect(),
             messages: telemetry::sent().map(message_name).collect(),
-            silent_messages: telemetry::silent().map(message_name).collect(),
+            silent_messages: telemetry::silent(kind).map(message_name).collect(),
             switches: auxiliary::acting().map(str::to_owned).collect(),
             idle_switches: auxiliary::idle().map(|number| number.to_string()).collect(),
             parameters: groups.into_iter().map(str::to_owned).collect(),

@@ -23,7 +23,7 @@ use super::airframe::Airframe;
 use super::arming::Safety;
 use super::body::Body;
 use super::boot::Boot;
-use super::estimator::Estimator;
+use super::estimator::{Estimator, Odometry};
 use super::failsafe::RadioInputs;
 use super::fence::{Geofence, severity};
 use super::flight_log::{self, FlightLog, LogInputs, LogSample};
@@ -63,6 +63,8 @@ pub(super) struct Vehicle {
     pub(super) plant: Plant,
     /// The autopilot's estimate of the plant.
     pub(super) estimator: Estimator,
+    /// The small errors of a rover's estimate; `None` for a vehicle that flies.
+    pub(super) odometry: Option<Box<Odometry>>,
     pub(super) datum: LocalDatum,
     pub(super) flight: FlightState,
     pub(super) safety: Safety,
@@ -93,6 +95,7 @@ impl Vehicle {
             board_id: build.board_id,
             parameters,
             estimator: Estimator::new(build.board_id, build.kind),
+            odometry: build.kind.chassis().map(|_| Box::default()),
             datum: LocalDatum::at(build.start),
             flight: FlightState::resting(build.kind, &plant.body),
             tuning: Arc::new(tuning),

@@ -28,11 +28,13 @@ use mavlink::dialects::ardupilotmega::{
     RC_CHANNELS_SCALED_DATA, RELAY_STATUS_DATA, RPM_DATA, SCALED_IMU_DATA, SCALED_IMU2_DATA,
     SCALED_IMU3_DATA, SCALED_PRESSURE_DATA, SCALED_PRESSURE2_DATA, SCALED_PRESSURE3_DATA,
     SERVO_OUTPUT_RAW_DATA, SIM_STATE_DATA, SIMSTATE_DATA, SYS_STATUS_DATA, SYSTEM_TIME_DATA,
-    UAVIONIX_ADSB_OUT_STATUS_DATA, VFR_HUD_DATA, VIBRATION_DATA, WINCH_STATUS_DATA, WIND_DATA,
+    UAVIONIX_ADSB_OUT_STATUS_DATA, VFR_HUD_DATA, VIBRATION_DATA, WATER_DEPTH_DATA,
+    WINCH_STATUS_DATA, WIND_DATA,
 };
 
 use self::Builder::{Always, Sometimes};
 use super::Autopilot;
+use crate::kind::VehicleKind;
 use crate::schedule::{TERRAIN_REPORT, TERRAIN_REQUEST};
 
 /// Messages for which the real vehicle accepts requests, but which it does not send without the hardware.
@@ -68,6 +70,8 @@ const SILENT: &[u32] = &[
     UAVIONIX_ADSB_OUT_STATUS_DATA::ID,
     AOA_SSA_DATA::ID,
 ];
+/// Those of rovers alone.
+const SILENT_OF_ROVERS: &[u32] = &[WATER_DEPTH_DATA::ID];
 /// The message about traffic, one aircraft at a time: each serial port has its own progress through
 /// the list.
 pub(crate) const TRAFFIC: u32 = ADSB_VEHICLE_DATA::ID;
@@ -189,13 +193,18 @@ pub(crate) fn sent() -> impl Iterator<Item = u32> {
 }
 
 /// Messages that can be requested, but are never sent.
-pub(crate) fn silent() -> impl Iterator<Item = u32> {
-    SILENT.iter().copied()
+pub(crate) fn silent(kind: VehicleKind) -> impl Iterator<Item = u32> {
+    let own: &[u32] = match kind {
+        VehicleKind::Copter => &[],
+        VehicleKind::Rover(_) => SILENT_OF_ROVERS,
+    };
+    SILENT.iter().chain(own).copied()
 }
 
 /// Whether the message can be requested.
-pub(crate) fn is_known(id: u32) -> bool {
-    id != UNASKABLE && (id == TRAFFIC || builder(id).is_some() || SILENT.contains(&id))
+pub(crate) fn is_known(id: u32, kind: VehicleKind) -> bool {
+    let is_sent = id == TRAFFIC || builder(id).is_some();
+    id != UNASKABLE && (is_sent || silent(kind).any(|silent| silent == id))
 }
 
 fn builder(id: u32) -> Option<Builder> {

@@ -1,7 +1,7 @@
 //! Commands to devices that a plain SITL lacks or does not use (camera, gimbal, gripper, winch, sprayer, scripting and the
 //! like).
 
-use mavlink::dialects::ardupilotmega::{MavResult, SetFocusType};
+use mavlink::dialects::ardupilotmega::{MavResult, ScriptingCmd, SetFocusType};
 
 use self::Answer::{Always, By};
 use super::{ACCEPTED, Command, FAILED};
@@ -45,7 +45,7 @@ const ANSWERS: &[(u16, Answer)] = &[
     (cmd::ACCELCAL_VEHICLE_POS, Always(FAILED)),
     (cmd::DO_WINCH, Always(FAILED)),
     (cmd::DEBUG_TRAP, Always(DENIED)),
-    (cmd::SCRIPTING, Always(ACCEPTED)),
+    (cmd::SCRIPTING, By(scripts)),
 ];
 
 /// The numbers of these commands.
@@ -104,6 +104,18 @@ fn bus(command: &Command) -> MavResult {
     if number as i8 == 0 { ACCEPTED } else { FAILED }
 }
 
+/// Starts and stops scripts, of which there are none.
+fn scripts(command: &Command) -> MavResult {
+    let [action, ..] = command.p;
+    let known = ScriptingCmd::SCRIPTING_CMD_REPL_START as i32
+        ..=ScriptingCmd::SCRIPTING_CMD_STOP_AND_RESTART as i32;
+    if known.contains(&(action as i32)) {
+        ACCEPTED
+    } else {
+        UNSUPPORTED
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -129,6 +141,10 @@ mod tests {
             [ACCEPTED, UNSUPPORTED]
         );
         assert_eq!([bus(&first(0.0)), bus(&first(1.0))], [ACCEPTED, FAILED]);
+        assert_eq!(
+            [scripts(&first(3.0)), scripts(&first(4.0))],
+            [ACCEPTED, UNSUPPORTED]
+        );
         assert_eq!(
             [pictures(&first(-1.0)), pictures(&first(1.0))],
             [UNSUPPORTED, FAILED]

@@ -27,7 +27,7 @@ pub(super) fn set_interval(
     command: &Command,
 ) -> MavResult {
     let id = id(command.p[0]);
-    if !telemetry::is_known(id) {
+    if !telemetry::is_known(id, autopilot.vehicle.kind) {
         let text = format!("No ap_message for mavlink id ({})", command.p[0] as i64);
         autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
         return MavResult::MAV_RESULT_DENIED;
@@ -43,9 +43,13 @@ pub(super) fn set_interval(
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-pub(super) fn get_interval(_: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
+pub(super) fn get_interval(
+    autopilot: &mut Autopilot,
+    link: &mut Link,
+    command: &Command,
+) -> MavResult {
     let id = id(command.p[0]);
-    let known = telemetry::is_known(id);
+    let known = telemetry::is_known(id, autopilot.vehicle.kind);
     let interval_us = if known {
         link.schedule.interval_us(id)
     } else {
@@ -60,7 +64,7 @@ pub(super) fn get_interval(_: &mut Autopilot, link: &mut Link, command: &Command
 
 pub(super) fn request(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
     let id = id(command.p[0]);
-    let known = telemetry::is_known(id);
+    let known = telemetry::is_known(id, autopilot.vehicle.kind);
     if known {
         link.replies
             .extend(telemetry::message(id, autopilot).map(Into::into));

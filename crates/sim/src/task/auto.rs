@@ -4,11 +4,11 @@
 mod curve;
 mod orbit;
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use self::curve::{CurveBounds, SpeedCurve};
 pub(crate) use self::orbit::Orbit;
-use super::drive::rolling_point;
+use super::drive::{left_of_leg_m, rolling_point};
 use super::{Act, Cockpit};
 use crate::control::Limits;
 use crate::helm::HelmRules;
@@ -21,9 +21,6 @@ const SPEED_MARGIN: f64 = 0.05;
 /// A turn begins only after this share of the leg.
 const CORNER_FROM_SHARE: f64 = 0.5;
 
-/// Real speed estimates are noisy by 4 cm/s, which starts legs slightly sooner; this constant bias, fitted to
-/// recordings, has the same mean effect. Boats show none.
-const SPEED_BIAS_M_S: f64 = 0.003;
 /// The snap of a rover's path.
 const ROVER_SNAP_M_S4: f64 = 15.0;
 
@@ -40,8 +37,6 @@ pub(crate) struct AutoRules {
     snap_m_s4: f64,
     /// The gain with which the vehicle follows the path.
     position_p: f64,
-    /// The bias of the vehicle's estimated speed.
-    speed_bias_m_s: f64,
     /// Whether a waypoint also counts as reached beyond its line.
     passes: bool,
     /// `MIS_RESTART`: AUTO always begins at the first item.
@@ -69,7 +64,6 @@ impl AutoRules {
             // Half of the snap that the time constant of the attitude allows.
             snap_m_s4: 0.5 * jerk * std::f64::consts::PI / (2.0 * smoothing_s),
             position_p: 1.0,
-            speed_bias_m_s: 0.0,
             passes: false,
             restarts: all.value("MIS_RESTART") as i32 == 1,
             continues_after_landing: bit("MIS_OPTIONS", 4),
@@ -88,7 +82,6 @@ impl AutoRules {
             jerk_m_s3,
             snap_m_s4: ROVER_SNAP_M_S4,
             position_p: helm.position_p,
-            speed_bias_m_s: if helm.is_boat { 0.0 } else { SPEED_BIAS_M_S },
             passes: true,
             ..Self::read(all)
         }
@@ -226,6 +219,11 @@ impl Route {
         self.this.to_m
     }
 
+    /// How far a rover is to the left of its leg, in metres.
+    pub(crate) fn cross_track_m(&self, here_m: DVec2) -> f64 {
+        left_of_leg_m([self.from_m, self.this.to_m].map(DVec3::truncate), here_m)
+    }
+
     /// Continues to a point; an unfinished leg is abandoned first.
     pub(crate) fn go_to(&mut self, goal_m: DVec3, cockpit: &mut Cockpit<'_>) {
         if !self.reached {
@@ -334,7 +332,7 @@ impl Route {
             let behind_m = (cockpit.control.path_m - cockpit.body.position_m).dot(along);
             let moving_m_s = cockpit.body.velocity_m_s.dot(along);
             let rules = &cockpit.tuning.auto;
-            let able_m_s = moving_m_s + rules.speed_bias_m_s - rules.position_p * behind_m;
+            let able_m_s = moving_m_s - rules.position_p * behind_m;
             possible = (SPEED_MARGIN + able_m_s / speed).clamp(0.0, 1.0);
         }
         let lag_s = cockpit.limits.accel_m_s2 / cockpit.tuning.auto.jerk_m_s3;

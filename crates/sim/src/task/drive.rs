@@ -65,6 +65,8 @@ pub(crate) enum Drive {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Goto {
     pub(crate) goal_m: DVec3,
+    /// The place on the path where the drive begins.
+    from_m: DVec2,
     is_fresh: bool,
     pivots: bool,
     arrived: bool,
@@ -141,6 +143,7 @@ impl Task {
         }
         Self::Drive(Drive::Goto(Goto {
             goal_m,
+            from_m: cockpit.control.path_m.truncate(),
             is_fresh: true,
             pivots: false,
             arrived: false,
@@ -205,6 +208,15 @@ impl Drive {
             | Self::Setpoint(_)
             | Self::Heading(_)
             | Self::Follow(_) => None,
+        }
+    }
+
+    /// How far the vehicle is to the left of its leg, in metres; 0 without a leg.
+    pub(crate) fn cross_track_m(&self, here_m: DVec2) -> f64 {
+        match self {
+            Self::Goto(goto) => left_of_leg_m([goto.from_m, goto.goal_m.truncate()], here_m),
+            Self::Return(home) => home.route.cross_track_m(here_m),
+            _ => 0.0,
         }
     }
 
@@ -319,6 +331,11 @@ impl Route {
         self.advance_path(cockpit);
         following(cockpit.control.flat_motion(), cockpit)
     }
+}
+
+/// How far a place is to the left of a leg, in metres.
+pub(super) fn left_of_leg_m([from_m, to_m]: [DVec2; 2], here_m: DVec2) -> f64 {
+    (here_m - from_m).perp_dot((to_m - from_m).normalize_or_zero())
 }
 
 /// The heading of a vehicle that drives to a goal, forwards or backwards.

@@ -1,8 +1,9 @@
 //! Faults of sensors, compared with measurements of the real vehicle section by section.
 
-use mavlink::dialects::ardupilotmega::MavMessage;
+use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
 
 use super::Ground;
+use super::arming::rebooted;
 use super::timeline::Timeline;
 use sortie_geo::maths;
 
@@ -297,4 +298,25 @@ fn a_lower_threshold_is_a_failsafe_in_flight() {
     ground.run(3.0);
     let texts = ground.texts();
     assert!(texts.contains(&"EKF variance".to_owned()), "{texts:?}");
+}
+
+/// As on the real one: a threshold that the estimate never meets counts only after it was met once.
+#[test]
+fn a_threshold_that_is_too_low_from_the_boot_on_is_no_failsafe_until_the_checks_have_passed() {
+    let mut ground = Ground::new();
+    ground.set("FS_EKF_THRESH", 0.001);
+    ground.set("DISARM_DELAY", 0.0);
+    let mut ground = rebooted(ground);
+    let forced = [1.0, 21196.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let arm = ground.long7(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, forced);
+    assert_eq!(arm, MavResult::MAV_RESULT_ACCEPTED);
+    let warns = |ground: &Ground| ground.texts().contains(&"EKF variance".to_owned());
+    // Longer than between two warnings.
+    ground.run(35.0);
+    assert!(!warns(&ground), "{:?}", ground.texts());
+    ground.set("FS_EKF_THRESH", 0.8);
+    ground.run(2.0);
+    ground.set("FS_EKF_THRESH", 0.001);
+    ground.run(3.0);
+    assert!(warns(&ground), "{:?}", ground.texts());
 }

@@ -1,6 +1,7 @@
 //! Mission items of rovers, with the times, places and texts that a real `ArduRover` 4.6 had in SITL.
 
-use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult};
+use mavlink::MessageData as _;
+use mavlink::dialects::ardupilotmega::{MavCmd, MavMessage, MavResult, NAV_CONTROLLER_OUTPUT_DATA};
 
 use super::driving::{guided, off_m, texts};
 use super::*;
@@ -304,6 +305,10 @@ fn a_reversed_vehicle_backs_up_until_the_mission_or_the_mode_changes_that() {
         let more_s = until_text(&mut ground, "Mission Complete", 40.0);
         near("the end", there_s + more_s, end_s, 3.0);
     }
+    // A robot that has just passed a waypoint stands, on the real one too.
+    let mut ground = on_a_mission(Chassis::Skid, &items);
+    assert!(until_text(&mut ground, "Reached waypoint #3", 60.0).is_infinite());
+    assert!(off_m(&ground.truth(), [20.1, 0.0]) < 1.0);
     let mut ground = guided(Chassis::Ackermann);
     let answer = ground.long(MavCmd::MAV_CMD_DO_SET_REVERSE, [1.0]);
     assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED);
@@ -313,6 +318,93 @@ fn a_reversed_vehicle_backs_up_until_the_mission_or_the_mode_changes_that() {
     assert!(
         wrap_180(ground.truth().heading_deg).abs() < 30.0,
         "its nose still points north"
+    );
+}
+
+/// The places and times of a real robot in GUIDED.
+#[test]
+fn a_reversed_robot_turns_its_back_to_its_goals() {
+    let mut ground = guided(Chassis::Skid);
+    ground.goto([20.0, 0.0, 0.0]);
+    ground.run(11.0);
+    ground.long(MavCmd::MAV_CMD_DO_SET_REVERSE, [1.0]);
+    for (goal, heading_deg, seconds) in [(40.0, 180.0, 15.0), (0.0, 0.0, 24.0)] {
+        ground.goto([goal as f32, 0.0, 0.0]);
+        ground.run(seconds);
+        let truth = ground.truth();
+        near(
+            "the heading",
+            wrap_180(truth.heading_deg - heading_deg),
+            0.0,
+            8.0,
+        );
+        near("the way", off_m(&truth, [goal, 0.0]), 0.5, 1.0);
+    }
+}
+
+/// The heading at which the first leg ends decides how soon the vehicle is under way again.
+#[test]
+fn a_rover_turns_and_leaves_from_a_standstill_as_soon_as_the_real_one() {
+    const TAKEOFF: u16 = 22;
+    const LAND: u16 = 21;
+    let items = [
+        waypoint(30.0, 0.0),
+        act(TAKEOFF, [0.0; 4]),
+        waypoint(30.0, 30.0),
+        act(LAND, [0.0; 4]),
+        waypoint(10.0, 30.0),
+    ];
+    let mut ground = on_a_mission(Chassis::Ackermann, &items);
+    for (number, real_s) in [(1, 13.8), (3, 14.6), (5, 12.8)] {
+        let text = format!("Reached waypoint #{number}");
+        near(&text, until_text(&mut ground, &text, 40.0), real_s, 1.2);
+    }
+}
+
+/// What a rover reports about its way, and the north and the east of its place.
+fn reported_way(ground: &mut Ground) -> (NAV_CONTROLLER_OUTPUT_DATA, [f64; 2]) {
+    let first = ground.heard.len();
+    let id = NAV_CONTROLLER_OUTPUT_DATA::ID as f32;
+    ground.long(MavCmd::MAV_CMD_REQUEST_MESSAGE, [id]);
+    let mut found = ground.messages_since(first).into_iter();
+    let report = found.find_map(|message| match message {
+        MavMessage::NAV_CONTROLLER_OUTPUT(data) => Some(data),
+        _ => None,
+    });
+    let [north, east, _] = ground.truth().position_ned_m;
+    (report.expect("a report"), [north, east])
+}
+
+#[test]
+fn a_rover_reports_the_bearings_of_its_way() {
+    let circle = at(30.0, 0.0, TURNS, [1.0, 0.0, 10.0, 0.0]);
+    let mut ground = on_a_mission(Chassis::Ackermann, &[circle, waypoint(0.0, 10.0)]);
+    ground.run(25.6);
+    // The real one, at the same side of the circle: the point that it follows is behind it, 185 degrees.
+    let (report, _) = reported_way(&mut ground);
+    near("the centre", f64::from(report.target_bearing), 93.0, 25.0);
+    near("the point", f64::from(report.nav_bearing), 185.0, 25.0);
+    assert!(report.xtrack_error.abs() < 0.5 && (9..=10).contains(&report.wp_dist));
+    until_text(&mut ground, "Mission: 2 WP", 20.0);
+    ground.run(10.0);
+    let (report, _) = reported_way(&mut ground);
+    near("the goal", f64::from(report.target_bearing), 128.0, 4.0);
+    assert_eq!(report.nav_bearing, 0, "it has never turned on the spot");
+    near("beside the leg", f64::from(report.xtrack_error), -1.3, 0.8);
+
+    let mut ground = guided(Chassis::Skid);
+    ground.goto([0.0, 20.0, 0.0]);
+    ground.run(8.0);
+    let (report, [north, _]) = reported_way(&mut ground);
+    assert!(
+        (88..=92).contains(&report.nav_bearing),
+        "its last turn on the spot"
+    );
+    near(
+        "left of an eastern leg",
+        f64::from(report.xtrack_error),
+        north,
+        0.1,
     );
 }
 

@@ -165,6 +165,39 @@ fn a_switch_saves_places_as_a_mission() {
     assert!((ground.world.parameter(0, "MIS_TOTAL") - 3.0).abs() < 1e-9);
 }
 
+/// The answers of a real rover.
+#[test]
+fn a_switch_begins_a_new_mission_of_a_disarmed_rover_and_adds_to_it_while_armed() {
+    const DISARM: [f32; 7] = [0.0, 21196.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let mut ground = super::driving::guided(Chassis::Ackermann);
+    let press = |ground: &mut Ground| {
+        let answer = ground.long(MavCmd::MAV_CMD_DO_AUX_FUNCTION, [7.0, 2.0]);
+        assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED);
+        ground.world.slots[0]
+            .autopilot
+            .vehicle
+            .plans
+            .mission
+            .clone()
+    };
+    assert_eq!(press(&mut ground).len(), 2, "home and a waypoint");
+    ground.long7(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, DISARM);
+    assert!(press(&mut ground).is_empty());
+    assert!(said(&ground, "SaveWP: Mission cleared!"));
+    assert!(
+        super::driving::texts(&ground)
+            .iter()
+            .any(|text| text.starts_with("Set HOME to "))
+    );
+    ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0]);
+    let mission = press(&mut ground);
+    let [_, waypoint] = mission.as_slice() else {
+        panic!("home and a waypoint: {mission:?}");
+    };
+    assert_eq!((waypoint.command, waypoint.frame), (16, 0));
+    assert!((waypoint.z - 584.0).abs() < 0.5);
+}
+
 #[test]
 fn an_interlock_that_is_on_forbids_arming_and_one_that_is_off_stops_the_motors() {
     let mut ground = Ground::new();

@@ -46,9 +46,19 @@ impl Vehicle {
 
     /// Updates the estimator, and shifts the path if the estimate has jumped.
     pub(crate) fn estimate(&mut self) {
-        if !self.boot.is_over() || !self.estimator.has_work(&self.tuning.faults) {
+        if !self.boot.is_over() {
             return;
         }
+        if self.estimator.has_work(&self.tuning.faults) {
+            self.estimate_with_faults();
+        }
+        if let Some(odometry) = &mut self.odometry {
+            odometry.step(&self.plant.body);
+            self.estimator.blur(&self.plant.body, odometry);
+        }
+    }
+
+    fn estimate_with_faults(&mut self) {
         let around = Surroundings {
             now: self.uptime(),
             truth: &self.plant.body,

@@ -10,6 +10,7 @@ use super::{
 };
 use crate::autopilot::Autopilot;
 use crate::cmd;
+use crate::kind::VehicleKind;
 use crate::mode::ModeId;
 use crate::plan::{Item, ListKind, frame};
 use crate::radio::SimpleMode;
@@ -52,8 +53,42 @@ impl Autopilot {
             _ if position != High => {}
             MISSION_RESET => self.auto_plan.reset(),
             CLEAR_MISSION => self.clear_mission(),
+            _ if self.vehicle.kind != VehicleKind::Copter => self.save_driven_waypoint(),
             _ => self.save_waypoint(),
         }
+    }
+
+    /// Adds the place of a rover to the mission, except in AUTO. Disarmed, it begins a new mission here.
+    fn save_driven_waypoint(&mut self) {
+        let vehicle = &mut self.vehicle;
+        if vehicle.flight.mode.id == ModeId::Auto {
+            return;
+        }
+        if !vehicle.safety.armed {
+            self.clear_mission();
+            self.inform(MAV_SEVERITY_NOTICE, "SaveWP: Mission cleared!");
+            self.vehicle.set_home_here();
+            self.vehicle.tell_home();
+            return;
+        }
+        let here = vehicle.here();
+        let (x, y) = here.at.to_e7();
+        let waypoint = Item {
+            command: cmd::NAV_WAYPOINT,
+            frame: frame::SEA_LEVEL,
+            auto_continue: true,
+            x,
+            y,
+            z: here.altitude_amsl_m as f32,
+            ..Item::default()
+        };
+        let mission = &mut vehicle.plans.mission;
+        if mission.is_empty() {
+            // The place of home.
+            mission.push(waypoint);
+        }
+        mission.push(waypoint);
+        self.mission_edited();
     }
 
     /// Empties the mission, except while it is being flown.

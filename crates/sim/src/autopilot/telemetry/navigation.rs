@@ -1,6 +1,6 @@
 //! Home, origin, targets and the plan.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::{
     MISSION_CURRENT_DATA, MavFrame, MavMessage, NAV_CONTROLLER_OUTPUT_DATA,
     POSITION_TARGET_GLOBAL_INT_DATA, POSITION_TARGET_LOCAL_NED_DATA, PositionTargetTypemask,
@@ -8,10 +8,11 @@ use mavlink::dialects::ardupilotmega::{
 
 use super::{boot_ms, boot_us};
 use crate::autopilot::Autopilot;
+use crate::helm::bearing_deg;
 use crate::kind::VehicleKind;
 use crate::mask::{POSITION_ONLY, VELOCITY_ONLY};
 use crate::mode::ModeId;
-use crate::task::Task;
+use crate::task::{Drive, Task};
 use sortie_geo::maths;
 use sortie_geo::{wrap_180, wrap_360};
 
@@ -124,16 +125,14 @@ pub(super) fn goal(autopilot: &Autopilot) -> Option<DVec3> {
     }
 }
 
-/// A rover does not send it in the modes of a pilot.
 pub(super) fn nav_controller_output(autopilot: &Autopilot) -> Option<MavMessage> {
-    let is_rover = autopilot.vehicle.kind != VehicleKind::Copter;
-    if is_rover && !autopilot.vehicle.flight.mode.autonomous {
-        return None;
+    if autopilot.vehicle.kind != VehicleKind::Copter {
+        return way_of_rover(autopilot);
     }
     let body = autopilot.vehicle.believed();
     let (roll, pitch) = body.roll_pitch_rad();
     let way = goal(autopilot).map_or(DVec3::ZERO, |goal| goal - body.position_m);
-    let bearing = if way.truncate() == glam::DVec2::ZERO {
+    let bearing = if way.truncate() == DVec2::ZERO {
         0.0
     } else {
         wrap_180(maths::atan2(way.y, way.x).to_degrees())
@@ -154,4 +153,54 @@ pub(super) fn nav_controller_output(autopilot: &Autopilot) -> Option<MavMessage>
             ..Default::default()
         },
     ))
+}
+
+/// A rover does not send it in the modes of a pilot. Its bearings are those of the last turn on the spot and of the goal;
+/// around a place, those of the point that it follows and of the centre.
+fn way_of_rover(autopilot: &Autopilot) -> Option<MavMessage> {
+    let flight = &autopilot.vehicle.flight;
+    if !flight.mode.autonomous {
+        return None;
+    }
+    let here_m = autopilot.vehicle.believed().position_m.truncate();
+    let way_m = goal(autopilot).map_or(DVec2::ZERO, |goal| goal.truncate() - here_m);
+    let (bearings_deg, xtrack_m) = match &flight.task {
+        Task::Drive(Drive::Circle(circle)) => {
+            let bearings = [circle.way_to_point_m(here_m), way_m].map(circled_bearing_deg);
+            (bearings, circle.off_m(here_m))
+        }
+        task => {
+            let pivot_deg = flight
+                .helm
+                .as_ref()
+                .map_or(0.0, |helm| helm.last_pivot_deg());
+            let bearings = [pivot_deg, bearing_deg(DVec2::ZERO, way_m)].map(wrap_360);
+            let xtrack_m = match task {
+                Task::Drive(drive) => drive.cross_track_m(here_m),
+                Task::Route(route) => route.cross_track_m(here_m),
+                _ => 0.0,
+            };
+            (bearings, xtrack_m)
+        }
+    };
+    let [nav_deg, target_deg] = bearings_deg;
+    Some(MavMessage::NAV_CONTROLLER_OUTPUT(
+        NAV_CONTROLLER_OUTPUT_DATA {
+            nav_bearing: nav_deg as i16,
+            target_bearing: target_deg as i16,
+            wp_dist: way_m.length() as u16,
+            xtrack_error: xtrack_m as f32,
+            ..Default::default()
+        },
+    ))
+}
+
+/// The bearing of a way from -90 to 270 degrees, as a rover reports it on a circle.
+fn circled_bearing_deg(way_m: DVec2) -> f64 {
+    let bearing = wrap_180(bearing_deg(DVec2::ZERO, way_m));
+    if bearing < -90.0 {
+        bearing + 360.0
+    } else {
+        bearing
+    }
 }

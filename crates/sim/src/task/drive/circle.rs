@@ -72,6 +72,16 @@ impl DriveCircle {
         self.turned_rad / std::f64::consts::TAU
     }
 
+    /// How far a place is off the circle, in metres.
+    pub(crate) fn off_m(&self, here_m: DVec2) -> f64 {
+        (here_m.distance(self.centre_m) - self.radius_m).abs()
+    }
+
+    /// The way to the point that the vehicle follows.
+    pub(crate) fn way_to_point_m(&self, here_m: DVec2) -> DVec2 {
+        self.point(0.0).place_m - here_m
+    }
+
     /// Sets another speed, or the highest one that the circle allows.
     pub(crate) fn set_speed(&mut self, speed_m_s: f64, rules: &CircleRules) {
         self.speed_m_s = speed_m_s.min(rules.fastest_m_s());
@@ -79,8 +89,7 @@ impl DriveCircle {
     }
 
     pub(super) fn course(&mut self, cockpit: &Cockpit<'_>, rules: &CircleRules) -> Course {
-        let from_centre_m = cockpit.body.position_m.truncate().distance(self.centre_m);
-        let off_m = (from_centre_m - self.radius_m).abs();
+        let off_m = self.off_m(cockpit.body.position_m.truncate());
         self.is_reached |= off_m <= rules.turn_radius_m.max(REACHED_M);
         let wanted = if self.is_reached { self.speed_m_s } else { 0.0 };
         let most = rules.accel_m_s2 * 0.5 * STEP_S;
