@@ -16,11 +16,12 @@ use crate::text;
 use crate::vehicle::VehicleId;
 
 mod ending;
+mod wanted;
+
+use wanted::WantedParameter;
 
 /// The maximum by which the mission's clock may be ahead of the simulator step recorded with it.
 const NOTED_WITHIN: Duration = Duration::from_millis(100);
-/// The maximum time between a demand of the mission and the change of the parameter.
-const SET_WITHIN: Duration = Duration::from_secs(10);
 
 /// Compares a record with its flight, step by step.
 pub(super) struct RecordCheck {
@@ -66,11 +67,6 @@ impl RecordClock {
         let simulated = now.simulated.saturating_sub(self.simulated);
         mission.abs_diff(simulated)
     }
-}
-
-struct WantedParameter {
-    value: f64,
-    at: Duration,
 }
 
 impl RecordCheck {
@@ -208,8 +204,9 @@ impl RecordCheck {
                     self.muffled.insert(vehicle, until);
                 }
                 Want::Parameter { name, value } => {
-                    self.wanted
-                        .insert((vehicle, name), WantedParameter { value, at });
+                    let wanted = self.wanted.entry((vehicle, name)).or_default();
+                    wanted.want(value, at);
+                    wanted.forget(self.seen_to);
                 }
                 // The recorded frames put the lists on board; a different plan would lead to a
                 // different flight. Missions refuse tests of the radio.
@@ -220,18 +217,13 @@ impl RecordCheck {
 
     /// Checks that the simulator's weather and faults were set as the mission demands.
     fn compare_wanted(&self) -> Result<(), Divergence> {
-        let settled = self.seen_to.saturating_sub(SET_WITHIN);
-        for ((id, name), wanted) in self
-            .wanted
-            .iter()
-            .filter(|(_, wanted)| wanted.at <= settled)
-        {
+        for ((id, name), wanted) in &self.wanted {
             let mut witnesses = self.reflight.witnesses.iter();
             let Some(vehicle) = witnesses.position(|it| it.session.vehicle().id == *id) else {
                 continue;
             };
             let is_set = self.reflight.world.parameter(vehicle, name);
-            if (is_set - wanted.value).abs() > 1e-5 * wanted.value.abs().max(1.0) {
+            if !wanted.permits(is_set, self.seen_to) {
                 let what = text!("verify-other-parameter", name = *name);
                 return Err(self.reflight.differs(Some(*id), what));
             }
