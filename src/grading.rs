@@ -17,6 +17,6 @@ mod sheet;
 
 pub use agreement::{Agreement, Disagreement, GradedElement, GraderMarks, agreement, marks_of};
 pub use evidence::EvidenceKind;
-pub use flight::GradedFlight;
+pub use flight::{FlightChoice, GradedFlight, GradedRequest, RecordBookmark};
 pub use rubric::{RUBRIC_KEYS, Rubric, RubricCategory, RubricElement};
-pub use sheet::{Grade, GradeGap, GradeSheet, Mark};
+pub use sheet::{Grade, GradeSheet, Mark};

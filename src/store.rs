@@ -190,13 +190,12 @@ pub fn rubrics() -> Vec<Source> {
     RUBRIC_FILES.merged(RUBRICS)
 }
 
-/// A rubric, by its path or its name.
+/// The rubric with this name.
 ///
 /// # Errors
-/// No such rubric exists, or it cannot be read, or it has faults.
-pub fn rubric(path_or_name: &str) -> Result<Rubric, StoreError> {
-    let source = at_path("file-rubric", path_or_name)
-        .unwrap_or_else(|| RUBRIC_FILES.named(path_or_name, &rubrics()))?;
+/// No such rubric exists, or it has faults.
+pub fn rubric(name: &str) -> Result<Rubric, StoreError> {
+    let source = RUBRIC_FILES.named(name, &rubrics())?;
     Rubric::parse(source.stem(), &source.text).map_err(|faults| StoreError::Faulty {
         file: source,
         faults,

@@ -82,7 +82,6 @@ bench-no-mission = no mission chosen
 bench-choose-mission = [ and ] choose a mission to build for.
 bench-mission-is = built for mission: { $mission }
 bench-mission-flown = the mission is in progress: choose another when it is over
-bench-more = ... { $count } more
 bench-seats = { $count ->
     [one] { $count } drone
    *[other] { $count } drones

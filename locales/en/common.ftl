@@ -4,3 +4,4 @@ count-vehicles = { $count ->
     [one] { $count } vehicle
    *[other] { $count } vehicles
 }
+common-more = ... { $count } more

@@ -3,11 +3,11 @@
 rubric-schema = unknown schema { $found }: this version reads schema { $known }
 rubric-categories = { $found } categories: a rubric has four to six
 rubric-elements = { $found } elements: a category has 1 to { $most }
-rubric-id = an id has 1 to 24 small letters, digits and `-`
+rubric-id = an id has 1 to 24 lowercase letters, digits and `-`
 rubric-id-twice = `{ $id }` is used twice
 rubric-evidence = unknown evidence `{ $name }`
 rubric-markers = list what can be observed: at least one text
-rubric-translations = { $found } translations for { $count } texts
+rubric-translations = translations: { $found }, texts: { $count }
 file-rubric = rubric
 
 evidence-objectives-all = { $count ->
@@ -22,8 +22,8 @@ evidence-alerts-unanswered = { $count ->
 }
 evidence-refusals = { $failed } of { $count } commands failed or were refused
 evidence-commands = { $count } commands, { $rate } a minute, { $percent } % of them for several vehicles
-evidence-idle = vehicles waited for { $percent } % of their time in the air
-evidence-workload = busy with commands { $mean } % of the time, at most { $most } % of a minute
+evidence-idle = vehicles in the air had no task for { $percent } % of the time
+evidence-workload = busy with commands { $mean } % of the time, { $most } % in the busiest minute
 evidence-hints = { $count ->
     [0] no hint taken
     [one] one hint taken
@@ -37,12 +37,16 @@ evidence-component = { $component } { $percent } %: { $cause }
 grading-no-record = no flight of { $user } has been handed in
 grading-unreadable = the grades in { $path } cannot be read: { $fault }
 grading-no-trainee = no trainee: put the cursor on a seat, or write `class grade NAME`
-grading-none = no flight is being graded: `class grade` shows one
-grading-rate-first = first give a mark (`class rate`)
+grading-none = no flight is being graded: open one with `class grade`
+grading-rate-first = first rate the element (`class rate`)
 grading-no-bookmark = { $count ->
     [0] the flight has no bookmarks
    *[other] choose a bookmark from 1 to { $count }
 }
+grading-reading = another flight is being read: wait until it is shown
+grading-oldest = there is no older flight
+grading-newest = there is no newer flight
+grading-foreign = they belong to another grader or rubric
 grading-lost = grades were not kept: { $fault }
 grading-title = { $user }: { $mission }, { $score } points, { $when }  ({ $number }/{ $flights })
 grading-rubric = { $rubric }, graded by { $grader }
@@ -60,13 +64,13 @@ grading-remark = remark: { $text }
 grading-cited = bookmarks: { $numbers }
 grading-bookmark = ◆{ $number } { $time } { $text }
 class-key-grade = grade
-class-key-rate = give a 3
-class-key-remark = remark
-class-key-cite = bookmark
-class-key-older = older flight
+class-key-rate = rate (1 to 5, 0)
+class-key-remark = write remark
+class-key-cite = cite bookmark
+class-key-older = show older flight
 argument-trainee = a trainee's user name
-argument-rubric = the name of a rubric, or its file
-argument-mark = 1 to 5, `unobserved`, or `clear`
+argument-rubric = the name of a rubric
+argument-rating = 1 to 5, `unobserved`, or `clear`
 argument-bookmark = the number of a bookmark
 
 grades-none = No flight of the class has been graded yet: `class grade` at the desk begins.
@@ -75,8 +79,12 @@ grades-open = open
 grades-rubric = rubric
 grades-element = element
 grades-title = title
-grades-mark = mark
+grades-rating = rating
+grades-state = state
+grades-counts = counts
+grades-unobserved = not observed
+grades-no-reason = no reason given
 grades-remark = remark
 grades-bookmarks = bookmarks, s
-grades-agreement = { $first } and { $second }: { $marks } marks by both, { $equal } equal, { $within } at most one step apart; mean difference { $difference }, weighted kappa { $kappa }; observed by one only: { $single }
+grades-agreement = { $first } and { $second }: { $marks } ratings by both, { $equal } equal, { $within } at most one step apart; mean difference { $difference }, weighted kappa { $kappa }; observed by one only: { $single }
 grades-apart = { $user }, { $record }, { $element }: { $one } and { $other }

@@ -82,7 +82,6 @@ bench-no-mission = завдання не вибрано
 bench-choose-mission = [ і ] вибирають завдання, для якого ви складаєте дрон.
 bench-mission-is = дрон для завдання: { $mission }
 bench-mission-flown = завдання вже виконується: інше можна вибрати, коли воно скінчиться
-bench-more = ... ще { $count }
 bench-seats = { $count ->
     [one] { $count } дрон
     [few] { $count } дрони

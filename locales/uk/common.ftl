@@ -19,3 +19,4 @@ count-vehicles = { $count ->
     [few] { $count } апарати
    *[many] { $count } апаратів
 }
+common-more = ... ще { $count }

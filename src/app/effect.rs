@@ -10,7 +10,7 @@ use crate::diagnostic::Diagnostic;
 use crate::draft::Trial;
 use crate::forward::ForwardSpec;
 use crate::geo::Square;
-use crate::grading::GradeSheet;
+use crate::grading::{GradeSheet, GradedRequest};
 use crate::language::{GhostSource, LoopTarget, ProcessDeed, SeekTarget};
 use crate::ledger::EntryId;
 use crate::moment::MomentKind;
@@ -234,14 +234,7 @@ pub enum ClassEffect {
     /// it at the seats that have it in their journals.
     ReadLesson { name: String, seats: Vec<usize> },
     /// At the desk: read a flight of a trainee, and the grades that it has.
-    ReadGraded {
-        /// The trainee's user name.
-        user: String,
-        /// How many flights are newer.
-        back: usize,
-        /// The rubric's name or path; `None` for the standard one.
-        rubric: Option<String>,
-    },
+    ReadGraded(GradedRequest),
     /// At the desk: keep the grades of a flight.
     KeepGrades {
         user: String,

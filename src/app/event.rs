@@ -21,7 +21,7 @@ use crate::class_results::ClassResults;
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
-use crate::grading::GradedFlight;
+use crate::grading::{GradedFlight, GradedRequest};
 use crate::ledger::{ForeignCommand, Risk, RowUpdate};
 use crate::lesson_plan::{Lesson, LessonList};
 use crate::mission::{Area, Listing, Progress};
@@ -297,8 +297,11 @@ pub enum ClassEvent {
         lesson: Result<Arc<Lesson>, Text>,
         seats: Vec<usize>,
     },
-    /// At the desk: a flight to be graded, or why it cannot be.
-    Graded(Result<Box<GradedFlight>, Text>),
+    /// At the desk: the flight that was asked for, or why it cannot be graded.
+    Graded {
+        asked: GradedRequest,
+        flight: Result<Box<GradedFlight>, Text>,
+    },
     /// At the desk: grades were not kept, with the reason.
     GradesLost(Text),
     /// At the desk: the results of the class have changed.

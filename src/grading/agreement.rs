@@ -21,7 +21,7 @@ pub struct GradedElement {
     pub element: String,
 }
 
-/// The grades of a grader; `None` for an element that was not observed.
+/// The marks of a grader that count; `None` for an element that was not observed.
 pub type GraderMarks = BTreeMap<GradedElement, Option<Mark>>;
 
 /// How far two graders agree, over the elements that both have graded in the same flights.
@@ -67,7 +67,7 @@ pub fn marks_of<'a>(
             record: record.to_owned(),
             element: element.clone(),
         };
-        (graded, grade.mark)
+        (graded, grade.counted_mark())
     })
 }
 

@@ -1,10 +1,40 @@
 //! A flight that is being graded.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use super::{GradeSheet, Rubric};
-use crate::comparison::FlightBookmark;
 use crate::text::Text;
+
+/// Which flight of a trainee is to be graded.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum FlightChoice {
+    Newest,
+    /// The one before the record with this name.
+    Older(String),
+    /// The one after it.
+    Newer(String),
+}
+
+/// What is asked for to grade a flight.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct GradedRequest {
+    /// The trainee's user name.
+    pub user: String,
+    pub choice: FlightChoice,
+    /// The name of the rubric; `None` for the standard one.
+    pub rubric: Option<String>,
+}
+
+/// A bookmark in a record.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RecordBookmark {
+    /// Its time in the record, by which grades refer to it.
+    pub recorded: Duration,
+    /// Its mission time: before the start of the mission's clock 0.
+    pub at: Duration,
+    pub text: String,
+}
 
 /// A flight with the grades of one grader, and what its record says.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,5 +58,7 @@ pub struct GradedFlight {
     /// What the record says about each element, in the order of the rubric's elements.
     pub evidence: Vec<Vec<Text>>,
     /// The bookmarks in the record, the oldest first.
-    pub bookmarks: Vec<FlightBookmark>,
+    pub bookmarks: Vec<RecordBookmark>,
+    /// Why flights that are nearer to the one asked for were passed over.
+    pub skipped: Vec<Text>,
 }

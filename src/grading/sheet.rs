@@ -12,9 +12,6 @@ use super::{Rubric, RubricElement};
 pub struct Mark(u8);
 
 impl Mark {
-    /// The marks, the lowest first.
-    pub const ALL: [Self; 5] = [Self(1), Self(2), Self(3), Self(4), Self(5)];
-
     /// Whether the mark needs a reason: a text or a bookmark.
     pub fn is_extreme(self) -> bool {
         matches!(self.0, 1 | 5)
@@ -75,6 +72,11 @@ impl Grade {
         let is_extreme = self.mark.is_some_and(Mark::is_extreme);
         is_extreme && self.text.trim().is_empty() && self.bookmarks_s.is_empty()
     }
+
+    /// The mark that counts: one without a required reason does not.
+    pub fn counted_mark(&self) -> Option<Mark> {
+        self.mark.filter(|_| !self.lacks_reason())
+    }
 }
 
 /// The grades that a grader gives a flight.
@@ -88,15 +90,6 @@ pub struct GradeSheet {
     /// The grades by element; an element without a grade is open.
     #[serde(default)]
     pub grades: BTreeMap<String, Grade>,
-}
-
-/// What a sheet lacks.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum GradeGap<'a> {
-    /// The element has no grade yet.
-    Open(&'a RubricElement),
-    /// Its mark is 1 or 5 and has neither a text nor a bookmark.
-    Reason(&'a RubricElement),
 }
 
 impl GradeSheet {
@@ -124,22 +117,20 @@ impl GradeSheet {
         self.grades.get_mut(element)
     }
 
-    /// What is missing, in the order of the rubric.
-    pub fn gaps<'a>(&'a self, rubric: &'a Rubric) -> impl Iterator<Item = GradeGap<'a>> {
-        rubric
-            .elements()
-            .filter_map(|element| match self.grades.get(&element.id) {
-                None => Some(GradeGap::Open(element)),
-                Some(grade) if grade.lacks_reason() => Some(GradeGap::Reason(element)),
-                Some(_) => None,
-            })
+    /// The elements that are open: without a grade, or without a required reason.
+    pub fn open<'a>(&'a self, rubric: &'a Rubric) -> impl Iterator<Item = &'a RubricElement> {
+        let is_open = |element: &&RubricElement| {
+            let grade = self.grades.get(&element.id);
+            grade.is_none_or(Grade::lacks_reason)
+        };
+        rubric.elements().filter(is_open)
     }
 
-    /// The mean of the marks of these elements; `None` if none was observed.
+    /// The mean of the marks of these elements that count; `None` without any.
     pub fn mean<'a>(&self, elements: impl IntoIterator<Item = &'a RubricElement>) -> Option<f64> {
         let marks: Vec<f64> = elements
             .into_iter()
-            .filter_map(|element| self.grades.get(&element.id)?.mark)
+            .filter_map(|element| self.grades.get(&element.id)?.counted_mark())
             .map(|mark| f64::from(mark.number()))
             .collect();
         (!marks.is_empty()).then(|| marks.iter().sum::<f64>() / marks.len() as f64)

@@ -32,7 +32,7 @@ pub enum NameList {
     Lesson,
     /// The trainees of the class, by user name.
     Trainee,
-    /// The rubrics; a path is valid, too.
+    /// The rubrics.
     Rubric,
 }
 
@@ -111,13 +111,12 @@ impl Listed {
             | NameList::ItemField
             | NameList::PlanFile
             | NameList::Seat
-            | NameList::SeatInject => words.iter().copied().find(|word| *word == written),
-            NameList::Lesson | NameList::Rubric if written.contains(['/', '.']) => {
+            | NameList::SeatInject
+            | NameList::Rubric => words.iter().copied().find(|word| *word == written),
+            NameList::Lesson if written.contains(['/', '.']) => {
                 return Ok(written.to_owned());
             }
-            NameList::Lesson | NameList::Rubric => {
-                words.iter().copied().find(|word| *word == written)
-            }
+            NameList::Lesson => words.iter().copied().find(|word| *word == written),
             NameList::Trainee => {
                 let name = written.trim_start_matches('@');
                 words.iter().copied().find(|word| *word == name)

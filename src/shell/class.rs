@@ -245,14 +245,13 @@ impl Console {
             }
             ClassEffect::ListLessons => self.list_lessons(),
             ClassEffect::ReadLesson { name, seats } => self.read_lesson(name, seats),
-            ClassEffect::ReadGraded { .. } | ClassEffect::KeepGrades { .. }
-                if self.options.preferences.data.is_none() =>
-            {
-                self.post(ClassEvent::Graded(Err(text!("career-nowhere"))));
+            ClassEffect::ReadGraded(asked) if self.options.preferences.data.is_none() => {
+                let flight = Err(text!("career-nowhere"));
+                self.post(ClassEvent::Graded { asked, flight });
             }
             ClassEffect::HandIn(_)
             | ClassEffect::Settle(_)
-            | ClassEffect::ReadGraded { .. }
+            | ClassEffect::ReadGraded(_)
             | ClassEffect::KeepGrades { .. }
             | ClassEffect::Receive { .. }
             | ClassEffect::Deny { .. } => self.class_work.push(effect),

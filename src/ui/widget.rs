@@ -12,13 +12,17 @@
 
 use std::time::Duration;
 
+use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
-use ratatui::text::Span;
+use ratatui::style::Style;
+use ratatui::text::{Line, Span};
 
+use super::panel::Panel;
 pub use super::panel::{below, clip_rows, columns, put, row_of, upper};
 use super::theme::Role;
 use crate::ledger::RowState;
 use crate::scoring::Medal;
+use crate::text;
 pub use crate::text::{clip, reflow, wrap};
 use crate::vehicle::Severity;
 
@@ -63,6 +67,28 @@ pub fn centred(width: u16, height: u16, area: Rect) -> Rect {
 /// The width of a text on the screen, in columns.
 pub fn width(text: &str) -> usize {
     Span::raw(text).width()
+}
+
+/// Writes texts one below the other, wrapped. If they do not fit, the last row shows how many are not shown whole.
+pub fn put_or_count(texts: &[(String, Style)], panel: Panel<'_>, buffer: &mut Buffer) {
+    let [columns, rows] = [panel.area.width, panel.area.height].map(usize::from);
+    let mut lines = Vec::new();
+    let mut ends = Vec::new();
+    for (text, style) in texts {
+        let wrapped = wrap(text, columns).into_iter();
+        lines.extend(wrapped.map(|line| Line::styled(line, *style)));
+        ends.push(lines.len());
+    }
+    if lines.len() > rows && rows > 0 {
+        let hidden = ends.iter().filter(|end| **end >= rows).count();
+        let text = panel.text(&text!("common-more", count = hidden));
+        let text = aligned(&text, columns, false);
+        lines.truncate(rows - 1);
+        lines.push(Line::styled(text, panel.style(Role::Muted)));
+    }
+    for (row, line) in (0..panel.area.height).zip(&lines) {
+        put(buffer, panel.area, row, line);
+    }
 }
 
 /// A text cut or padded to a width; aligned to the right if `right`.

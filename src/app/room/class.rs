@@ -14,6 +14,7 @@ use crate::app::keymap::{
 use crate::app::room::{Answer, RoomModel, RoomRequest, footer_keys};
 use crate::class::{Desk, LessonPlan};
 use crate::class_results::ClassResults;
+use crate::grading::GradedRequest;
 use crate::lesson_plan::{Lesson, LessonList};
 use crate::text;
 use crate::text::Text;
@@ -126,7 +127,9 @@ pub struct ClassRoom {
     results_row: usize,
     /// The flight that is being graded instead of the board being shown.
     pub(in crate::app) grading: Option<GradingPage>,
-    /// The rubric that was asked for last, by its name or path; `None` for the standard one.
+    /// The flight that was asked for to be graded.
+    pub(in crate::app) awaited: Option<GradedRequest>,
+    /// The name of the last rubric; `None` for the standard one.
     pub(in crate::app) rubric: Option<String>,
 }
 
@@ -173,6 +176,7 @@ impl ClassRoom {
 
     /// Shows the results: their first page, or the next one.
     pub(in crate::app) fn show_results(&mut self) {
+        self.close_grading();
         let next = self.page.map(|page| page.after(1));
         self.page = Some(next.unwrap_or(ResultsPage::Objectives));
         self.results_row = 0;
@@ -220,6 +224,7 @@ pub fn addressed(state: &State) -> Vec<usize> {
 /// Shows the screen of a seat; orders without seats go to it.
 pub fn watch(state: &mut State, seat: usize) {
     let room = &mut state.rooms.class;
+    room.close_grading();
     room.cursor = Some(seat);
     room.view = (0, 0);
     if let Some(desk) = state.class.desk_mut() {
@@ -290,7 +295,7 @@ const GRADING_HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
     footer_keys::MOVE,
-    hint_words("class rate 3", "class-key-rate"),
+    hint_words("class rate 1", "class-key-rate"),
     hint(&[Action::Submit], "class-key-remark"),
     hint_words("class cite ", "class-key-cite"),
     hint(&[Action::Move(Step::Left)], "class-key-older"),
@@ -408,10 +413,11 @@ impl RoomModel for ClassRoom {
 
     fn submit(state: &mut State) -> Answer {
         let desk = state.class.desk()?;
-        let seat = state.rooms.class.cursor?;
-        if state.rooms.class.grading.is_some() {
-            return Some(vec![RoomRequest::Write("class remark ".to_owned())]);
+        if let Some(page) = &state.rooms.class.grading {
+            let line = format!("class remark {}", page.remark());
+            return Some(vec![RoomRequest::Write(line)]);
         }
+        let seat = state.rooms.class.cursor?;
         let is_board = desk.watched().is_none() && state.rooms.class.page.is_none();
         if is_board && desk.seats().get(seat)?.is_here() {
             watch(state, seat);
@@ -427,7 +433,7 @@ impl RoomModel for ClassRoom {
             return Some(Vec::new());
         }
         let room = &mut state.rooms.class;
-        let is_open = room.grading.take().is_some()
+        let is_open = room.close_grading()
             || room.page.take().is_some()
             || std::mem::take(&mut room.shows_injects)
             || std::mem::take(&mut room.lessons.is_shown);

@@ -78,7 +78,7 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
             lesson,
             seats,
         } => lessons::read(state, &name, lesson, &seats),
-        ClassEvent::Graded(flight) => grading::read(state, flight),
+        ClassEvent::Graded { asked, flight } => grading::read(state, &asked, flight),
         ClassEvent::GradesLost(fault) => {
             tell(
                 state,

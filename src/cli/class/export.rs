@@ -73,21 +73,23 @@ pub(super) fn export(
     arguments: &ExportArguments,
     settings: &CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let class = ReadClass::read(arguments.name.as_deref(), settings)?;
     let output = &arguments.output;
+    let locale = &Locale::new(settings.language());
+    let name = arguments.name.as_deref();
+    let read = || ReadClass::read(name, settings);
     let text = match arguments.format {
         ClassFormat::Md => {
-            write_folder(&class, output).map_err(|error| failed(&class, &error))?;
-            return done(&class, output);
+            write_folder(&read()?, output).map_err(|error| failed(locale, &error))?;
+            return done(locale, output);
         }
-        ClassFormat::Csv => tables::rows(&class.trainees, &class.locale).csv()?,
+        ClassFormat::Csv => tables::rows(&read()?.trainees, locale).csv()?,
+        ClassFormat::Moodle => tables::moodle(&read()?.results(), locale).csv()?,
         ClassFormat::Grades => {
-            let name = arguments.name.as_deref();
-            let grades = ReadGrades::read(name, settings, &class.locale)?;
-            grades::rows(&grades, &class.locale).csv()?
+            let grades = ReadGrades::read(name, settings, locale)?;
+            grades::rows(&grades, locale).csv()?
         }
-        ClassFormat::Moodle => tables::moodle(&class.results(), &class.locale).csv()?,
         ClassFormat::Xapi => {
+            let class = read()?;
             let home_page = arguments.home_page.clone().unwrap_or_else(own_home_page);
             let statements = Statements {
                 class: &class.name,
@@ -96,20 +98,24 @@ pub(super) fn export(
             statements.lines(&class.trainees)
         }
     };
-    write_new_output(output, &text).map_err(|error| failed(&class, &error))?;
-    done(&class, output)
+    write(output, &text, locale)
 }
 
-fn done(class: &ReadClass, output: &Path) -> Result<ExitCode, Failure> {
+fn write(output: &Path, text: &str, locale: &Locale) -> Result<ExitCode, Failure> {
+    write_new_output(output, text).map_err(|error| failed(locale, &error))?;
+    done(locale, output)
+}
+
+fn done(locale: &Locale, output: &Path) -> Result<ExitCode, Failure> {
     if !is_stream(output) {
         let text = text!("export-done", path = output.display().to_string());
-        say!("{}", class.locale.text(&text))?;
+        say!("{}", locale.text(&text))?;
     }
     Ok(ExitCode::SUCCESS)
 }
 
-fn failed(class: &ReadClass, error: &StoreError) -> Failure {
-    Failure::Failed(anyhow::anyhow!(class.locale.text(&Text::from(error))))
+fn failed(locale: &Locale, error: &StoreError) -> Failure {
+    Failure::Failed(anyhow::anyhow!(locale.text(&Text::from(error))))
 }
 
 /// The address of this host.

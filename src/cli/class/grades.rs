@@ -1,6 +1,6 @@
 //! `sortie class grades` and `sortie class rubrics`: what graders have judged, and with which rubrics.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::process::ExitCode;
 
 use clap::Args;
@@ -10,7 +10,7 @@ use super::results::records_of;
 use crate::cli::Failure;
 use crate::cli::settings::CliSettings;
 use crate::cli::table::{Side, TextTable};
-use crate::grading::{Agreement, GraderMarks, Rubric, agreement, marks_of};
+use crate::grading::{Agreement, Grade, GradeSheet, GraderMarks, Rubric, agreement, marks_of};
 use crate::store::{self, KeptSheet, StoreError};
 use crate::text;
 use crate::text::{Locale, Text, figure};
@@ -37,6 +37,8 @@ pub(super) struct ReadGrades {
     pub sheets: Vec<KeptSheet>,
     /// The rubrics by name; a rubric that is gone is missing.
     pub rubrics: BTreeMap<String, Rubric>,
+    /// Whether grades or rubrics cannot be read.
+    is_incomplete: bool,
 }
 
 /// How far two graders agree.
@@ -61,7 +63,7 @@ struct SheetDocument<'a> {
     user: &'a str,
     record: &'a str,
     #[serde(flatten)]
-    sheet: &'a crate::grading::GradeSheet,
+    sheet: &'a GradeSheet,
 }
 
 impl ReadGrades {
@@ -75,26 +77,23 @@ impl ReadGrades {
         locale: &Locale,
     ) -> Result<Self, Failure> {
         let (class, records) = records_of(named, settings, locale)?;
-        let (sheets, faults) = records.sheets();
-        for fault in faults {
-            tell!("sortie: {}", locale.text(&fault));
-        }
+        let (sheets, mut faults) = records.sheets();
+        let names: BTreeSet<&str> = sheets.iter().map(|it| it.sheet.rubric.as_str()).collect();
         let mut rubrics = BTreeMap::new();
-        for kept in &sheets {
-            let name = &kept.sheet.rubric;
-            if !rubrics.contains_key(name) {
-                match store::rubric(name) {
-                    Ok(rubric) => {
-                        rubrics.insert(name.clone(), rubric);
-                    }
-                    Err(error) => tell!("sortie: {}", locale.text(&Text::from(&error))),
-                }
+        for name in names {
+            match store::rubric(name) {
+                Ok(rubric) => drop(rubrics.insert(name.to_owned(), rubric)),
+                Err(error) => faults.push(Text::from(&error)),
             }
+        }
+        for fault in &faults {
+            tell!("sortie: {}", locale.text(fault));
         }
         Ok(Self {
             class,
             sheets,
             rubrics,
+            is_incomplete: !faults.is_empty(),
         })
     }
 
@@ -126,7 +125,7 @@ impl ReadGrades {
                 mean.map_or_else(|| "-".to_owned(), |it| figure(it, 1))
             });
             let head = [user.clone(), record.clone(), sheet.grader.clone()];
-            let open = sheet.gaps(rubric).count().to_string();
+            let open = sheet.open(rubric).count().to_string();
             table.push(head.into_iter().chain(means).chain([open]).collect());
         }
         table
@@ -169,7 +168,8 @@ pub(super) fn rows(grades: &ReadGrades, locale: &Locale) -> TextTable {
             (text!("grades-rubric"), Side::Left),
             (text!("grades-element"), Side::Left),
             (text!("grades-title"), Side::Left),
-            (text!("grades-mark"), Side::Right),
+            (text!("grades-rating"), Side::Right),
+            (text!("grades-state"), Side::Left),
             (text!("grades-remark"), Side::Left),
             (text!("grades-bookmarks"), Side::Left),
         ],
@@ -189,12 +189,22 @@ pub(super) fn rows(grades: &ReadGrades, locale: &Locale) -> TextTable {
                 grade
                     .mark
                     .map_or_else(String::new, |it| it.number().to_string()),
+                locale.text(&state(grade)),
                 grade.text.clone(),
                 bookmarks.join(" "),
             ]);
         }
     }
     table
+}
+
+/// Whether a grade counts.
+fn state(grade: &Grade) -> Text {
+    match (grade.mark, grade.counted_mark()) {
+        (None, _) => text!("grades-unobserved"),
+        (Some(_), None) => text!("grades-no-reason"),
+        (Some(_), Some(_)) => text!("grades-counts"),
+    }
 }
 
 /// Prints the grades of a class.
@@ -225,14 +235,14 @@ pub(super) fn grades(
     for rubric in grades.rubrics.values() {
         let table = grades.table(rubric, &locale);
         say!("{}\n{}", locale.text(&rubric.title), table.plain())?;
+        for pair in pairs.iter().filter(|it| it.rubric == rubric.name) {
+            say_pair(pair, rubric, &locale)?;
+        }
     }
-    for pair in &pairs {
-        say_pair(pair, &locale)?;
-    }
-    Ok(ExitCode::SUCCESS)
+    Ok(ExitCode::from(u8::from(grades.is_incomplete)))
 }
 
-fn say_pair(pair: &GraderPair, locale: &Locale) -> Result<(), Failure> {
+fn say_pair(pair: &GraderPair, rubric: &Rubric, locale: &Locale) -> Result<(), Failure> {
     let found = &pair.agreement;
     let kappa = found.kappa;
     let line = text!(
@@ -248,11 +258,13 @@ fn say_pair(pair: &GraderPair, locale: &Locale) -> Result<(), Failure> {
     );
     say!("{}", locale.text(&line))?;
     for apart in &found.far_apart {
+        let id = &apart.graded.element;
+        let title = rubric.elements().find(|it| it.id == *id);
         let line = text!(
             "grades-apart",
             user = apart.graded.user.as_str(),
             record = apart.graded.record.as_str(),
-            element = apart.graded.element.as_str(),
+            element = title.map_or_else(|| Text::verbatim(id), |it| it.title.clone()),
             one = apart.first.number(),
             other = apart.second.number()
         );

@@ -26,7 +26,7 @@ fn faults_are_named_with_their_places() {
     );
     assert_eq!(
         faults("id = \"planning\"", "id = \"Planning\""),
-        ["an id has 1 to 24 small letters, digits and `-`"]
+        ["an id has 1 to 24 lowercase letters, digits and `-`"]
     );
     assert_eq!(
         faults("id = \"planning\"", "id = \"leadership\""),
@@ -41,7 +41,7 @@ fn faults_are_named_with_their_places() {
         faults(poor, "poor = []"),
         [
             "list what can be observed: at least one text",
-            "1 translations for 0 texts"
+            "translations: 1, texts: 0"
         ]
     );
 }

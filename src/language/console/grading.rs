@@ -6,12 +6,12 @@ pub enum GradingLine {
     /// Show a flight of a trainee with its grades: of the one with this name, otherwise of the one under the cursor.
     Open {
         trainee: Option<String>,
-        /// The name of a rubric, or its file; the last one without it.
+        /// The name of a rubric; the last one without it.
         rubric: Option<String>,
     },
     /// Grade the element under the cursor.
     Rate(Rating),
-    /// Set the remark of the element under the cursor; an empty one is removed.
+    /// Set the remark of the element under the cursor.
     Remark(String),
     /// Refer to the bookmark with this number, from 1, at the element under the cursor, or no longer refer to it.
     Cite(usize),
@@ -36,7 +36,10 @@ impl Rating {
         match name {
             "unobserved" => Some(Self::NotObserved),
             "clear" => Some(Self::Clear),
-            digit => digit.parse().ok().map(Self::Mark),
+            digit => {
+                let mark = digit.parse().ok();
+                mark.filter(|it| (1..=5).contains(it)).map(Self::Mark)
+            }
         }
     }
 }

@@ -84,17 +84,17 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         Form::new(&[Argument::flag("grade", ""), TRAINEE, RUBRIC], |given| {
             let [trainee, rubric] =
                 ["trainee", "rubric"].map(|name| given.word(name).map(str::to_owned));
-            let trainee = trainee.map(|it| it.trim_start_matches('@').to_owned());
             grade(GradingLine::Open { trainee, rubric })
         }),
         Form::new(&[Argument::flag("rate", ""), RATING], |given| {
-            let word = given.required_word("mark")?;
-            let rating = Rating::by_name(word);
-            grade(GradingLine::Rate(rating.unwrap_or(Rating::Clear)))
+            let word = given.required_word("rating")?;
+            let unknown = || Problem::new("rating", text!("grammar-no-name", word = word));
+            let rating = Rating::by_name(word).ok_or_else(unknown)?;
+            grade(GradingLine::Rate(rating))
         }),
-        Form::new(&[Argument::flag("remark", ""), TEXT.optional()], |given| {
-            let text = given.word("text").unwrap_or_default();
-            grade(GradingLine::Remark(text.to_owned()))
+        Form::new(&[Argument::flag("remark", ""), TEXT], |given| {
+            let text = given.required_word("text")?.to_owned();
+            grade(GradingLine::Remark(text))
         }),
         Form::new(&[Argument::flag("cite", ""), BOOKMARK], |given| {
             grade(GradingLine::Cite(given.required("bookmark")? as usize))
@@ -161,7 +161,7 @@ const RUBRIC: Argument = Argument::keyed(
     "argument-rubric",
 )
 .optional();
-const RATING: Argument = Argument::value("mark", Kind::Choice(Rating::NAMES), "argument-mark");
+const RATING: Argument = Argument::value("rating", Kind::Choice(Rating::NAMES), "argument-rating");
 const BOOKMARK: Argument = Argument::value(
     "bookmark",
     Kind::Whole(Unit::None, 1.0, 1000.0),

@@ -88,9 +88,7 @@ impl DeskEnd {
                 }),
                 None => self.refuse(connection, &heard),
             },
-            ClassEffect::ReadGraded { user, back, rubric } => {
-                self.give(DeskTask::ReadGraded { user, back, rubric });
-            }
+            ClassEffect::ReadGraded(asked) => self.give(DeskTask::ReadGraded(asked)),
             ClassEffect::KeepGrades {
                 user,
                 record,
@@ -102,6 +100,11 @@ impl DeskEnd {
             }),
             _ => {}
         }
+    }
+
+    /// Whether records or grades are being written or read.
+    pub fn is_busy(&self) -> bool {
+        self.files.as_ref().is_some_and(Worker::is_busy)
     }
 
     fn give(&mut self, task: DeskTask) {

@@ -9,7 +9,7 @@ use crate::campaign::MissionCourse;
 use crate::class::protocol::DeskMessage;
 use crate::class::{ConnectionId, DeskHeard, Receipt, ReceiptNews, Reception};
 use crate::class_results::{ClassResults, ClassTrainee, add_flight};
-use crate::grading::{GradeSheet, GradedFlight};
+use crate::grading::{GradeSheet, GradedFlight, GradedRequest};
 use crate::shell::ConsoleOptions;
 use crate::store::{self, ClassRecords, class_flight, class_trainees, day_of};
 use crate::text::Text;
@@ -29,13 +29,8 @@ pub(in crate::shell) enum DeskTask {
     },
     /// A connection has ended.
     Leave(ConnectionId),
-    /// Read a flight to grade it; `back` counts from the trainee's newest one.
-    ReadGraded {
-        user: String,
-        back: usize,
-        /// The rubric's name or path; `None` for the standard one.
-        rubric: Option<String>,
-    },
+    /// Read a flight to grade it.
+    ReadGraded(GradedRequest),
     /// Keep the grades of a flight.
     KeepGrades {
         user: String,
@@ -95,9 +90,9 @@ impl DeskFiles {
                 self.reception.leave(connection);
                 Vec::new()
             }
-            DeskTask::ReadGraded { user, back, rubric } => {
-                let flight = self.graded(&user, back, rubric.as_deref());
-                vec![event(ClassEvent::Graded(flight.map(Box::new)))]
+            DeskTask::ReadGraded(asked) => {
+                let flight = self.graded(&asked).map(Box::new);
+                vec![event(ClassEvent::Graded { asked, flight })]
             }
             DeskTask::KeepGrades {
                 user,
@@ -161,12 +156,12 @@ impl DeskFiles {
         vec![event(kept), self.results()]
     }
 
-    /// A flight of a trainee, with the grades that it has.
-    fn graded(&self, user: &str, back: usize, rubric: Option<&str>) -> Result<GradedFlight, Text> {
-        let rubric = store::rubric(rubric.unwrap_or(STANDARD_RUBRIC));
-        let rubric = rubric.map_err(|error| Text::from(&error))?;
+    /// The flight that is asked for, with the grades that it has.
+    fn graded(&self, asked: &GradedRequest) -> Result<GradedFlight, Text> {
+        let name = asked.rubric.as_deref().unwrap_or(STANDARD_RUBRIC);
+        let rubric = store::rubric(name).map_err(|error| Text::from(&error))?;
         let shelf = self.reception.shelf();
-        shelf.graded(user, back, &Arc::new(rubric), &self.grader)
+        shelf.graded(&asked.user, &asked.choice, &Arc::new(rubric), &self.grader)
     }
 
     fn results(&self) -> DeskAnswer {

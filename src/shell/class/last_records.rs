@@ -41,10 +41,12 @@ impl Console {
 }
 
 impl ClassEnd {
-    /// Whether there are records that the desk can have now.
+    /// Whether there are records that the desk can have now, or, at the desk, whether records or grades are written.
     fn has_records(&self, state: &State) -> bool {
-        let Self::Seat(end) = self else {
-            return false;
+        let end = match self {
+            Self::Seat(end) => end,
+            Self::Desk(end) => return end.is_busy(),
+            Self::None => return false,
         };
         let (Some(files), Some(place)) = (&end.files, state.class_role().seat()) else {
             return false;

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::{ClassRecords, KeptRecord, names_in, safe};
-use crate::comparison::FlightBookmark;
-use crate::grading::{GradeSheet, GradedFlight, Rubric};
+use crate::grading::{FlightChoice, GradeSheet, GradedFlight, RecordBookmark, Rubric};
+use crate::moment::Moment;
 use crate::record::MissionClock;
 use crate::store::class_results::{RescoredFlight, rescored};
 use crate::store::{StoreError, sharing};
@@ -28,42 +28,73 @@ pub struct KeptSheet {
 }
 
 impl ClassRecords {
-    /// A flight with the grades that a grader has given it so far. `back` counts flights from the trainee's newest one,
-    /// which is 0.
+    /// A flight with the grades that a grader has given it so far; flights and grades that cannot be read are passed
+    /// over.
     ///
     /// # Errors
-    /// A text if the trainee has handed in no flight, or the record or the grades cannot be read.
+    /// A text if there is no such flight, or why none can be read.
     pub fn graded(
         &self,
         user: &str,
-        back: usize,
+        choice: &FlightChoice,
         rubric: &Arc<Rubric>,
         grader: &str,
     ) -> Result<GradedFlight, Text> {
         let records = self.of(user);
-        let at = records.len().checked_sub(back + 1);
-        let Some((at, kept)) = at.and_then(|at| Some((at, records.get(at)?))) else {
-            return Err(text!("grading-no-record", user = user));
-        };
+        let flights = records.len();
+        let mut skipped = Vec::new();
+        for (at, kept) in chosen(&records, choice) {
+            match self.graded_record(kept, rubric, grader) {
+                Ok(flight) => {
+                    return Ok(GradedFlight {
+                        number: at + 1,
+                        flights,
+                        skipped,
+                        ..flight
+                    });
+                }
+                Err(fault) => skipped.push(fault),
+            }
+        }
+        Err(match (skipped.into_iter().next(), choice) {
+            (Some(fault), _) => fault,
+            (None, FlightChoice::Newest) => text!("grading-no-record", user = user),
+            (None, FlightChoice::Older(_)) => text!("grading-oldest"),
+            (None, FlightChoice::Newer(_)) => text!("grading-newest"),
+        })
+    }
+
+    fn graded_record(
+        &self,
+        kept: &KeptRecord,
+        rubric: &Arc<Rubric>,
+        grader: &str,
+    ) -> Result<GradedFlight, Text> {
         let RescoredFlight { stored, report, .. } = rescored(kept)?;
         let elements = rubric.elements();
         let evidence = elements.map(|element| {
             let kinds = element.evidence.iter();
             kinds.filter_map(|kind| kind.of(&report)).collect()
         });
-        let sheet = read_sheet(&self.sheet_path(user, &kept.files.stem, &rubric.name, grader))?;
+        let record = &kept.files.stem;
+        let path = self.sheet_path(&kept.user, record, &rubric.name, grader);
+        let sheet = read_sheet(&path)?.unwrap_or_else(|| GradeSheet::new(rubric, grader));
+        if sheet.rubric != rubric.name || sheet.grader != grader {
+            return Err(unreadable(&path, &text!("grading-foreign")));
+        }
         Ok(GradedFlight {
-            user: user.to_owned(),
-            record: kept.files.stem.clone(),
+            user: kept.user.clone(),
+            record: record.clone(),
             title: report.title.clone(),
             when: stored.head.when.clone(),
             score: report.score,
-            number: at + 1,
-            flights: records.len(),
+            number: 1,
+            flights: 1,
             evidence: evidence.collect(),
             bookmarks: bookmarks(kept),
-            sheet: sheet.unwrap_or_else(|| GradeSheet::new(rubric, grader)),
+            sheet,
             rubric: Arc::clone(rubric),
+            skipped: Vec::new(),
         })
     }
 
@@ -122,8 +153,21 @@ impl ClassRecords {
     }
 
     fn sheet_path(&self, user: &str, record: &str, rubric: &str, grader: &str) -> PathBuf {
+        // Points separate the parts of the name.
+        let [rubric, grader] = [rubric, grader].map(|it| it.replace('.', "_"));
         let name = format!("{record}{GRADES}{rubric}.{grader}.toml");
         self.folder.join(safe(user)).join(safe(&name))
+    }
+}
+
+/// The flights to be tried, the nearest to the chosen one first, with their positions. Records have the names of their
+/// times.
+fn chosen<'a>(records: &'a [KeptRecord], choice: &FlightChoice) -> Vec<(usize, &'a KeptRecord)> {
+    let all = records.iter().enumerate();
+    match choice {
+        FlightChoice::Newest => all.rev().collect(),
+        FlightChoice::Older(than) => all.filter(|(_, it)| it.files.stem < *than).rev().collect(),
+        FlightChoice::Newer(than) => all.filter(|(_, it)| it.files.stem > *than).collect(),
     }
 }
 
@@ -132,23 +176,29 @@ fn read_sheet(path: &Path) -> Result<Option<GradeSheet>, Text> {
     let text = match fs::read_to_string(path) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
-        Err(error) => return Err(unreadable(path, &error.to_string())),
+        Err(error) => return Err(unreadable(path, &Text::verbatim(error.to_string()))),
     };
     let sheet = toml::from_str(&text);
-    let sheet = sheet.map_err(|error: toml::de::Error| unreadable(path, error.message()))?;
+    let sheet = sheet
+        .map_err(|error: toml::de::Error| unreadable(path, &Text::verbatim(error.message())))?;
     Ok(Some(sheet))
 }
 
-fn unreadable(path: &Path, fault: &str) -> Text {
+fn unreadable(path: &Path, fault: &Text) -> Text {
     let path = path.display().to_string();
-    text!("grading-unreadable", path = path, fault = fault)
+    text!("grading-unreadable", path = path, fault = fault.clone())
 }
 
 /// The bookmarks in the journal of a record; none without a journal that can be read.
-fn bookmarks(kept: &KeptRecord) -> Vec<FlightBookmark> {
-    let journal = kept.files.read_journal().ok().flatten();
-    journal.map_or_else(Vec::new, |journal| {
-        let recorded: Vec<_> = journal.bookmarks().collect();
-        FlightBookmark::of_moments(&recorded, &MissionClock::of(&journal))
-    })
+fn bookmarks(kept: &KeptRecord) -> Vec<RecordBookmark> {
+    let Some(journal) = kept.files.read_journal().ok().flatten() else {
+        return Vec::new();
+    };
+    let clock = MissionClock::of(&journal);
+    let bookmark = |moment: Moment| RecordBookmark {
+        recorded: moment.at,
+        at: clock.mission_time(moment.at).unwrap_or_default(),
+        text: moment.text.to_string(),
+    };
+    journal.bookmarks().map(bookmark).collect()
 }

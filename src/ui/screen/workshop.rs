@@ -11,7 +11,7 @@ use crate::text;
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, columns, put, row_of, upper, wrap};
+use crate::ui::widget::{below, columns, put, row_of, upper, wrap};
 use crate::workshop::Measure;
 
 mod chart;
@@ -141,26 +141,6 @@ fn put_wrapped(texts: &[(String, Style)], area: Rect, buffer: &mut Buffer) -> Re
         }
     }
     below(area, row)
-}
-
-/// Writes texts one below the other, wrapped. If they do not fit, the last row shows how many are not shown whole.
-fn put_or_count(texts: &[(String, Style)], panel: Panel<'_>, buffer: &mut Buffer) {
-    let [columns, rows] = [panel.area.width, panel.area.height].map(usize::from);
-    let mut ends = texts.iter().scan(0, |row, (text, _)| {
-        *row += wrap(text, columns).len();
-        Some(*row)
-    });
-    let hidden = match ends.clone().last() {
-        Some(all) if all > rows => ends.by_ref().skip_while(|end| *end < rows).count(),
-        Some(_) | None => 0,
-    };
-    put_wrapped(texts, panel.area, buffer);
-    if hidden > 0 && rows > 0 {
-        let text = panel.text(&text!("bench-more", count = hidden));
-        let filled = aligned(&text, columns, false);
-        let line = Line::styled(filled, panel.style(Role::Muted));
-        put(buffer, panel.area, panel.area.height - 1, &line);
-    }
 }
 
 /// A change with a sign for better or worse, readable without colour; `None` if it rounds to zero.

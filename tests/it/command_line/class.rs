@@ -133,10 +133,10 @@ fn grades_are_shown_compared_and_exported_and_the_score_stays() {
     let shown = sortie(&["class", "grades", "9-A"]);
     let shown = text(&shown.stdout);
     assert!(
-        shown.contains("petra and petro: 2 marks by both, 1 equal"),
+        shown.contains("petra and petro: 2 ratings by both, 1 equal"),
         "{shown}"
     );
-    assert!(shown.contains("planning: 5 and 2"), "{shown}");
+    assert!(shown.contains("Plans and coordinates: 5 and 2"), "{shown}");
     let document = sortie(&["class", "grades", "9-A", "--json"]);
     let document: serde_json::Value = serde_json::from_slice(&document.stdout).expect("JSON");
     assert_eq!(document["agreement"][0]["mean_difference"], -1.5);
@@ -157,14 +157,16 @@ fn grades_are_shown_compared_and_exported_and_the_score_stays() {
     )
     .expect("written");
     let broken = sortie(&["class", "grades", "9-A"]);
-    assert_eq!(broken.status.code(), Some(0));
+    assert_eq!(broken.status.code(), Some(1));
     assert!(text(&broken.stderr).contains("cannot be read"));
 }
 
 #[test]
 fn the_rubrics_are_listed_and_checked() {
-    let folder = folder_with(&[("config/sortie/rubrics/mine.toml", "schema = 1\n")]);
+    let folder = folder_with(&[("sortie/rubrics/mine.toml", "schema = 1\n")]);
     let listed = sortie_in(folder.path(), &["class", "rubrics"]);
+    assert_eq!(listed.status.code(), Some(1));
+    assert!(text(&listed.stderr).contains("mine.toml:1:1"));
     assert!(text(&listed.stdout).contains("notechs: Non-technical skills"));
     let rubric = include_str!("../../../rubrics/notechs.toml");
     let files = [("own.toml", rubric.replace("\"idle\"", "\"idel\""))];

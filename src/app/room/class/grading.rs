@@ -3,7 +3,7 @@
 use super::ClassRoom;
 use crate::app::action::Step;
 use crate::app::effect::{ClassEffect, Effect};
-use crate::grading::{Grade, GradeSheet, GradedFlight, RubricElement};
+use crate::grading::{FlightChoice, Grade, GradeSheet, GradedFlight, GradedRequest, RubricElement};
 use crate::text;
 use crate::text::Text;
 
@@ -40,6 +40,14 @@ impl GradingPage {
         self.flight.rubric.elements().nth(self.cursor)
     }
 
+    /// The remark of the element under the cursor.
+    pub(super) fn remark(&self) -> &str {
+        let grade = self
+            .element()
+            .and_then(|it| self.flight.sheet.grades.get(&it.id));
+        grade.map_or("", |it| it.text.as_str())
+    }
+
     pub(in crate::app) fn sheet_mut(&mut self) -> &mut GradeSheet {
         &mut self.flight.sheet
     }
@@ -61,30 +69,36 @@ impl ClassRoom {
         self.grading.as_ref()
     }
 
-    /// Asks for a trainee's flight; `back` counts from the newest one, which is 0.
-    pub(in crate::app) fn read_graded(&self, user: String, back: usize) -> Effect {
-        Effect::Class(ClassEffect::ReadGraded {
-            user,
-            back,
-            rubric: self.rubric.clone(),
-        })
+    /// Asks for a flight; until it comes, nothing is graded.
+    pub(in crate::app) fn ask_graded(&mut self, request: GradedRequest) -> Effect {
+        self.awaited = Some(request.clone());
+        Effect::Class(ClassEffect::ReadGraded(request))
+    }
+
+    /// Shows no flight to be graded any more, and none that was asked for.
+    pub(in crate::app) fn close_grading(&mut self) -> bool {
+        self.awaited = None;
+        self.grading.take().is_some()
     }
 
     /// Moves to another element, or asks for an older or newer flight of the trainee.
     pub(super) fn move_in_grading(&mut self, step: Step) -> Option<Effect> {
         let page = self.grading.as_mut()?;
         let flight = &page.flight;
-        let back = flight.flights - flight.number;
-        let back = match step {
-            Step::Left if flight.number > 1 => back + 1,
-            Step::Right if back > 0 => back - 1,
-            Step::Left | Step::Right => return None,
+        let record = flight.record.clone();
+        let choice = match step {
+            Step::Left => FlightChoice::Older(record),
+            Step::Right => FlightChoice::Newer(record),
             _ => {
                 page.cursor = step.apply(page.cursor, flight.rubric.elements().count());
                 return None;
             }
         };
-        let user = flight.user.clone();
-        Some(self.read_graded(user, back))
+        let request = GradedRequest {
+            user: flight.user.clone(),
+            choice,
+            rubric: Some(flight.rubric.name.clone()),
+        };
+        Some(self.ask_graded(request))
     }
 }

@@ -144,6 +144,7 @@ pub fn unwatch(state: &mut State) -> Result<Effects, Text> {
 pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
     state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
+    state.rooms.class.close_grading();
     state.rooms.class.shows_injects = true;
     state.rooms.class.lessons.is_shown = false;
     Ok(Effects::none())

@@ -5,7 +5,7 @@ use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::room::class::GradingPage;
 use crate::app::state::Room;
-use crate::grading::{GradedFlight, Mark};
+use crate::grading::{FlightChoice, GradedFlight, GradedRequest, Mark};
 use crate::language::{GradingLine, Rating};
 use crate::text;
 use crate::text::Text;
@@ -23,7 +23,11 @@ pub(super) fn carry_out(state: &mut State, line: GradingLine) -> Result<Effects,
             let element = page.element().map_or_else(String::new, |it| it.id.clone());
             let sheet = page.sheet_mut();
             match rating {
-                Rating::Mark(number) => sheet.rate(&element, Mark::try_from(number).ok()),
+                Rating::Mark(number) => {
+                    let mark = Mark::try_from(number);
+                    let mark = mark.map_err(|_| text!("grading-rate-first"))?;
+                    sheet.rate(&element, Some(mark));
+                }
                 Rating::NotObserved => sheet.rate(&element, None),
                 Rating::Clear => sheet.clear(&element),
             }
@@ -39,7 +43,7 @@ pub(super) fn carry_out(state: &mut State, line: GradingLine) -> Result<Effects,
             let bookmarks = &page.flight().bookmarks;
             let count = bookmarks.len();
             let bookmark = number.checked_sub(1).and_then(|it| bookmarks.get(it));
-            let at = bookmark.map(|it| it.at.as_secs_f64());
+            let at = bookmark.map(|it| it.recorded.as_secs_f64());
             let at_s = at.ok_or_else(|| text!("grading-no-bookmark", count = count))?;
             page.grade_mut()?.cite(at_s);
             Ok(keep(page))
@@ -55,14 +59,17 @@ fn open(
 ) -> Result<Effects, Text> {
     let user = trainee.or_else(|| under_cursor(state));
     let desk = state.class.desk_mut();
-    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
+    let desk = desk.ok_or_else(|| text!("class-no-desk"))?;
     let user = user.ok_or_else(|| text!("grading-no-trainee"))?;
+    desk.watch(None);
     show(state, Room::Class);
     let room = &mut state.rooms.class;
-    if rubric.is_some() {
-        room.rubric = rubric;
-    }
-    Ok(room.read_graded(user, 0).into())
+    let request = GradedRequest {
+        user,
+        choice: FlightChoice::Newest,
+        rubric: rubric.or_else(|| room.rubric.clone()),
+    };
+    Ok(room.ask_graded(request).into())
 }
 
 /// The trainee at the seat under the cursor.
@@ -72,9 +79,16 @@ fn under_cursor(state: &State) -> Option<String> {
     Some(seat.user().to_owned())
 }
 
+/// The flight that is being graded.
+///
+/// # Errors
+/// There is none, or another one was asked for and has not come yet.
 fn page(state: &mut State) -> Result<&mut GradingPage, Text> {
-    let page = state.rooms.class.grading.as_mut();
-    page.ok_or_else(|| text!("grading-none"))
+    let room = &mut state.rooms.class;
+    if room.awaited.is_some() {
+        return Err(text!("grading-reading"));
+    }
+    room.grading.as_mut().ok_or_else(|| text!("grading-none"))
 }
 
 fn keep(page: &GradingPage) -> Effects {
@@ -86,12 +100,24 @@ fn keep(page: &GradingPage) -> Effects {
     }))
 }
 
-/// Shows a flight that was read, or why it cannot be graded.
-pub(super) fn read(state: &mut State, flight: Result<Box<GradedFlight>, Text>) {
+/// Shows the flight that was asked for last, or why it cannot be graded.
+pub(super) fn read(
+    state: &mut State,
+    asked: &GradedRequest,
+    flight: Result<Box<GradedFlight>, Text>,
+) {
+    let room = &mut state.rooms.class;
+    if room.awaited.take_if(|it| it == asked).is_none() {
+        return;
+    }
     match flight {
         Ok(flight) => {
-            let page = GradingPage::new(*flight, state.rooms.class.grading.as_ref());
-            state.rooms.class.grading = Some(page);
+            let skipped = flight.skipped.first().cloned();
+            room.rubric.clone_from(&asked.rubric);
+            room.grading = Some(GradingPage::new(*flight, room.grading.as_ref()));
+            if let Some(fault) = skipped {
+                state.say(Severity::Warning, fault);
+            }
         }
         Err(fault) => state.say(Severity::Warning, fault),
     }

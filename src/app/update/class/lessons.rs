@@ -48,6 +48,7 @@ pub(super) fn show_lessons(state: &mut State) -> Result<Effects, Text> {
     state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
     let room = &mut state.rooms.class;
+    room.close_grading();
     room.shows_injects = false;
     room.lessons.is_shown = true;
     Ok(Effect::Class(ClassEffect::ListLessons).into())

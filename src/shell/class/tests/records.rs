@@ -1,8 +1,9 @@
 //! Records that are handed in, over a real socket and by the system's clock: threads read and write the files.
 
 use super::*;
+use crate::grading::Mark;
 use crate::shell::Preferences;
-use crate::store::{Records, Runs};
+use crate::store::{ClassRecords, Records, Runs};
 
 /// A member whose files are in a folder of its own.
 async fn keeping(opening: Opening, class: ClassOptions, data: &Path) -> Member {
@@ -44,6 +45,12 @@ impl Member {
     fn trainees(&self) -> Option<usize> {
         let room = self.console.app.state().rooms().class();
         Some(room.results()?.trainees.len())
+    }
+
+    /// Whether the desk shows a flight to be graded.
+    fn is_grading(&self) -> bool {
+        let room = self.console.app.state().rooms().class();
+        room.grading().is_some()
     }
 
     fn is_flying(&self) -> bool {
@@ -89,4 +96,18 @@ async fn a_desk_that_was_away_gets_the_record_from_the_next_console() {
     // A seed was chosen, so it is practice.
     assert_eq!((trainee.tries, trainee.practice), (0, 1));
     until(&mut [&mut desk, &mut anna], |_| marks(&own) == 0).await;
+
+    desk.console.feed(key(KeyCode::Char('g'))).await;
+    until(&mut [&mut desk, &mut anna], |members| {
+        members[0].is_grading()
+    })
+    .await;
+    desk.console.feed(key(KeyCode::Char('4'))).await;
+    Box::pin(desk.quit()).await;
+    let sheets = ClassRecords::within(&theirs, "9-A").sheets().0;
+    let [kept] = &sheets[..] else {
+        panic!("one sheet, even if the desk quits at once: {sheets:?}");
+    };
+    let marks: Vec<_> = kept.sheet.grades.values().map(|it| it.mark).collect();
+    assert_eq!(marks, [Mark::try_from(4).ok()]);
 }

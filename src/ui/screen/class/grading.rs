@@ -1,16 +1,17 @@
 //! A flight that is being graded: the elements with their marks, and what is known about the one under the cursor.
 
 use ratatui::buffer::Buffer;
+use ratatui::style::Style;
 use ratatui::text::Line;
 
 use crate::app::room::class::GradingPage;
-use crate::grading::{GradeGap, Mark, RubricCategory, RubricElement};
+use crate::grading::{Grade, Mark, RubricCategory, RubricElement};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::{aligned, below, columns, put, row_of, short_clock, wrap};
+use crate::ui::widget::{aligned, below, columns, put, put_or_count, row_of, short_clock};
 
 /// The share of the width for the list of elements, in percent, and its largest width.
 const LIST_PERCENT: u16 = 42;
@@ -37,7 +38,7 @@ pub(super) fn draw(page: &GradingPage, panel: Panel<'_>, buffer: &mut Buffer) {
         flights = flight.flights
     );
     let inner = panel.focused(&panel.text(&title), true, buffer);
-    let open = flight.sheet.gaps(&flight.rubric).count();
+    let open = flight.sheet.open(&flight.rubric).count();
     let texts = [
         text!(
             "grading-rubric",
@@ -134,21 +135,14 @@ fn draw_detail(page: &GradingPage, panel: Panel<'_>, buffer: &mut Buffer) {
         return;
     };
     let inner = panel.titled(&panel.text(&element.title), buffer);
-    let width = usize::from(inner.width);
-    let lines = detail_lines(page, element)
-        .into_iter()
-        .flat_map(|(text, role)| {
-            let wrapped = wrap(&panel.text(&text), width);
-            wrapped.into_iter().map(move |line| (line, role))
-        });
-    for (row, (line, role)) in (0..inner.height).zip(lines) {
-        put(buffer, inner, row, &Line::styled(line, panel.style(role)));
-    }
+    let lines = detail_lines(page, element).into_iter();
+    let lines = lines.map(|(text, role)| (panel.text(&text), panel.style(role)));
+    let lines: Vec<(String, Style)> = lines.collect();
+    put_or_count(&lines, panel.at(inner), buffer);
 }
 
 fn detail_lines(page: &GradingPage, element: &RubricElement) -> Vec<(Text, Role)> {
     let flight = page.flight();
-    let grade = flight.sheet.grades.get(&element.id);
     let evidence = flight.evidence.get(page.cursor()).into_iter().flatten();
     let mut lines: Vec<(Text, Role)> = evidence
         .map(|it| {
@@ -158,32 +152,9 @@ fn detail_lines(page: &GradingPage, element: &RubricElement) -> Vec<(Text, Role)
             )
         })
         .collect();
-    if let Some(grade) = grade {
-        if !grade.text.is_empty() {
-            let remark = text!("grading-remark", text = grade.text.as_str());
-            lines.push((remark, Role::Text));
-        }
-        let numbers = (1..)
-            .zip(&flight.bookmarks)
-            .filter(|(_, bookmark)| grade.bookmarks_s.contains(&bookmark.at.as_secs_f64()));
-        let numbers: Vec<String> = numbers.map(|(number, _)| format!("◆{number}")).collect();
-        if !numbers.is_empty() {
-            let cited = text!("grading-cited", numbers = numbers.join(" "));
-            lines.push((cited, Role::Text));
-        }
+    if let Some(grade) = flight.sheet.grades.get(&element.id) {
+        lines.extend(reasons(page, grade));
     }
-    let lacks_reason = flight
-        .sheet
-        .gaps(&flight.rubric)
-        .any(|gap| matches!(gap, GradeGap::Reason(it) if it.id == element.id));
-    if lacks_reason {
-        lines.push((text!("grading-needs-reason"), Role::Warning));
-    }
-    let good = element.good.iter();
-    lines.extend(good.map(|it| (text!("grading-good", marker = it.clone()), Role::Ok)));
-    let poor = element.poor.iter();
-    lines.extend(poor.map(|it| (text!("grading-poor", marker = it.clone()), Role::Warning)));
-    lines.push((text!("grading-scale"), Role::Muted));
     lines.extend((1..).zip(&flight.bookmarks).map(|(number, bookmark)| {
         let line = text!(
             "grading-bookmark",
@@ -193,5 +164,31 @@ fn detail_lines(page: &GradingPage, element: &RubricElement) -> Vec<(Text, Role)
         );
         (line, Role::Text)
     }));
+    let good = element.good.iter();
+    lines.extend(good.map(|it| (text!("grading-good", marker = it.clone()), Role::Ok)));
+    let poor = element.poor.iter();
+    lines.extend(poor.map(|it| (text!("grading-poor", marker = it.clone()), Role::Warning)));
+    lines.push((text!("grading-scale"), Role::Muted));
+    lines
+}
+
+/// The reasons of a grade, or that one is missing.
+fn reasons(page: &GradingPage, grade: &Grade) -> Vec<(Text, Role)> {
+    let mut lines = Vec::new();
+    if !grade.text.is_empty() {
+        let remark = text!("grading-remark", text = grade.text.as_str());
+        lines.push((remark, Role::Text));
+    }
+    let numbers = (1..)
+        .zip(&page.flight().bookmarks)
+        .filter(|(_, bookmark)| grade.bookmarks_s.contains(&bookmark.recorded.as_secs_f64()));
+    let numbers: Vec<String> = numbers.map(|(number, _)| format!("◆{number}")).collect();
+    if !numbers.is_empty() {
+        let cited = text!("grading-cited", numbers = numbers.join(" "));
+        lines.push((cited, Role::Text));
+    }
+    if grade.lacks_reason() {
+        lines.push((text!("grading-needs-reason"), Role::Warning));
+    }
     lines
 }

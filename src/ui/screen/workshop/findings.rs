@@ -3,7 +3,6 @@
 use ratatui::buffer::Buffer;
 use ratatui::style::Style;
 
-use super::put_or_count;
 use crate::app::State;
 use crate::app::action::{Action, WorkshopAction};
 use crate::app::room::workshop::{Licence, lacking, licence};
@@ -11,7 +10,7 @@ use crate::text;
 use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
-use crate::ui::widget::columns;
+use crate::ui::widget::{columns, put_or_count};
 use crate::workshop::{DesignFinding, FindingKind, FindingSeverity};
 
 /// Draws a sentence for each finding, faults first.

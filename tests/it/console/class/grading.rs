@@ -5,13 +5,16 @@ use std::time::Duration;
 
 use sortie::app::effect::{ClassEffect, Effect};
 use sortie::app::event::ClassEvent;
-use sortie::comparison::FlightBookmark;
-use sortie::grading::{GradeSheet, GradedFlight, Mark, Rubric};
+use sortie::grading::{
+    FlightChoice, GradeSheet, GradedFlight, GradedRequest, Mark, RecordBookmark, Rubric,
+};
 use sortie::store;
 use sortie::text::{Language, Text};
 
 use super::desk;
 use crate::harness::Console;
+
+const RECORD: &str = "2026-11-20T14-03-22Z_06-lane-survey";
 
 /// A flight of anna, the second of two, with two bookmarks.
 pub fn graded_flight() -> GradedFlight {
@@ -30,13 +33,14 @@ pub fn graded_flight() -> GradedFlight {
         }
     });
     let bookmarks = [(61, "looked away"), (143, "turned back in time")];
-    let bookmarks = bookmarks.map(|(seconds, text)| FlightBookmark {
+    let bookmarks = bookmarks.map(|(seconds, text)| RecordBookmark {
+        recorded: Duration::from_secs(seconds + 20),
         at: Duration::from_secs(seconds),
         text: text.to_owned(),
     });
     GradedFlight {
         user: "anna".to_owned(),
-        record: "2026-11-20T14-03-22Z_06-lane-survey".to_owned(),
+        record: RECORD.to_owned(),
         title: "Lane survey".into(),
         when: "2026-11-20T14:03:22Z".to_owned(),
         score: 812,
@@ -46,13 +50,22 @@ pub fn graded_flight() -> GradedFlight {
         sheet: GradeSheet::new(&rubric, "petro"),
         bookmarks: bookmarks.into(),
         rubric: Arc::new(rubric),
+        skipped: Vec::new(),
     }
+}
+
+/// Answers what the desk has asked for last.
+fn answer(console: &mut Console, flight: Result<GradedFlight, Text>) {
+    let asked = asked(console).expect("a flight is asked for").clone();
+    let flight = flight.map(Box::new);
+    console.hear(ClassEvent::Graded { asked, flight });
 }
 
 /// A desk on which that flight is being graded.
 pub fn grading(language: Language) -> Console {
     let mut console = desk(language);
-    console.hear(ClassEvent::Graded(Ok(Box::new(graded_flight()))));
+    console.press("g");
+    answer(&mut console, Ok(graded_flight()));
     console
 }
 
@@ -68,25 +81,28 @@ fn kept(console: &Console) -> Option<&GradeSheet> {
         })
 }
 
-/// How many flights are newer than the one that was last asked for, and whose it is.
-fn asked(console: &Console) -> Option<(&str, usize)> {
+/// The flight that was last asked for.
+fn asked(console: &Console) -> Option<&GradedRequest> {
     console
         .effects
         .iter()
         .rev()
         .find_map(|effect| match effect {
-            Effect::Class(ClassEffect::ReadGraded { user, back, .. }) => {
-                Some((user.as_str(), *back))
-            }
+            Effect::Class(ClassEffect::ReadGraded(asked)) => Some(asked),
             _ => None,
         })
+}
+
+/// Whose flight was last asked for, and which one.
+fn choice(console: &Console) -> Option<(&str, &FlightChoice)> {
+    asked(console).map(|it| (it.user.as_str(), &it.choice))
 }
 
 #[test]
 fn keys_grade_the_element_under_the_cursor_and_each_change_is_kept() {
     let mut console = desk(Language::English);
     console.press("g");
-    assert_eq!(asked(&console), Some(("anna", 0)));
+    assert_eq!(choice(&console), Some(("anna", &FlightChoice::Newest)));
     let mut console = grading(Language::English);
     console.press("down").press("down").press("4");
     let sheet = kept(&console).expect("kept");
@@ -110,14 +126,9 @@ fn a_one_wants_a_reason_a_remark_or_a_bookmark() {
     assert_eq!(sheet.grades["informing"].text, "said nothing");
     let screen = console.screen(120, 40);
     assert!(!screen.contains("1 and 5 need a remark"), "{screen}");
-    console
-        .give("class remark")
-        .press("c")
-        .write("2")
-        .press("enter");
+    console.press("c").write("2").press("enter");
     let sheet = kept(&console).expect("kept");
-    assert_eq!(sheet.grades["informing"].text, "");
-    assert_eq!(sheet.grades["informing"].bookmarks_s, [143.0]);
+    assert_eq!(sheet.grades["informing"].bookmarks_s, [163.0]);
     console.give("class cite 3");
     let screen = console.screen(120, 40);
     assert!(screen.contains("choose a bookmark from 1 to 2"), "{screen}");
@@ -129,26 +140,72 @@ fn a_remark_comes_after_a_mark() {
     console.give("class remark quick");
     assert_eq!(kept(&console), None);
     let screen = console.screen(120, 40);
-    assert!(screen.contains("first give a mark"), "{screen}");
+    assert!(screen.contains("first rate the element"), "{screen}");
 }
 
 #[test]
-fn left_and_right_ask_for_older_and_newer_flights() {
+fn left_and_right_ask_for_older_and_newer_flights_and_keys_wait_for_them() {
     let mut console = grading(Language::English);
-    console.effects.clear();
-    console.press("right");
-    assert_eq!(asked(&console), None, "it is the newest");
     console.press("left");
-    assert_eq!(asked(&console), Some(("anna", 1)));
-    console.hear(ClassEvent::Graded(Ok(Box::new(GradedFlight {
+    let older = FlightChoice::Older(RECORD.to_owned());
+    assert_eq!(choice(&console), Some(("anna", &older)));
+    let request = asked(&console).expect("asked").clone();
+    console.press("4");
+    assert_eq!(kept(&console), None, "the other flight is not graded");
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("another flight is being read"), "{screen}");
+    // The line is kept until it is given up.
+    console.press("esc");
+    let older = GradedFlight {
+        record: "2026-11-20T13-00-00Z_06-lane-survey".to_owned(),
         number: 1,
+        skipped: vec!["one in between is damaged".into()],
         ..graded_flight()
-    }))));
-    console.effects.clear();
-    console.press("left");
-    assert_eq!(asked(&console), None, "it is the oldest");
+    };
+    let flight = Ok(Box::new(older.clone()));
+    console.hear(ClassEvent::Graded {
+        asked: request,
+        flight,
+    });
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("one in between is damaged"), "{screen}");
+    assert!(screen.contains("(1/2)"), "{screen}");
     console.press("right");
-    assert_eq!(asked(&console), Some(("anna", 0)));
+    let newer = FlightChoice::Newer(older.record);
+    assert_eq!(choice(&console), Some(("anna", &newer)));
+    answer(&mut console, Err("there is no newer flight".into()));
+    console.press("4");
+    assert!(kept(&console).is_some(), "the shown flight is graded again");
+}
+
+#[test]
+fn a_flight_that_comes_after_escape_is_not_shown() {
+    let mut console = desk(Language::English);
+    console.press("g");
+    let asked = asked(&console).expect("asked").clone();
+    console.press("esc");
+    let flight = Ok(Box::new(graded_flight()));
+    console.hear(ClassEvent::Graded { asked, flight });
+    assert!(!console.screen(120, 40).contains("Lane survey"));
+}
+
+#[test]
+fn another_page_closes_the_flight() {
+    for key in ["t", "l", "i"] {
+        let mut console = grading(Language::English);
+        console.press(key).press("4");
+        assert_eq!(kept(&console), None, "{key}");
+        assert!(!console.screen(120, 40).contains("Lane survey"), "{key}");
+    }
+}
+
+#[test]
+fn enter_changes_a_remark_also_without_seats() {
+    let mut console = grading(Language::English);
+    console.press("3").give("class remark quick");
+    console.press("enter").write(" and calm").press("enter");
+    let sheet = kept(&console).expect("kept");
+    assert_eq!(sheet.grades["informing"].text, "quick and calm");
 }
 
 #[test]
@@ -166,8 +223,8 @@ fn escape_shows_the_board_again_where_keys_grade_nothing() {
 fn a_trainee_without_flights_and_a_full_disk_are_said() {
     let mut console = desk(Language::English);
     console.give("class grade bohdan");
-    assert_eq!(asked(&console), Some(("bohdan", 0)));
-    console.hear(ClassEvent::Graded(Err("no flight of bohdan".into())));
+    assert_eq!(choice(&console), Some(("bohdan", &FlightChoice::Newest)));
+    answer(&mut console, Err("no flight of bohdan".into()));
     assert!(console.screen(120, 40).contains("no flight of bohdan"));
     console.hear(ClassEvent::GradesLost("no space left".into()));
     let screen = console.screen(120, 40);
