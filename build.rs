@@ -1,4 +1,4 @@
-//! Lists the missions, pilot scripts, designs and lesson plans to embed, and adds the current commit to the
+//! Lists the missions, pilot scripts, designs, lesson plans and exams to embed, and adds the current commit to the
 //! version for `--version`.
 //!
 //! Without git, or outside a checkout (a source archive, a registry package), the version has no
@@ -44,7 +44,7 @@ type Kind = (
     &'static str,
 );
 
-const KINDS: [Kind; 4] = [
+const KINDS: [Kind; 5] = [
     (
         "MISSIONS",
         "Missions",
@@ -54,6 +54,7 @@ const KINDS: [Kind; 4] = [
     ("PILOTS", "Pilot scripts", &["missions/pilots"], "pilot"),
     ("DESIGNS", "Designs of drones", &["designs"], "toml"),
     ("LESSONS", "Lesson plans", &["lessons"], "toml"),
+    ("EXAMS", "Exams", &["exams"], "toml"),
 ];
 
 /// Writes a list for each kind of file, keyed by file name without the extension.

@@ -11,6 +11,7 @@ use crate::campaign::{
     CareerEntry, CareerFlight, CareerProgress, Mastery, MissionCourse, MissionProgress, Skill,
     SkillProgress, Stake, is_practice,
 };
+use crate::exam_seal::SealCheck;
 use crate::mission::Mission;
 use crate::mission::record::Head;
 use crate::scoring::{MissionFile, ObjectiveReport, Report};
@@ -41,6 +42,9 @@ pub struct ClassFlight {
     pub objectives: Vec<FlownObjective>,
     /// The entry in a career.
     pub flight: CareerFlight,
+    /// The seal of the desk, if it is a try of an exam.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seal: Option<SealCheck>,
 }
 
 /// The result of an objective, and the skill that it trains.
@@ -84,6 +88,7 @@ impl ClassFlight {
             has_end: false,
             objectives: objectives.collect(),
             flight,
+            seal: None,
         }
     }
 

@@ -96,8 +96,8 @@ pub struct LessonSetting<'a> {
 
 /// What is found while a plan is read.
 #[derive(Debug, Default)]
-struct Findings {
-    faults: Vec<Diagnostic>,
+pub(crate) struct Findings {
+    pub(crate) faults: Vec<Diagnostic>,
     untranslated: Vec<Diagnostic>,
     is_translated: bool,
 }
@@ -124,20 +124,7 @@ impl Lesson {
         let about = findings.text(&written.about, written.about_uk.as_ref(), "about_uk");
         let (steps, notes) = steps::read(&written.steps, setting, &mut findings);
         ways::check(&written.steps, &steps, &mut findings);
-        let Findings {
-            mut faults,
-            mut untranslated,
-            is_translated,
-        } = findings;
-        if !faults.is_empty() {
-            faults.sort_by_key(|fault| fault.span.start);
-            return Err(faults);
-        }
-        if !is_translated {
-            untranslated.truncate(1);
-            let all = |note: &mut Diagnostic| note.message = text!("lesson-english-only");
-            untranslated.iter_mut().for_each(all);
-        }
+        let untranslated = findings.untranslated()?;
         let name = name.into();
         Ok(Self {
             plan: Arc::new(LessonPlan { name, steps }),
@@ -150,12 +137,34 @@ impl Lesson {
 }
 
 impl Findings {
-    fn fault(&mut self, place: std::ops::Range<usize>, message: Text) {
+    /// The texts without a translation.
+    ///
+    /// # Errors
+    /// The faults, in the order of their places.
+    pub(crate) fn untranslated(self) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
+        let Self {
+            mut faults,
+            mut untranslated,
+            is_translated,
+        } = self;
+        if !faults.is_empty() {
+            faults.sort_by_key(|fault| fault.span.start);
+            return Err(faults);
+        }
+        if !is_translated {
+            untranslated.truncate(1);
+            let all = |note: &mut Diagnostic| note.message = text!("lesson-english-only");
+            untranslated.iter_mut().for_each(all);
+        }
+        Ok(untranslated)
+    }
+
+    pub(crate) fn fault(&mut self, place: std::ops::Range<usize>, message: Text) {
         self.faults.push(Diagnostic::new(place, message));
     }
 
     /// A text with its translation under the key `key`.
-    fn text(
+    pub(crate) fn text(
         &mut self,
         english: &Spanned<String>,
         ukrainian: Option<&Spanned<String>>,

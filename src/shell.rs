@@ -62,7 +62,7 @@ mod trials;
 pub use api::ApiOptions;
 use api::Programs;
 use career::Careers;
-use class::ClassEnd;
+use class::{ClassEnd, ClassSight};
 pub use class::{ClassOptions, ClassPart};
 pub use drive::drive;
 use input::hear_last_answer;
@@ -120,7 +120,12 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         console.draw(&mut screen).await?;
         let picture = || screen.frame().map(ui::picture);
         class.carry_out(std::mem::take(&mut console.class_work));
-        class.tell(console.app.state(), &picture);
+        let head = || console.record_head();
+        let sight = ClassSight {
+            picture: &picture,
+            head: &head,
+        };
+        class.tell(console.app.state(), &sight);
     }
     console.close().await;
     console.hand_in_rest(&mut class).await;
@@ -168,6 +173,8 @@ struct Console {
     next_traffic: Duration,
     /// The stake and the seed of the current session.
     attempt: Attempt,
+    /// The seed that the desk has drawn for the mission that is being started.
+    drawn: Option<u64>,
     /// The profiles; `None` if they are not used or not available.
     careers: Option<Careers>,
     /// When to check for changes by other consoles and commands.
@@ -242,6 +249,7 @@ impl Console {
             replaying: None,
             next_traffic: Duration::ZERO,
             attempt: Attempt::practice(None),
+            drawn: None,
             careers: None,
             next_look: LOOK_EVERY,
             awaits_reader: false,

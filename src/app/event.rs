@@ -16,7 +16,9 @@ use super::state::{
 };
 use crate::campaign::Reward;
 use crate::class::protocol::{DeskMessage, SeatMessage};
-use crate::class::{ConnectionId, OrderId, RecordName, Refusal, Submission, SubmissionRefusal};
+use crate::class::{
+    ConnectionId, Exam, OrderId, RecordName, Refusal, Submission, SubmissionRefusal,
+};
 use crate::class_results::ClassResults;
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
@@ -296,6 +298,16 @@ pub enum ClassEvent {
         lesson: Result<Arc<Lesson>, Text>,
         seats: Vec<usize>,
     },
+    /// At the desk: an exam was read and can begin, or why not, for these seats.
+    ExamRead {
+        name: String,
+        exam: Result<Box<Exam>, Text>,
+        seats: Vec<usize>,
+    },
+    /// At the desk: an exam that had not ended when the last desk did.
+    ExamFound(Box<Exam>),
+    /// At the desk: notes of the exam could not be kept, or a record not be sealed.
+    ExamFailed(Text),
     /// At the desk: the results of the class have changed.
     Results(Arc<ClassResults>),
 }

@@ -27,7 +27,8 @@ impl Names for NamesInFiles<'_> {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject
-            | NameList::Lesson => Listed::Anything,
+            | NameList::Lesson
+            | NameList::Exam => Listed::Anything,
         }
     }
 }

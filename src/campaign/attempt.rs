@@ -36,6 +36,8 @@ pub struct AttemptTerms<'a> {
     pub wanted: Stake,
     /// The seed chosen by the user, if any.
     pub seed: Option<u64>,
+    /// The seed that the desk of a class has drawn for an exam.
+    pub drawn: Option<u64>,
     /// The trainee, if there is a profile.
     pub trainee: Option<AttemptTrainee<'a>>,
     pub means: AttemptMeans,
@@ -186,7 +188,7 @@ impl AttemptTerms<'_> {
     /// The seed that the circumstances require; `None` if any will do.
     fn layout(&self) -> Option<u64> {
         match self.wanted {
-            Stake::Exam => Some(self.exam_seed()),
+            Stake::Exam => Some(self.drawn.unwrap_or_else(|| self.exam_seed())),
             Stake::Daily => Some(daily_seed(self.day)),
             Stake::Graded => self.seed.or_else(|| self.fresh_seed()),
             Stake::Practice => self.seed,

@@ -14,6 +14,7 @@ use super::{Failure, plan, settings};
 use crate::app::keymap::{Keymap, Place};
 use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::exam_plan::{EXAM_KEYS, ExamFile};
 use crate::lesson_plan::{LESSON_KEYS, Lesson, LessonMissions, LessonSetting};
 use crate::mission::Mission;
 use crate::store::{self, Source, StoreError};
@@ -55,6 +56,7 @@ pub(super) struct CheckArguments {
 enum FileKind {
     Mission,
     Lesson,
+    Exam,
     Theme,
     Keymap,
     Configuration,
@@ -267,9 +269,10 @@ fn kind(path: &Path, text: &str) -> Option<FileKind> {
     let slots = PartSlot::ALL.map(PartSlot::key);
     let design: Vec<&str> = ["schema", "name"].into_iter().chain(slots).collect();
     let mission = [MISSION_KEYS, MISSION_SECTIONS].concat();
-    let kinds: [(FileKind, &str, &[&str]); 6] = [
+    let kinds: [(FileKind, &str, &[&str]); 7] = [
         (FileKind::Mission, "missions", &mission),
         (FileKind::Lesson, "lessons", &LESSON_KEYS),
+        (FileKind::Exam, "exams", &EXAM_KEYS),
         (FileKind::Design, "designs", &design),
         (FileKind::Theme, "themes", &["inherits", "roles"]),
         (FileKind::Keymap, "keymap", &contexts),
@@ -336,6 +339,10 @@ fn examined(
             Ok(lesson) => return (Vec::new(), lesson.untranslated),
             Err(faults) => Some(faults),
         },
+        FileKind::Exam => match ExamFile::parse(&name_of(path), text, &store::course()) {
+            Ok(exam) => return (Vec::new(), exam.untranslated),
+            Err(faults) => Some(faults),
+        },
         FileKind::Design => Design::from_toml(text).err(),
         FileKind::Script => script::faults(path, text, others.named),
     };
@@ -356,8 +363,13 @@ fn lesson(path: &Path, text: &str, files: &[PathBuf]) -> Result<Lesson, Vec<Diag
         missions: &missions,
         locale: &Locale::default(),
     };
-    let name = path.file_stem().unwrap_or_default().to_string_lossy();
-    Lesson::parse(&name, text, &setting)
+    Lesson::parse(&name_of(path), text, &setting)
+}
+
+/// The name by which the desk knows a file.
+fn name_of(path: &Path) -> String {
+    let stem = path.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
 }
 
 fn theme_faults(path: &Path, source: &Source) -> Option<Vec<Diagnostic>> {

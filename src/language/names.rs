@@ -30,6 +30,8 @@ pub enum NameList {
     SeatInject,
     /// The lessons of the desk; a path is valid, too.
     Lesson,
+    /// The exams that the desk can hold; a path is valid, too.
+    Exam,
 }
 
 /// A name that a line may contain.
@@ -108,10 +110,12 @@ impl Listed {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject => words.iter().copied().find(|word| *word == written),
-            NameList::Lesson if written.contains(['/', '.']) => {
+            NameList::Lesson | NameList::Exam if written.contains(['/', '.']) => {
                 return Ok(written.to_owned());
             }
-            NameList::Lesson => words.iter().copied().find(|word| *word == written),
+            NameList::Lesson | NameList::Exam => {
+                words.iter().copied().find(|word| *word == written)
+            }
         };
         found.map(str::to_owned).ok_or_else(unknown)
     }

@@ -33,7 +33,10 @@ impl Console {
             .with_fleet(launch.fleet.clone())
             .map_err(|reasons| Text::joined("; ", reasons))?;
         let mission = Arc::new(equipped.flown_for(launch.stake));
-        self.launch(mission, launch.stake, launch.seed).await
+        self.drawn = launch.drawn;
+        let launched = self.launch(mission, launch.stake, launch.seed).await;
+        self.drawn = None;
+        launched
     }
 
     /// Starts a mission under the rules of its stake. Shows a notice if it can only be flown for practice.
@@ -69,6 +72,7 @@ impl Console {
             mission,
             wanted,
             seed,
+            drawn: self.drawn,
             trainee: career.map(|career| AttemptTrainee {
                 standing: &career.standing,
                 course: &career.course,

@@ -17,7 +17,7 @@ use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
 use crate::app::state::{ClassRole, SeatPlace};
 use crate::carrier::{ClassFault, ClassPlace, DeskArrival, Outbox, SeatArrival};
-use crate::class::{Consent, Desk, Picture, Refusal, Seat};
+use crate::class::{Consent, Desk, Picture, RecordHead, Refusal, Seat};
 use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
 use desk_end::DeskEnd;
@@ -27,6 +27,7 @@ use seat_files::SeatAnswer;
 
 mod desk_end;
 mod desk_files;
+mod exams;
 mod last_records;
 mod lessons;
 mod seat_end;
@@ -97,6 +98,14 @@ impl<L: Default> OpenLine<L> {
     }
 }
 
+/// What of the console is not in its state.
+pub(super) struct ClassSight<'a> {
+    /// Takes the screen, if there is one.
+    pub picture: &'a dyn Fn() -> Option<Picture>,
+    /// Takes the head of the record of the mission in flight.
+    pub head: &'a dyn Fn() -> Option<RecordHead>,
+}
+
 /// What arrives from the other side.
 pub(super) enum ClassArrival {
     AtSeat(SeatArrival),
@@ -141,11 +150,11 @@ impl ClassEnd {
         }
     }
 
-    /// Says what the other side does not know yet. `picture` takes the screen, if there is one.
-    pub fn tell(&mut self, state: &State, picture: &dyn Fn() -> Option<Picture>) {
+    /// Says what the other side does not know yet.
+    pub fn tell(&mut self, state: &State, sight: &ClassSight<'_>) {
         match (self, state.class_role()) {
             (Self::Seat(end), ClassRole::Seat(place)) => {
-                end.tell(place.seat(), state, picture);
+                end.tell(place.seat(), state, sight);
             }
             (Self::Desk(end), ClassRole::Desk(desk)) => end.tell(desk, state),
             _ => {}
@@ -239,7 +248,9 @@ impl Console {
             }
             ClassEffect::ListLessons => self.list_lessons(),
             ClassEffect::ReadLesson { name, seats } => self.read_lesson(name, seats),
+            ClassEffect::ReadExam { name, seats } => self.read_exam(name, seats),
             ClassEffect::HandIn(_)
+            | ClassEffect::KeepNotes { .. }
             | ClassEffect::Settle(_)
             | ClassEffect::Receive { .. }
             | ClassEffect::Deny { .. } => self.class_work.push(effect),

@@ -7,8 +7,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
-use sha2::{Digest as _, Sha256};
-
+use super::hashes::{sha256_of, sha256_of_nothing};
 use super::records::ending_of;
 use super::{RecordFiles, sharing};
 use crate::class::{Held, RecordName, RecordPart, RecordShelf, ShelfFault, Submission};
@@ -47,6 +46,19 @@ impl ClassRecords {
     /// The names of the classes that have records in a data folder.
     pub fn classes(data: &Path) -> Vec<String> {
         folders_in(&data.join(CLASSES))
+    }
+
+    /// The trainee in whose folder a file is, if it is in that of a class.
+    pub(super) fn user_of(path: &Path) -> Option<&str> {
+        let folder = path.parent()?;
+        let classes = folder.parent()?.parent()?.file_name()?;
+        let user = folder.file_name()?.to_str()?;
+        (classes == CLASSES).then_some(user)
+    }
+
+    /// The data folder.
+    pub fn data(&self) -> &Path {
+        &self.data
     }
 
     pub fn folder(&self) -> &Path {
@@ -192,37 +204,6 @@ fn append(mut file: File, bytes: &[u8]) -> io::Result<()> {
     file.write_all(bytes).inspect_err(|_| {
         // On an unavailable disk, this may fail too; then the hash shows it.
         drop(file.set_len(len));
-    })
-}
-
-/// The hash of a file's content, in hexadecimal digits.
-pub(super) fn sha256_of(path: &Path) -> io::Result<String> {
-    hash_of(File::open(path)?)
-}
-
-/// The hash of what can be read, in hexadecimal digits.
-pub(super) fn hash_of(mut read: impl io::Read) -> io::Result<String> {
-    let mut hash = Sha256::new();
-    let mut bytes = vec![0; 64 * 1024];
-    loop {
-        match read.read(&mut bytes)? {
-            0 => return Ok(hex(&hash.finalize())),
-            count => hash.update(&bytes[..count]),
-        }
-    }
-}
-
-fn sha256_of_nothing() -> String {
-    hex(&Sha256::new().finalize())
-}
-
-fn hex(bytes: &[u8]) -> String {
-    use std::fmt::Write as _;
-
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // Writing to a text cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
     })
 }
 

@@ -3,18 +3,18 @@
 use std::time::SystemTime;
 
 use super::runs::moment;
-use super::{ClassRecords, KeptRecord, complete, day_of, read_run};
+use super::{ClassRecords, DeskKey, KeptRecord, check_seal, complete, day_of, read_run};
 use crate::campaign::without_end;
 use crate::class_results::{ClassFlight, ClassTrainee, add_flight};
 use crate::mission::record::Stored;
 use crate::text;
 use crate::text::Text;
 
-/// A flight from its record.
+/// A flight from its record. `own_key` is the public key that must have sealed it.
 ///
 /// # Errors
 /// A text if the record cannot be read, or was changed after the flight.
-pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
+pub fn class_flight(kept: &KeptRecord, own_key: Option<&str>) -> Result<ClassFlight, Text> {
     let stem = kept.files.stem.as_str();
     let faulty = |fault: Text| {
         let place = format!("{}/{stem}", kept.user);
@@ -35,6 +35,7 @@ pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
     let began = moment(&head.when).unwrap_or(SystemTime::UNIX_EPOCH);
     let flight = ClassFlight::of(stem.to_owned(), head, &mission, report, day_of(began));
     Ok(ClassFlight {
+        seal: check_seal(&kept.files, own_key),
         has_end: stored.end().is_some(),
         ..flight
     })
@@ -44,8 +45,9 @@ pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
 pub fn class_trainees(records: &ClassRecords) -> (Vec<ClassTrainee>, Vec<Text>) {
     let mut trainees: Vec<ClassTrainee> = Vec::new();
     let mut faults = Vec::new();
+    let own_key = DeskKey::public_in(records.data());
     for kept in records.all() {
-        match class_flight(&kept) {
+        match class_flight(&kept, own_key.as_deref()) {
             Ok(flight) => add_flight(&mut trainees, &kept.user, flight),
             Err(fault) => faults.push(fault),
         }

@@ -134,6 +134,11 @@ impl RecordKey {
 pub struct RecordPublicKey(PublicKey);
 
 impl RecordPublicKey {
+    /// The key as text.
+    pub fn text(&self) -> String {
+        self.0.to_base64()
+    }
+
     /// Reads a public key from its text, or from a file of `minisign -G`.
     ///
     /// # Errors
@@ -150,6 +155,16 @@ impl RecordPublicKey {
             why: error.to_string(),
         })
     }
+}
+
+/// The file with the secret key in a folder.
+pub(super) fn secret_key_in(folder: &Path) -> PathBuf {
+    folder.join(SECRET_KEY)
+}
+
+/// The file with the public key in a folder.
+pub(super) fn public_key_in(folder: &Path) -> PathBuf {
+    folder.join(PUBLIC_KEY)
 }
 
 /// Signs a file, replacing an existing signature; the signature contains the comment `about`.

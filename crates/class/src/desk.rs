@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use super::protocol::{Denial, Hello, SeatMessage, VERSION};
 use super::{
-    Attention, Deed, Need, OrderId, Piece, Presence, SeatRecord, SeatReport, Submission, Words,
+    Attention, Deed, Exam, Need, OrderId, Piece, Presence, SeatRecord, SeatReport, Submission,
+    TryHead, Words,
 };
 
 /// The maximum number of seats.
@@ -23,6 +24,8 @@ pub enum DeskHeard {
     Submission(Submission),
     /// Take in a piece of a record.
     Piece(Piece),
+    /// Tell the seat that this head is noted, once it is.
+    Witnessed(TryHead),
 }
 
 /// What an instructor's console knows of the class.
@@ -34,6 +37,7 @@ pub struct Desk {
     orders: u32,
     /// The seat whose screen is watched.
     watched: Option<usize>,
+    pub(super) exam: Option<Exam>,
 }
 
 impl Desk {
@@ -45,6 +49,7 @@ impl Desk {
             seats: Vec::new(),
             orders: 0,
             watched: None,
+            exam: None,
         }
     }
 
@@ -113,13 +118,19 @@ impl Desk {
                 return Ok(DeskHeard::Submission(submission));
             }
             (SeatMessage::Piece(piece), Some(_)) => return Ok(DeskHeard::Piece(piece)),
+            (SeatMessage::Head(head), Some(index)) => {
+                if self.witness(index, &head, now) {
+                    return Ok(DeskHeard::Witnessed(head));
+                }
+            }
             (SeatMessage::Hello(_), Some(_))
             | (
                 SeatMessage::Report { .. }
                 | SeatMessage::Entries(_)
                 | SeatMessage::Screen(_)
                 | SeatMessage::Submit(_)
-                | SeatMessage::Piece(_),
+                | SeatMessage::Piece(_)
+                | SeatMessage::Head(_),
                 None,
             ) => return Err(Denial::NoHello),
         }

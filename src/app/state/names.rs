@@ -22,7 +22,9 @@ impl<R: fmt::Debug> Names for State<R> {
             }
             NameList::Inject => self.injects(),
             // The rooms check these names.
-            NameList::Draft | NameList::ItemField | NameList::Lesson => Listed::Anything,
+            NameList::Draft | NameList::ItemField | NameList::Lesson | NameList::Exam => {
+                Listed::Anything
+            }
             NameList::PlanFile => Listed::Names(self.typing.plan_files()),
             NameList::Seat => self.seats(),
             NameList::SeatInject => self.seat_injects(),

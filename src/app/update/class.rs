@@ -3,7 +3,7 @@
 //! # How the parts fit
 //! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
 //! - After a flight: `hand_in`, the records that a seat hands in.
-//! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan.
+//! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan; `exams` holds an exam.
 
 use crate::app::State;
 use crate::app::effect::{Effect, Effects};
@@ -18,6 +18,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 
 mod desk;
+mod exams;
 mod hand_in;
 mod lessons;
 mod orders;
@@ -76,6 +77,14 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
             lesson,
             seats,
         } => lessons::read(state, &name, lesson, &seats),
+        ClassEvent::ExamRead { name, exam, seats } => {
+            return exams::read(state, &name, exam, &seats);
+        }
+        ClassEvent::ExamFound(exam) => exams::found(state, *exam),
+        ClassEvent::ExamFailed(fault) => {
+            let text = text!("class-exam-failed", fault = fault);
+            tell(state, Severity::Warning, text);
+        }
         ClassEvent::Results(results) => state.rooms.class.results = Some(results),
     }
     Effects::none()
@@ -134,7 +143,10 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
         }
         DeskMessage::Settled { record, end } => return hand_in::settled(state, record, end),
         // What is to be sent is a matter of the connection.
-        DeskMessage::Ask { .. } | DeskMessage::Fetch(_) | DeskMessage::Here => {}
+        DeskMessage::Ask { .. }
+        | DeskMessage::Fetch(_)
+        | DeskMessage::Witnessed { .. }
+        | DeskMessage::Here => {}
     }
     Effects::none()
 }
@@ -154,6 +166,7 @@ pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: 
         ClassRole::Desk(_) if is_tick => {
             desk::tick(state);
             effects.extend(lessons::tick(state));
+            effects.extend(exams::tick(state));
             return;
         }
         ClassRole::None | ClassRole::Desk(_) => return,
@@ -258,6 +271,8 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         ClassLine::Lessons => lessons::show_lessons(state),
         ClassLine::Teach { seats, lesson } => lessons::teach(state, &seats, lesson),
         ClassLine::Direct { seats, direction } => lessons::direct(state, &seats, direction),
+        ClassLine::Examine { seats, exam } => exams::begin(state, &seats, exam),
+        ClassLine::StopExam => exams::stop(state),
         ClassLine::Injects => desk::show_injects(state),
         ClassLine::Results => desk::show_results(state),
         ClassLine::Watch(choice) => desk::watch(state, &choice),

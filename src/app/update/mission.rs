@@ -167,6 +167,10 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }
+    if let Some(reason) = state.keeps_try() {
+        state.say(Severity::Warning, reason);
+        return Effects::none();
+    }
     if state.flown_mission().is_none() {
         state.say(Severity::Notice, text!("mission-none"));
         return Effects::none();

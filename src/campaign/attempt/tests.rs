@@ -56,6 +56,7 @@ impl Newcomer {
 
     fn terms(&self, wanted: Stake) -> AttemptTerms<'_> {
         AttemptTerms {
+            drawn: None,
             mission: &self.open,
             wanted,
             seed: None,

@@ -2,10 +2,12 @@
 
 use crate::campaign::Skill;
 use crate::class_results::{
-    ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults, number_of_mission,
+    ClassFlight, ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults,
+    number_of_mission,
 };
 use crate::cli::progress::answer;
 use crate::cli::table::{Side, TextTable};
+use crate::exam_seal::witness_text;
 use crate::text;
 use crate::text::{Locale, Text, figure};
 
@@ -145,6 +147,39 @@ pub(super) fn skills(results: &ClassResults, locale: &Locale) -> TextTable {
     table
 }
 
+/// A row for each flight that has the seal of an exam.
+pub(super) fn exams(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
+    let columns = [
+        (text!("progress-trainee"), Side::Left),
+        (text!("class-report-exam"), Side::Left),
+        (text!("progress-mission"), Side::Left),
+        (text!("class-report-try"), Side::Right),
+        (text!("class-report-score"), Side::Right),
+        (text!("class-report-seal"), Side::Left),
+        (text!("class-report-witness"), Side::Left),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for trainee in trainees {
+        for flight in &trainee.flights {
+            let Some(check) = &flight.seal else {
+                continue;
+            };
+            let seal = check.seal.as_ref();
+            let said = |text: Option<String>| text.unwrap_or_else(|| "-".to_owned());
+            table.push(vec![
+                trainee.user.clone(),
+                said(seal.map(|it| it.exam.clone())),
+                flight.flight.mission.clone(),
+                said(seal.map(|it| format!("{}/{}", it.number, it.tries))),
+                flight.flight.score.to_string(),
+                locale.text(&check.standing()),
+                said(seal.map(|it| locale.text(&witness_text(&it.witness)))),
+            ]);
+        }
+    }
+    table
+}
+
 /// A row for each trainee and objective, from the best flights that count.
 pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
     let of_flight = [
@@ -160,6 +195,8 @@ pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
         (text!("progress-seed"), Side::Right),
         (text!("class-report-began"), Side::Left),
         (text!("class-report-record"), Side::Left),
+        (text!("class-report-exam"), Side::Left),
+        (text!("class-report-seal"), Side::Left),
     ];
     let mut columns = of_flight.to_vec();
     columns.extend(objective_columns());
@@ -184,6 +221,8 @@ pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
                     best.seed.to_string(),
                     best.when.clone(),
                     best.record.clone(),
+                    exam_of(best),
+                    seal_of(best, locale),
                 ];
                 let cells = of_flight
                     .into_iter()
@@ -193,6 +232,19 @@ pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
         }
     }
     table
+}
+
+/// The exam whose seal a flight has; empty without one.
+fn exam_of(flight: &ClassFlight) -> String {
+    let seal = flight.seal.as_ref().and_then(|it| it.seal.as_ref());
+    seal.map(|it| it.exam.clone()).unwrap_or_default()
+}
+
+/// Whether the try counts by its seal; empty without one.
+fn seal_of(flight: &ClassFlight, locale: &Locale) -> String {
+    let seal = flight.seal.as_ref();
+    seal.map(|it| locale.text(&it.standing()))
+        .unwrap_or_default()
 }
 
 /// The columns of [`objective_cells`].

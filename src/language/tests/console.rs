@@ -28,6 +28,7 @@ impl Names for Known {
             NameList::PlanFile => &["plans/", "survey.plan"],
             NameList::Seat => &["@all", "@anna"],
             NameList::Lesson => &["first-lesson"],
+            NameList::Exam => &["two-missions"],
             NameList::Inject | NameList::SeatInject if self.has_injects => &["gust"],
             NameList::Inject | NameList::SeatInject => {
                 return Listed::Nothing(text!("console-no-mission"));

@@ -1,8 +1,10 @@
 //! The connections of a desk.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 use super::desk_files::{self, DeskAnswer, DeskTask};
+use super::exams;
 use super::worker::Worker;
 use super::{ClassArrival, OpenLine, or_never};
 use crate::app::State;
@@ -41,7 +43,8 @@ impl DeskEnd {
     ) -> Result<Self, ClassFault> {
         let data = options.preferences.data.as_deref();
         let records = data.map(|data| ClassRecords::within(data, name));
-        let mut files = records.and_then(desk_files::start);
+        let epoch = exams::epoch(Duration::ZERO);
+        let mut files = records.and_then(|records| desk_files::start(records, name, epoch));
         if let Some(files) = &mut files {
             files.give(DeskTask::Look);
         }
@@ -93,6 +96,11 @@ impl DeskEnd {
                 }),
                 None => self.refuse(connection, &heard),
             },
+            ClassEffect::KeepNotes { begun, notes } => {
+                if let Some(files) = &mut self.files {
+                    files.give(DeskTask::Keep { begun, notes });
+                }
+            }
             _ => {}
         }
     }

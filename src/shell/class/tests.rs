@@ -16,6 +16,7 @@ use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
 use crate::ui;
 
+mod exams;
 mod lessons;
 mod records;
 
@@ -63,7 +64,12 @@ impl Member {
         self.end.carry_out(work);
         let console = &self.console;
         let picture = || Some(drawn(console));
-        self.end.tell(console.app.state(), &picture);
+        let head = || console.record_head();
+        let sight = ClassSight {
+            picture: &picture,
+            head: &head,
+        };
+        self.end.tell(console.app.state(), &sight);
     }
 
     async fn say(&mut self, line: &str) {

@@ -47,6 +47,7 @@ fn flight(number: u32, mission: &Mission, shares: &[f64]) -> ClassFlight {
         what: Text::default(),
     });
     ClassFlight {
+        seal: None,
         record: format!("2026-11-20T14-03-{number:02}Z_{}", mission.id),
         when: "2026-11-20T14:03:22Z".to_owned(),
         profile: None,

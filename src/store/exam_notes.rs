@@ -1,0 +1,106 @@
+//! What a desk keeps of the exams of its class: a file of notes for each, which only its owner may read, because it has
+//! the secret of the seeds.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
+use std::os::unix::fs::OpenOptionsExt as _;
+use std::path::{Path, PathBuf};
+
+use super::{ClassRecords, sharing};
+use crate::campaign::MissionCourse;
+use crate::class::{Exam, ExamDeed, ExamNote};
+use crate::exam_plan::ExamFile;
+use crate::text::Text;
+
+/// The folder of the notes in that of a class. No trainee's folder begins with a dot.
+const EXAMS: &str = ".exams";
+const ENDING: &str = ".jsonl";
+
+/// The notes of a class's exams.
+#[derive(Debug, Clone)]
+pub struct ExamNotes {
+    folder: PathBuf,
+}
+
+/// An exam from its notes.
+#[derive(Debug, Clone)]
+pub struct KeptExam {
+    pub title: Text,
+    pub exam: Exam,
+}
+
+impl ExamNotes {
+    /// The notes of a class.
+    pub fn of(records: &ClassRecords) -> Self {
+        Self {
+            folder: records.folder().join(EXAMS),
+        }
+    }
+
+    /// Adds notes to those of the exam that began at a time.
+    ///
+    /// # Errors
+    /// The file cannot be written; what was there stays.
+    pub fn append(&self, begun: u64, notes: &[ExamNote]) -> io::Result<()> {
+        sharing::private_folder(&self.folder)?;
+        let mut lines = String::new();
+        for note in notes {
+            lines.push_str(&serde_json::to_string(note)?);
+            lines.push('\n');
+        }
+        let path = self.folder.join(format!("{begun}{ENDING}"));
+        let mut options = OpenOptions::new();
+        options.create(true).read(true).append(true).mode(0o600);
+        let mut file = options.open(path)?;
+        let len = whole_lines(&mut file)?;
+        file.set_len(len)?;
+        let written = file
+            .write_all(lines.as_bytes())
+            .and_then(|()| file.sync_data());
+        written.inspect_err(|_| {
+            // On an unavailable disk, this may fail too; the next note removes it.
+            drop(file.set_len(len));
+        })
+    }
+
+    /// All exams of the class, oldest first. `epoch` is the time since 1970 at which the desk's own clock was 0.
+    pub fn all(&self, course: &MissionCourse, epoch: u64) -> Vec<KeptExam> {
+        let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
+        let mut paths: Vec<PathBuf> = entries
+            .map(|entry| entry.path())
+            .filter(|path| path.to_string_lossy().ends_with(ENDING))
+            .collect();
+        paths.sort();
+        let kept = paths.iter().filter_map(|path| kept(path, course, epoch));
+        kept.collect()
+    }
+}
+
+/// The length of a file's whole lines: a crash may have cut off the last one.
+fn whole_lines(file: &mut File) -> io::Result<u64> {
+    let mut text = Vec::new();
+    file.seek(SeekFrom::Start(0))?;
+    file.read_to_end(&mut text)?;
+    let end = text.iter().rposition(|byte| *byte == b'\n');
+    Ok(end.map_or(0, |at| at as u64 + 1))
+}
+
+fn kept(path: &Path, course: &MissionCourse, epoch: u64) -> Option<KeptExam> {
+    let text = fs::read_to_string(path).ok()?;
+    let notes: Vec<ExamNote> = text
+        .lines()
+        .map_while(|line| serde_json::from_str(line).ok())
+        .collect();
+    let ExamDeed::Begun { exam, source, .. } = &notes.first()?.what else {
+        return None;
+    };
+    let file = ExamFile::parse(exam, source, course);
+    let file = file.inspect_err(|_| {
+        tracing::warn!("the exam in {} cannot be read", path.display());
+    });
+    let file = file.ok()?;
+    Some(KeptExam {
+        title: file.title,
+        exam: Exam::of(file.plan, &notes, epoch)?,
+    })
+}

@@ -1,0 +1,40 @@
+//! Where a seat is in an exam.
+
+use std::time::Duration;
+
+use super::SeatLineView;
+use crate::class::CandidateStage;
+use crate::class_results::number_of_mission;
+use crate::text;
+use crate::text::clock;
+use crate::ui::theme::Role;
+
+/// The mission, the try and the time that is left; a seat that cannot open its try stands out.
+pub(super) fn cell(view: &SeatLineView<'_>, base: Role) -> (String, Role) {
+    let exam = view.desk.exam();
+    let Some((exam, candidate)) = exam.zip(view.desk.candidate(view.seat)) else {
+        return (String::new(), base);
+    };
+    let stage = candidate.stage();
+    let mission = exam.plan().missions.get(candidate.mission());
+    let (word, role) = match stage {
+        CandidateStage::Done => (view.say(&text!("class-exam-cell-done")), Role::Muted),
+        CandidateStage::Closed => (view.say(&text!("class-exam-cell-closed")), Role::Muted),
+        CandidateStage::Waits => (view.say(&text!("class-exam-cell-waits")), base),
+        CandidateStage::Ordered { .. } => (view.say(&text!("class-exam-cell-opens")), base),
+        CandidateStage::Blocked(_) => ("!".to_owned(), Role::Accent),
+        CandidateStage::Flying { until } => {
+            let left = until.saturating_sub(exam.at(view.now));
+            (clock(Duration::from_secs(left)), base)
+        }
+    };
+    let is_over = matches!(stage, CandidateStage::Done | CandidateStage::Closed);
+    let text = match mission.filter(|_| !is_over) {
+        Some(mission) => {
+            let number = number_of_mission(mission.mission.as_str());
+            format!("{number} {}/{} {word}", candidate.number(), mission.tries)
+        }
+        None => word,
+    };
+    (text, role)
+}
