@@ -2,7 +2,7 @@
 
 # The file of an exam.
 exam-schema = невідома схема { $found }: ця версія читає схему { $known }
-exam-layout = layout — це «own» або «same», а не «{ $word }»
+exam-layout = `layout` — це `own` або `same`, а не «{ $word }»
 exam-time = потрібні дата, час і зсув: 2026-12-01T09:00:00+02:00
 exam-window = іспит закінчився б раніше, ніж почався
 exam-missions = { $count ->
@@ -84,7 +84,7 @@ witness-other = Пульт бачив інший запис: { $record }.
 witness-rewritten = Переписано: початок запису, довжина якого в байтах { $bytes }, не той, що бачив пульт.
 seal-key-known = Ключ цього пульта: { $key }
 seal-key-other = Інший ключ: { $key }
-seal-key-unknown = Ключ: { $key } (не звірено: вкажіть ключ пульта в --public-key)
+seal-key-unknown = Ключ: { $key } (не звірено: вкажіть ключ пульта в `--public-key`)
 
 # Reports.
 class-report-exams = Іспити

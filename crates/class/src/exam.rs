@@ -14,11 +14,12 @@
 //!
 //! # How the parts fit
 //! `plan` is the plan, `secret` the seeds, `attempt` what desk and seat say about a try, `note` what the desk keeps,
-//! `candidate` where one trainee is, `conduct` what the desk does for all, and `witness` the comparison at the end.
+//! `candidate` where one trainee is, `conduct` what follows for each, `desk` what the desk does, and `witness` the comparison at the end.
 
 mod attempt;
 mod candidate;
 mod conduct;
+mod desk;
 mod note;
 mod plan;
 mod secret;
@@ -26,7 +27,8 @@ mod witness;
 
 pub use attempt::{ExamTry, FlownTry, RecordHead, TryHead, TryName};
 pub use candidate::{Candidate, CandidateStage, CandidateTry, TimedHead, TryEnd};
-pub use conduct::{Exam, ExamFault};
+pub use conduct::Exam;
+pub use desk::ExamFault;
 pub use note::{ExamDeed, ExamNote};
 pub use plan::{ExamLayout, ExamMission, ExamPlan};
 pub use secret::ExamSecret;

@@ -93,7 +93,7 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
         marked = room.marked()
     );
     let inner = panel.focused(&panel.text(&title), true, buffer);
-    let columns = BoardColumn::fitting(inner.width, BoardColumn::of_course(desk));
+    let columns = BoardColumn::fitting(inner.width, exam::column(desk));
     put(buffer, inner, 0, &heading(&columns, panel));
     let inner = below(inner, 1);
     if board.is_empty() {
@@ -185,17 +185,6 @@ impl BoardColumn {
 
     /// The column of an exam.
     const EXAM: (Self, usize) = (Self::Exam, 16);
-
-    /// The column of the exam or the lessons, if there are some.
-    fn of_course(desk: &Desk) -> Option<(Self, usize)> {
-        let mut seats = desk.seats().iter();
-        if seats.clone().any(|seat| desk.candidate(seat).is_some()) {
-            return Some(Self::EXAM);
-        }
-        seats
-            .any(|seat| seat.lesson.is_some())
-            .then_some(Self::LESSON)
-    }
 
     /// The columns with their widths; the last one takes the rest of the row. While there are lessons or an exam,
     /// others give way to their column, unless all fit.

@@ -396,7 +396,7 @@ fn an_exam_is_known_by_its_keys_and_flies_missions_of_the_course() {
     assert_eq!(checked.status.code(), Some(1), "{found}");
     assert!(found.contains("good.toml: good"), "{found}");
     assert!(
-        found.contains("bad.toml:5:12: no mission of the course is called “51-none”"),
+        found.contains("bad.toml:5:11: no mission of the course is called “51-none”"),
         "{found}"
     );
     assert!(found.contains("hints.toml:8:1"), "{found}");

@@ -1,4 +1,4 @@
-//! What a desk does for the trainees of an exam.
+//! An exam, and what follows in it for each trainee.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -8,9 +8,7 @@ use super::{
     Candidate, CandidateStage, CandidateTry, ExamDeed, ExamMission, ExamNote, ExamPlan, ExamSecret,
     ExamTry, TryEnd, TryHead, TryName,
 };
-use crate::{
-    Deed, Desk, FlightReport, OrderId, OrderState, Outcome, Refusal, SeatRecord, Stage, Words,
-};
+use crate::{FlightReport, OrderId, OrderState, Outcome, Refusal, SeatRecord, Stage};
 
 /// The time between two tries, in which the trainee sees how the last one ended, in seconds.
 const BREAK: u64 = 20;
@@ -26,30 +24,21 @@ const HEADS_EVERY: u64 = 5;
 /// An exam that a desk holds.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exam {
-    plan: Arc<ExamPlan>,
+    pub(super) plan: Arc<ExamPlan>,
     secret: ExamSecret,
     /// When it began, in seconds since 1970.
-    begun: u64,
+    pub(super) begun: u64,
     /// The time since 1970 at which the desk's own clock was 0, in seconds.
     epoch: u64,
-    is_stopped: bool,
-    candidates: BTreeMap<String, Candidate>,
+    pub(super) is_stopped: bool,
+    pub(super) candidates: BTreeMap<String, Candidate>,
     /// The notes that were not taken to be written.
     unwritten: Vec<ExamNote>,
 }
 
-/// Why an exam cannot be held.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum ExamFault {
-    /// The desk holds another exam.
-    Other,
-    /// The desk holds no exam.
-    None,
-}
-
 /// What follows for a trainee.
 #[derive(Debug, Clone, PartialEq)]
-enum ExamMove {
+pub(super) enum ExamMove {
     /// Ask the seat to open the try.
     Open(ExamTry),
     /// Ask the seat to end the flight.
@@ -177,14 +166,14 @@ impl Exam {
         candidate.apply(note, &self.plan);
     }
 
-    fn note(&mut self, at: u64, what: ExamDeed) {
+    pub(super) fn note(&mut self, at: u64, what: ExamDeed) {
         let note = ExamNote { at, what };
         self.apply(&note);
         self.unwritten.push(note);
     }
 
     /// What follows for a user at a seat, which may not be connected.
-    fn next(&self, user: &str, seat: Option<&SeatRecord>, at: u64) -> Option<ExamMove> {
+    pub(super) fn next(&self, user: &str, seat: Option<&SeatRecord>, at: u64) -> Option<ExamMove> {
         let candidate = self.candidates.get(user)?;
         let mission = self.plan.missions.get(candidate.mission)?;
         let name = self.name(mission, candidate.number);
@@ -237,7 +226,7 @@ impl Exam {
     }
 
     /// Whether a head is new, and is noted.
-    fn witness(&mut self, user: &str, seen: &TryHead, at: u64) -> bool {
+    pub(super) fn witness(&mut self, user: &str, seen: &TryHead, at: u64) -> bool {
         let Some(candidate) = self.candidates.get(user) else {
             return false;
         };
@@ -339,167 +328,4 @@ fn asks_end(candidate: &Candidate, seat: &SeatRecord, until: u64, at: u64) -> Op
     let is_late = seat.is_here() && at >= until.saturating_add(GRACE);
     let was_asked = candidate.end_asked.is_some_and(|asked| at < asked + AGAIN);
     (is_late && !was_asked).then_some(ExamMove::AskEnd)
-}
-
-impl Desk {
-    /// Holds an exam, which is new or was found in its notes.
-    ///
-    /// # Errors
-    /// The desk holds another one.
-    pub fn hold(&mut self, exam: Exam) -> Result<(), ExamFault> {
-        if self.exam().is_some_and(|it| !it.is_stopped()) {
-            return Err(ExamFault::Other);
-        }
-        self.exam = Some(exam);
-        Ok(())
-    }
-
-    /// The exam that the desk holds, or that was held last.
-    pub fn exam(&self) -> Option<&Exam> {
-        self.exam.as_ref()
-    }
-
-    /// The notes of the exam since the last call, to be written.
-    pub fn take_exam_notes(&mut self) -> Vec<ExamNote> {
-        self.exam.as_mut().map_or_else(Vec::new, Exam::take_notes)
-    }
-
-    /// Where the user of a seat is in the exam.
-    pub fn candidate(&self, seat: &SeatRecord) -> Option<&Candidate> {
-        self.exam.as_ref()?.candidates.get(&seat.user)
-    }
-
-    /// Lets the users of seats take part in the exam; those who do already are not changed.
-    ///
-    /// # Errors
-    /// There is no exam.
-    pub fn seat_candidates(&mut self, seats: &[usize], now: Duration) -> Result<(), ExamFault> {
-        let exam = self.exam.as_mut().filter(|it| !it.is_stopped);
-        let exam = exam.ok_or(ExamFault::None)?;
-        let at = exam.at(now);
-        for seat in seats.iter().filter_map(|&seat| self.seats.get(seat)) {
-            if !exam.candidates.contains_key(&seat.user) {
-                let user = seat.user.clone();
-                exam.note(at, ExamDeed::Seated { user });
-            }
-        }
-        Ok(())
-    }
-
-    /// Ends the exam: no try is opened any more. Flights go on.
-    ///
-    /// # Errors
-    /// There is no exam.
-    pub fn stop_exam(&mut self, now: Duration) -> Result<Words, ExamFault> {
-        let exam = self.exam.as_mut().filter(|it| !it.is_stopped);
-        let exam = exam.ok_or(ExamFault::None)?;
-        let at = exam.at(now);
-        exam.note(at, ExamDeed::Stopped);
-        Ok(exam.plan.name.clone())
-    }
-
-    /// Goes on with the exam of all trainees; returns whether anything has changed.
-    pub fn examine(&mut self, now: Duration) -> bool {
-        let Some(mut exam) = self.exam.take() else {
-            return false;
-        };
-        let at = exam.at(now);
-        let users: Vec<String> = exam.candidates.keys().cloned().collect();
-        let mut has_changed = false;
-        for user in users {
-            let seat = self.exam_seat(&exam, &user);
-            self.watch_candidate(&mut exam, &user, seat, at);
-            let record = seat.map(|seat| &self.seats[seat]);
-            if let Some(next) = exam.next(&user, record, at) {
-                has_changed = true;
-                self.make_exam_move(&mut exam, &user, seat, next, now);
-            }
-        }
-        self.exam = Some(exam);
-        has_changed
-    }
-
-    /// The connected seat of a user: of several, the one that flies a try of the exam, otherwise the first.
-    fn exam_seat(&self, exam: &Exam, user: &str) -> Option<usize> {
-        let is_candidate = |it: &(usize, &SeatRecord)| it.1.user == user && it.1.is_here();
-        let flies = |it: &(usize, &SeatRecord)| {
-            let flight = it.1.report.as_ref().and_then(|it| it.flight.as_ref());
-            let flown = flight.and_then(|it| it.exam_try.as_ref());
-            flown.is_some_and(|it| it.name.begun == exam.begun)
-        };
-        let mut seats = self.seats.iter().enumerate().filter(is_candidate);
-        let first = seats.clone().next();
-        seats.find(flies).or(first).map(|(index, _)| index)
-    }
-
-    /// Notes since when a seat has not said that it flies its try.
-    fn watch_candidate(&self, exam: &mut Exam, user: &str, seat: Option<usize>, at: u64) {
-        let plan = Arc::clone(&exam.plan);
-        let begun = exam.begun;
-        let Some(candidate) = exam.candidates.get_mut(user) else {
-            return;
-        };
-        let seat = seat.map(|seat| &self.seats[seat]);
-        let is_reporting = seat.is_some_and(|seat| seat.report.is_some());
-        let is_flown = seat.is_some_and(|seat| {
-            let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
-            let flown = flight.and_then(|it| it.exam_try.as_ref());
-            let mission = plan.missions.get(candidate.mission);
-            flown.zip(mission).is_some_and(|(flown, mission)| {
-                flown.name.begun == begun
-                    && flown.name.mission == mission.mission
-                    && flown.name.number == candidate.number
-            })
-        });
-        candidate.missing_since = if is_flown || !is_reporting {
-            None
-        } else {
-            candidate.missing_since.or(Some(at))
-        };
-    }
-
-    fn make_exam_move(
-        &mut self,
-        exam: &mut Exam,
-        user: &str,
-        seat: Option<usize>,
-        next: ExamMove,
-        now: Duration,
-    ) {
-        let at = exam.at(now);
-        match (next, seat) {
-            (ExamMove::Note(what), _) => exam.note(at, what),
-            (ExamMove::Open(opened), Some(seat)) => {
-                let until = at.saturating_add(opened.within_s.into());
-                let id = self.order(seat, Deed::Examine(opened), now);
-                if let Some(candidate) = exam.candidates.get_mut(user) {
-                    candidate.enter(CandidateStage::Ordered { id, until }, at);
-                }
-            }
-            (ExamMove::AskEnd, Some(seat)) => {
-                self.order(seat, Deed::End, now);
-                if let Some(candidate) = exam.candidates.get_mut(user) {
-                    candidate.end_asked = Some(at);
-                }
-            }
-            (ExamMove::Open(_) | ExamMove::AskEnd, None) => {}
-            (ExamMove::Stage(stage), _) => {
-                if let Some(candidate) = exam.candidates.get_mut(user) {
-                    candidate.enter(stage, at);
-                }
-            }
-        }
-    }
-
-    /// Notes the head of a record that a user's seat reports; whether it is noted now, so that the seat is told.
-    pub(crate) fn witness(&mut self, seat: usize, head: &TryHead, now: Duration) -> bool {
-        let Some(user) = self.seats.get(seat).map(|seat| seat.user.clone()) else {
-            return false;
-        };
-        let Some(exam) = self.exam.as_mut() else {
-            return false;
-        };
-        let at = exam.at(now);
-        exam.witness(&user, head, at)
-    }
 }

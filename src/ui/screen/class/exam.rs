@@ -2,12 +2,22 @@
 
 use std::time::Duration;
 
-use super::SeatLineView;
-use crate::class::CandidateStage;
+use super::{BoardColumn, SeatLineView};
+use crate::class::{CandidateStage, Desk};
 use crate::class_results::number_of_mission;
 use crate::text;
 use crate::text::clock;
 use crate::ui::theme::Role;
+
+/// The column of the exam, otherwise that of the lessons, if there are some.
+pub(super) fn column(desk: &Desk) -> Option<(BoardColumn, usize)> {
+    let mut seats = desk.seats().iter();
+    if seats.clone().any(|seat| desk.candidate(seat).is_some()) {
+        return Some(BoardColumn::EXAM);
+    }
+    let has_lesson = seats.any(|seat| seat.lesson.is_some());
+    has_lesson.then_some(BoardColumn::LESSON)
+}
 
 /// The mission, the try and the time that is left; a seat that cannot open its try stands out.
 pub(super) fn cell(view: &SeatLineView<'_>, base: Role) -> (String, Role) {
