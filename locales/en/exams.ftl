@@ -21,8 +21,9 @@ argument-exam-name = the name of an exam, or its file
 class-exam-begun = exam “{ $exam }” begun: { $seats }
 class-exam-unread = exam “{ $exam }”: { $fault }
 class-exam-other = the exam “{ $exam }” is going on; end it first: class exam stop
-class-exam-none = there is no exam
+class-exam-none = no exam is under way
 class-exam-found = the exam “{ $exam }” goes on
+class-exam-found-other = an earlier exam, “{ $exam }”, has not ended, but “{ $held }” is under way; to continue “{ $exam }”, end “{ $held }” and open the desk again
 class-exam-stopped = exam “{ $exam }” ended: no more tries are opened, and flights go on
 class-exam-failed = the exam cannot be kept: { $fault }
 class-exam-no-random = the system has no random numbers for the seeds
@@ -31,7 +32,7 @@ class-exam-cell-waits = waits
 class-exam-cell-opens = opens
 class-exam-cell-done = done
 class-exam-cell-closed = closed
-class-key-exam = exam
+class-key-exam = hold an exam
 class-deed-try = exam { $mission }, try { $number } of { $tries }
 class-refusal-flown = this try was flown already
 class-refusal-practice = the console of the seat has a mission or airframes of its own, so the flight would be practice
@@ -42,12 +43,14 @@ class-exam-time-up = the time of this try is up
 
 # Seals.
 seal-unreadable = it cannot be read: { $error }
-seal-damaged = it is no seal
+seal-damaged = it is not a seal
 seal-unsigned = it has no signature
 seal-signature = its signature does not fit: the seal was changed, or signed with another key
-seal-other-key = it was made with another key than this desk's
+seal-other-key = it was made with another key than the expected one
 seal-other-record = it is the seal of the record { $record }
 seal-other-user = it is the seal of { $user }
+seal-other-class = it is the seal of the class { $class }
+seal-not-sealed = { $file } is not in it: the file was added afterwards
 seal-changed = { $file } is not the file that was sealed
 seal-missing = { $file } is missing
 seal-bad = The seal is not valid: { $fault }.
@@ -56,6 +59,7 @@ seal-of = Seal of class { $class }, exam { $exam }: { $user }, { $mission }, try
    *[other] points
 }.
 seal-counts = The try counts.
+seal-key-not-compared = Signed, key not compared: the try counts if the key is that of the desk.
 seal-counts-not = The try does not count: { $reasons }.
 seal-reason-no-exam = it was not flown as an exam
 seal-reason-script = a script gave the commands

@@ -23,33 +23,36 @@ argument-exam-name = назва іспиту або його файл
 class-exam-begun = розпочато іспит «{ $exam }»: { $seats }
 class-exam-unread = іспит «{ $exam }»: { $fault }
 class-exam-other = триває іспит «{ $exam }»; спершу закінчіть його: class exam stop
-class-exam-none = іспиту немає
+class-exam-none = зараз немає іспиту
 class-exam-found = іспит «{ $exam }» триває далі
+class-exam-found-other = раніше розпочатий іспит «{ $exam }» не закінчено, але триває «{ $held }»; щоб продовжити «{ $exam }», закінчіть «{ $held }» і відкрийте пульт знову
 class-exam-stopped = іспит «{ $exam }» закінчено: нових спроб не буде, польоти тривають
 class-exam-failed = іспит не вдається зберегти: { $fault }
-class-exam-no-random = система не дала випадкових чисел для зерен
+class-exam-no-random = система не дала випадкових чисел для варіантів
 class-column-exam = іспит
 class-exam-cell-waits = чекає
-class-exam-cell-opens = відкриває
+class-exam-cell-opens = відкривається
 class-exam-cell-done = готово
 class-exam-cell-closed = закрито
-class-key-exam = іспит
+class-key-exam = провести іспит
 class-deed-try = іспит { $mission }, спроба { $number } з { $tries }
 class-refusal-flown = цю спробу вже використано
 class-refusal-practice = консоль цього місця має власне завдання або власні апарати, тож політ був би тренуванням
 
 # The seat.
 class-exam-no-restart = спробу іспиту не можна почати спочатку
-class-exam-time-up = час цієї спроби вийшов
+class-exam-time-up = час на цю спробу вичерпано
 
 # Seals.
 seal-unreadable = її не вдається прочитати: { $error }
 seal-damaged = це не печатка
 seal-unsigned = на ній немає підпису
 seal-signature = її підпис не збігається: печатку змінено або підписано іншим ключем
-seal-other-key = її зроблено іншим ключем, не ключем цього пульта
+seal-other-key = її зроблено не тим ключем, якого очікували
 seal-other-record = це печатка запису { $record }
 seal-other-user = це печатка користувача { $user }
+seal-other-class = це печатка класу { $class }
+seal-not-sealed = { $file } у печатці немає: файл додано згодом
 seal-changed = { $file } — не той файл, який запечатано
 seal-missing = немає файлу { $file }
 seal-bad = Печатка недійсна: { $fault }.
@@ -60,9 +63,10 @@ seal-of = Печатка класу { $class }, іспит { $exam }: { $user },
    *[other] бала
 }.
 seal-counts = Спробу зараховано.
+seal-key-not-compared = Підписано, ключ не звірено: спробу зараховано, якщо це ключ пульта.
 seal-counts-not = Спробу не зараховано: { $reasons }.
 seal-reason-no-exam = політ не був іспитом
-seal-reason-script = команди давав сценарій
+seal-reason-script = команди давав скрипт
 seal-reason-mission = завдання не з курсу
 seal-reason-late = політ тривав після відведеного часу
 seal-reason-unseen = під час польоту пульт нічого не бачив
@@ -81,7 +85,12 @@ witness-part = Засвідчено частково: пульт бачив, я�
 }; найдовша прогалина { $gap }.
 witness-unseen = Не засвідчено.
 witness-other = Пульт бачив інший запис: { $record }.
-witness-rewritten = Переписано: початок запису, довжина якого в байтах { $bytes }, не той, що бачив пульт.
+witness-rewritten = Переписано: { $bytes ->
+    [one] перший { $bytes } байт запису не той, який бачив пульт.
+    [few] перші { $bytes } байти запису не ті, які бачив пульт.
+    [many] перші { $bytes } байтів запису не ті, які бачив пульт.
+   *[other] перші { $bytes } байта запису не ті, які бачив пульт.
+}
 seal-key-known = Ключ цього пульта: { $key }
 seal-key-other = Інший ключ: { $key }
 seal-key-unknown = Ключ: { $key } (не звірено: вкажіть ключ пульта в `--public-key`)
@@ -91,7 +100,7 @@ class-report-exams = Іспити
 class-report-exam = іспит
 class-report-try = спроба
 class-report-seal = печатка
-class-report-witness = свідчення
+class-report-witness = засвідчення
 class-report-score = бали
 class-key-public = Відкритий ключ цього пульта: { $key }
 class-key-fingerprint = Відбиток: { $fingerprint }
