@@ -61,6 +61,7 @@ mod trials;
 
 pub use api::ApiOptions;
 use api::Programs;
+use begin::SeedSources;
 use career::Careers;
 use class::{ClassEnd, ClassSight};
 pub use class::{ClassOptions, ClassPart};
@@ -173,8 +174,6 @@ struct Console {
     next_traffic: Duration,
     /// The stake and the seed of the current session.
     attempt: Attempt,
-    /// The seed that the desk has drawn for the mission that is being started.
-    drawn: Option<u64>,
     /// The profiles; `None` if they are not used or not available.
     careers: Option<Careers>,
     /// When to check for changes by other consoles and commands.
@@ -249,7 +248,6 @@ impl Console {
             replaying: None,
             next_traffic: Duration::ZERO,
             attempt: Attempt::practice(None),
-            drawn: None,
             careers: None,
             next_look: LOOK_EVERY,
             awaits_reader: false,
@@ -283,7 +281,10 @@ impl Console {
     async fn open(&mut self) {
         let outcome = match self.options.opening.clone() {
             Opening::Home => return,
-            Opening::Mission(mission) => self.launch(mission, Stake::Graded, None).await,
+            Opening::Mission(mission) => {
+                let seeds = SeedSources::default();
+                self.launch(mission, Stake::Graded, seeds).await
+            }
             Opening::Free => self.start_afresh(SessionPlan::Free(None)).await,
             Opening::Replay(path) => self.open_replay(&path, false),
             Opening::Connect(addresses) => self.start_afresh(SessionPlan::Connect(addresses)).await,

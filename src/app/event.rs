@@ -258,6 +258,8 @@ pub enum ClassEvent {
         id: OrderId,
         refusal: Option<Refusal>,
     },
+    /// At a seat: the flight of a try would be practice, so it was not begun.
+    TryRefused,
     /// At the desk: a seat has said something.
     Heard {
         connection: ConnectionId,

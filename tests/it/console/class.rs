@@ -7,7 +7,9 @@ use sortie::app::event::{ClassEvent, Event, SessionEvent};
 use sortie::app::state::{Activity, ClassRole, Overlay, SeatPlace};
 use sortie::campaign::Stake;
 use sortie::class::protocol::{DeskMessage, VERSION};
-use sortie::class::{Consent, Deed, Happening, Order, OrderId, Outcome, Refusal, Seat, Stage};
+use sortie::class::{
+    Consent, Deed, ExamTry, Happening, Order, OrderId, Outcome, Refusal, Seat, Stage, TryName,
+};
 use sortie::ledger::RowState;
 use sortie::mission::Progress;
 
@@ -101,6 +103,33 @@ fn session_effects(console: &Console) -> Vec<&SessionEffect> {
 fn pass(console: &mut Console, seconds: u64) {
     let now = console.state().wall() + Duration::from_secs(seconds);
     console.hear(Event::Tick { now, wall: now });
+}
+
+#[test]
+fn a_try_that_would_be_practice_is_not_used_up() {
+    let mut console = joined();
+    let opened = ExamTry {
+        name: TryName {
+            exam: "final".into(),
+            begun: 1_800_000_000,
+            mission: "00-first-flight".into(),
+            number: 1,
+        },
+        tries: 1,
+        seed: 7,
+        within_s: 600,
+    };
+    for number in 1..=2 {
+        order(&mut console, number, Deed::Examine(opened.clone()));
+        let begun = session_effects(&console);
+        assert!(
+            matches!(begun[..], [SessionEffect::StartMission(_)]),
+            "{begun:?}"
+        );
+        console.hear(ClassEvent::TryRefused);
+    }
+    let refused = Outcome::Refused(Refusal::Practice);
+    assert_eq!(outcomes(&console), [(1, refused), (2, refused)]);
 }
 
 #[test]

@@ -301,6 +301,16 @@ pub fn begun(state: &mut State, id: OrderId, refusal: Option<Refusal>) -> Effect
     }
 }
 
+/// The flight of a try that the desk has ordered would be practice, so it was not begun.
+pub fn try_refused(state: &mut State) -> Effects {
+    let pending = state.class.seat().map_or(&[][..], |place| &place.pending);
+    let is_try = |one: &&PendingOrder| matches!(one.deed, Deed::Examine(_));
+    let ordered = pending.iter().find(is_try).map(|one| one.id);
+    ordered.map_or_else(Effects::none, |id| {
+        begun(state, id, Some(Refusal::Practice))
+    })
+}
+
 /// Notes the end of an order: in the journal for the desk, in the record of the flight, and for the trainee.
 fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects {
     let line = DeskRecord {
