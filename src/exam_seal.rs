@@ -99,6 +99,10 @@ pub enum SealFault {
     OtherRecord(String),
     /// It is the seal of another user's try.
     OtherUser(String),
+    /// It is the seal of a try in another class.
+    OtherClass(String),
+    /// A file of the record was not sealed: it was added afterwards.
+    NotSealed(String),
     /// A file of the record is not the one that was sealed.
     Changed(String),
     /// A file of the record is missing.
@@ -115,6 +119,8 @@ impl From<&SealFault> for Text {
             SealFault::OtherKey => text!("seal-other-key"),
             SealFault::OtherRecord(record) => text!("seal-other-record", record = record.as_str()),
             SealFault::OtherUser(user) => text!("seal-other-user", user = user.as_str()),
+            SealFault::OtherClass(class) => text!("seal-other-class", class = class.as_str()),
+            SealFault::NotSealed(file) => text!("seal-not-sealed", file = file.as_str()),
             SealFault::Changed(file) => text!("seal-changed", file = file.as_str()),
             SealFault::Missing(file) => text!("seal-missing", file = file.as_str()),
         }
@@ -148,10 +154,12 @@ impl SealCheck {
         }
         let reasons = self.seal.iter().flat_map(|it| &it.reasons);
         let reasons: Vec<Text> = reasons.map(|&reason| reason.into()).collect();
-        if reasons.is_empty() {
-            text!("seal-counts")
-        } else {
+        if !reasons.is_empty() {
             text!("seal-counts-not", reasons = Text::joined("; ", reasons))
+        } else if self.is_known_key.is_none() {
+            text!("seal-key-not-compared")
+        } else {
+            text!("seal-counts")
         }
     }
 

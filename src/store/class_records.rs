@@ -3,6 +3,7 @@
 //! Each class has a folder in the instructor's data folder, with a folder for each trainee. A record is complete once
 //! its submission lies beside it, which is written last; until then, its files may be parts.
 
+use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
@@ -34,6 +35,35 @@ pub struct KeptRecord {
     pub files: RecordFiles,
 }
 
+/// The class and the trainee whose record a file is, from the folders in which it is.
+#[derive(Debug)]
+pub(super) struct RecordOwner {
+    class: OsString,
+    user: OsString,
+}
+
+impl RecordOwner {
+    /// The owner of a file; `None` if it is not in the folder of a class.
+    pub fn of(path: &Path) -> Option<Self> {
+        // A relative path does not name the folders above it.
+        let path = path.canonicalize().ok()?;
+        let user = path.parent()?;
+        let class = user.parent()?;
+        (class.parent()?.file_name()? == CLASSES).then_some(Self {
+            class: class.file_name()?.to_owned(),
+            user: user.file_name()?.to_owned(),
+        })
+    }
+
+    pub fn is_class(&self, name: &str) -> bool {
+        self.class == *safe(name)
+    }
+
+    pub fn is_user(&self, name: &str) -> bool {
+        self.user == *safe(name)
+    }
+}
+
 impl ClassRecords {
     /// The records of the class with this name, in a data folder.
     pub fn within(data: &Path, class: &str) -> Self {
@@ -46,14 +76,6 @@ impl ClassRecords {
     /// The names of the classes that have records in a data folder.
     pub fn classes(data: &Path) -> Vec<String> {
         folders_in(&data.join(CLASSES))
-    }
-
-    /// The trainee in whose folder a file is, if it is in that of a class.
-    pub(super) fn user_of(path: &Path) -> Option<&str> {
-        let folder = path.parent()?;
-        let classes = folder.parent()?.parent()?.file_name()?;
-        let user = folder.file_name()?.to_str()?;
-        (classes == CLASSES).then_some(user)
     }
 
     /// The data folder.

@@ -8,13 +8,16 @@ use std::time::{Duration, UNIX_EPOCH};
 
 use sha2::{Digest as _, Sha256};
 
+use super::class_records::RecordOwner;
 use super::hashes::{hex, sha256_of};
 use super::records::ending_of;
 use super::regular::read_regular_text;
 use super::runs::utc;
 use super::signature::{self, RecordKey, RecordPublicKey, SignatureError};
 use super::{ClassRecords, KeptRecord, RecordFiles};
-use crate::class::{CandidateTry, Exam, RecordName, RecordShelf as _, Submission, Witness};
+use crate::class::{
+    CandidateTry, Exam, RecordName, RecordPart, RecordShelf as _, Submission, Witness,
+};
 use crate::class_results::ClassFlight;
 use crate::exam_seal::{SEAL, Seal, SealCheck, SealFault, TryReason};
 use crate::mission::Stake;
@@ -122,7 +125,7 @@ pub fn seal_record(
     records: &ClassRecords,
     sealed: &SealedTry<'_>,
     key: &DeskKey,
-) -> Result<Seal, SignatureError> {
+) -> Result<(), SignatureError> {
     let run = sealed.kept.files.run.as_deref().unwrap_or(Path::new(""));
     let file = |error| SignatureError::File {
         path: run.to_owned(),
@@ -138,7 +141,7 @@ pub fn seal_record(
     let witness = Witness::of(sealed.flown, &record, &content, sealed.handed_in);
     let seal = seal(sealed, submission, witness, key);
     let path = seal_path(run, &seal.record);
-    let text = serde_json::to_string_pretty(&seal).unwrap_or_default();
+    let text = serde_json::to_string_pretty(&seal).map_err(|error| file(error.into()))?;
     // One without a signature is left from a crash.
     if signature::check(&path, None).is_none() {
         super::write(&path, &text, true)
@@ -146,7 +149,7 @@ pub fn seal_record(
         let about = format!("exam:{}\tuser:{}", seal.exam, seal.user);
         signature::sign(&path, &key.key, &about)?;
     }
-    Ok(seal)
+    Ok(())
 }
 
 fn seal(sealed: &SealedTry<'_>, submission: Submission, witness: Witness, key: &DeskKey) -> Seal {
@@ -242,7 +245,7 @@ fn fault_of(
     files: &RecordFiles,
     is_known_key: Option<bool>,
 ) -> Result<(), SealFault> {
-    let key = RecordPublicKey::read(&seal.public_key).map_err(|_| SealFault::Damaged)?;
+    let key = RecordPublicKey::from_text(&seal.public_key).ok_or(SealFault::Damaged)?;
     match signature::check(path, Some(&key)) {
         None => return Err(SealFault::Unsigned),
         Some(Err(_)) => return Err(SealFault::Signature),
@@ -254,9 +257,25 @@ fn fault_of(
     if seal.record != files.stem {
         return Err(SealFault::OtherRecord(seal.record.clone()));
     }
-    let owner = ClassRecords::user_of(path);
-    if owner.is_some_and(|owner| owner != seal.user) {
-        return Err(SealFault::OtherUser(seal.user.clone()));
+    if let Some(owner) = RecordOwner::of(path) {
+        if !owner.is_user(&seal.user) {
+            return Err(SealFault::OtherUser(seal.user.clone()));
+        }
+        if !owner.is_class(&seal.class) {
+            return Err(SealFault::OtherClass(seal.class.clone()));
+        }
+    }
+    check_files(seal, path, files)
+}
+
+/// Compares the files of a record with the hashes in its seal.
+fn check_files(seal: &Seal, path: &Path, files: &RecordFiles) -> Result<(), SealFault> {
+    for part in RecordPart::ALL {
+        let name = format!("{}{}", files.stem, ending_of(part));
+        let is_sealed = seal.files.iter().any(|sealed| sealed.part == part);
+        if !is_sealed && path.with_file_name(&name).exists() {
+            return Err(SealFault::NotSealed(name));
+        }
     }
     for sealed in &seal.files {
         let name = format!("{}{}", files.stem, ending_of(sealed.part));
@@ -271,3 +290,6 @@ fn fault_of(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests;

@@ -139,13 +139,18 @@ impl RecordPublicKey {
         self.0.to_base64()
     }
 
+    /// The key with this text, which may come from anywhere: it is never taken for a path.
+    pub(super) fn from_text(text: &str) -> Option<Self> {
+        PublicKey::from_base64(text).ok().map(Self)
+    }
+
     /// Reads a public key from its text, or from a file of `minisign -G`.
     ///
     /// # Errors
     /// The argument is neither a key nor such a file.
     pub fn read(text_or_path: &str) -> Result<Self, SignatureError> {
-        if let Ok(key) = PublicKey::from_base64(text_or_path) {
-            return Ok(Self(key));
+        if let Some(key) = Self::from_text(text_or_path) {
+            return Ok(key);
         }
         let path = Path::new(text_or_path);
         let text = read_regular_text(path, LONGEST).map_err(|error| unreadable(path, error))?;
