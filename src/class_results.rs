@@ -105,9 +105,11 @@ impl ClassFlight {
         }
     }
 
-    /// Whether the flight counts as a try: practice and flights by script do not.
+    /// Whether the flight counts as a try: practice and flights by script do not, nor do tries of an exam whose seal
+    /// does not fit or says that they do not count.
     pub fn counts(&self) -> bool {
-        !is_practice(self.flight.stake, self.flight.flown_by)
+        let is_sealed_so = self.seal.as_ref().is_none_or(SealCheck::counts);
+        is_sealed_so && !is_practice(self.flight.stake, self.flight.flown_by)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::campaign::{Evidence, Offer, Stake};
+use crate::exam_seal::SealFault;
 use crate::scoring::FlownBy;
 
 const MISSIONS: [&str; 2] = [
@@ -104,6 +105,34 @@ fn each_trainee_has_the_best_score_and_the_tries_of_each_mission() {
     assert!(
         results.trainees[1].skill(Skill::K1).is_none(),
         "never shown"
+    );
+}
+
+#[test]
+fn a_try_of_an_exam_counts_only_with_a_valid_seal() {
+    let mut trainees = Vec::new();
+    let tried = flight("a1", "00-first-flight", 500, &[1.0, 0.5]);
+    let seal = SealCheck {
+        seal: None,
+        fingerprint: None,
+        is_known_key: None,
+        fault: Some(SealFault::Signature),
+    };
+    let forged = ClassFlight {
+        seal: Some(seal),
+        ..flight("a2", "00-first-flight", 900, &[1.0, 1.0])
+    };
+    add_flight(&mut trainees, "anna", tried);
+    add_flight(&mut trainees, "anna", forged);
+    // The exports have the best flights.
+    let best = trainees[0].best_flights();
+    let records: Vec<&str> = best.iter().map(|it| it.record.as_str()).collect();
+    assert_eq!(records, ["a1"]);
+    let results = ClassResults::of(&course(), &trainees, 20_000);
+    assert_eq!(results.trainees[0].best("00-first-flight"), Some(500));
+    assert_eq!(
+        (results.trainees[0].tries, results.trainees[0].practice),
+        (1, 1)
     );
 }
 
