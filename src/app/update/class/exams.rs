@@ -1,6 +1,7 @@
 //! The exam of the desk.
 
 use super::desk::{connected, exam_notes, names};
+use super::tell;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::class::{Desk, Exam, ExamFault};
@@ -82,14 +83,19 @@ fn seat(
 /// Goes on with an exam that an earlier desk has begun.
 pub(super) fn found(state: &mut State, exam: Exam) {
     let name = exam.plan().name.to_string();
-    let is_held = state
-        .class
-        .desk_mut()
-        .is_some_and(|desk| desk.hold(exam).is_ok());
-    if is_held {
+    let Some(desk) = state.class.desk_mut() else {
+        return;
+    };
+    if desk.hold(exam).is_ok() {
         state.say(Severity::Notice, text!("class-exam-found", exam = name));
-        state.touch();
+    } else {
+        // The instructor was faster than the reading of the notes.
+        let held = desk.exam().map(|it| it.plan().name.to_string());
+        let held = held.unwrap_or_default();
+        let text = text!("class-exam-found-other", exam = name, held = held);
+        tell(state, Severity::Warning, text);
     }
+    state.touch();
 }
 
 /// Ends the exam.

@@ -12,14 +12,14 @@ use sortie::text::Language;
 use crate::console::class::{desk, flight, report};
 
 /// An exam that began when the desk was opened.
-fn exam() -> Exam {
+fn exam(name: &str) -> Exam {
     let mission = |id: &str, tries| ExamMission {
         mission: id.into(),
         tries,
         limit: Duration::from_secs(900),
     };
     let plan = Arc::new(ExamPlan {
-        name: "final".into(),
+        name: name.into(),
         layout: ExamLayout::Own,
         opens: None,
         closes: None,
@@ -30,7 +30,7 @@ fn exam() -> Exam {
         what,
     };
     let begun = note(ExamDeed::Begun {
-        exam: "final".to_owned(),
+        exam: name.to_owned(),
         source: String::new(),
         secret: ExamSecret::from([7; 32]),
     });
@@ -45,7 +45,7 @@ fn the_board_has_the_exam_of_each_seat() {
         let mut console = desk(language);
         report(&mut console, 1, "anna", flight(5.0));
         report(&mut console, 2, "bohdan", flight(12.0));
-        console.hear(ClassEvent::ExamFound(Box::new(exam())));
+        console.hear(ClassEvent::ExamFound(Box::new(exam("final"))));
         let desk = console.state().class_role().desk().expect("a desk");
         let candidate = desk.candidate(&desk.seats()[0]).expect("anna takes part");
         assert_eq!(candidate.stage(), CandidateStage::Waits);
@@ -55,4 +55,19 @@ fn the_board_has_the_exam_of_each_seat() {
             insta::assert_snapshot!(name, console.screen(width, height));
         }
     }
+}
+
+#[test]
+fn an_earlier_exam_that_is_not_continued_is_named() {
+    let mut console = desk(Language::English);
+    console.hear(ClassEvent::ExamFound(Box::new(exam("final"))));
+    console.hear(ClassEvent::ExamFound(Box::new(exam("rehearsal"))));
+    let held = console.state().class_role().desk().expect("a desk").exam();
+    assert_eq!(held.expect("an exam").plan().name.as_str(), "final");
+    let mut lines = console.state().notices().lines();
+    let newest = lines.next_back().expect("a notice").notice.text.to_string();
+    assert!(
+        newest.contains("an earlier exam, “rehearsal”, has not ended"),
+        "{newest}"
+    );
 }
