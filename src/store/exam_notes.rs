@@ -10,7 +10,6 @@ use super::{ClassRecords, sharing};
 use crate::campaign::MissionCourse;
 use crate::class::{Exam, ExamDeed, ExamNote};
 use crate::exam_plan::ExamFile;
-use crate::text::Text;
 
 /// The folder of the notes in that of a class. No trainee's folder begins with a dot.
 const EXAMS: &str = ".exams";
@@ -25,7 +24,6 @@ pub struct ExamNotes {
 /// An exam from its notes.
 #[derive(Debug, Clone)]
 pub struct KeptExam {
-    pub title: Text,
     pub exam: Exam,
 }
 
@@ -100,7 +98,6 @@ fn kept(path: &Path, course: &MissionCourse, epoch: u64) -> Option<KeptExam> {
     });
     let file = file.ok()?;
     Some(KeptExam {
-        title: file.title,
         exam: Exam::of(file.plan, &notes, epoch)?,
     })
 }

@@ -1,7 +1,7 @@
 //! Exams: missions that seats fly under the desk's eyes.
 //!
 //! An [`ExamPlan`] says which missions are flown, how often, and for how long. The desk draws a secret when it begins
-//! an [`Exam`]; the seed of each try follows from it, so that nobody knows a layout before the desk opens the try.
+//! an [`Exam`]; the seed of each try follows from it, so that a layout is unknown until the desk opens the try.
 //!
 //! # What survives
 //! Everything that the desk decides or sees is an [`ExamNote`], stamped with the desk's own clock. The state of an exam
@@ -32,4 +32,5 @@ pub use desk::ExamFault;
 pub use note::{ExamDeed, ExamNote};
 pub use plan::{ExamLayout, ExamMission, ExamPlan};
 pub use secret::ExamSecret;
-pub use witness::{GAP, Witness};
+use witness::GAP;
+pub use witness::Witness;

@@ -52,7 +52,7 @@ pub use desk::{ConnectionId, Desk, DeskHeard, SEATS};
 pub use desk_line::DeskLine;
 pub use exam::{
     Candidate, CandidateStage, CandidateTry, Exam, ExamDeed, ExamFault, ExamLayout, ExamMission,
-    ExamNote, ExamPlan, ExamSecret, ExamTry, FlownTry, GAP, RecordHead, TimedHead, TryEnd, TryHead,
+    ExamNote, ExamPlan, ExamSecret, ExamTry, FlownTry, RecordHead, TimedHead, TryEnd, TryHead,
     TryName, Witness,
 };
 pub use hand_in::{HandIn, HandInOutcome};
