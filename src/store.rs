@@ -82,7 +82,7 @@ pub use records::{
     RecordingFault, Records, read_log,
 };
 pub use runs::{RunFile, Runs, read_run, utc};
-pub use seals::{DeskKey, SealedTry, check_seal, seal_record};
+pub use seals::{DeskKey, SealedTry, check_seal, is_sealed, seal_record};
 pub use settlement::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
 pub use sharing::{
     PROFILES_FILE, RUNS, SharingFault, Unshared, other_owner, share_with_group, sharing_fault,

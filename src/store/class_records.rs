@@ -7,6 +7,7 @@ use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
 
 use super::hashes::{sha256_of, sha256_of_nothing};
 use super::records::ending_of;
@@ -117,6 +118,18 @@ impl ClassRecords {
             user: user.to_owned(),
             files,
         })
+    }
+
+    /// When a record was complete, in seconds since 1970.
+    pub fn handed_in(&self, kept: &KeptRecord) -> Option<u64> {
+        let record = RecordName::try_from(kept.files.stem.clone()).ok()?;
+        let submission = fs::metadata(self.path(&kept.user, &record, SUBMISSION)).ok()?;
+        let since = submission
+            .modified()
+            .ok()?
+            .duration_since(UNIX_EPOCH)
+            .ok()?;
+        Some(since.as_secs())
     }
 
     fn path(&self, user: &str, record: &RecordName, ending: &str) -> PathBuf {

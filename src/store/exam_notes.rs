@@ -16,9 +16,19 @@ const EXAMS: &str = ".exams";
 const ENDING: &str = ".jsonl";
 
 /// The notes of a class's exams.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct ExamNotes {
     folder: PathBuf,
+    /// The file to which notes were added last.
+    open: Option<OpenNotes>,
+}
+
+/// An open file of notes, which ends with a whole line.
+#[derive(Debug)]
+struct OpenNotes {
+    begun: u64,
+    file: File,
+    len: u64,
 }
 
 /// An exam from its notes.
@@ -32,6 +42,7 @@ impl ExamNotes {
     pub fn of(records: &ClassRecords) -> Self {
         Self {
             folder: records.folder().join(EXAMS),
+            open: None,
         }
     }
 
@@ -39,26 +50,35 @@ impl ExamNotes {
     ///
     /// # Errors
     /// The file cannot be written; what was there stays.
-    pub fn append(&self, begun: u64, notes: &[ExamNote]) -> io::Result<()> {
-        sharing::private_folder(&self.folder)?;
+    pub fn append(&mut self, begun: u64, notes: &[ExamNote]) -> io::Result<()> {
         let mut lines = String::new();
         for note in notes {
             lines.push_str(&serde_json::to_string(note)?);
             lines.push('\n');
         }
+        let known = self.open.take().filter(|it| it.begun == begun);
+        let mut open = known.map_or_else(|| self.open(begun), Ok)?;
+        let written = open.file.write_all(lines.as_bytes());
+        if let Err(error) = written.and_then(|()| open.file.sync_data()) {
+            // On an unavailable disk, this may fail too; then it is removed when the file is opened again.
+            drop(open.file.set_len(open.len));
+            return Err(error);
+        }
+        open.len += lines.len() as u64;
+        self.open = Some(open);
+        Ok(())
+    }
+
+    /// Opens the notes of the exam that began at a time, and removes a line that a crash has cut off.
+    fn open(&self, begun: u64) -> io::Result<OpenNotes> {
+        sharing::private_folder(&self.folder)?;
         let path = self.folder.join(format!("{begun}{ENDING}"));
         let mut options = OpenOptions::new();
         options.create(true).read(true).append(true).mode(0o600);
         let mut file = options.open(path)?;
         let len = whole_lines(&mut file)?;
         file.set_len(len)?;
-        let written = file
-            .write_all(lines.as_bytes())
-            .and_then(|()| file.sync_data());
-        written.inspect_err(|_| {
-            // On an unavailable disk, this may fail too; the next note removes it.
-            drop(file.set_len(len));
-        })
+        Ok(OpenNotes { begun, file, len })
     }
 
     /// All exams of the class, oldest first. `epoch` is the time since 1970 at which the desk's own clock was 0.

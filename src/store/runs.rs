@@ -16,7 +16,6 @@ use chrono::{DateTime, NaiveDateTime};
 use sha2::{Digest as _, Sha256};
 
 use super::append::{AppendFile, is_written};
-use super::hashes::hex;
 use super::signature::signature_of;
 use super::{StoreError, sharing};
 use crate::campaign::is_practice;
@@ -244,7 +243,7 @@ impl RunFile {
         Some(RecordHead {
             record: RecordName::try_from(self.id().to_owned()).ok()?,
             bytes: self.file.len(),
-            sha256: hex(&self.hash.clone().finalize()),
+            sha256: <[u8; 32]>::from(self.hash.clone().finalize()).into(),
         })
     }
 

@@ -143,7 +143,7 @@ pub fn seal_record(
     let path = seal_path(run, &seal.record);
     let text = serde_json::to_string_pretty(&seal).map_err(|error| file(error.into()))?;
     // One without a signature is left from a crash.
-    if signature::check(&path, None).is_none() {
+    if !is_sealed(&sealed.kept.files) {
         super::write(&path, &text, true)
             .map_err(|error| file(io::Error::other(error.to_string())))?;
         let about = format!("exam:{}\tuser:{}", seal.exam, seal.user);
@@ -189,12 +189,13 @@ fn reasons(sealed: &SealedTry<'_>, witness: &Witness) -> Vec<TryReason> {
     let flight = &sealed.flight.flight;
     let by_hand = flight.flown_by.unwrap_or_default().is_by_hand();
     let is_course = sealed.flight.mission_file == Some(MissionFile::Course);
+    let mission_time = Duration::try_from_secs_f64(sealed.flight.sim_time_s).unwrap_or_default();
     let is_mission = flight.mission == sealed.flown.name.mission.as_str();
     let found = [
         (flight.stake != Stake::Exam, TryReason::NoExam),
         (!by_hand, TryReason::Script),
         (!is_course || !is_mission, TryReason::Mission),
-        (Exam::is_late(sealed.flown), TryReason::Late),
+        (Exam::is_late(sealed.flown, mission_time), TryReason::Late),
         (*witness == Witness::Unseen, TryReason::Unseen),
         (
             !witness.fits() && *witness != Witness::Unseen,
@@ -203,6 +204,12 @@ fn reasons(sealed: &SealedTry<'_>, witness: &Witness) -> Vec<TryReason> {
     ];
     let reasons = found.into_iter().filter(|(holds, _)| *holds);
     reasons.map(|(_, reason)| reason).collect()
+}
+
+/// Whether a record has a signed seal, which may be that of another key: it is not replaced.
+pub fn is_sealed(files: &RecordFiles) -> bool {
+    let run = files.run.as_deref();
+    run.is_some_and(|run| signature::check(&seal_path(run, &files.stem), None).is_some())
 }
 
 fn seal_path(run: &Path, record: &str) -> PathBuf {

@@ -25,7 +25,7 @@ mod plan;
 mod secret;
 mod witness;
 
-pub use attempt::{ExamTry, FlownTry, RecordHead, TryHead, TryName};
+pub use attempt::{ContentHash, ExamTry, FlownTry, RecordHead, TryHead, TryName};
 pub use candidate::{Candidate, CandidateStage, CandidateTry, TimedHead, TryEnd};
 pub use conduct::Exam;
 pub use desk::ExamFault;

@@ -1,5 +1,7 @@
 //! The records that the desk takes in, and the results of the class.
 
+use std::collections::VecDeque;
+use std::io;
 use std::sync::Arc;
 use std::time::SystemTime;
 
@@ -14,7 +16,7 @@ use crate::class::{
 use crate::class_results::{ClassFlight, ClassResults, ClassTrainee, add_flight};
 use crate::store::{
     self, ClassRecords, DeskKey, ExamNotes, KeptRecord, SealedTry, SignatureError, check_seal,
-    class_flight, class_trainees, day_of, seal_record,
+    class_flight, class_trainees, day_of, is_sealed, seal_record,
 };
 use crate::text::Text;
 
@@ -51,7 +53,7 @@ pub(super) fn start(
         class: class.to_owned(),
         epoch,
         notes: ExamNotes::of(&records),
-        are_notes_kept: true,
+        unwritten: VecDeque::new(),
         reception: Reception::new(records),
         course: store::course(),
         trainees: Vec::new(),
@@ -59,13 +61,20 @@ pub(super) fn start(
     Worker::start("class-records", move |task| files.answer(task))
 }
 
+/// Notes of the exam that began at a time.
+struct UnwrittenNotes {
+    begun: u64,
+    notes: Vec<ExamNote>,
+}
+
 struct DeskFiles {
     class: String,
     /// The time since 1970 at which the desk's own clock was 0.
     epoch: u64,
     notes: ExamNotes,
-    /// Whether the newest notes are written; otherwise no seat is told that its head is noted.
-    are_notes_kept: bool,
+    /// The notes that could not be written yet, oldest first. While there are any, no seat is told that its head is
+    /// noted.
+    unwritten: VecDeque<UnwrittenNotes>,
     reception: Reception<ClassRecords>,
     course: MissionCourse,
     trainees: Vec<ClassTrainee>,
@@ -80,7 +89,8 @@ impl DeskFiles {
                 for fault in faults {
                     tracing::warn!("a record of the class: {fault}");
                 }
-                let mut answers = vec![self.results()];
+                let mut answers = self.seal_rest();
+                answers.push(self.results());
                 let kept = self.notes.all(&self.course, self.epoch);
                 let open = kept.into_iter().rev().find(|it| !it.exam.is_stopped());
                 answers.extend(open.map(|it| event(ClassEvent::ExamFound(Box::new(it.exam)))));
@@ -92,11 +102,11 @@ impl DeskFiles {
                 heard,
             } => self.take(connection, &user, heard),
             DeskTask::Keep { begun, notes } => {
-                let kept = self.notes.append(begun, &notes);
-                self.are_notes_kept = kept.is_ok();
-                let fault = kept.err().map(|error| Text::from(&error));
-                let failed = fault.map(|fault| event(ClassEvent::ExamFailed(fault)));
-                failed.into_iter().collect()
+                let was_whole = self.unwritten.is_empty();
+                self.unwritten.push_back(UnwrittenNotes { begun, notes });
+                let fault = self.write_notes().err().filter(|_| was_whole);
+                let failed = fault.map(|error| ClassEvent::ExamFailed(Text::from(&error)));
+                failed.map(event).into_iter().collect()
             }
             DeskTask::Leave(connection) => {
                 self.reception.leave(connection);
@@ -105,9 +115,37 @@ impl DeskFiles {
         }
     }
 
+    /// Writes the notes in their order, beginning with those that could not be written before.
+    fn write_notes(&mut self) -> io::Result<()> {
+        while let Some(next) = self.unwritten.front() {
+            self.notes.append(next.begun, &next.notes)?;
+            self.unwritten.pop_front();
+        }
+        Ok(())
+    }
+
+    /// Seals the records that were complete before, but whose sealing was missed: the desk ended, or the disk was full.
+    fn seal_rest(&mut self) -> Vec<DeskAnswer> {
+        let mut trainees = std::mem::take(&mut self.trainees);
+        let mut failed = None;
+        for kept in self.reception.shelf().all() {
+            if is_sealed(&kept.files) {
+                continue;
+            }
+            let of_user = trainees.iter_mut().find(|it| it.user == kept.user);
+            let mut flights = of_user.into_iter().flat_map(|it| &mut it.flights);
+            if let Some(flight) = flights.find(|it| it.record == kept.files.stem) {
+                failed = self.seal(&kept, flight).err().or(failed);
+            }
+        }
+        self.trainees = trainees;
+        let failed = failed.map(|error| ClassEvent::ExamFailed(Text::from(&error)));
+        failed.map(event).into_iter().collect()
+    }
+
     fn take(&mut self, connection: ConnectionId, user: &str, heard: DeskHeard) -> Vec<DeskAnswer> {
         let receipt = match heard {
-            DeskHeard::Witnessed(seen) if self.are_notes_kept => {
+            DeskHeard::Witnessed(seen) if self.write_notes().is_ok() => {
                 let RecordHead { record, bytes, .. } = seen.head;
                 let told = DeskMessage::Witnessed { record, bytes };
                 return vec![DeskAnswer::Say(connection, Box::new(told))];
@@ -183,7 +221,7 @@ impl DeskFiles {
             flown: &flown,
             kept,
             flight,
-            handed_in: since_1970(),
+            handed_in: records.handed_in(kept).unwrap_or_else(since_1970),
         };
         seal_record(records, &sealed, &key)?;
         flight.seal = check_seal(&kept.files, Some(key.public()));

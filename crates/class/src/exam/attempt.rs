@@ -2,7 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::secret::hex;
 use crate::{RecordName, Words};
+
+/// The number of digits of a hash.
+const DIGITS: usize = 64;
 
 /// Which try of which exam.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -48,8 +52,31 @@ pub struct RecordHead {
     pub record: RecordName,
     /// The length of the record of the mission, in bytes.
     pub bytes: u64,
-    /// The SHA-256 hash of these bytes, in hexadecimal digits.
-    pub sha256: String,
+    /// The hash of these bytes.
+    pub sha256: ContentHash,
+}
+
+/// A SHA-256 hash, in 64 hexadecimal digits.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(try_from = "String")]
+pub struct ContentHash(String);
+
+impl From<[u8; 32]> for ContentHash {
+    fn from(digest: [u8; 32]) -> Self {
+        Self(hex(&digest))
+    }
+}
+
+impl TryFrom<String> for ContentHash {
+    type Error = &'static str;
+
+    fn try_from(text: String) -> Result<Self, Self::Error> {
+        let is_digit = |byte: u8| byte.is_ascii_digit() || matches!(byte, b'a'..=b'f');
+        let is_hash = text.len() == DIGITS && text.bytes().all(is_digit);
+        is_hash
+            .then_some(Self(text))
+            .ok_or("a hash has 64 hexadecimal digits")
+    }
 }
 
 /// The head of a try's record.

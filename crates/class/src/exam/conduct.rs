@@ -124,13 +124,18 @@ impl Exam {
         }))
     }
 
-    /// Whether a try has gone on for longer than it may, as far as the desk has seen.
-    pub fn is_late(flown: &CandidateTry) -> bool {
+    /// Whether a try has gone on for longer than it may: by the heads that the desk has seen, or because its record has
+    /// more mission time than there was.
+    pub fn is_late(flown: &CandidateTry, mission_time: Duration) -> bool {
         let Some(until) = flown.until else {
             return false;
         };
         let newest = flown.heads.last();
-        newest.is_some_and(|it| it.at > until.saturating_add(GRACE + super::GAP))
+        let is_seen = newest.is_some_and(|it| it.at > until.saturating_add(GRACE + super::GAP));
+        let ends = flown
+            .opened
+            .map(|opened| opened.saturating_add(mission_time.as_secs()));
+        is_seen || ends.is_some_and(|ends| ends > until.saturating_add(GRACE))
     }
 
     fn name(&self, mission: &ExamMission, number: u32) -> TryName {

@@ -3,8 +3,7 @@
 use serde::{Deserialize, Serialize};
 use sha2::{Digest as _, Sha256};
 
-use super::CandidateTry;
-use super::secret::hex;
+use super::{CandidateTry, ContentHash};
 use crate::RecordName;
 
 /// The longest time between two heads that a witness may miss, in seconds: seats report every 10 s.
@@ -62,7 +61,9 @@ impl Witness {
                 hash.update(more);
                 done = end;
             }
-            if done != end || hex(&hash.clone().finalize()) != it.head.sha256 {
+            if done != end
+                || ContentHash::from(<[u8; 32]>::from(hash.clone().finalize())) != it.head.sha256
+            {
                 let (at, bytes) = (it.at, it.head.bytes);
                 return Self::Rewritten { at, bytes };
             }

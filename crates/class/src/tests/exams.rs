@@ -154,17 +154,23 @@ fn record(name: &str) -> RecordName {
 }
 
 fn head_of(record_name: &str, content: &[u8]) -> RecordHead {
-    let digest = Sha256::digest(content);
-    let digits = digits(&digest);
     RecordHead {
         record: record(record_name),
         bytes: content.len() as u64,
-        sha256: digits.concat(),
+        sha256: <[u8; 32]>::from(Sha256::digest(content)).into(),
     }
 }
 
-fn digits(bytes: &[u8]) -> Vec<String> {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+#[test]
+fn a_hash_has_64_digits_so_that_a_head_cannot_fill_the_notes() {
+    let head = head_of("flight", b"one\n");
+    let mut value = serde_json::to_value(&head).expect("plain data");
+    let read = |value: &serde_json::Value| serde_json::from_value::<RecordHead>(value.clone());
+    assert_eq!(read(&value).expect("it was written so"), head);
+    for wrong in ["", "0", &"0".repeat(65), &"g".repeat(64), &"A".repeat(64)] {
+        value["sha256"] = wrong.into();
+        assert!(read(&value).is_err(), "{wrong}");
+    }
 }
 
 #[test]
@@ -370,6 +376,14 @@ fn a_record_without_heads_or_with_those_of_another_is_told_apart() {
     assert_eq!(of(&hall, "flight"), Witness::Whole { heads: 1 });
     let record = "flight".to_owned();
     assert_eq!(of(&hall, "other"), Witness::OtherRecord { record });
+}
+
+#[test]
+fn a_record_that_goes_on_after_the_time_of_its_try_is_late_also_without_heads() {
+    let hall = Hall::flying();
+    let flown = &hall.candidate().tries()[0];
+    assert!(!Exam::is_late(flown, seconds(60)));
+    assert!(Exam::is_late(flown, seconds(90)));
 }
 
 #[test]
