@@ -196,7 +196,7 @@ enum CliCommand {
     Profile(profile::ProfileArguments),
     /// Prints the progress of a profile over time, as Markdown, CSV or JSON.
     Report(report::ReportArguments),
-    /// Shows parts and designs of drones, and the predicted performance of a design.
+    /// Shows parts and designs of drones, robots and boats, and the predicted performance of a design.
     Workshop(workshop::WorkshopArguments),
     /// Prints every setting and its source: flag, environment, file or default.
     Config(config::ConfigArguments),

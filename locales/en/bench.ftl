@@ -45,7 +45,7 @@ bench-hint-lend = use lent drones
 bench-hint-fly = fly
 
 bench-not-saved = not saved
-bench-new-name = New drone
+bench-new-name = New design
 bench-none-yet = none yet
 bench-missing = still missing: { $slots }
 bench-add-payload = add ...
@@ -69,6 +69,7 @@ bench-drive-payload = driving time by payload
 bench-drive-payload-about = at { $cruise } m/s; the curve ends at { $spare } kg, which the chassis or hull can still carry
 bench-payload-about = the curve ends where thrust is { $least } times the weight; with { $spare } kg more, thrust is { $good } times the weight
 bench-polar-about = best endurance at { $longest } m/s, best range at { $farthest } m/s
+bench-drive-overloaded = at { $cruise } m/s; { $over } kg more than the chassis or hull can carry
 bench-drive-polar-about = cruise speed { $cruise } m/s, top speed { $top } m/s
 bench-curve-marked = with the marked part, { $marked }: { $about }
 bench-curve-built = as built: { $about }

@@ -2,7 +2,7 @@
 
 ask-quit = QUIT
 ask-leave = LEAVE the session
-ask-start = START another session
+ask-start = START another flight
 ask-replay = START a replay
 ask-review = OPEN a review
 ask-restart = RESTART the mission

@@ -34,7 +34,7 @@ debrief-commands = { $count ->
    *[other] { $count } commands until { $until }
 }
 # One row for a refusal by several drones.
-debrief-to-many = { $what } ({ $count } drones)
+debrief-to-many = { $what } ({ $count } vehicles)
 debrief-drone = vehicle { $vehicle }: { $what }
 debrief-vehicle = vehicle { $vehicle }: { $what }
 
@@ -65,11 +65,11 @@ debrief-alert-late = { $alert } -> answered after { $after } s (limit { $limit }
 debrief-alert-none = { $alert } -> not answered (limit { $limit } s)   late
 
 debrief-swarm = SWARM   (shown, not scored)
-debrief-fan-out = At this pace you keep { $handled } drones busy; you flew { $flown }.
-debrief-swarm-times = without commands, a drone stays busy for { $neglect } s; a command takes you { $interaction } s; a drone waits { $wait } s
-debrief-swarm-habits = you switched drones { $switches } times a minute and sent { $group } % of commands to several at once
-debrief-use = in the air { $airborne } s, with a task { $percent } %, idle { $idle } s
-debrief-use-none = never flown
+debrief-fan-out = At this pace you keep { $handled } vehicles busy; you used { $flown }.
+debrief-swarm-times = without commands, a vehicle stays busy for { $neglect } s; a command takes you { $interaction } s; a vehicle waits { $wait } s
+debrief-swarm-habits = you switched vehicles { $switches } times a minute and sent { $group } % of commands to several at once
+debrief-use = in use { $airborne } s, with a task { $percent } %, idle { $idle } s
+debrief-use-none = not used
 
 debrief-truth = THE TRUTH   (north is up)
 debrief-sign = { $sign } { $meaning }
@@ -124,11 +124,11 @@ workload-busy = busy
 workload-alone = alone
 workload-waiting = waiting
 workload-answers = your rating
-workload-how = share of the last minute spent on commands, in tenths; drones working on their own in that minute; drones waiting; your ratings from 1 to 5
+workload-how = share of the last minute spent on commands, in tenths; vehicles working on their own in that minute; vehicles waiting; your ratings from 1 to 5
 workload-figures = from { $commands ->
         [one] { $commands } command
        *[other] { $commands } commands
-    }, counted once for all drones: you were busy for { $interaction } s; the drones worked on their own for { $neglect } s and waited for { $wait } s, in total
+    }, counted once for all vehicles: you were busy for { $interaction } s; the vehicles worked on their own for { $neglect } s and waited for { $wait } s, in total
 workload-overloaded = more than 70 % busy for a minute or longer: { $stretches }
 workload-answered = you answered { $answers } of { $questions } questions about your workload
 workload-question = Your workload, from 1 (almost nothing) to 5 (too much)? { $key } answers (not scored)

@@ -10,6 +10,10 @@ fleet-many = the mission has { $seats ->
 fleet-kind = { $design } is a { $kind }, but the mission has seats only for these kinds of vehicles: { $kinds }. Name another design
 fleet-fault = { $design }: { $fault }
 fleet-dear = the fleet costs { $cost } cr, { $over } cr more than the mission's budget of { $budget } cr: use cheaper parts
+fleet-misfit = { $design } cannot do the task of { $count ->
+    [one] vehicle
+   *[other] vehicles
+} { $vehicles }: { $what }: { $has }, required { $required }
 
 need-radius = radius of action in { $wind } m/s of wind
 need-time = time in the air, landing with { $reserve } %

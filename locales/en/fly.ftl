@@ -9,6 +9,7 @@ traffic-none = no other aircraft is known
 traffic-aircraft = { $name }: { $height } m above sea level, course { $course }, { $speed } m/s, climb { $climb } m/s, { $age } s old
 traffic-approach = vehicle { $vehicle }: now { $distance } m, { $height } m vertical; closest in { $seconds } s: { $across } m, { $above } m vertical
 traffic-leaves = vehicle { $vehicle }: now { $distance } m, { $height } m vertical; comes no closer
+fly-no-flight = no flight is under way: `leave` goes to Home, where you choose one
 fly-waiting = waiting for the first vehicle ...
 fly-rows = { $first }-{ $last } of { $count }
 fly-filtered = { $shown } of { $all } match "{ $filter }"

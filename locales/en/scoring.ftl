@@ -11,7 +11,7 @@ scoring-utilisation = utilisation
 scoring-crashes = crashes
 
 # Conditions of gold.
-gate-no-crash = no drone lost
+gate-no-crash = no vehicle lost
 gate-at-least = { $what }: at least { $number }
 gate-at-most = { $what }: at most { $number }
 gate-equal = { $what }: exactly { $number }
@@ -71,14 +71,14 @@ scoring-advice-commands = Avoid refused commands: read the reason before you rep
 scoring-advice-mandatory = Meet every mandatory objective, or the score is capped. Missed: { $objectives }.
 scoring-advice-geofence = Stay inside the fence: check the numbers of a `goto` against the map before you send it.
 scoring-advice-height = Stay below the height limit; the brief states it.
-scoring-advice-crash = Bring the drone down with `rtl` or `land` and wait until it disarms.
+scoring-advice-crash = Lose no vehicle: bring a drone down with `rtl` or `land` until it disarms, and drive a robot no faster than the brief says.
 scoring-advice-motors = Never stop motors in the air: use `rtl` or `land` to end a flight.
 scoring-advice-force = Arm without force: wait until the arming checks pass.
 scoring-advice-reserve = Return earlier: land above the battery reserve.
 scoring-advice-land = Land every drone before the mission ends.
 scoring-advice-pad = Land on the pad: `rtl` flies there automatically.
 scoring-advice-battery = Return before the battery failsafe takes over.
-scoring-advice-failsafe = Watch the drone's alerts: a failsafe took over.
+scoring-advice-failsafe = Watch the vehicle's alerts: a failsafe took over.
 
 # Attention.
 scoring-alerts-answered = { $count ->
@@ -91,13 +91,13 @@ scoring-alert-took = { $alert }: { $seconds } s (limit { $limit } s)
 scoring-advice-alerts = Answer alerts in time: hold first, then read. "{ $alert }" was due within { $limit } s.
 
 # Utilisation.
-scoring-none-flown = no drone was flown
-scoring-never-flown = drones never flown: { $vehicles }
-scoring-idle = drone { $vehicle } idle in the air for { $time }
-scoring-never-idle = none of the { $count } drones was idle
-scoring-advice-unused = Also fly drone { $vehicle }: give it a part of the task.
-scoring-advice-idle = Give drone { $vehicle } its next task before it finishes the current one: it waited { $time } in the air.
-scoring-advice-slack = Keep all drones busy for about the same time: give each its next task before it finishes the current one.
+scoring-none-flown = no vehicle was used
+scoring-never-flown = vehicles never used: { $vehicles }
+scoring-idle = vehicle { $vehicle } idle for { $time }
+scoring-never-idle = none of the { $count } vehicles was idle
+scoring-advice-unused = Also use vehicle { $vehicle }: give it a part of the task.
+scoring-advice-idle = Give vehicle { $vehicle } its next task before it finishes the current one: it waited { $time }.
+scoring-advice-slack = Keep all vehicles busy for about the same time: give each its next task before it finishes the current one.
 
 # Hints.
 scoring-advice-hints = { $count ->

@@ -45,7 +45,7 @@ bench-hint-lend = взяти позичені
 bench-hint-fly = летіти
 
 bench-not-saved = не збережено
-bench-new-name = Новий дрон
+bench-new-name = Новий проєкт
 bench-none-yet = ще немає
 bench-missing = ще бракує: { $slots }
 bench-add-payload = додати ...
@@ -69,6 +69,7 @@ bench-drive-payload = час ходу залежно від вантажу
 bench-drive-payload-about = на швидкості { $cruise } m/s; крива закінчується на { $spare } kg, які ще витримає шасі чи корпус
 bench-payload-about = крива закінчується там, де тяга становить { $least } ваги; якщо додати ще { $spare } kg, тяга становитиме { $good } ваги
 bench-polar-about = найдовший політ — на швидкості { $longest } m/s, найдальший — на { $farthest } m/s
+bench-drive-overloaded = на швидкості { $cruise } m/s; на { $over } kg більше, ніж витримає шасі чи корпус
 bench-drive-polar-about = крейсерська швидкість { $cruise } m/s, найбільша { $top } m/s
 bench-curve-marked = із деталлю під курсором, { $marked }: { $about }
 bench-curve-built = як зібрано: { $about }

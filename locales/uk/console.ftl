@@ -2,7 +2,7 @@
 
 ask-quit = ВИЙТИ
 ask-leave = ЗАВЕРШИТИ сеанс
-ask-start = ПОЧАТИ інший сеанс
+ask-start = ПОЧАТИ інший політ
 ask-replay = ПОЧАТИ перегляд запису
 ask-review = ВІДКРИТИ аналіз
 ask-restart = ПОЧАТИ завдання СПОЧАТКУ

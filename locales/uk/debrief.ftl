@@ -35,7 +35,7 @@ debrief-commands = { $count ->
    *[many] { $count } команд до { $until }
 }
 # Один рядок про відмову кількох дронів.
-debrief-to-many = { $what } (дронів: { $count })
+debrief-to-many = { $what } (апаратів: { $count })
 debrief-drone = апарат { $vehicle }: { $what }
 debrief-vehicle = апарат { $vehicle }: { $what }
 
@@ -66,11 +66,11 @@ debrief-alert-late = { $alert } -> відповідь за { $after } s (меж�
 debrief-alert-none = { $alert } -> без відповіді (межа { $limit } s)   запізно
 
 debrief-swarm = РІЙ   (не оцінюється)
-debrief-fan-out = За такого темпу ви завантажуєте роботою { $handled } дрона; літало: { $flown }.
-debrief-swarm-times = без команд дрон зайнятий { $neglect } s; команда забирає у вас { $interaction } s; дрон чекає { $wait } s
-debrief-swarm-habits = переходів до інших дронів за хвилину: { $switches }; команд кільком дронам одразу: { $group } %
-debrief-use = у повітрі { $airborne } s, зайнятість { $percent } %, простій { $idle } s
-debrief-use-none = не літав
+debrief-fan-out = За такого темпу ви завантажуєте роботою { $handled } апарата; працювало: { $flown }.
+debrief-swarm-times = без команд апарат зайнятий { $neglect } s; команда забирає у вас { $interaction } s; апарат чекає { $wait } s
+debrief-swarm-habits = переходів до інших апаратів за хвилину: { $switches }; команд кільком апаратам одразу: { $group } %
+debrief-use = у роботі { $airborne } s, із завданням { $percent } %, простій { $idle } s
+debrief-use-none = не працював
 
 debrief-truth = ЩО БУЛО НАСПРАВДІ   (північ угорі)
 debrief-sign = { $sign } { $meaning }
@@ -125,8 +125,8 @@ workload-busy = зайнято
 workload-alone = без нагляду
 workload-waiting = чекають
 workload-answers = ваші оцінки
-workload-how = частка останньої хвилини, зайнята командами, у десятих частках; скільки дронів тоді працювало без нагляду; скільки дронів чекає; ваші оцінки від 1 до 5
-workload-figures = команд: { $commands } (команда кільком дронам рахується один раз); ви були зайняті { $interaction } s; дрони сумарно працювали самостійно { $neglect } s і чекали { $wait } s
+workload-how = частка останньої хвилини, зайнята командами, у десятих частках; скільки апаратів тоді працювало без нагляду; скільки апаратів чекає; ваші оцінки від 1 до 5
+workload-figures = команд: { $commands } (команда кільком апаратам рахується один раз); ви були зайняті { $interaction } s; апарати сумарно працювали самостійно { $neglect } s і чекали { $wait } s
 workload-overloaded = зайнятість понад 70 % протягом хвилини чи довше: { $stretches }
 workload-answered = ви відповіли на запитання про завантаженість: { $answers } з { $questions }
 workload-question = Завантаженість від 1 (майже нічого) до 5 (забагато)? Відповідь: { $key }, на бали не впливає

@@ -11,6 +11,10 @@ fleet-many = завдання має { $seats ->
 fleet-kind = { $design } — це { $kind }, а завдання має місця лише для таких видів апаратів: { $kinds }. Назвіть інший проєкт
 fleet-fault = { $design }: { $fault }
 fleet-dear = флот коштує { $cost } cr, на { $over } cr більше за бюджет завдання ({ $budget } cr): візьміть дешевші деталі
+fleet-misfit = { $design } не впорається із завданням { $count ->
+    [1] апарата
+   *[many] апаратів
+} { $vehicles }: { $what }: { $has }, потрібно { $required }
 
 need-radius = радіус дії за вітру { $wind } m/s
 need-time = час у повітрі, посадка з { $reserve } %

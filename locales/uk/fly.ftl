@@ -9,6 +9,7 @@ traffic-none = про інші повітряні судна нічого не �
 traffic-aircraft = { $name }: { $height } m над рівнем моря, курс { $course }, { $speed } m/s, вертикально { $climb } m/s, дані { $age } s тому
 traffic-approach = апарат { $vehicle }: зараз { $distance } m, по висоті { $height } m; найближче через { $seconds } s: { $across } m, по висоті { $above } m
 traffic-leaves = апарат { $vehicle }: зараз { $distance } m, по висоті { $height } m; ближче не підійде
+fly-no-flight = політ не триває: `leave` веде на екран «початок», де його обирають
 fly-waiting = очікування першого апарата ...
 fly-rows = { $first }-{ $last } з { $count }
 fly-filtered = показано { $shown } з { $all }: «{ $filter }»

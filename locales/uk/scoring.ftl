@@ -11,7 +11,7 @@ scoring-utilisation = використання
 scoring-crashes = аварії
 
 # Умови золота.
-gate-no-crash = жодного втраченого дрона
+gate-no-crash = жодного втраченого апарата
 gate-at-least = { $what } — від { $number }
 gate-at-most = { $what } — до { $number }
 gate-equal = { $what } — рівно { $number }
@@ -67,14 +67,14 @@ scoring-advice-commands = Уникайте відмов: прочитайте п
 scoring-advice-mandatory = Досягніть усіх обов'язкових цілей ({ $objectives }): без цього бали обмежено.
 scoring-advice-geofence = Не вилітайте за межі геозони: перш ніж надіслати, звірте числа в `goto` з картою.
 scoring-advice-height = Тримайтеся нижче від межі висоти; її вказано в інструктажі.
-scoring-advice-crash = Садіть дрон командою `rtl` або `land` і чекайте, доки двигуни деактивуються.
+scoring-advice-crash = Не втрачайте апаратів: дрон садіть командою `rtl` або `land`, доки двигуни не деактивуються, а робота ведіть не швидше, ніж каже інструктаж.
 scoring-advice-motors = Ніколи не зупиняйте двигунів у повітрі; політ завершують `rtl` або `land`.
 scoring-advice-force = Не активуйте двигунів примусово: зачекайте, доки пройдуть передпольотні перевірки.
 scoring-advice-reserve = Повертайтеся раніше: сідайте, поки заряд не нижчий за резерв.
 scoring-advice-land = Посадіть усі дрони до завершення завдання.
 scoring-advice-pad = Сідайте на майданчик: `rtl` летить туди сам.
 scoring-advice-battery = Повертайтеся, перш ніж спрацює аварійна реакція на низький заряд.
-scoring-advice-failsafe = Стежте за тривогами дрона: спрацювала аварійна реакція (FAILSAFE).
+scoring-advice-failsafe = Стежте за тривогами апарата: спрацювала аварійна реакція (FAILSAFE).
 
 # Увага.
 scoring-alerts-answered = { $count ->
@@ -87,13 +87,13 @@ scoring-alert-took = { $alert }: { $seconds } s (межа { $limit } s)
 scoring-advice-alerts = Відповідайте на тривоги вчасно: спершу зупиніть дрон, потім читайте. На «{ $alert }» відводилося { $limit } s.
 
 # Завантаження.
-scoring-none-flown = жоден дрон не літав
-scoring-never-flown = дрони без польоту: { $vehicles }
-scoring-idle = дрон { $vehicle } простояв у повітрі { $time }
-scoring-never-idle = жоден із дронів ({ $count }) не простоював
-scoring-advice-unused = Підніміть і дрон { $vehicle }: дайте йому частину роботи.
-scoring-advice-idle = Давайте дрону { $vehicle } наступну роботу, доки він не скінчив попередньої: він чекав у повітрі { $time }.
-scoring-advice-slack = Нехай усі дрони будуть зайняті однаково довго: давайте кожному наступну роботу, доки він не скінчив попередньої.
+scoring-none-flown = жоден апарат не працював
+scoring-never-flown = апарати, що не працювали: { $vehicles }
+scoring-idle = апарат { $vehicle } простояв { $time }
+scoring-never-idle = жоден з апаратів ({ $count }) не простоював
+scoring-advice-unused = Залучіть і апарат { $vehicle }: дайте йому частину роботи.
+scoring-advice-idle = Давайте апарату { $vehicle } наступну роботу, доки він не скінчив попередньої: він чекав { $time }.
+scoring-advice-slack = Нехай усі апарати будуть зайняті однаково довго: давайте кожному наступну роботу, доки він не скінчив попередньої.
 
 # Підказки.
 scoring-advice-hints = { $count ->

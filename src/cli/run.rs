@@ -160,6 +160,9 @@ pub(super) fn run(options: &RunArguments, settings: &CliSettings) -> Result<Exit
     let locale = Locale::new(settings.language());
     let loaded = load_mission(&options.mission)?;
     let mission = options.designs.equip(loaded, settings)?;
+    for misfit in mission.misfits() {
+        tell!("sortie: {}", locale.text(&misfit));
+    }
     let pilot = store::pilot(&options.pilot).map_err(|error| invalid(&error))?;
     let flown_by = store::script_kind(&pilot);
     let script = script_of(&pilot, &mission)?;

@@ -16,7 +16,8 @@ use crate::store;
 use crate::text;
 use crate::text::{Locale, Text, rounded};
 use crate::workshop::{
-    Air, AirframeBuild, Design, FindingSeverity, Measure, PartSlot, Sheet, parts_for,
+    Air, AirframeBuild, Design, DesignKind, FindingSeverity, Measure, Part, PartSlot, Sheet,
+    parts_for,
 };
 
 /// Options of `sortie workshop`.
@@ -31,7 +32,8 @@ enum WorkshopCommand {
     /// Lists the parts of all slots, or of one.
     #[command(after_help = "Examples:\n  sortie workshop parts\n  sortie workshop parts motor")]
     Parts {
-        /// The slot: frame, motor, propeller, esc, battery, autopilot, navigation, power, radio or payload.
+        /// The slot: frame, motor, propeller, esc, battery, autopilot, navigation, power, radio or payload; of robots
+        /// also chassis and drive, of boats hull and drive.
         slot: Option<String>,
     },
     /// Shows the parts of a design, its performance, and its problems.
@@ -59,7 +61,7 @@ enum WorkshopCommand {
         #[command(flatten)]
         air: AirArguments,
     },
-    /// Compares a design with the requirements of a mission for its drones.
+    /// Compares a design with the requirements of a mission for its vehicles.
     #[command(after_help = "Examples:\n  \
                             sortie workshop fit starter 01\n  \
                             sortie workshop fit my-drone.toml 05-night-search")]
@@ -144,26 +146,56 @@ pub(super) fn workshop(
     }
 }
 
+/// The parts of a slot under the name that it has in one or more kinds of vehicles.
+struct Shelf {
+    slot: PartSlot,
+    key: &'static str,
+    name: Text,
+}
+
+impl Shelf {
+    /// The shelves of all kinds of vehicles, in the order of building.
+    fn all() -> Vec<Self> {
+        let mut shelves: Vec<Self> = Vec::new();
+        for slot in PartSlot::ALL {
+            for kind in DesignKind::ALL {
+                let key = kind.slot_key(slot);
+                if kind.slots().contains(&slot) && shelves.iter().all(|shelf| shelf.key != key) {
+                    let name = kind.slot_name(slot);
+                    shelves.push(Self { slot, key, name });
+                }
+            }
+        }
+        shelves
+    }
+
+    /// The parts of the slot that fit a kind of vehicle in which it has this name.
+    fn parts(&self) -> impl Iterator<Item = &'static Part> {
+        let has_name = |kind: DesignKind| kind.slot_key(self.slot) == self.key;
+        parts_for(self.slot).filter(move |part| {
+            let mut kinds = DesignKind::ALL.into_iter();
+            kinds.any(|kind| has_name(kind) && part.fits(kind))
+        })
+    }
+}
+
 fn list_parts(slot: Option<&str>, locale: &Locale) -> Result<ExitCode, Failure> {
-    let known = || PartSlot::ALL.map(PartSlot::key).join(", ");
-    let slots: Vec<PartSlot> = match slot {
-        None => PartSlot::ALL.to_vec(),
-        Some(key) => PartSlot::ALL
-            .into_iter()
-            .filter(|slot| slot.key() == key)
-            .collect(),
-    };
-    if slots.is_empty() {
+    let shelves = Shelf::all();
+    let is_asked =
+        |shelf: &&Shelf| slot.is_none_or(|key| shelf.key == key || shelf.slot.key() == key);
+    let asked: Vec<&Shelf> = shelves.iter().filter(is_asked).collect();
+    if asked.is_empty() {
+        let known: Vec<&str> = shelves.iter().map(|shelf| shelf.key).collect();
         let text = text!(
             "workshop-slot",
             slot = slot.unwrap_or_default(),
-            known = known()
+            known = known.join(", ")
         );
         return Err(Failure::Invalid(format!("sortie: {}", locale.text(&text))));
     }
-    for slot in slots {
-        say!("{}", locale.text(&slot.name()))?;
-        for part in parts_for(slot) {
+    for shelf in asked {
+        say!("{}", locale.text(&shelf.name))?;
+        for part in shelf.parts() {
             let name = locale.text(&part.name());
             say!(
                 "  {:<13} {} {:>7.1} g {:>5} cr",

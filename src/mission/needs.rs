@@ -110,6 +110,24 @@ impl Mission {
         needs
     }
 
+    /// Why the built vehicles cannot do the tasks of their seats: a text for each design and each need that it does not
+    /// meet.
+    pub fn misfits(&self) -> Vec<Text> {
+        let designs = self.designs();
+        let design_of = |vehicle: VehicleId| designs.get(usize::from(vehicle) - 1).copied()?;
+        let mut misfits = Vec::new();
+        for need in self.needs() {
+            let mut seats = need.seats.clone();
+            while let Some(&first) = seats.first() {
+                let design = design_of(first);
+                let (alike, others) = seats.into_iter().partition(|&it| design_of(it) == design);
+                seats = others;
+                misfits.extend(design.into_iter().flat_map(|it| need.misfits(it, &alike)));
+            }
+        }
+        misfits
+    }
+
     /// The greatest distance from a pad to a point of the task; without such points, to the edge of the fence.
     fn farthest_m(&self) -> f64 {
         let world = World::new(self, 0);
@@ -216,6 +234,24 @@ impl Need {
         lines.push(self.link(design));
         lines.extend(self.cost(design));
         lines
+    }
+
+    /// Why a design cannot do the task of some seats.
+    fn misfits(&self, design: &Design, seats: &[VehicleId]) -> Vec<Text> {
+        let blocks = self.fit(design).into_iter().filter(|line| line.is_block);
+        let vehicles: Vec<String> = seats.iter().map(ToString::to_string).collect();
+        let misfit = |line: FitLine| {
+            text!(
+                "fleet-misfit",
+                design = design.name.as_str(),
+                count = seats.len(),
+                vehicles = vehicles.join(", "),
+                what = line.what,
+                has = line.has,
+                required = line.required
+            )
+        };
+        blocks.map(misfit).collect()
     }
 
     fn radius(&self, has_m: f64) -> FitLine {

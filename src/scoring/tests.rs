@@ -335,7 +335,7 @@ fn conditions_of_gold_name_objectives_by_their_titles() {
     assert_eq!(said("checked >= 1"), "a near look at each find");
     assert_eq!(said("checked >= 2"), "a near look at each find: at least 2");
     assert_eq!(said("above >= 6"), "hover above: at least 6 s");
-    assert_eq!(said("crashes == 0"), "no drone lost");
+    assert_eq!(said("crashes == 0"), "no vehicle lost");
     assert_eq!(said("crashes <= 1"), "crashes: at most 1");
     assert_eq!(said("time == 1"), "time: exactly 1");
 }

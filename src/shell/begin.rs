@@ -22,7 +22,9 @@ use crate::text::Text;
 
 /// How long the program waits for its vehicles' processes when it ends.
 const LAST_PROCESS_PATIENCE: Duration = Duration::from_secs(2);
-/// The time in which the links of a session send that it releases channels.
+/// How long the vehicles of a session may take to begin to release channels.
+const RELEASE_PATIENCE: Duration = Duration::from_secs(2);
+/// The time in which the links of a session send that it releases channels, and repeat it.
 const RELEASE_TIME: Duration = Duration::from_millis(250);
 
 /// Where the seed of a mission may come from.
@@ -67,6 +69,7 @@ impl Console {
         };
         let terms = self.terms(&mission, wanted, seeds);
         let reasons = terms.practice_reasons();
+        let misfits = mission.misfits();
         let attempt = terms.decide();
         if seeds.drawn.is_some() && attempt.is_reduced() {
             self.post(ClassEvent::TryRefused);
@@ -76,6 +79,9 @@ impl Console {
         let started = self.start(SessionPlan::Mission(mission)).await?;
         self.begun(started);
         self.tell_practice(&reasons);
+        for misfit in misfits {
+            self.post(Event::Answer(misfit));
+        }
         Ok(())
     }
 
@@ -211,9 +217,19 @@ impl Console {
     /// Releases the channels that the session holds, and gives its links time to send that.
     pub(super) async fn release_sticks(&self) {
         let running = self.running.as_ref();
-        if running.is_some_and(RunningSession::release_sticks) {
-            tokio::time::sleep(RELEASE_TIME).await;
+        let held = running.map_or_else(Vec::new, RunningSession::release_sticks);
+        if held.is_empty() {
+            return;
         }
+        let begun = async {
+            for mut vehicle in held {
+                // An error means that the vehicle's task has ended and sends nothing more.
+                drop(vehicle.wait_for(|vehicle| vehicle.held.is_none()).await);
+            }
+        };
+        // On a busy machine the tasks of the vehicles may run late.
+        drop(tokio::time::timeout(RELEASE_PATIENCE, begun).await);
+        tokio::time::sleep(RELEASE_TIME).await;
     }
 
     /// Ends the session and starts another one, which has to be passed to [`Self::begun`].

@@ -140,17 +140,17 @@ impl RunningSession {
         }
     }
 
-    /// Releases the channels of all vehicles; returns whether any was held.
-    pub fn release_sticks(&self) -> bool {
-        let held = self.vehicles.iter().filter_map(|vehicle| {
-            let vehicle = vehicle.borrow();
-            vehicle.held.is_some().then_some(vehicle.id)
-        });
-        let held: Vec<VehicleId> = held.collect();
-        for &vehicle in &held {
-            self.steer_by_hand(vehicle, None);
+    /// Releases the channels of all vehicles; returns the vehicles whose channels were held. The state of
+    /// each shows no held channels as soon as the first release is on its way.
+    pub fn release_sticks(&self) -> Vec<watch::Receiver<Arc<Vehicle>>> {
+        let held = self.vehicles.iter();
+        let held = held.filter(|vehicle| vehicle.borrow().held.is_some());
+        let held: Vec<_> = held.cloned().collect();
+        for vehicle in &held {
+            let id = vehicle.borrow().id;
+            self.steer_by_hand(id, None);
         }
-        !held.is_empty()
+        held
     }
 
     /// Pauses or resumes the embedded simulator.

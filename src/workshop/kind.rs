@@ -49,6 +49,16 @@ impl DesignKind {
         }
     }
 
+    /// The key of a slot in a vehicle of this kind, for lists of parts; files call every slot by [`PartSlot::key`].
+    pub fn slot_key(self, slot: PartSlot) -> &'static str {
+        match (self, slot) {
+            (Self::Robot, PartSlot::Frame) => "chassis",
+            (Self::Boat, PartSlot::Frame) => "hull",
+            (Self::Robot | Self::Boat, PartSlot::Motor) => "drive",
+            _ => slot.key(),
+        }
+    }
+
     /// The name of a slot in a vehicle of this kind.
     pub fn slot_name(self, slot: PartSlot) -> Text {
         match (self, slot) {

@@ -46,13 +46,11 @@ const EXCEPTIONS: &[(&str, &str, f64, f64, f64)] = &[
     // The real estimates of heading and speed are off by a degree and by centimetres per second. From a standstill, a leg
     // then begins up to a second earlier or later, more on water, and so do the items after it.
     ("boat_auto", "AUTO", 6.9, 9.6, 9.5),
-    ("skid_auto", "AUTO", 6.9, 2.0, 5.0),
     // A goal straight behind: the same estimates decide on which side the vehicle turns around.
     ("boat_return", "SMART_RTL", 41.3, 3.8, 5.0),
-    ("rover_return", "SMART_RTL", 41.5, 10.7, 21.0),
-    ("rover_return", "RTL", 95.7, 2.3, 6.5),
+    ("rover_return", "SMART_RTL", 41.5, 9.9, 19.0),
     // A breadcrumb lies beside the corner, not on it: two gentle corners are passed without a turn on the spot.
-    ("skid_return", "SMART_RTL", 47.0, 7.6, 14.0),
+    ("skid_return", "SMART_RTL", 47.0, 7.8, 14.1),
     // The edge of the circle is reached at a crawl: six centimetres make half a second on the circle.
     ("boat_circle", "CIRCLE", 21.7, 2.4, 5.0),
     ("boat_circle", "HOLD", 66.7, 2.0, 5.0),

@@ -114,8 +114,8 @@ pub fn plan_item(item: &Item) -> Result<Item, Refusal> {
             other => height_frame(other)?,
         };
     } else {
-        stored.x = shortened(kept[4], item.x as f32) as i32;
-        stored.y = shortened(kept[5], item.y as f32) as i32;
+        stored.x = shortened_place(kept[4], item.x);
+        stored.y = shortened_place(kept[5], item.y);
         stored.z = shortened(kept[6], item.z);
     }
     Ok(stored)
@@ -244,6 +244,17 @@ fn height_frame(frame: u8) -> Result<u8, Refusal> {
     }
 }
 
+/// A fifth or sixth parameter that is no place: a whole number from the beginning.
+fn shortened_place(letter: u8, value: i32) -> i32 {
+    match letter {
+        b'B' => i32::from(value as u8),
+        b'b' => i32::from(value as i8),
+        b'H' => i32::from(value as u16),
+        b'h' => i32::from(value as i16),
+        _ => shortened(letter, value as f32) as i32,
+    }
+}
+
 fn shortened(letter: u8, value: f32) -> f32 {
     let direction = if value < 0.0 { -1.0 } else { 1.0 };
     match letter {
@@ -290,6 +301,18 @@ mod tests {
             z: 20.25,
             ..Item::default()
         }
+    }
+
+    /// As a real vehicle returned them.
+    #[test]
+    fn whole_numbers_beside_a_place_keep_their_lowest_bits() {
+        let sent = Item {
+            x: -353_629_925,
+            y: 1_491_652_920,
+            ..item(202, [1.0, 2.0, 3.0, 0.0])
+        };
+        let stored = plan_item(&sent).expect("stored");
+        assert_eq!([stored.x, stored.y], [27, 56]);
     }
 
     #[test]

@@ -59,6 +59,8 @@ pub(super) struct Safety {
     pub(super) may_arm: bool,
     idle_since: Option<Duration>,
     resting_since: Option<Duration>,
+    /// Whether the vehicle stood on the ground when the landing under way began.
+    stood: Option<bool>,
 }
 
 impl Default for Safety {
@@ -74,6 +76,7 @@ impl Default for Safety {
             may_arm: false,
             idle_since: None,
             resting_since: None,
+            stood: None,
         }
     }
 }
@@ -110,9 +113,11 @@ impl Safety {
         self.reports_at = Duration::ZERO;
     }
 
-    /// Whether a landing that touched down at `touched` is over and the motors stop.
-    pub(super) fn ends_landing(touched: Duration, now: Duration) -> bool {
-        now >= touched + DISARMED_AFTER_TOUCH
+    /// Whether a landing that touched down at `touched` is over and the motors stop: at once without a flight, unless
+    /// they have yet to spin up. A mission learns of it a step before they stop.
+    pub(super) fn ends_landing(&self, touched: Duration, now: Duration) -> bool {
+        let ends_at_once = self.stood == Some(true) && now > touched && now >= self.lifts_from();
+        ends_at_once || now >= touched + DISARMED_AFTER_TOUCH
     }
 
     /// Detects landings, and armed vehicles that idle; returns whether to stop the motors.
@@ -123,11 +128,13 @@ impl Safety {
             return false;
         }
         if let Some(touched) = inputs.touched {
+            self.stood.get_or_insert(self.landed);
             if now >= touched + LANDED_AFTER {
                 self.landed = true;
             }
-            return Self::ends_landing(touched, now);
+            return self.ends_landing(touched, now);
         }
+        self.stood = None;
         if !inputs.is_resting {
             self.idle_since = None;
             self.resting_since = None;

@@ -8,6 +8,7 @@
 mod advance;
 mod command;
 mod driving;
+mod guided;
 mod place;
 mod sequence;
 mod start;
@@ -18,10 +19,12 @@ mod tests;
 
 use std::time::Duration;
 
+use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{
     MISSION_ITEM_REACHED_DATA, MavMessage, MavSeverity, MissionState,
 };
 
+use self::guided::GuidedLimits;
 use self::sequence::Jumps;
 use super::mode::ModeId;
 use super::plan::Item;
@@ -68,8 +71,8 @@ enum PlanWait {
     Height { down_m: f64, left_m: Option<f64> },
     /// A time since boot.
     Until(Duration),
-    /// Setpoints from a ground station, without limit.
-    Guided,
+    /// Setpoints from a ground station: when and where their control began.
+    Guided { since: Duration, from_m: DVec3 },
 }
 
 /// The vehicle's position in the mission.
@@ -99,6 +102,9 @@ pub(super) struct AutoPlan {
     resumes: bool,
     /// Whether a requested landing sequence is being flown.
     returns: bool,
+    guided_limits: GuidedLimits,
+    /// The mode in which a rover ends its mission, once it has.
+    ends_in: Option<ModeId>,
     /// The last item reached in this step: one slot, as in the real vehicle.
     reached: Option<u16>,
 }
@@ -125,9 +131,9 @@ impl AutoPlan {
         }
     }
 
-    /// Whether setpoints from a ground station control the vehicle.
-    pub(super) fn is_guided(&self) -> bool {
-        self.wait == PlanWait::Guided
+    /// The mode in which the mission ended, if it is another one: once.
+    pub(super) fn take_end(&mut self) -> Option<ModeId> {
+        self.ends_in.take()
     }
 
     /// Notes a commanded takeoff: a takeoff of the mission no longer waits for the throttle.
@@ -210,6 +216,8 @@ impl AutoPlan {
     /// Handles the entry into AUTO: the mission starts with the next step.
     pub(super) fn enter(&mut self) {
         self.starting = true;
+        self.ends_in = None;
+        self.guided_limits = GuidedLimits::default();
         self.paused = false;
         self.looks_at_place = false;
     }
@@ -220,6 +228,7 @@ impl AutoPlan {
             self.state = PlanState::Stopped;
         }
         self.starting = false;
+        self.ends_in = None;
         self.returns = false;
         self.wait = PlanWait::Nothing;
     }

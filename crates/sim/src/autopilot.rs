@@ -169,6 +169,9 @@ impl Autopilot {
         self.step_boot();
         if self.vehicle.flight.mode.id == ModeId::Auto {
             self.auto_plan.step(&mut self.vehicle);
+            if let Some(mode) = self.auto_plan.take_end() {
+                self.set_mode(mode);
+            }
         }
         self.move_body();
         self.power();

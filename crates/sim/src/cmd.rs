@@ -82,6 +82,7 @@ pub(crate) const REQUEST_MESSAGE: u16 = MavCmd::MAV_CMD_REQUEST_MESSAGE as u16;
 pub(crate) const REQUEST_AUTOPILOT_CAPABILITIES: u16 =
     MavCmd::MAV_CMD_REQUEST_AUTOPILOT_CAPABILITIES as u16;
 pub(crate) const SET_CAMERA_ZOOM: u16 = MavCmd::MAV_CMD_SET_CAMERA_ZOOM as u16;
+pub(crate) const STORAGE_FORMAT: u16 = MavCmd::MAV_CMD_STORAGE_FORMAT as u16;
 pub(crate) const SET_CAMERA_FOCUS: u16 = MavCmd::MAV_CMD_SET_CAMERA_FOCUS as u16;
 pub(crate) const SET_CAMERA_SOURCE: u16 = MavCmd::MAV_CMD_SET_CAMERA_SOURCE as u16;
 pub(crate) const JUMP_TAG: u16 = MavCmd::MAV_CMD_JUMP_TAG as u16;

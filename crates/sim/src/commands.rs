@@ -1,5 +1,6 @@
 //! `MAV_CMD`: one table from command number to handler, and one of fixed answers.
 
+mod absent;
 mod auxiliary;
 mod calibration;
 mod driving;
@@ -12,7 +13,7 @@ mod setup;
 mod streams;
 
 use mavlink::dialects::ardupilotmega::MavResult::{
-    self, MAV_RESULT_ACCEPTED as ACCEPTED, MAV_RESULT_DENIED as DENIED, MAV_RESULT_FAILED as FAILED,
+    self, MAV_RESULT_ACCEPTED as ACCEPTED, MAV_RESULT_FAILED as FAILED,
 };
 
 use super::autopilot::Autopilot;
@@ -150,37 +151,8 @@ const ROVER: &[(u16, Handler)] = &[
     (cmd::DO_CHANGE_SPEED, driving::change_speed),
     (cmd::DO_REPOSITION, driving::reposition),
     (cmd::MISSION_START, driving::start_mission),
+    (cmd::DO_SET_REVERSE, driving::set_reverse),
     (cmd::NAV_SET_YAW_SPEED, driving::set_yaw_and_speed),
-];
-
-/// Commands to devices that a plain SITL copter lacks or does not use (camera, gimbal, gripper, winch, sprayer,
-/// scripting and the like), each with its answer when every parameter is zero.
-const FIXED: &[(u16, MavResult)] = &[
-    (cmd::DO_SET_ROI_SYSID, ACCEPTED),
-    (cmd::DO_DIGICAM_CONFIGURE, ACCEPTED),
-    (cmd::DO_DIGICAM_CONTROL, ACCEPTED),
-    (cmd::DO_MOUNT_CONFIGURE, FAILED),
-    (cmd::DO_MOUNT_CONTROL, FAILED),
-    (cmd::DO_SET_CAM_TRIGG_DIST, ACCEPTED),
-    (cmd::DO_GRIPPER, FAILED),
-    (cmd::DO_SPRAYER, ACCEPTED),
-    (cmd::START_RX_PAIR, FAILED),
-    (cmd::SET_CAMERA_FOCUS, DENIED),
-    (cmd::SET_CAMERA_SOURCE, DENIED),
-    (cmd::DO_GIMBAL_MANAGER_PITCHYAW, FAILED),
-    (cmd::DO_GIMBAL_MANAGER_CONFIGURE, FAILED),
-    (cmd::IMAGE_START_CAPTURE, FAILED),
-    (cmd::IMAGE_STOP_CAPTURE, ACCEPTED),
-    (cmd::VIDEO_START_CAPTURE, FAILED),
-    (cmd::VIDEO_STOP_CAPTURE, FAILED),
-    (cmd::AIRFRAME_CONFIGURATION, ACCEPTED),
-    (cmd::DO_ADSB_OUT_IDENT, FAILED),
-    (cmd::CAN_FORWARD, ACCEPTED),
-    (cmd::FIXED_MAG_CAL_YAW, ACCEPTED),
-    (cmd::ACCELCAL_VEHICLE_POS, FAILED),
-    (cmd::DO_WINCH, FAILED),
-    (cmd::DEBUG_TRAP, DENIED),
-    (cmd::SCRIPTING, ACCEPTED),
 ];
 
 fn own(kind: VehicleKind) -> &'static [(u16, Handler)] {
@@ -198,10 +170,7 @@ pub(super) fn carried_out(kind: VehicleKind) -> Vec<u16> {
     numbers
 }
 
-/// The commands with a fixed answer.
-pub(super) fn answered() -> impl Iterator<Item = u16> {
-    FIXED.iter().map(|(number, _)| *number)
-}
+pub(super) use self::absent::answered;
 
 /// Carries out a command and returns the result.
 pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Command) -> MavResult {
@@ -209,10 +178,7 @@ pub(super) fn execute(autopilot: &mut Autopilot, link: &mut Link, command: &Comm
     if let Some((_, handler)) = all.find(|(known, _)| *known == command.number) {
         return handler(autopilot, link, command);
     }
-    FIXED
-        .iter()
-        .find(|(known, _)| *known == command.number)
-        .map_or(MavResult::MAV_RESULT_UNSUPPORTED, |(_, result)| *result)
+    absent::answer(command, autopilot.vehicle.kind).unwrap_or(MavResult::MAV_RESULT_UNSUPPORTED)
 }
 
 /// Whether the messages that a command requests precede its acknowledgement.

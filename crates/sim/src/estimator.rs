@@ -25,12 +25,15 @@ use self::gps::Receiver;
 use self::trust::Trust;
 pub(super) use self::trust::{FLAGS_GIVEN_UP, FLAGS_GOOD, Ratios};
 use super::body::Body;
+use super::kind::VehicleKind;
 use super::kinematics::STEP_S;
 use super::texts;
 
 /// The time without a GPS position after which the horizontal estimate is distrusted, and after which it is abandoned.
 const DISTRUSTED_AFTER: Duration = Duration::from_secs(7);
 const GIVEN_UP_AFTER: Duration = Duration::from_secs(15);
+/// The GPS counts as unused after this time without an accepted position.
+const UNUSED_AFTER: Duration = Duration::from_secs(4);
 /// A position rejected for this long is adopted after all.
 const ADOPTED_AFTER: Duration = Duration::from_millis(9900);
 /// The delay before a glitch is reported, and before it is cleared.
@@ -79,8 +82,9 @@ pub(super) struct Estimator {
     rejecting_since: Option<Duration>,
     last_rejected: Option<Duration>,
     glitching: bool,
-    /// The EKF core in use.
+    /// The EKF core in use, and whether a rejected position makes the autopilot try the other one.
     lane: usize,
+    tries_lanes: bool,
     stuck_since: Option<Duration>,
     /// The velocity error from a stuck accelerometer.
     shake_m_s: DVec3,
@@ -92,7 +96,7 @@ pub(super) struct Estimator {
 
 impl Estimator {
     /// An estimator without error; `seed` sets the direction of its small errors.
-    pub(super) fn new(seed: u64) -> Self {
+    pub(super) fn new(seed: u64, kind: VehicleKind) -> Self {
         let angle = (seed % 3600) as f64 * (std::f64::consts::TAU / 3600.0);
         Self {
             disturbed: false,
@@ -109,6 +113,7 @@ impl Estimator {
             last_rejected: None,
             glitching: false,
             lane: 0,
+            tries_lanes: kind == VehicleKind::Copter,
             stuck_since: None,
             shake_m_s: DVec3::ZERO,
             barometer: Barometer::default(),
@@ -125,6 +130,11 @@ impl Estimator {
     /// Whether the horizontal position is good enough to fly.
     pub(super) fn has_position(&self) -> bool {
         self.trust == Trust::Good
+    }
+
+    /// Whether reports of the GPS arrive, but have not been accepted for a while.
+    pub(super) fn ignores_gps(&self, now: Duration) -> bool {
+        self.disturbed && self.receiver.fix.is_locked() && now >= self.last_accepted + UNUSED_AFTER
     }
 
     /// Whether the position is still estimated, well or badly.
@@ -300,7 +310,9 @@ impl Estimator {
         }
         if self.rejecting_since.is_none() {
             self.rejecting_since = Some(now);
-            self.switch_lane(outbox);
+            if self.tries_lanes {
+                self.switch_lane(outbox);
+            }
         }
         self.last_rejected = Some(now);
         None

@@ -6,6 +6,7 @@ mod battery;
 mod ekf;
 mod links;
 mod surface;
+mod surface_estimate;
 
 use std::time::Duration;
 
@@ -136,6 +137,8 @@ pub(super) struct Failsafe {
     battery: BatteryWatch,
     /// The links of a rover.
     surface: SurfaceWatch,
+    /// Whether a rover uses the simpler estimate instead of the EKF.
+    falls_back: bool,
 }
 
 impl Failsafe {

@@ -15,6 +15,7 @@ use mavlink::dialects::ardupilotmega::FenceBreach;
 use self::area::FenceArea;
 pub(super) use self::area::{Fence, FenceError, severity};
 use self::avoidance::Limiter;
+use super::kind::VehicleKind;
 use super::parameters::Parameters;
 
 /// The time between checks, in steps.
@@ -43,14 +44,21 @@ pub(super) struct FenceRules {
     avoidance: avoidance::AvoidanceRules,
 }
 
+/// The highest and the lowest height of a rover, which has no parameters for them and is never checked for them.
+const ROVER_HEIGHTS_M: [f64; 2] = [100.0, -10.0];
+
 impl FenceRules {
     pub(super) fn read(all: &Parameters) -> Self {
+        let [ceiling_m, floor_m] = match all.kind() {
+            VehicleKind::Copter => ["FENCE_ALT_MAX", "FENCE_ALT_MIN"].map(|name| all.value(name)),
+            VehicleKind::Rover(_) => ROVER_HEIGHTS_M,
+        };
         Self {
             is_enabled: all.value("FENCE_ENABLE") as i32 != 0,
             kinds: all.value("FENCE_TYPE") as u8,
             action: all.value("FENCE_ACTION") as u8,
-            ceiling_m: all.value("FENCE_ALT_MAX"),
-            floor_m: all.value("FENCE_ALT_MIN"),
+            ceiling_m,
+            floor_m,
             radius_m: all.value("FENCE_RADIUS"),
             margin_m: all.value("FENCE_MARGIN"),
             avoidance: avoidance::AvoidanceRules::read(all),

@@ -22,6 +22,9 @@ const STEER_SPEED_MIN_M_S: f64 = 1.0;
 const VELOCITY_BLEND: f64 = 0.239_057_188_6;
 /// A vehicle that has stopped stays stopped for this long, whatever its speed: in steps.
 const STAYS_STOPPED_STEPS: u32 = 30;
+/// The heading as the controllers see it, less the true one. A real estimate is off by about a degree: a goal exactly
+/// behind the vehicle makes it turn. This is just enough for that.
+const HEADING_OFF_DEG: f64 = 0.05;
 /// The controllers start afresh after this pause, in steps.
 const TIMEOUT_STEPS: u32 = 20;
 
@@ -35,7 +38,11 @@ pub(super) enum Course {
     /// Brake until it stands, and then hold it there.
     Stop,
     /// Follow a moving point, no faster than a speed.
-    Follow { point: FlatMotion, fastest_m_s: f64 },
+    Follow {
+        point: FlatMotion,
+        fastest_m_s: f64,
+        backwards: bool,
+    },
     /// Turn on the spot to a heading, in degrees.
     Pivot(f64),
     /// Drive at a speed while turning to a heading, in degrees.
@@ -148,9 +155,13 @@ impl Helm {
             Course::Off => return Outputs::default(),
             Course::Sticks(sticks) => return sticks,
             Course::Stop => return self.stop(motion, rules),
-            Course::Follow { point, fastest_m_s } => {
+            Course::Follow {
+                point,
+                fastest_m_s,
+                backwards,
+            } => {
                 let wanted = wanted_m_s(&point, body, rules).clamp_length_max(fastest_m_s);
-                return self.follow(&point, wanted, motion, rules);
+                return self.follow(&point, wanted, backwards, motion, rules);
             }
             Course::Pivot(heading_deg) => return self.pivot(heading_deg, motion, rules),
             Course::Heading {
@@ -173,6 +184,7 @@ impl Helm {
         &mut self,
         point: &FlatMotion,
         wanted: DVec2,
+        backwards: bool,
         motion: &DrivenMotion,
         rules: &HelmRules,
     ) -> Outputs {
@@ -187,7 +199,12 @@ impl Helm {
         let mut lateral = 0.0;
         if !is_stopping {
             // A vehicle that cannot turn on the spot must keep rolling to turn.
-            speed = speed.max(wanted.length().min(rules.turning_speed_m_s()));
+            let least = wanted.length().min(rules.turning_speed_m_s());
+            speed = if backwards {
+                speed.min(-least)
+            } else {
+                speed.max(least)
+            };
             let accel = self.velocity_error_m_s * rules.velocity_p + point.accel_m_s2;
             lateral = motion.heading.perp_dot(accel);
         }
@@ -370,10 +387,12 @@ struct DrivenMotion {
 
 impl DrivenMotion {
     fn of(body: &Body) -> Self {
-        let heading = body.heading();
+        let yaw_deg = body.yaw_deg + HEADING_OFF_DEG;
+        let (sin, cos) = maths::sin_cos(yaw_deg.to_radians());
+        let heading = DVec2::new(cos, sin);
         let velocity_m_s = body.velocity_m_s.truncate();
         Self {
-            heading_deg: body.yaw_deg,
+            heading_deg: yaw_deg,
             heading,
             velocity_m_s,
             speed_m_s: velocity_m_s.dot(heading),

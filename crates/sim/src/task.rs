@@ -15,7 +15,10 @@ use glam::{DVec2, DVec3};
 
 pub(super) use attitude::{Attitude, Lift};
 pub(super) use auto::{AutoRules, Orbit, Route, stopping_point};
-pub(super) use drive::{Drive, DriveNews, DriveSetpoint, Loiter, SetpointCourse, on_surface};
+pub(super) use drive::{
+    CirclePlace, Drive, DriveCircle, DriveHeading, DriveNews, DriveSetpoint, Loiter,
+    SetpointCourse, on_surface,
+};
 pub(super) use landing::Landing;
 pub(super) use piloted::{LineEnd, Pilot, PilotRules};
 pub(super) use returning::Returning;
@@ -62,6 +65,8 @@ pub(super) struct Cockpit<'a> {
     pub(super) fence: &'a mut Geofence,
     pub(super) trail: &'a mut Trail,
     pub(super) rally: Rally<'a>,
+    /// Whether a rover drives backwards along its path.
+    pub(super) backs_up: bool,
     /// The vehicle to follow, if one was heard.
     pub(super) leader: Option<&'a Leader>,
 }

@@ -23,6 +23,8 @@ mod retracing;
 mod serials;
 mod signing;
 mod storms;
+mod surface_estimate;
+mod surface_missions;
 mod sweep;
 mod switches;
 mod takeoff;

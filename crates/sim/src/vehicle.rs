@@ -1,6 +1,8 @@
 //! A vehicle that can be flown: its build, its estimated position and its current task. The
 //! decisions (commands, plans, failsafes) are made in the autopilot, which contains the vehicle.
 
+mod breadcrumbs;
+mod circling;
 mod flight;
 mod fly;
 mod follow;
@@ -26,7 +28,6 @@ use super::failsafe::RadioInputs;
 use super::fence::{Geofence, severity};
 use super::flight_log::{self, FlightLog, LogInputs, LogSample};
 use super::kind::VehicleKind;
-use super::mode::ModeId;
 use super::parameters::{BY_NAME, Parameters};
 use super::place::{LocalDatum, Place};
 use super::plan::Plans;
@@ -91,7 +92,7 @@ impl Vehicle {
             system: build.system,
             board_id: build.board_id,
             parameters,
-            estimator: Estimator::new(build.board_id),
+            estimator: Estimator::new(build.board_id, build.kind),
             datum: LocalDatum::at(build.start),
             flight: FlightState::resting(build.kind, &plant.body),
             tuning: Arc::new(tuning),
@@ -195,11 +196,11 @@ impl Vehicle {
             return false;
         };
         // Without an index, since it was not requested by one.
-        let told = PARAM_VALUE_DATA {
+        let value = PARAM_VALUE_DATA {
             param_index: BY_NAME,
             ..self.parameters.fields_of(&parameter)
         };
-        self.outbox.push(MavMessage::PARAM_VALUE(told));
+        self.outbox.push(MavMessage::PARAM_VALUE(value));
         true
     }
 
@@ -243,6 +244,7 @@ impl Vehicle {
             tuning: &self.tuning.flight,
             fence: &mut self.fence,
             trail: &mut self.flight.trail,
+            backs_up: self.flight.backs_up,
             leader: self.following.as_deref().and_then(|it| it.leader.as_ref()),
             rally: Rally {
                 items: &self.plans.rally,
@@ -294,7 +296,7 @@ impl Vehicle {
     /// Whether a landing has reached the point where the motors are disarmed.
     pub(super) fn landing_is_over(&self) -> bool {
         let touched = self.flight.task.touched_in_landing();
-        touched.is_some_and(|touched| Safety::ends_landing(touched, self.uptime()))
+        touched.is_some_and(|touched| self.safety.ends_landing(touched, self.uptime()))
     }
 
     /// Sets home and announces it.
@@ -327,28 +329,6 @@ impl Vehicle {
             altitude_amsl_m: self.datum.start.altitude_amsl_m,
             ..self.here()
         });
-    }
-
-    /// Starts the trail here, if the position is known.
-    pub(super) fn begin_trail(&mut self, known: bool) {
-        let here_m = known.then(|| self.believed().position_m);
-        let now = self.uptime();
-        let rules = &self.tuning.flight.trail;
-        self.flight.trail.begin(here_m, rules, now);
-    }
-
-    /// Drops a breadcrumb when one is due.
-    pub(super) fn watch_trail(&mut self) {
-        if !self.safety.armed || self.flight.mode.id == ModeId::SmartRtl {
-            return;
-        }
-        let here_m = self.is_ready().then(|| self.believed().position_m);
-        let now = self.uptime();
-        let rules = &self.tuning.flight.trail;
-        if let Some(reason) = self.flight.trail.note(here_m, rules, now) {
-            let text = format!("SmartRTL deactivated: {reason}");
-            self.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
-        }
     }
 
     /// Applies the uploaded fence.

@@ -5,6 +5,8 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MotorTestThrottleType;
 
+use super::parameters::Parameters;
+
 /// A motor test lasts at most this long, in seconds.
 const TEST_MAX_S: f32 = 600.0;
 const PERCENT: i32 = MotorTestThrottleType::MOTOR_TEST_THROTTLE_PERCENT as i32;
@@ -22,7 +24,8 @@ pub(super) struct Workbench {
     pub(super) safety_on: bool,
     /// Whether the parachute is enabled.
     pub(super) parachute: bool,
-    pub(super) relay_on: bool,
+    /// The relays that are on, one bit each.
+    pub(super) relays_on: u16,
     /// Whether the remote control is being calibrated.
     pub(super) radio_calibrates: bool,
     /// When a calibration last kept the vehicle busy.
@@ -130,7 +133,29 @@ impl CompassCalibration {
     }
 }
 
+/// The highest number of relays.
+const RELAYS: u16 = 6;
+
+/// The relays that are present, one bit each (`RELAYn_FUNCTION`).
+pub(super) fn relays(all: &Parameters) -> u16 {
+    let is_relay = |number: &u16| all.value(&format!("RELAY{}_FUNCTION", number + 1)) as i32 == 1;
+    (0..RELAYS)
+        .filter(is_relay)
+        .fold(0, |bits, number| bits | 1 << number)
+}
+
 impl Workbench {
+    /// Switches the relay with a bit on or off; `false` if it is absent.
+    pub(super) fn switch_relay(&mut self, all: &Parameters, bit: u16, on: bool) -> bool {
+        let present = relays(all) & bit;
+        if on {
+            self.relays_on |= present;
+        } else {
+            self.relays_on &= !present;
+        }
+        present != 0
+    }
+
     /// Advances by one step; returns whether a motor test is over.
     pub(super) fn step(&mut self, now: Duration) -> bool {
         let ends = self.motor_test.as_mut().is_some_and(|test| test.step(now));

@@ -85,9 +85,10 @@ const LOOK_BACK: KeyHint = hint(
     "hint-look-back",
 );
 
+const MAP: KeyHint = hint(&[Action::Show(Room::Map)], "room-map");
+
 const ROOMS: KeyHint = hint(
     &[
-        Action::Show(Room::Map),
         Action::Show(Room::Vehicle),
         Action::Show(Room::Parameters),
         Action::Show(Room::Messages),
@@ -109,6 +110,7 @@ const HINTS: &[KeyHint] = &[
     hint(&[Action::Escape], "hint-none"),
     footer_keys::MOVE,
     LOOK_BACK,
+    MAP,
     ROOMS,
 ];
 
@@ -119,6 +121,7 @@ const MISSION_HINTS: &[KeyHint] = &[
     footer_keys::MISSION_HINT,
     COMMANDS,
     hint(&[Action::Show(Room::Mission)], "room-mission"),
+    MAP,
     hint(&[Action::Select(SelectAction::Toggle)], "hint-select"),
     LIST,
     hint(&[Action::Select(SelectAction::SelectAll)], "hint-all"),

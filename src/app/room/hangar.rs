@@ -189,14 +189,15 @@ fn words(deed: ProcessDeed, vehicle: VehicleId) -> (Text, Text) {
     }
 }
 
-/// Closes the output; otherwise leaves the room, or the session while vehicles are still starting.
+/// Closes the output; otherwise leaves the room, or the session while vehicles are still starting, or goes to *Home*
+/// without one.
 fn escape(state: &mut State) -> Vec<RoomRequest> {
     state.hush();
     if state.rooms.hangar.opened {
         state.rooms.hangar.opened = false;
-    } else if state.session.is_starting() {
+    } else if state.session.is_starting() || state.session.activity.is_none() {
         return vec![RoomRequest::Leave];
-    } else if state.session.activity.is_some() {
+    } else {
         state.room = Room::Fly;
     }
     Vec::new()

@@ -33,6 +33,7 @@ impl Vehicle {
 const HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
+    footer_keys::BACK,
     hint(
         &[
             Action::View(ViewAction::PreviousVehicle),

@@ -40,9 +40,17 @@ pub fn press(state: &mut State, key: KeyEvent) -> Effects {
             reader::help(state, page, key);
             Effects::none()
         }
+        Some(Overlay::Log { .. }) if opens_command_line(state, key) => {
+            palette::open(state, String::new());
+            Effects::none()
+        }
         Some(Overlay::Log { log, cursor }) => reader::log(state, log, cursor, key),
         None => on_screen(state, key),
     }
+}
+
+fn opens_command_line(state: &State, key: KeyEvent) -> bool {
+    state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine)
 }
 
 /// Whether a key is an Enter after an answer that was already complete without it: it is not meant
@@ -191,13 +199,12 @@ fn addressed(state: &mut State, line: &str) -> String {
 /// keys; otherwise a line typed blindly would act on the screen below.
 fn confirm(state: &mut State, mut question: Confirm, key: KeyEvent) -> Effects {
     let control = key.modifiers.contains(KeyModifiers::CONTROL);
-    let opens = state.keymap.action(key, Place::Anywhere) == Some(Action::CommandLine);
     let ends = matches!(
         state.keymap.action(key, Place::Prompt),
         Some(Action::Submit | Action::Escape)
     );
     match key.code {
-        _ if opens => {
+        _ if opens_command_line(state, key) => {
             refuse(state, &question);
             palette::open(state, String::new());
         }

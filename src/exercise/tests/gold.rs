@@ -7,9 +7,13 @@ use crate::scoring::{Medal, Report};
 
 /// Flies a script in a mission with seed 1.
 fn flown(mission: &str, lines: &str) -> Report {
+    flown_with_seed(mission, lines, 1)
+}
+
+fn flown_with_seed(mission: &str, lines: &str, seed: u64) -> Report {
     let mission = Arc::new(Mission::parse(mission).expect("no faults"));
     let script = read_script(lines, &mission).expect("no faults");
-    let mut exercise = Exercise::new(mission, 1, script, Vec::new());
+    let mut exercise = Exercise::new(mission, seed, script, Vec::new());
     while !exercise.is_over() {
         exercise.step();
     }
@@ -28,6 +32,26 @@ fn there_and_back(up_m: u32, lines: &str) -> String {
 fn is_met(report: &Report, id: &str) -> bool {
     let mut objectives = report.objectives.iter();
     objectives.any(|objective| objective.id == id && objective.met)
+}
+
+/// Gates and landing earn silver. Gold requires the hover too, and commands whose effects are waited for.
+#[test]
+fn a_first_flight_without_the_hover_or_with_hasty_commands_earns_less_than_gold() {
+    let mission = include_str!("../../../missions/00-first-flight.toml");
+    let gates = ["gate1", "gate2", "gate3"]
+        .map(|gate| format!("all goto {gate} up 20\nwait all arrived timeout 40s\n"));
+    let plain = flown(mission, &there_and_back(20, &gates.concat()));
+    assert!(is_met(&plain, "gates"), "{:?}", plain.objectives);
+    assert!(!is_met(&plain, "hover"), "{:?}", plain.objectives);
+    assert_eq!(plain.medal, Some(Medal::Silver), "{}", plain.score);
+    let hasty = there_and_back(20, &format!("wait 11s\n{}", gates.concat()));
+    let hasty = format!("all takeoff 20\nall arm\nall takeoff 20\n{hasty}");
+    let hasty = flown(mission, &hasty);
+    assert!(is_met(&hasty, "hover"), "{:?}", hasty.objectives);
+    assert!(hasty.medal < Some(Medal::Gold), "{}", hasty.score);
+    let reference = include_str!("../../../missions/pilots/00-first-flight.pilot");
+    let reference = flown(mission, reference);
+    assert_eq!(reference.medal, Some(Medal::Gold), "{}", reference.score);
 }
 
 /// A survey at the right speed is one command. Gold requires more: a second look from another
@@ -154,4 +178,15 @@ fn a_survey_for_the_sources_earns_less_than_gold() {
     let reference = include_str!("../../../missions/pilots/10-radiation-source.pilot");
     let reference = flown(mission, reference);
     assert_eq!(reference.medal, Some(Medal::Gold), "{}", reference.score);
+}
+
+/// The gas of the plant accident comes in puffs: crossings at 4.5 m/s lost the plume in these layouts.
+#[test]
+fn the_reference_of_the_plant_accident_crosses_the_plume_slowly_enough() {
+    let mission = include_str!("../../../missions/14-combined-final.toml");
+    let reference = include_str!("../../../missions/pilots/14-combined-final.pilot");
+    for seed in [3, 11] {
+        let report = flown_with_seed(mission, reference, seed);
+        assert!(is_met(&report, "vent"), "{seed}: {:?}", report.objectives);
+    }
 }

@@ -184,6 +184,9 @@ fn seats_take_designs_of_their_kind_and_the_others_keep_the_vehicles_of_the_miss
     let bare = sapper().without(part("s_flail").expect("a part"));
     let flown = lane().with_fleet(vec![bare]).expect("it may drive");
     assert!(!flown.seats.fits[2].flail, "only what is mounted");
+    let misfits: Vec<String> = flown.misfits().iter().map(ToString::to_string).collect();
+    let lacks = "Sapper 930 cannot do the task of vehicle 3: mine flail: 0, required 1";
+    assert_eq!(misfits, [lacks]);
 }
 
 /// Records of older programs have a drone's design in the seat of a robot, which the mission drove with its own.

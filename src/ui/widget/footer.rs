@@ -17,6 +17,9 @@ use crate::ui::widget::{below, clip, put, replay, row_of, severity_role, width a
 /// The maximum number of rows of a message.
 const MOST_ROWS: usize = 3;
 
+/// The columns between two key hints.
+const GAP: usize = 2;
+
 /// Draws the footer into the last row of the screen. A longer message also takes rows above it; the timeline of a replay
 /// stays in the last row, below the keys of rooms that are used apart from the flight.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
@@ -119,12 +122,12 @@ pub fn hints<'a>(
         let key = look.key(&key);
         let what = look.say(hint.about);
         let from = used;
-        used += width_of(&key) + width_of(&what) + 3;
-        if used > width {
+        used += width_of(&key) + width_of(&what) + 1 + GAP;
+        if used - GAP > width {
             break;
         }
         if let HintKeys::Actions([action]) = hint.keys {
-            let place = panel.columns(from as u16, (used - from - 2) as u16);
+            let place = panel.columns(from as u16, (used - from - GAP) as u16);
             look.hits.add(place.area, *action);
         }
         spans.push(Span::styled(key, look.style(Role::Key)));

@@ -41,9 +41,13 @@ pub fn height(state: &State, look: &Look, width: u16) -> usize {
 
 /// The lines shown before a vehicle is heard: the state of the links.
 fn waiting_lines(state: &State, look: &Look, width: u16) -> Vec<(String, Role)> {
-    let waiting = format!("  {}", look.say("fly-waiting"));
-    let mut lines = vec![(waiting, Role::Muted)];
     let session = state.session();
+    let what = if session.activity().is_some() {
+        "fly-waiting"
+    } else {
+        "fly-no-flight"
+    };
+    let mut lines = vec![(format!("  {}", look.say(what)), Role::Muted)];
     for (at, link) in session.links().iter().enumerate() {
         let reason = link.error.clone().unwrap_or_else(|| session.link_state(at));
         let reason = look.text(&reason);

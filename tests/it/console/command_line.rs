@@ -406,3 +406,15 @@ fn the_modes_that_a_vehicle_announces_have_its_names() {
     console.press("esc").give("1 mode lawnmower");
     assert_eq!(console.sent_to(), [1]);
 }
+
+/// A line typed below open notices was once lost.
+#[test]
+fn the_command_line_opens_from_the_notices_too() {
+    let mut console = Console::flying(1);
+    console
+        .press("n")
+        .press(":")
+        .write("1 guided")
+        .press("enter");
+    assert_eq!(console.sent_to(), [1]);
+}

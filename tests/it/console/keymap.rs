@@ -1,6 +1,6 @@
-//! Keys with the user's own bindings.
+//! Keys: the user's own bindings, and the way out of a room.
 
-use sortie::app::state::Overlay;
+use sortie::app::state::{Overlay, Room};
 
 use super::palette_line;
 use crate::harness::Console;
@@ -53,4 +53,13 @@ fn the_help_shows_what_the_keys_mean_now() {
     };
     assert!(line_of("show this help").contains("F2"), "{screen}");
     assert!(!line_of("show this help").contains('?'), "{screen}");
+}
+
+#[test]
+fn escape_leaves_the_hangar_where_no_flight_runs() {
+    let mut console = Console::new();
+    console.press("G");
+    assert_eq!(console.state().room(), Room::Hangar);
+    console.press("esc");
+    assert_eq!(console.state().room(), Room::Home);
 }

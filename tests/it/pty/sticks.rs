@@ -13,7 +13,8 @@ use sortie::wire::{Content, Decoder, Encoder};
 
 use crate::terminal::Terminal;
 
-/// Says heartbeats of a copter until the flag is set; returns the first two channels of each override that was heard.
+/// Sends heartbeats of a copter until the flag is set and nothing more arrives; returns the first two channels
+/// of each override that was heard.
 fn listen(socket: &UdpSocket, ends: &AtomicBool, count: &AtomicUsize) -> Vec<[u16; 2]> {
     let wait = Duration::from_millis(100);
     socket.set_read_timeout(Some(wait)).expect("a socket");
@@ -26,8 +27,14 @@ fn listen(socket: &UdpSocket, ends: &AtomicBool, count: &AtomicUsize) -> Vec<[u1
     });
     let (mut heard, mut console) = (Vec::new(), None);
     let mut buffer = [0; 2048];
-    while !ends.load(Ordering::Relaxed) {
-        if let Ok((length, from)) = socket.recv_from(&mut buffer) {
+    loop {
+        // The flag is read first: what the console sent before it ended is already in the socket's queue.
+        let is_last = ends.load(Ordering::Relaxed);
+        let received = socket.recv_from(&mut buffer);
+        if is_last && received.is_err() {
+            return heard;
+        }
+        if let Ok((length, from)) = received {
             console = Some(from);
             decoder.push(&buffer[..length]);
             while let Some(frame) = decoder.next_frame() {
@@ -44,7 +51,6 @@ fn listen(socket: &UdpSocket, ends: &AtomicBool, count: &AtomicUsize) -> Vec<[u1
             drop(socket.send_to(&bytes, console));
         }
     }
-    heard
 }
 
 #[test]

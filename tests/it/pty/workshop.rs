@@ -43,9 +43,9 @@ fn a_drone_is_built_from_nothing_for_a_mission_and_saved() {
     let data = folder.path().to_str().expect("a plain path");
     let mut terminal = Terminal::start(&["--data", data], 80, 24);
     terminal.see("HOME").press("W").see("Starter 450");
-    terminal.press("n").see("New drone").see("still missing");
+    terminal.press("n").see("New design").see("still missing");
     let mut bench = Bench::default();
-    bench.open(Design::new("New drone"), None, Air::default());
+    bench.open(Design::new("New design"), None, Air::default());
     for (part, name) in PARTS {
         let keys = way(&mut bench, part);
         terminal.press("\r").press(&keys).see(name).press("\r");

@@ -180,9 +180,9 @@ fn faults_in_a_file_are_told_with_their_place() {
 fn fields_that_nobody_reads_are_warned_of() {
     let text = "{\"mass\": 3,\n \"colour\": 1, \"motor5_yaw\": 1, \"motor13_yaw\": 1}";
     let (_, warnings) = Airframe::from_json(text).expect("valid");
-    let told: Vec<String> = warnings.iter().map(ToString::to_string).collect();
+    let said: Vec<String> = warnings.iter().map(ToString::to_string).collect();
     assert_eq!(
-        told,
+        said,
         [
             "line 2, column 2: colour: not a field of a frame, ignored",
             "line 2, column 32: motor13_yaw: not a field of a frame, ignored",

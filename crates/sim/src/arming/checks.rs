@@ -380,6 +380,9 @@ impl ArmingChecks<'_> {
         if !self.mode.needs_position() {
             return None;
         }
+        if self.rules.rover_speed_m_s.is_some() {
+            return (!self.estimator.has_position()).then(|| "Need Position Estimate".into());
+        }
         let threshold = self.failsafe_rules.ekf_threshold;
         let is_doubtful = threshold > 0.0 && is_over(self.estimator, threshold);
         if is_doubtful || !self.estimator.has_position() {

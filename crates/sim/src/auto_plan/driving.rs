@@ -4,15 +4,21 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use super::place::{item_place, item_point, reference_point};
+use super::place::{circle_radius_m, item_place, item_point, reference_point};
 use super::{AutoPlan, PlanWait, sequence};
 use crate::cmd;
 use crate::helm::bearing_deg;
+use crate::mode::ModeId;
 use crate::plan::Item;
-use crate::task::{Drive, Task, on_surface};
+use crate::task::{CirclePlace, Drive, DriveCircle, DriveHeading, Loiter, Task, on_surface};
 use crate::vehicle::Vehicle;
 use glam::DVec2;
 use sortie_geo::wrap_180;
+
+/// The values of `MIS_DONE_BEHAVE`; with any other one, the vehicle stops.
+const DONE_LOITER: i32 = 1;
+const DONE_ACRO: i32 = 2;
+const DONE_MANUAL: i32 = 3;
 
 impl AutoPlan {
     /// Starts a navigation command of a rover; `false` if it cannot be driven.
@@ -22,6 +28,8 @@ impl AutoPlan {
             cmd::NAV_LOITER_UNLIM | cmd::NAV_LOITER_TIME => {
                 self.drive_to_waypoint(vehicle, at, item, true);
             }
+            cmd::NAV_LOITER_TURNS => self.drive_circle(vehicle, item),
+            cmd::NAV_SET_YAW_SPEED => self.drive_heading(vehicle, item),
             cmd::NAV_RETURN_TO_LAUNCH => {
                 self.begin_drive(vehicle, PlanWait::Nothing, |cockpit, rules| {
                     Drive::home(cockpit, rules)
@@ -29,9 +37,8 @@ impl AutoPlan {
             }
             cmd::NAV_GUIDED_ENABLE => {
                 if item.params[0] as u16 > 0 {
-                    self.begin_drive(vehicle, PlanWait::Guided, |cockpit, rules| {
-                        Drive::rest(cockpit, rules)
-                    });
+                    let wait = Self::guided_from_here(vehicle);
+                    self.begin_drive(vehicle, wait, |cockpit, rules| Drive::rest(cockpit, rules));
                 }
             }
             cmd::NAV_DELAY => {
@@ -66,7 +73,15 @@ impl AutoPlan {
                 Task::Drive(Drive::Return(home)) => home.route.reached,
                 _ => true,
             },
-            cmd::NAV_GUIDED_ENABLE => self.wait != PlanWait::Guided || item.params[0] as u16 == 0,
+            cmd::NAV_LOITER_TURNS => match &vehicle.flight.task {
+                Task::Drive(Drive::Circle(circle)) => circle.turns() >= f64::from(item.params[0]),
+                _ => true,
+            },
+            cmd::NAV_SET_YAW_SPEED => match &vehicle.flight.task {
+                Task::Drive(Drive::Heading(heading)) => heading.is_reached(),
+                _ => true,
+            },
+            cmd::NAV_GUIDED_ENABLE => self.guiding_is_over(vehicle, &item),
             cmd::NAV_DELAY => {
                 matches!(self.wait, PlanWait::Until(until) if vehicle.uptime() > until)
             }
@@ -78,11 +93,50 @@ impl AutoPlan {
         }
     }
 
-    /// The end of the mission: the rover stands, a boat holds its place.
+    /// The end of the mission: the vehicle stops, holds its place or changes its mode (`MIS_DONE_BEHAVE`).
     pub(super) fn park(&mut self, vehicle: &mut Vehicle) {
         vehicle.say(MavSeverity::MAV_SEVERITY_NOTICE, "Mission Complete");
+        let behaviour = vehicle.parameters.value("MIS_DONE_BEHAVE") as i32;
         self.begin_drive(vehicle, PlanWait::Nothing, |cockpit, rules| {
-            Drive::rest(cockpit, rules)
+            if behaviour == DONE_LOITER {
+                Drive::Loiter(Loiter::here(cockpit, rules))
+            } else {
+                Drive::Stop
+            }
+        });
+        self.ends_in = match behaviour {
+            DONE_ACRO => Some(ModeId::Acro),
+            DONE_MANUAL => Some(ModeId::Manual),
+            _ => None,
+        };
+    }
+
+    fn drive_circle(&mut self, vehicle: &mut Vehicle, item: &Item) {
+        let centre_m = item_point(vehicle, item, vehicle.believed().position_m);
+        let place = CirclePlace {
+            centre_m: centre_m.truncate(),
+            radius_m: circle_radius_m(item),
+            is_counterclockwise: item.params[2] < 0.0,
+        };
+        vehicle.warn_of_the_circle();
+        let helm = vehicle.tuning.flight.helm.as_deref();
+        let narrow = helm.and_then(|helm| helm.circle.radius_warning(place.radius_m));
+        if let Some(text) = narrow {
+            vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
+        }
+        self.begin_drive(vehicle, PlanWait::Nothing, |cockpit, rules| {
+            Drive::Circle(DriveCircle::around(place, cockpit, &rules.circle))
+        });
+    }
+
+    fn drive_heading(&mut self, vehicle: &mut Vehicle, item: &Item) {
+        let [angle_deg, speed_m_s, relative, _] = item.params.map(f64::from);
+        self.begin_drive(vehicle, PlanWait::Nothing, |cockpit, rules| {
+            Drive::Heading(if relative > 0.0 {
+                DriveHeading::relative(cockpit.body.yaw_deg, angle_deg, speed_m_s, rules)
+            } else {
+                DriveHeading::new(angle_deg, speed_m_s, rules)
+            })
         });
     }
 
@@ -157,6 +211,15 @@ impl AutoPlan {
         }
         let since = since.unwrap_or(now);
         now.saturating_sub(since).as_secs() >= stays.as_secs()
+    }
+}
+
+/// Sets the speed of what the mission does now, and reports it.
+pub(super) fn change_speed(vehicle: &mut Vehicle, item: &Item) {
+    let speed_m_s = f64::from(item.params[1]);
+    if vehicle.set_drive_speed(speed_m_s) {
+        let text = format!("speed: {speed_m_s:.1} m/s");
+        vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
     }
 }
 

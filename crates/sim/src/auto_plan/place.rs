@@ -12,6 +12,8 @@ use sortie_geo::LatLon;
 /// The maximum number of items on a return path.
 const ITEMS_MAX: usize = 255;
 const HEIGHT_MAX_M: f32 = 1e6;
+/// Radii above this, in metres, are stored in steps of 10 m.
+const COARSE_RADIUS_M: f64 = 255.0;
 
 impl AutoPlan {
     /// The nearest `DO_LAND_START`. For an item without a place, the place of the next navigation
@@ -155,5 +157,15 @@ pub(super) fn reference_point(vehicle: &Vehicle) -> DVec3 {
         route.goal_m()
     } else {
         vehicle.believed().position_m
+    }
+}
+
+/// The radius of a circle, as it is stored.
+pub(super) fn circle_radius_m(item: &Item) -> f64 {
+    let asked_m = f64::from(item.params[2]).abs().min(2550.0);
+    if asked_m > COARSE_RADIUS_M {
+        (asked_m / 10.0).floor() * 10.0
+    } else {
+        asked_m.floor()
     }
 }

@@ -5,8 +5,9 @@ use std::time::Duration;
 use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MavSeverity, SpeedType};
 
-use super::place::{item_down_m, item_place, item_point, reference_point};
-use super::{AutoPlan, PlanWait, command, sequence};
+use super::guided::GuidedLimits;
+use super::place::{circle_radius_m, item_down_m, item_place, item_point, reference_point};
+use super::{AutoPlan, PlanWait, command, driving, sequence};
 use crate::cmd;
 use crate::flight_log::EPOCH_US;
 use crate::kind::VehicleKind;
@@ -20,8 +21,6 @@ use sortie_geo::LatLon;
 const LEAST_CLIMB_M: f64 = 1.0;
 /// The distance from its edge within which a circle begins at once, in metres.
 const AT_EDGE_M: f64 = 3.0;
-/// Radii above this, in metres, are stored in steps of 10 m.
-const COARSE_RADIUS_M: f64 = 255.0;
 
 impl AutoPlan {
     /// Starts a navigation command; `false` if it cannot be flown and the next one is to be tried.
@@ -58,7 +57,8 @@ impl AutoPlan {
             }
             cmd::NAV_GUIDED_ENABLE => {
                 if item.params[0] as u16 > 0 {
-                    self.fly_task(vehicle, Task::STOP, PlanWait::Guided);
+                    let wait = Self::guided_from_here(vehicle);
+                    self.fly_task(vehicle, Task::STOP, wait);
                 }
             }
             cmd::NAV_DELAY => self.begin_delay(vehicle, item),
@@ -86,7 +86,15 @@ impl AutoPlan {
                     vehicle.flight.yaw.turn_to(angle, rate, direction);
                 }
             }
+            cmd::DO_CHANGE_SPEED if vehicle.kind.chassis().is_some() => {
+                driving::change_speed(vehicle, &item);
+            }
             cmd::DO_CHANGE_SPEED => change_mission_speed(vehicle, &item),
+            cmd::DO_SET_REVERSE if vehicle.kind.chassis().is_some() => {
+                vehicle.flight.backs_up = item.params[0] as u16 == 1;
+            }
+            cmd::DO_GUIDED_LIMITS => self.guided_limits = GuidedLimits::of(&item),
+            cmd::DO_FENCE_ENABLE => switch_fence(vehicle, &item),
             cmd::DO_SET_HOME => set_mission_home(vehicle, &item),
             cmd::DO_SET_SERVO => {
                 let channel = item.params[0] as usize;
@@ -201,15 +209,9 @@ impl AutoPlan {
 
     fn begin_circle(&mut self, vehicle: &mut Vehicle, item: &Item) {
         let centre_m = item_point(vehicle, item, vehicle.believed().position_m);
-        let asked_m = f64::from(item.params[2]).abs().min(2550.0);
-        let radius_m = if asked_m > COARSE_RADIUS_M {
-            (asked_m / 10.0).floor() * 10.0
-        } else {
-            asked_m.floor()
-        };
         let orbit = Orbit::around(
             centre_m,
-            radius_m,
+            circle_radius_m(item),
             item.params[2] < 0.0,
             &vehicle.parameters,
         );
@@ -311,10 +313,17 @@ fn change_mission_speed(vehicle: &mut Vehicle, item: &Item) {
         DESCENT => vehicle.flight.speeds.down_m_s = Some(speed),
         _ => vehicle.flight.speeds.ground_m_s = Some(speed.max(0.2)),
     }
-    if vehicle.kind != VehicleKind::Copter {
-        let text = format!("speed: {speed:.1} m/s");
-        vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
-    }
+}
+
+fn switch_fence(vehicle: &mut Vehicle, item: &Item) {
+    let on = item.params[0] as u16 != 0;
+    vehicle.enable_fence(on);
+    let text = if on {
+        "Fence Enabled"
+    } else {
+        "Fence Disabled"
+    };
+    vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
 }
 
 fn set_mission_home(vehicle: &mut Vehicle, item: &Item) {

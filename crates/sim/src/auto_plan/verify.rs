@@ -44,7 +44,7 @@ impl AutoPlan {
             cmd::NAV_LOITER_TURNS => self.has_turned(vehicle, &item),
             cmd::NAV_LOITER_TO_ALT => self.has_height(vehicle),
             cmd::NAV_RETURN_TO_LAUNCH => vehicle.landing_is_over(),
-            cmd::NAV_GUIDED_ENABLE => item.params[0] as u16 == 0,
+            cmd::NAV_GUIDED_ENABLE => self.guiding_is_over(vehicle, &item),
             cmd::NAV_DELAY => {
                 matches!(self.wait, PlanWait::Until(until) if vehicle.uptime() >= until)
             }
@@ -71,6 +71,7 @@ impl AutoPlan {
             cmd::CONDITION_YAW if vehicle.kind == VehicleKind::Copter => {
                 vehicle.flight.yaw.has_turned(vehicle.plant.body.yaw_deg)
             }
+            cmd::DO_SET_REVERSE if vehicle.kind != VehicleKind::Copter => true,
             known if command::acts_at_once(known) => true,
             unknown => {
                 vehicle.say(

@@ -146,7 +146,7 @@ fn start_motors(vehicle: &mut Vehicle, forced: bool) {
     vehicle.safety = Safety::armed(on_ground, height_m, vehicle.uptime());
     vehicle.safety.interlock = interlock;
     vehicle.flight.simple.reset(vehicle.believed().yaw_deg);
-    vehicle.begin_trail(vehicle.is_ready());
+    vehicle.begin_trail(vehicle.knows_place());
     if vehicle.kind == VehicleKind::Copter && vehicle.datum.arming_moves_home() {
         vehicle.set_home(vehicle.here());
     }

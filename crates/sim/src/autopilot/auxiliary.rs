@@ -2,6 +2,7 @@
 //! `DO_AUX_FUNCTION`.
 
 mod pilot;
+mod surface;
 
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
@@ -46,7 +47,6 @@ const PARACHUTE_ENABLE: u16 = 21;
 const PARACHUTE_RELEASE: u16 = 22;
 const PARACHUTE: u16 = 23;
 const MISSION_RESET: u16 = 24;
-const RELAY: u16 = 28;
 const OVERRIDES: u16 = 46;
 const CLEAR_MISSION: u16 = 58;
 const ZIGZAG_POINTS: u16 = 61;
@@ -59,6 +59,15 @@ const ARM_OR_DISARM: u16 = 153;
 const ARM_OR_DISARM_AIRMODE: u16 = 154;
 const COMPASS_CALIBRATION: u16 = 171;
 const PAUSE: u16 = 178;
+/// Functions that switch a relay, each with its bit.
+const RELAYS: &[(u16, u16)] = &[
+    (28, 1),
+    (34, 1 << 1),
+    (35, 1 << 2),
+    (36, 1 << 3),
+    (66, 1 << 4),
+    (67, 1 << 5),
+];
 /// Functions with an effect, apart from modes, with their names in the firmware's documentation.
 const ACTING: &[(u16, &str)] = &[
     (SIMPLE, "Simple Mode"),
@@ -71,13 +80,18 @@ const ACTING: &[(u16, &str)] = &[
     (PARACHUTE_RELEASE, "Parachute Release"),
     (PARACHUTE, "Parachute 3pos"),
     (MISSION_RESET, "Auto Mission Reset"),
-    (RELAY, "Relay1 On/Off"),
+    (28, "Relay1 On/Off"),
     (MOTOR_EMERGENCY_STOP, "Motor Emergency Stop"),
     (MOTOR_INTERLOCK, "Motor Interlock"),
+    (34, "Relay2 On/Off"),
+    (35, "Relay3 On/Off"),
+    (36, "Relay4 On/Off"),
     (OVERRIDES, "RC Override Enable"),
     (CLEAR_MISSION, "Clear Waypoints"),
     (ZIGZAG_POINTS, "ZigZag SaveWP"),
     (GPS_OFF, "GPS Disable"),
+    (66, "Relay5 On/Off"),
+    (67, "Relay6 On/Off"),
     (STANDBY, "Standby Mode"),
     (DISARM, "Disarm"),
     (EKF_SOURCES, "EKF Source Set"),
@@ -90,9 +104,9 @@ const ACTING: &[(u16, &str)] = &[
 ];
 /// Functions that exist but have no effect in the simulation.
 const WITHOUT_EFFECT: &[u16] = &[
-    9, 10, 15, 19, 25, 26, 27, 29, 30, 34, 35, 36, 38, 39, 40, 44, 45, 62, 66, 67, 75, 78, 79, 80,
-    83, 84, 85, 100, 101, 102, 103, 104, 105, 106, 109, 110, 111, 112, 156, 158, 159, 160, 162,
-    163, 164, 172, 177, 212, 213, 214, 215, 216, 217, 218, 300, 301, 302, 303, 304, 305, 306, 307,
+    9, 10, 15, 19, 25, 26, 27, 29, 30, 38, 39, 40, 44, 45, 62, 75, 78, 79, 80, 83, 84, 85, 100,
+    101, 102, 103, 104, 105, 106, 109, 110, 111, 112, 156, 158, 159, 160, 162, 163, 164, 172, 177,
+    212, 213, 214, 215, 216, 217, 218, 300, 301, 302, 303, 304, 305, 306, 307,
 ];
 /// Functions that exist but fail.
 const FAILING: &[u16] = &[166, 167, 168, 169, 174, 175];
@@ -108,7 +122,7 @@ const ANNOUNCED: &[(u16, &str)] = &[
     (PARACHUTE, "Parachute3Position"),
     (MISSION_RESET, "MissionReset"),
     (27, "RetractMount1"),
-    (RELAY, "Relay1"),
+    (28, "Relay1"),
     (MOTOR_EMERGENCY_STOP, "MotorEStop"),
     (MOTOR_INTERLOCK, "MotorInterlock"),
     (34, "Relay2"),
@@ -146,6 +160,11 @@ const ANNOUNCED: &[(u16, &str)] = &[
     (175, "Camera Lens"),
     (177, "Mount LRF Enable"),
 ];
+
+/// Whether a function enters a mode of a copter.
+fn is_mode(function: u16) -> bool {
+    MODES.iter().any(|(known, _)| *known == function)
+}
 
 /// The names of functions that act.
 pub(crate) fn acting() -> impl Iterator<Item = &'static str> {
@@ -203,8 +222,17 @@ impl Autopilot {
 
     /// Runs a function for a position of its switch; `false` for one that does not exist or fails.
     pub(crate) fn run_function(&mut self, function: u16, position: SwitchPosition) -> bool {
+        if self.vehicle.kind != VehicleKind::Copter
+            && let Some(worked) = self.run_surface_function(function, position)
+        {
+            return worked;
+        }
         if let Some((_, mode)) = MODES.iter().find(|(known, _)| *known == function) {
             self.switch_mode(*mode, position);
+            return true;
+        }
+        if let Some((_, bit)) = RELAYS.iter().find(|(known, _)| *known == function) {
+            self.switch_relay(*bit, position);
             return true;
         }
         match function {
@@ -214,7 +242,7 @@ impl Autopilot {
             | DISARM
             | MOTOR_EMERGENCY_STOP
             | MOTOR_INTERLOCK => self.switch_motors(function, position),
-            FENCE | RELAY | OVERRIDES | GPS_OFF => self.switch_equipment(function, position),
+            FENCE | OVERRIDES | GPS_OFF => self.switch_equipment(function, position),
             MISSION_RESET | CLEAR_MISSION | SAVE_WAYPOINT => self.edit_mission(function, position),
             SIMPLE | SUPER_SIMPLE | SIMPLE_HEADING => self.switch_simple(function, position),
             ZIGZAG_POINTS => self.switch_zigzag(position),
@@ -228,13 +256,16 @@ impl Autopilot {
             }
             known if WITHOUT_EFFECT.contains(&known) => {}
             known if FAILING.contains(&known) => return false,
-            _ => {
-                let text = format!("Invalid channel option ({function})");
-                self.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
-                return false;
-            }
+            _ => return self.refuse_function(function),
         }
         true
+    }
+
+    /// Reports a function that the vehicle does not know.
+    fn refuse_function(&mut self, function: u16) -> bool {
+        let text = format!("Invalid channel option ({function})");
+        self.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, &text);
+        false
     }
 
     /// Arms, disarms, or stops the motors, as the function defines for the position.

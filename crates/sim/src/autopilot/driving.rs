@@ -18,7 +18,9 @@ impl Autopilot {
             let text = "No Mission. Can't set AUTO.";
             vehicle.say(MavSeverity::MAV_SEVERITY_NOTICE, text);
         }
-        let is_lost = mode.needs_position() && vehicle.safety.armed && !vehicle.is_ready();
+        let is_trusted = !self.failsafe.falls_back() && !self.failsafe.distrusts_estimate();
+        let is_known = vehicle.is_ready() && is_trusted;
+        let is_lost = mode.needs_position() && vehicle.safety.armed && !is_known;
         let refuses = is_lost
             || match mode.id {
                 ModeId::Follow => vehicle.tuning.flight.follow.is_none(),
@@ -45,7 +47,7 @@ impl Autopilot {
     pub(super) fn first_drive(&mut self) -> Task {
         let mode = self.vehicle.flight.mode.id;
         if mode == ModeId::Circle {
-            self.warn_of_the_circle();
+            self.vehicle.warn_of_the_circle();
         }
         Task::Drive(self.vehicle.with_cockpit(|_, cockpit| {
             let Some(rules) = cockpit.tuning.helm.as_deref() else {
@@ -67,15 +69,6 @@ impl Autopilot {
                 _ => Drive::Hold,
             }
         }))
-    }
-
-    /// Says what the parameters ask of a circle and cannot have.
-    fn warn_of_the_circle(&mut self) {
-        let tuning = &self.vehicle.tuning.flight;
-        let warnings = tuning.helm.as_deref().map(|rules| rules.circle.warnings());
-        for text in warnings.into_iter().flatten() {
-            self.vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
-        }
     }
 
     /// Drives for one step, and reports what happened.

@@ -99,6 +99,7 @@ impl Autopilot {
         self.vehicle.flight.mode = mode;
         self.vehicle.flight.speeds = AskedSpeeds::default();
         self.vehicle.flight.paused = None;
+        self.vehicle.flight.backs_up = false;
         self.vehicle
             .flight
             .control

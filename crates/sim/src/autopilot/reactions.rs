@@ -48,7 +48,11 @@ impl Autopilot {
             Failsafe::watch_estimate,
             Failsafe::watch_battery,
         ];
-        const ROVER: &[Watch] = &[Failsafe::watch_surface_links, Failsafe::watch_battery];
+        const ROVER: &[Watch] = &[
+            Failsafe::watch_surface_links,
+            Failsafe::watch_surface_estimate,
+            Failsafe::watch_battery,
+        ];
         let watches = match self.vehicle.kind {
             VehicleKind::Copter => COPTER,
             VehicleKind::Rover(_) => ROVER,

@@ -1,7 +1,5 @@
 //! Commands that a rover carries out in its own way.
 
-use std::sync::Arc;
-
 use mavlink::dialects::ardupilotmega::{MavResult, MavSeverity};
 
 use super::motion;
@@ -10,56 +8,15 @@ use crate::autopilot::Autopilot;
 use crate::guided;
 use crate::link::Link;
 use crate::mode::{self, ModeId};
-use crate::task::{Drive, Task};
 
-/// The lowest speed that a rover accepts, in m/s.
-const SPEED_MIN_M_S: f64 = 0.05;
-
-/// Changes the speed along a path, until the mode changes.
+/// Changes the speed of the drive under way, until the mode changes.
 pub(super) fn change_speed(
     autopilot: &mut Autopilot,
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    done(set_speed(autopilot, f64::from(command.p[1])))
-}
-
-/// Sets the speed along a path; `false` while there is none, or for a speed that is too low.
-fn set_speed(autopilot: &mut Autopilot, speed_m_s: f64) -> bool {
-    match &mut autopilot.vehicle.flight.task {
-        Task::Drive(Drive::Circle(_)) => return set_circle_speed(autopilot, speed_m_s),
-        Task::Drive(Drive::Follow(fastest_m_s)) if speed_m_s >= 0.0 => {
-            *fastest_m_s = speed_m_s;
-            return true;
-        }
-        _ => {}
-    }
-    let flight = &mut autopilot.vehicle.flight;
-    let on_path = match &flight.task {
-        Task::Route(_) | Task::Drive(Drive::Goto(_) | Drive::Return(_)) => true,
-        _ => flight.mode.id == ModeId::Auto,
-    };
-    let able = on_path && speed_m_s >= SPEED_MIN_M_S && speed_m_s.is_finite();
-    if able {
-        flight.speeds.ground_m_s = Some(speed_m_s);
-    }
-    able
-}
-
-fn set_circle_speed(autopilot: &mut Autopilot, speed_m_s: f64) -> bool {
-    let vehicle = &mut autopilot.vehicle;
-    let tuning = Arc::clone(&vehicle.tuning);
-    let rules = tuning.flight.helm.as_deref().map(|helm| &helm.circle);
-    let Some(rules) = rules.filter(|_| speed_m_s > 0.0 && speed_m_s.is_finite()) else {
-        return false;
-    };
-    if let Some(text) = rules.speed_warning(speed_m_s) {
-        vehicle.say(MavSeverity::MAV_SEVERITY_WARNING, &text);
-    }
-    if let Task::Drive(Drive::Circle(circle)) = &mut vehicle.flight.task {
-        circle.set_speed(speed_m_s, rules);
-    }
-    true
+    let speed_m_s = f64::from(command.p[1]);
+    done(autopilot.vehicle.set_drive_speed(speed_m_s))
 }
 
 pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
@@ -72,7 +29,7 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
         return MavResult::MAV_RESULT_FAILED;
     }
     let speed_m_s = f64::from(command.p[0]);
-    if speed_m_s > 0.0 && !set_speed(autopilot, speed_m_s) {
+    if speed_m_s > 0.0 && !autopilot.vehicle.set_drive_speed(speed_m_s) {
         return MavResult::MAV_RESULT_FAILED;
     }
     let goal_m = autopilot.vehicle.datum.point_of(place);
@@ -86,10 +43,8 @@ pub(super) fn set_yaw_and_speed(
     _: &mut Link,
     command: &Command,
 ) -> MavResult {
-    if command.frame.is_none() {
-        let text = "Received message (MAV_CMD_NAV_SET_YAW_SPEED) is deprecated";
-        autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
-    }
+    let text = "Received message (MAV_CMD_NAV_SET_YAW_SPEED) is deprecated";
+    autopilot.vehicle.say(MavSeverity::MAV_SEVERITY_INFO, text);
     let [heading_deg, speed_m_s, relative, _] = command.p.map(f64::from);
     let is_sensible = heading_deg.is_finite() && speed_m_s.is_finite();
     if autopilot.vehicle.flight.mode.id != ModeId::Guided || !is_sensible {
@@ -101,6 +56,12 @@ pub(super) fn set_yaw_and_speed(
         0.0
     };
     guided::drive_along(autopilot, from + heading_deg, speed_m_s);
+    MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// Drives backwards or forwards along paths, until the mode changes.
+pub(super) fn set_reverse(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    autopilot.vehicle.flight.backs_up = command.is(0, 1.0);
     MavResult::MAV_RESULT_ACCEPTED
 }
 

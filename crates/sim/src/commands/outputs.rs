@@ -4,11 +4,11 @@ use mavlink::dialects::ardupilotmega::{
     MavResult, MavSeverity, ParachuteAction, SafetySwitchState,
 };
 
-use super::{Command, done};
+use super::{Command, FAILED, done};
 use crate::autopilot::Autopilot;
 use crate::cmd;
 use crate::link::Link;
-use crate::workbench::MotorTest;
+use crate::workbench::{self, MotorTest};
 
 /// `SERVOn_FUNCTION` of outputs that a command may drive: none, RC input through, sprayer, gripper.
 const FREE_FUNCTIONS: &[i32] = &[0, 1, 22, 23, 28];
@@ -49,13 +49,21 @@ pub(super) fn servo(autopilot: &mut Autopilot, _: &mut Link, command: &Command) 
     MavResult::MAV_RESULT_ACCEPTED
 }
 
-/// Switches the only relay, which has the number 0.
+/// Switches a relay on or off, or back and forth, which leaves it as it was; the numbers begin at 0.
 pub(super) fn relay(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
-    let known = command.whole(0) == Some(0) && command.whole(1).is_some();
-    if known && command.number == cmd::DO_SET_RELAY {
-        autopilot.workbench.relay_on = command.p[1] > 0.0;
-    }
-    done(known)
+    let (Some(number), Some(_)) = (command.whole(0), command.whole(1)) else {
+        return FAILED;
+    };
+    let number = u32::try_from(number).ok();
+    let bit = number.and_then(|number| 1_u16.checked_shl(number));
+    let bit = bit.unwrap_or(0);
+    let all = &autopilot.vehicle.parameters;
+    done(if command.number == cmd::DO_SET_RELAY {
+        let on = command.p[1] > 0.0;
+        autopilot.workbench.switch_relay(all, bit, on)
+    } else {
+        workbench::relays(all) & bit != 0
+    })
 }
 
 pub(super) fn parachute(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {

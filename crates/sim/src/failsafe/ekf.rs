@@ -16,16 +16,54 @@ const WARNED_EVERY: Duration = Duration::from_secs(30);
 
 /// The state of the EKF check.
 #[derive(Debug, Clone, PartialEq, Default)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each is a fact of its own, and any may hold beside any other"
+)]
 pub(super) struct EkfWatch {
     failures: u8,
     bad: bool,
+    /// Whether a check of a copter has passed since boot; before, none counts as bad.
+    has_passed: bool,
     /// Whether the failsafe changed the mode; if so, its end is reported.
     acted: bool,
     warned: Option<Duration>,
     glitching: bool,
 }
 
+/// What a check changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum EkfChange {
+    /// The estimate is bad from now on.
+    Begins,
+    Ends,
+}
+
 impl EkfWatch {
+    /// Counts a check.
+    pub(super) fn count(&mut self, passed: bool) -> Option<EkfChange> {
+        if passed {
+            self.failures = self.failures.saturating_sub(1);
+            return if self.failures == 0 {
+                self.reset()
+            } else {
+                None
+            };
+        }
+        if self.bad {
+            return None;
+        }
+        self.failures += 1;
+        self.bad = self.failures >= LOOKS;
+        self.bad.then_some(EkfChange::Begins)
+    }
+
+    /// Forgets the failed checks, while none are made.
+    pub(super) fn reset(&mut self) -> Option<EkfChange> {
+        self.failures = 0;
+        std::mem::take(&mut self.bad).then_some(EkfChange::Ends)
+    }
+
     pub(super) fn is_bad(&self) -> bool {
         self.bad
     }
@@ -39,31 +77,27 @@ impl EkfWatch {
 impl Failsafe {
     pub(crate) fn watch_estimate(&mut self, inputs: &FailsafeInputs<'_>) -> Vec<Reaction> {
         let estimator = inputs.estimator;
-        let good = estimator.has_position() && estimator.fix().is_none();
+        let threshold = inputs.rules.ekf_threshold;
+        let trusted = estimator.has_position() && !is_over(estimator, threshold);
+        let good = trusted && estimator.fix().is_none();
+        self.ekf.has_passed |= trusted && inputs.is_booted;
         if !inputs.is_booted || (good && self.ekf.is_idle()) {
             return Vec::new();
         }
         let mut reactions = Vec::new();
         reactions.extend(self.ekf.watch_glitches(estimator.is_glitching()));
-        let threshold = inputs.rules.ekf_threshold;
-        if threshold <= 0.0 {
-            self.ekf.failures = 0;
-            reactions.extend(self.ekf.end());
-            return reactions;
-        }
-        let passed = estimator.has_position() && !is_over(estimator, threshold);
-        if passed {
-            self.ekf.failures = self.ekf.failures.saturating_sub(1);
-            if self.ekf.failures == 0 {
-                reactions.extend(self.ekf.end());
-            }
-        } else if !self.ekf.bad {
-            self.ekf.failures += 1;
-            if self.ekf.failures >= LOOKS {
-                self.ekf.bad = true;
+        let change = if threshold <= 0.0 {
+            self.ekf.reset()
+        } else {
+            self.ekf.count(trusted || !self.ekf.has_passed)
+        };
+        match change {
+            Some(EkfChange::Begins) => {
                 reactions.extend(self.ekf.say_variance(inputs.now));
                 reactions.extend(self.begin_ekf_failsafe(inputs));
             }
+            Some(EkfChange::Ends) => reactions.extend(self.ekf.say_cleared()),
+            None => {}
         }
         reactions
     }
@@ -83,7 +117,7 @@ impl Failsafe {
 }
 
 impl EkfWatch {
-    fn say_variance(&mut self, now: Duration) -> Option<Reaction> {
+    pub(super) fn say_variance(&mut self, now: Duration) -> Option<Reaction> {
         let again = self.warned.map(|at| at + WARNED_EVERY);
         again.is_none_or(|again| now > again).then(|| {
             self.warned = Some(now);
@@ -91,8 +125,7 @@ impl EkfWatch {
         })
     }
 
-    fn end(&mut self) -> Option<Reaction> {
-        self.bad = false;
+    fn say_cleared(&mut self) -> Option<Reaction> {
         std::mem::take(&mut self.acted)
             .then(|| Reaction::say(MavSeverity::MAV_SEVERITY_CRITICAL, "EKF Failsafe Cleared"))
     }

@@ -144,7 +144,7 @@ impl CircleRules {
             all.value("WP_SPEED")
         };
         Self {
-            asked_radius_m: all.value("CIRC_RADIUS").abs().max(CIRCLE_RADIUS_MIN_M),
+            asked_radius_m: all.value("CIRC_RADIUS"),
             asked_speed_m_s: asked_speed.clamp(0.05, 100.0),
             is_counterclockwise: all.value("CIRC_DIR") as i32 == 1,
             accel_m_s2: path_accel_m_s2(accels, all.value("WP_ACCEL"), CIRCLE_ACCEL_M_S2),
@@ -154,7 +154,20 @@ impl CircleRules {
     }
 
     pub(crate) fn radius_m(&self) -> f64 {
-        self.asked_radius_m.max(self.turn_radius_m)
+        self.possible_radius_m(self.asked_radius_m)
+    }
+
+    /// A radius that the vehicle can drive.
+    pub(crate) fn possible_radius_m(&self, asked_m: f64) -> f64 {
+        let least_m = self.turn_radius_m.max(CIRCLE_RADIUS_MIN_M);
+        asked_m.abs().max(least_m)
+    }
+
+    /// The warning about a radius that the vehicle cannot drive.
+    pub(crate) fn radius_warning(&self, asked_m: f64) -> Option<String> {
+        let turn_radius_m = self.turn_radius_m;
+        let is_narrow = asked_m.abs().max(CIRCLE_RADIUS_MIN_M) < turn_radius_m;
+        is_narrow.then(|| format!("Circle: radius increased to TURN_RADIUS ({turn_radius_m:4.1})"))
     }
 
     /// The highest speed on the circle.
@@ -174,10 +187,7 @@ impl CircleRules {
 
     /// The warnings at the begin about what the circle does not allow.
     pub(crate) fn warnings(&self) -> Vec<String> {
-        let turn_radius_m = self.turn_radius_m;
-        let is_narrow = self.asked_radius_m < turn_radius_m;
-        let wider = is_narrow
-            .then(|| format!("Circle: radius increased to TURN_RADIUS ({turn_radius_m:4.1})"));
+        let wider = self.radius_warning(self.asked_radius_m);
         let slower = self.speed_warning(self.asked_speed_m_s);
         wider.into_iter().chain(slower).collect()
     }

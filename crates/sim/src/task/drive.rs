@@ -2,17 +2,19 @@
 
 mod circle;
 mod follow;
+mod heading;
+mod sticks;
 
 use std::time::Duration;
 
 use glam::{DVec2, DVec3};
 use mavlink::dialects::ardupilotmega::MavSeverity;
 
-use self::circle::DriveCircle;
+pub(crate) use self::circle::{CirclePlace, DriveCircle};
+pub(crate) use self::heading::DriveHeading;
 use super::{Cockpit, Route, Task};
 use crate::control::FlatMotion;
 use crate::helm::{Course, HelmRules, PIVOT_WITHIN_DEG, bearing_deg};
-use crate::wheels::Outputs;
 use sortie_geo::wrap_180;
 
 /// A path has arrived when it is this close to its goal, in metres.
@@ -53,6 +55,8 @@ pub(crate) enum Drive {
     Return(DriveHome),
     /// Drives around a place.
     Circle(DriveCircle),
+    /// Drives at a speed while turning to a heading.
+    Heading(DriveHeading),
     /// Follows another vehicle, no faster than a speed in m/s.
     Follow(f64),
 }
@@ -199,11 +203,44 @@ impl Drive {
             | Self::Steering
             | Self::Simple { .. }
             | Self::Setpoint(_)
+            | Self::Heading(_)
             | Self::Follow(_) => None,
         }
     }
 
+    /// The course of this step. A boat that has got where it was going loiters there from the next step on.
     fn course(
+        &mut self,
+        cockpit: &mut Cockpit<'_>,
+        rules: &HelmRules,
+    ) -> (Course, Option<DriveNews>) {
+        let decided = self.course_of_task(cockpit, rules);
+        if rules.is_boat && self.is_over() {
+            *self = Self::rest(cockpit, rules);
+        }
+        decided
+    }
+
+    /// Whether nothing is left to drive to.
+    fn is_over(&self) -> bool {
+        match self {
+            Self::Heading(heading) => heading.is_reached(),
+            Self::Goto(goto) => goto.arrived,
+            Self::Setpoint(setpoint) => setpoint.is_over,
+            Self::Return(home) => home.arrived,
+            Self::Hold
+            | Self::Stop
+            | Self::Manual
+            | Self::Acro
+            | Self::Steering
+            | Self::Simple { .. }
+            | Self::Loiter(_)
+            | Self::Circle(_)
+            | Self::Follow(_) => false,
+        }
+    }
+
+    fn course_of_task(
         &mut self,
         cockpit: &mut Cockpit<'_>,
         rules: &HelmRules,
@@ -211,32 +248,23 @@ impl Drive {
         match self {
             Self::Hold => (Course::Off, None),
             Self::Stop => (Course::Stop, None),
-            Self::Manual => (Course::Sticks(sticks(cockpit)), None),
-            Self::Acro => (acro(sticks(cockpit), rules), None),
-            Self::Steering => (steering(sticks(cockpit), cockpit, rules), None),
-            Self::Simple { ahead_deg } => (simple(sticks(cockpit), *ahead_deg, rules), None),
+            Self::Manual => (Course::Sticks(sticks::of(cockpit)), None),
+            Self::Acro => (sticks::acro(sticks::of(cockpit), rules), None),
+            Self::Steering => (sticks::steering(sticks::of(cockpit), cockpit, rules), None),
+            Self::Simple { ahead_deg } => {
+                (sticks::simple(sticks::of(cockpit), *ahead_deg, rules), None)
+            }
             Self::Loiter(loiter) => (loiter.course(cockpit, rules), None),
             Self::Circle(circle) => (circle.course(cockpit, &rules.circle), None),
             Self::Follow(fastest_m_s) => (follow::course(cockpit, *fastest_m_s), None),
+            Self::Heading(heading) => (heading.course(cockpit.body.yaw_deg), None),
             Self::Goto(goto) => {
                 let (course, arrives) = goto.course(cockpit, rules);
-                if goto.arrived && rules.is_boat {
-                    *self = Self::rest(cockpit, rules);
-                }
                 (course, arrives.then_some(DriveNews::Reached))
             }
-            Self::Setpoint(setpoint) => {
-                let (course, news) = setpoint.course(cockpit.now);
-                if setpoint.is_over && rules.is_boat {
-                    *self = Self::rest(cockpit, rules);
-                }
-                (course, news)
-            }
+            Self::Setpoint(setpoint) => setpoint.course(cockpit.now),
             Self::Return(home) => {
                 let (course, arrives) = home.course(cockpit, rules);
-                if home.arrived && rules.is_boat {
-                    *self = Self::rest(cockpit, rules);
-                }
                 (course, arrives.then_some(ARRIVED))
             }
         }
@@ -266,7 +294,7 @@ impl Goto {
         if self.arrived {
             return (Course::Stop, false);
         }
-        let bearing = bearing_deg(cockpit.body.position_m.truncate(), self.goal_m.truncate());
+        let bearing = heading_towards(self.goal_m, cockpit);
         if must_pivot(&mut self.pivots, self.is_fresh, bearing, cockpit, rules) {
             return (Course::Pivot(bearing), false);
         }
@@ -283,8 +311,7 @@ impl Goto {
 
 impl Route {
     fn course(&mut self, cockpit: &mut Cockpit<'_>, rules: &HelmRules) -> Course {
-        let goal_m = self.goal_m().truncate();
-        let bearing = bearing_deg(cockpit.body.position_m.truncate(), goal_m);
+        let bearing = heading_towards(self.goal_m(), cockpit);
         let at_start = self.is_at_start();
         if must_pivot(&mut self.pivots, at_start, bearing, cockpit, rules) {
             return Course::Pivot(bearing);
@@ -294,10 +321,21 @@ impl Route {
     }
 }
 
+/// The heading of a vehicle that drives to a goal, forwards or backwards.
+fn heading_towards(goal_m: DVec3, cockpit: &Cockpit<'_>) -> f64 {
+    let bearing = bearing_deg(cockpit.body.position_m.truncate(), goal_m.truncate());
+    if cockpit.backs_up {
+        wrap_180(bearing + 180.0)
+    } else {
+        bearing
+    }
+}
+
 fn following(point: FlatMotion, cockpit: &Cockpit<'_>) -> Course {
     Course::Follow {
         point,
         fastest_m_s: cockpit.limits.speed_m_s,
+        backwards: cockpit.backs_up,
     }
 }
 
@@ -407,40 +445,5 @@ impl DriveHome {
             }
         }
         (self.route.course(cockpit, rules), false)
-    }
-}
-
-/// The steering and the throttle of a pilot's sticks.
-fn sticks(cockpit: &Cockpit<'_>) -> Outputs {
-    let [steering, _, throttle, _] = &cockpit.tuning.radio.sticks;
-    let channels = &cockpit.sticks.channels_us;
-    Outputs {
-        steering: steering.off_centre(channels[0]),
-        throttle: throttle.off_centre(channels[2]),
-    }
-}
-
-fn simple(sticks: Outputs, ahead_deg: f64, rules: &HelmRules) -> Course {
-    let pointed = DVec2::new(sticks.throttle, sticks.steering);
-    Course::Heading {
-        heading_deg: ahead_deg + bearing_deg(DVec2::ZERO, pointed),
-        speed_m_s: pointed.length().min(1.0) * rules.pilot_speed_m_s(),
-    }
-}
-
-fn acro(sticks: Outputs, rules: &HelmRules) -> Course {
-    Course::Turn {
-        rate_deg_s: sticks.steering * rules.acro_turn_deg_s,
-        speed_m_s: sticks.throttle * rules.pilot_speed_m_s(),
-    }
-}
-
-fn steering(sticks: Outputs, cockpit: &Cockpit<'_>, rules: &HelmRules) -> Course {
-    let speed_m_s = sticks.throttle * rules.pilot_speed_m_s();
-    let moving = cockpit.body.velocity_m_s.truncate().length();
-    let lateral = sticks.steering * rules.lateral_m_s2;
-    Course::Turn {
-        rate_deg_s: (lateral / moving.max(1.0)).to_degrees(),
-        speed_m_s,
     }
 }

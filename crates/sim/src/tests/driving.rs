@@ -36,7 +36,7 @@ pub(super) fn guided(chassis: Chassis) -> Ground {
     ground
 }
 
-fn texts(ground: &Ground) -> Vec<String> {
+pub(super) fn texts(ground: &Ground) -> Vec<String> {
     let said = ground.messages_since(0).into_iter();
     said.filter_map(|message| match message {
         MavMessage::STATUSTEXT(text) => text.text.to_str().ok().map(str::to_owned),
@@ -50,7 +50,7 @@ pub(super) fn speed(truth: &Truth) -> f64 {
     maths::hypot(north, east)
 }
 
-fn off_m(truth: &Truth, [north, east]: [f64; 2]) -> f64 {
+pub(super) fn off_m(truth: &Truth, [north, east]: [f64; 2]) -> f64 {
     let [x, y, _] = truth.position_ned_m;
     maths::hypot(x - north, y - east)
 }
@@ -232,4 +232,13 @@ fn a_lost_ground_station_stops_the_vehicle_by_the_name_of_the_radio() {
     ground.heartbeat();
     ground.run(0.3);
     assert!(texts(&ground).contains(&"GCS Failsafe Cleared".to_owned()));
+}
+
+#[test]
+fn a_rover_with_a_fence_can_be_armed() {
+    let mut ground = connected(Chassis::Ackermann);
+    ground.set("FENCE_ENABLE", 1.0);
+    ground.run(2.0);
+    let arm = ground.long(MavCmd::MAV_CMD_COMPONENT_ARM_DISARM, [1.0]);
+    assert_eq!(arm, MavResult::MAV_RESULT_ACCEPTED, "{:?}", texts(&ground));
 }

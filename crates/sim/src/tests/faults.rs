@@ -288,3 +288,13 @@ fn what_is_over_leaves_the_belief_as_the_truth() {
         assert!(estimator.fix().is_none(), "{name} still costs something");
     }
 }
+
+/// As on the real one, whose checks had passed before.
+#[test]
+fn a_lower_threshold_is_a_failsafe_in_flight() {
+    let mut ground = Ground::hovering(10.0);
+    ground.set("FS_EKF_THRESH", 0.001);
+    ground.run(3.0);
+    let texts = ground.texts();
+    assert!(texts.contains(&"EKF variance".to_owned()), "{texts:?}");
+}

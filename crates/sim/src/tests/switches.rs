@@ -233,3 +233,45 @@ fn a_parachute_is_released_above_its_least_height_only() {
     ground.long(MavCmd::MAV_CMD_DO_PARACHUTE, [2.0]);
     assert!(said(&ground, "Parachute: Released") && !ground.truth().armed);
 }
+
+/// As a real rover answered.
+#[test]
+fn a_rover_has_switches_of_its_own_and_lacks_those_of_copters() {
+    let mut ground = super::driving::guided(Chassis::Ackermann);
+    for (function, mode) in [(51.0, 0), (53.0, 3), (54.0, 4), (59.0, 7), (72.0, 9)] {
+        let answer = ground.long(MavCmd::MAV_CMD_DO_AUX_FUNCTION, [function, 2.0]);
+        assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED, "{function}");
+        assert_eq!(ground.truth().mode, mode, "{function}");
+    }
+    for (function, answer) in [
+        (0.0, MavResult::MAV_RESULT_ACCEPTED),
+        (74.0, MavResult::MAV_RESULT_ACCEPTED),
+        (3.0, MavResult::MAV_RESULT_FAILED),
+        (33.0, MavResult::MAV_RESULT_FAILED),
+    ] {
+        let got = ground.long(MavCmd::MAV_CMD_DO_AUX_FUNCTION, [function, 2.0]);
+        assert_eq!(got, answer, "{function}");
+    }
+    let is_said = ground
+        .texts()
+        .contains(&"Invalid channel option (33)".to_owned());
+    assert!(is_said, "the copter's BRAKE");
+}
+
+#[test]
+fn each_relay_has_its_switch_and_an_absent_one_stays_off() {
+    let mut ground = Ground::new();
+    ground.run(2.0);
+    let mut switched = |function: f32, position: f32, is_present: f32, number: usize| {
+        ground.set(&format!("RELAY{number}_FUNCTION"), is_present);
+        let answer = ground.long(MavCmd::MAV_CMD_DO_AUX_FUNCTION, [function, position]);
+        assert_eq!(answer, MavResult::MAV_RESULT_ACCEPTED, "{function}");
+        ground.world.slots[0].autopilot.workbench.relays_on
+    };
+    let functions = [28.0, 34.0, 35.0, 36.0, 66.0, 67.0];
+    for (function, number) in functions.into_iter().zip(1..) {
+        assert_eq!(switched(function, 2.0, 0.0, number), 0, "{function}");
+        assert_eq!(switched(function, 2.0, 1.0, number), 1 << (number - 1));
+        assert_eq!(switched(function, 0.0, 1.0, number), 0, "{function}");
+    }
+}

@@ -125,3 +125,15 @@ fn a_place_to_fly_to_is_told_from_the_first_target_on_and_not_in_a_takeoff() {
     ground.goto([10.0, 0.0, -10.0]);
     assert!(told(&mut ground) > 15);
 }
+
+/// A real one disarmed at once, or two seconds after arming.
+#[test]
+fn a_landing_on_the_ground_stops_the_motors_at_once() {
+    for (wait_s, most_s) in [(5.0, 0.2), (0.5, 1.8)] {
+        let mut ground = Ground::armed();
+        ground.run(wait_s);
+        ground.long(MavCmd::MAV_CMD_NAV_LAND, []);
+        let off_s = ground.until(10.0, |truth| !truth.armed);
+        assert!(off_s < most_s, "{off_s} s after {wait_s} s");
+    }
+}

@@ -44,6 +44,8 @@ pub(crate) struct FlightState {
     pub(crate) trail: Trail,
     /// The end of the last takeoff, until the vehicle gets another target.
     pub(crate) takeoff_m: Option<DVec3>,
+    /// Whether a rover drives backwards along its path, until the mode changes.
+    pub(crate) backs_up: bool,
     /// When BRAKE, entered by the pause button, turns into LOITER.
     pub(crate) brake_until: Option<Duration>,
 }
@@ -66,6 +68,7 @@ impl FlightState {
             gps_off: false,
             trail: Trail::default(),
             takeoff_m: None,
+            backs_up: false,
             brake_until: None,
         }
     }

@@ -254,7 +254,10 @@ fn the_way_home_is_watched_until_the_vehicle_is_on_it() {
         found.map(|alert| (alert.severity, alert.text.to_string()))
     };
     assert_eq!(said("GUIDED", 60), None);
-    let warning = Some((Severity::Warning, "turn back: 35 %, needs 38 %".to_owned()));
+    let warning = Some((
+        Severity::Warning,
+        "turn back: 35 % left, 38 % needed".to_owned(),
+    ));
     assert_eq!(said("GUIDED", 35), warning);
     assert_eq!(said("RTL", 35), None);
     let critical = Some((Severity::Critical, "HOME OUT OF REACH".to_owned()));

@@ -143,6 +143,11 @@ impl<'a> Chart<'a> {
                 longest = format!("{:.1}", figures.endurance_speed_m_s),
                 farthest = format!("{:.1}", figures.range_speed_m_s)
             ),
+            (Some(Performance::Drive(figures)), true) if figures.spare_kg < 0.0 => text!(
+                "bench-drive-overloaded",
+                over = format!("{:.1}", -figures.spare_kg),
+                cruise = format!("{:.1}", figures.cruise_speed_m_s)
+            ),
             (Some(Performance::Drive(figures)), true) => text!(
                 "bench-drive-payload-about",
                 spare = format!("{:.1}", figures.spare_kg),

@@ -281,6 +281,20 @@ mod tests {
         );
     }
 
+    /// The side of a fence once lost two of three dashes where a row has only two signs for its four dots.
+    #[test]
+    fn a_dashed_side_never_breaks_for_two_rows() {
+        for symbols in [Symbols::Braille, Symbols::Block, Symbols::Ascii] {
+            let mut canvas = Canvas::new(GridSize::new(1, 60), symbols);
+            let (top, bottom) = (Dot::new(0.0, 0.0), Dot::new(0.0, 239.0));
+            canvas.line(top, bottom, Stroke::dashed(Role::Fence));
+            let is_drawn: Vec<bool> = canvas.cells.iter().map(|(mask, _)| *mask != 0).collect();
+            assert!(is_drawn.windows(2).all(|rows| rows[0] || rows[1]));
+            let drawn = is_drawn.iter().filter(|is_drawn| **is_drawn).count();
+            assert!(drawn >= 40, "{drawn} of 60 rows, {symbols:?}");
+        }
+    }
+
     proptest! {
         #[test]
         fn lines_from_anywhere_to_anywhere_are_clipped(

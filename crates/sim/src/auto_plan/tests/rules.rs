@@ -308,6 +308,25 @@ fn a_landing_may_be_followed_by_a_takeoff_when_mis_options_say_so() {
 }
 
 #[test]
+fn a_landing_on_the_ground_is_over_at_once_and_a_takeoff_follows_it() {
+    for (options, is_armed, current) in [(4.0, true, 3), (0.0, false, 1)] {
+        let mut ground = ready_with(&[
+            act(22, [0.0; 4], 5.0),
+            act(21, [0.0; 4], 0.0),
+            act(22, [0.0; 4], 6.0),
+        ]);
+        ground.set("MIS_OPTIONS", options);
+        ground.run(3.0);
+        assert_eq!(ground.mode(AUTO), MavResult::MAV_RESULT_ACCEPTED);
+        ground.run(0.2);
+        ground.set_current(2);
+        ground.run(0.3);
+        assert_eq!(ground.truth().armed, is_armed, "{options}");
+        assert_eq!(ground.current().0, current, "{options}");
+    }
+}
+
+#[test]
 fn the_message_that_sets_an_item_is_answered_with_the_item_that_was_asked() {
     let mut ground = ready_with(&short());
     ground.set_current(99);

@@ -6,8 +6,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity::{
 
 use super::{
     ACRO_TRAINER, CLEAR_MISSION, EKF_SOURCES, FENCE, GPS_OFF, MISSION_RESET, OVERRIDES, PARACHUTE,
-    PARACHUTE_ENABLE, PARACHUTE_RELEASE, RELAY, SAVE_TRIM, SIMPLE, SIMPLE_HEADING, STANDBY,
-    SUPER_SIMPLE,
+    PARACHUTE_ENABLE, PARACHUTE_RELEASE, SAVE_TRIM, SIMPLE, SIMPLE_HEADING, STANDBY, SUPER_SIMPLE,
 };
 use crate::autopilot::Autopilot;
 use crate::cmd;
@@ -25,14 +24,19 @@ impl Autopilot {
         self.vehicle.say(severity, text);
     }
 
-    /// Switches the fence, the relay, overrides by ground stations, or the GPS.
+    /// Switches a relay on in the high position, otherwise off.
+    pub(super) fn switch_relay(&mut self, bit: u16, position: SwitchPosition) {
+        let all = &self.vehicle.parameters;
+        self.workbench.switch_relay(all, bit, position == High);
+    }
+
+    /// Switches the fence, overrides by ground stations, or the GPS.
     pub(super) fn switch_equipment(&mut self, function: u16, position: SwitchPosition) {
         let is_high = position == High;
         match function {
             FENCE => {
                 self.vehicle.enable_fence(is_high);
             }
-            RELAY => self.workbench.relay_on = is_high,
             GPS_OFF => {
                 self.vehicle.flight.gps_off = is_high;
                 self.vehicle.retune();

@@ -12,6 +12,7 @@ use super::{boot_ms, boot_us, health, sensors};
 use crate::autopilot::Autopilot;
 use crate::estimator::FLAGS_GOOD;
 use crate::kinematics::GRAVITY_M_S2;
+use crate::workbench;
 use sortie_geo::maths;
 use sortie_geo::wrap_360;
 
@@ -295,10 +296,11 @@ pub(super) fn state_for_gimbal(autopilot: &Autopilot) -> MavMessage {
 }
 
 pub(super) fn relay_status(autopilot: &Autopilot) -> MavMessage {
+    let present = workbench::relays(&autopilot.vehicle.parameters);
     MavMessage::RELAY_STATUS(RELAY_STATUS_DATA {
         time_boot_ms: boot_ms(autopilot),
-        on: u16::from(autopilot.workbench.relay_on),
-        present: 1,
+        on: autopilot.workbench.relays_on & present,
+        present,
     })
 }
 

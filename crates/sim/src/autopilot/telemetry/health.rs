@@ -192,7 +192,10 @@ fn failed(autopilot: &Autopilot) -> MavSysStatusSensor {
     let faults = &autopilot.vehicle.tuning.faults;
     let failures = [
         (!autopilot.is_armable(), PREARM_CHECK),
-        (!autopilot.vehicle.boot.has_reference(), AHRS),
+        (
+            !autopilot.vehicle.boot.has_reference() || autopilot.failsafe.falls_back(),
+            AHRS,
+        ),
         (faults.gyro_failed, GYRO),
         (faults.accelerometer_failed, ACCELEROMETER),
         (!autopilot.vehicle.estimator.compass_is_healthy(), COMPASS),

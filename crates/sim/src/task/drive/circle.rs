@@ -11,6 +11,14 @@ use sortie_geo::maths;
 /// The circle counts as reached within this distance, in metres, or within the turning circle.
 const REACHED_M: f64 = 0.2;
 
+/// A requested circle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct CirclePlace {
+    pub(crate) centre_m: DVec2,
+    pub(crate) radius_m: f64,
+    pub(crate) is_counterclockwise: bool,
+}
+
 /// A circle that a rover drives.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct DriveCircle {
@@ -23,6 +31,7 @@ pub(crate) struct DriveCircle {
     /// The speed and the direction from the centre of the point that the vehicle follows.
     moving_m_s: f64,
     angle_rad: f64,
+    turned_rad: f64,
     is_reached: bool,
 }
 
@@ -38,8 +47,29 @@ impl DriveCircle {
             fastest_m_s: speed_m_s,
             moving_m_s: 0.0,
             angle_rad: cockpit.body.yaw_deg.to_radians(),
+            turned_rad: 0.0,
             is_reached: false,
         }
+    }
+
+    /// A circle around a place, which the vehicle joins where it is nearest. The speed is that of CIRCLE.
+    pub(crate) fn around(place: CirclePlace, cockpit: &Cockpit<'_>, rules: &CircleRules) -> Self {
+        let from_centre_m = cockpit.body.position_m.truncate() - place.centre_m;
+        let mut circle = Self::here(cockpit, rules);
+        if from_centre_m != DVec2::ZERO {
+            circle.angle_rad = maths::atan2(from_centre_m.y, from_centre_m.x);
+        }
+        Self {
+            centre_m: place.centre_m,
+            radius_m: rules.possible_radius_m(place.radius_m),
+            is_counterclockwise: place.is_counterclockwise,
+            ..circle
+        }
+    }
+
+    /// How often the point that the vehicle follows has gone around.
+    pub(crate) fn turns(&self) -> f64 {
+        self.turned_rad / std::f64::consts::TAU
     }
 
     /// Sets another speed, or the highest one that the circle allows.
@@ -57,6 +87,7 @@ impl DriveCircle {
         let faster = (wanted - self.moving_m_s).clamp(-most, most);
         self.moving_m_s += faster;
         let turn = self.moving_m_s / self.radius_m * STEP_S;
+        self.turned_rad += turn;
         self.angle_rad += if self.is_counterclockwise {
             -turn
         } else {
@@ -65,6 +96,7 @@ impl DriveCircle {
         Course::Follow {
             point: self.point(faster / STEP_S),
             fastest_m_s: self.fastest_m_s,
+            backwards: false,
         }
     }
 

@@ -34,7 +34,10 @@ fn a_drone_is_built_from_nothing_and_its_figures_follow() {
     assert_eq!(bench.findings(), []);
     assert_eq!(bench.sheet(), &Sheet::of(&starter(), air()));
     assert_eq!(
-        bench.design().to_toml().replace("New drone", "Starter 450"),
+        bench
+            .design()
+            .to_toml()
+            .replace("New design", "Starter 450"),
         starter().to_toml()
     );
 }
