@@ -71,7 +71,7 @@ impl Console {
         let reasons = terms.practice_reasons();
         let misfits = mission.misfits();
         let attempt = terms.decide();
-        if seeds.drawn.is_some() && attempt.is_reduced() {
+        if seeds.drawn.is_some() && attempt.stake != Stake::Exam {
             self.post(ClassEvent::TryRefused);
             return Err(PracticeReason::sentence(&reasons));
         }

@@ -153,3 +153,27 @@ async fn an_exam_runs_in_real_time() {
     let said = console.app.state().message().map(|it| it.text.clone());
     assert_eq!(said, Some(text!("speedup-not-in-exams")));
 }
+
+#[tokio::test(start_paused = true)]
+async fn a_try_that_would_be_practice_is_not_begun() {
+    let launch = Launch {
+        stake: Stake::Exam,
+        drawn: Some(7),
+        ..Launch::graded("00-first-flight")
+    };
+    for (speedup, is_begun) in [(1.0, true), (0.5, false)] {
+        let mut options = ConsoleOptions::for_test(Opening::Home);
+        options.speedup = speedup;
+        let mut console = Console::new(options, true);
+        console.begin().await;
+        let started = Box::pin(console.start_mission(&launch)).await;
+        assert_eq!(started.is_ok(), is_begun);
+        assert_eq!(console.running.is_some(), is_begun);
+        if is_begun {
+            assert_eq!(
+                (console.attempt.stake, console.attempt.seed),
+                (Stake::Exam, 7)
+            );
+        }
+    }
+}
