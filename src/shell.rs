@@ -63,7 +63,7 @@ pub use api::ApiOptions;
 use api::Programs;
 use begin::SeedSources;
 use career::Careers;
-use class::{ClassEnd, ClassSight};
+use class::ClassEnd;
 pub use class::{ClassOptions, ClassPart};
 pub use drive::drive;
 use input::hear_last_answer;
@@ -121,12 +121,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         console.draw(&mut screen).await?;
         let picture = || screen.frame().map(ui::picture);
         class.carry_out(std::mem::take(&mut console.class_work));
-        let head = || console.record_head();
-        let sight = ClassSight {
-            picture: &picture,
-            head: &head,
-        };
-        class.tell(console.app.state(), &sight);
+        console.tell_class(&mut class, &picture);
     }
     console.close().await;
     console.hand_in_rest(&mut class).await;

@@ -99,7 +99,7 @@ impl<L: Default> OpenLine<L> {
 }
 
 /// What of the console is not in its state.
-pub(super) struct ClassSight<'a> {
+struct ClassSight<'a> {
     /// Takes the screen, if there is one.
     pub picture: &'a dyn Fn() -> Option<Picture>,
     /// Takes the head of the record of the mission in flight.
@@ -151,7 +151,7 @@ impl ClassEnd {
     }
 
     /// Says what the other side does not know yet.
-    pub fn tell(&mut self, state: &State, sight: &ClassSight<'_>) {
+    fn tell(&mut self, state: &State, sight: &ClassSight<'_>) {
         match (self, state.class_role()) {
             (Self::Seat(end), ClassRole::Seat(place)) => {
                 end.tell(place.seat(), state, sight);
@@ -173,6 +173,16 @@ async fn or_never<T>(next: Option<impl Future<Output = Option<T>>>) -> T {
 }
 
 impl Console {
+    /// Tells the other side of a class what it does not know yet. `picture` takes the screen, if there is one.
+    pub(super) fn tell_class(&self, end: &mut ClassEnd, picture: &dyn Fn() -> Option<Picture>) {
+        let head = || self.record_head();
+        let sight = ClassSight {
+            picture,
+            head: &head,
+        };
+        end.tell(self.app.state(), &sight);
+    }
+
     /// Takes in what has arrived from the other side of a class.
     pub(super) async fn attend(&mut self, end: &mut ClassEnd, arrival: ClassArrival) {
         match (end, arrival) {

@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use super::api::Programs;
 use super::signals::{Happened, Signals};
-use super::{ClassSight, Console, ConsoleOptions, Opening, Pace, key, open_class};
+use super::{Console, ConsoleOptions, Opening, Pace, key, open_class};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
@@ -103,12 +103,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         }
         programs.tell(plain.console.app.state());
         class.carry_out(std::mem::take(&mut plain.console.class_work));
-        let head = || plain.console.record_head();
-        let sight = ClassSight {
-            picture: &|| None,
-            head: &head,
-        };
-        class.tell(plain.console.app.state(), &sight);
+        plain.console.tell_class(&mut class, &|| None);
     }
     plain.console.close().await;
     plain.console.hand_in_rest(&mut class).await;

@@ -101,10 +101,7 @@ impl SeatLine {
                 report: Box::new(source.report()),
             });
         }
-        if self.is_head_due(now)
-            && let Some(head) = source.head()
-        {
-            (self.head_sent, self.is_head_noted) = (Some(now), false);
+        if let Some(head) = self.next_head(source, now) {
             return Some(SeatMessage::Head(head));
         }
         if let Some(screen) = &mut self.screen
@@ -121,13 +118,17 @@ impl SeatLine {
         self.hand_in(seat, source, now)
     }
 
-    fn is_head_due(&self, now: Duration) -> bool {
+    /// The head of an exam's record, if one is due.
+    fn next_head(&mut self, source: &impl SeatSource, now: Duration) -> Option<TryHead> {
         let wait = if self.is_head_noted {
             HEAD_EVERY
         } else {
             HEAD_AGAIN
         };
-        self.head_sent.is_none_or(|sent| now >= sent + wait)
+        let is_due = self.head_sent.is_none_or(|sent| now >= sent + wait);
+        let head = is_due.then(|| source.head()).flatten()?;
+        (self.head_sent, self.is_head_noted) = (Some(now), false);
+        Some(head)
     }
 
     /// The next line about a record, after everything else: a record waits for the class, not the class for a record.

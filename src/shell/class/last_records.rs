@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use tokio::time::Instant;
 
-use super::{ClassEnd, ClassSight};
+use super::ClassEnd;
 use crate::app::State;
 use crate::app::event::ClassEvent;
 use crate::class::RecordName;
@@ -28,13 +28,7 @@ impl Console {
         self.take_in().await;
         loop {
             end.carry_out(std::mem::take(&mut self.class_work));
-            let head = || self.record_head();
-            let picture = || None;
-            let sight = ClassSight {
-                picture: &picture,
-                head: &head,
-            };
-            end.tell(self.app.state(), &sight);
+            self.tell_class(end, &|| None);
             if !end.has_records(self.app.state()) {
                 return;
             }

@@ -114,7 +114,7 @@ impl SeatEnd {
     }
 
     /// Says what the desk does not know yet.
-    pub fn tell(&mut self, seat: &Seat, state: &State, sight: &ClassSight<'_>) {
+    pub(super) fn tell(&mut self, seat: &Seat, state: &State, sight: &ClassSight<'_>) {
         self.pauses.note(state.wall());
         if seat.consent() == Consent::Declined {
             (self.port, self.open) = (None, None);

@@ -63,13 +63,7 @@ impl Member {
         let work = std::mem::take(&mut self.console.class_work);
         self.end.carry_out(work);
         let console = &self.console;
-        let picture = || Some(drawn(console));
-        let head = || console.record_head();
-        let sight = ClassSight {
-            picture: &picture,
-            head: &head,
-        };
-        self.end.tell(console.app.state(), &sight);
+        console.tell_class(&mut self.end, &|| Some(drawn(console)));
     }
 
     async fn say(&mut self, line: &str) {
