@@ -18,6 +18,8 @@ pub struct Seal {
     pub class: String,
     /// The name of the exam.
     pub exam: String,
+    /// The SHA-256 hash of the exam's file.
+    pub exam_sha256: String,
     /// When the exam began, in UTC.
     pub begun: String,
     /// The user who handed the record in, by the word of the kernel.
@@ -28,6 +30,8 @@ pub struct Seal {
     pub number: u32,
     /// The number of tries.
     pub tries: u32,
+    /// How often the seat was asked to open this one.
+    pub openings: u32,
     /// The seed that the desk drew.
     pub seed: u64,
     /// The name of the record.
@@ -39,7 +43,9 @@ pub struct Seal {
     /// When the desk saw that the try was open, in UTC.
     pub opened: Option<String>,
     /// When it had to end, in UTC.
-    pub until: Option<String>,
+    pub until: String,
+    /// When the desk saw that it was over, in UTC.
+    pub ended: Option<String>,
     /// When the record was complete at the desk, in UTC.
     pub handed_in: String,
     /// What the desk has seen of the record while it was written.
@@ -60,6 +66,12 @@ pub enum TryReason {
     Script,
     /// The mission is not that of the course.
     Mission,
+    /// It was flown with designs of the trainee instead of the mission's vehicles.
+    Fleet,
+    /// It was paused.
+    Paused,
+    /// The record has no inputs, so the flight cannot be flown again.
+    NoInputs,
     /// Its record went on growing after its time.
     Late,
     /// The desk has seen nothing of it while it was flown.
@@ -74,6 +86,9 @@ impl From<TryReason> for Text {
             TryReason::NoExam => text!("seal-reason-no-exam"),
             TryReason::Script => text!("seal-reason-script"),
             TryReason::Mission => text!("seal-reason-mission"),
+            TryReason::Fleet => text!("seal-reason-fleet"),
+            TryReason::Paused => text!("seal-reason-paused"),
+            TryReason::NoInputs => text!("seal-reason-no-inputs"),
             TryReason::Late => text!("seal-reason-late"),
             TryReason::Unseen => text!("seal-reason-unseen"),
             TryReason::Rewritten => text!("seal-reason-rewritten"),
@@ -85,9 +100,11 @@ impl From<TryReason> for Text {
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SealFault {
+    /// The record of a try has no seal.
+    None,
     /// It cannot be read.
     Unreadable(String),
-    /// It is no seal.
+    /// It is not a seal.
     Damaged,
     /// It has no signature.
     Unsigned,
@@ -101,6 +118,8 @@ pub enum SealFault {
     OtherUser(String),
     /// It is the seal of a try in another class.
     OtherClass(String),
+    /// The flight that was flown again has another result.
+    OtherResult,
     /// A file of the record was not sealed: it was added afterwards.
     NotSealed(String),
     /// A file of the record is not the one that was sealed.
@@ -112,6 +131,7 @@ pub enum SealFault {
 impl From<&SealFault> for Text {
     fn from(fault: &SealFault) -> Self {
         match fault {
+            SealFault::None => text!("seal-none"),
             SealFault::Unreadable(error) => text!("seal-unreadable", error = error.as_str()),
             SealFault::Damaged => text!("seal-damaged"),
             SealFault::Unsigned => text!("seal-unsigned"),
@@ -120,11 +140,22 @@ impl From<&SealFault> for Text {
             SealFault::OtherRecord(record) => text!("seal-other-record", record = record.as_str()),
             SealFault::OtherUser(user) => text!("seal-other-user", user = user.as_str()),
             SealFault::OtherClass(class) => text!("seal-other-class", class = class.as_str()),
+            SealFault::OtherResult => text!("seal-other-result"),
             SealFault::NotSealed(file) => text!("seal-not-sealed", file = file.as_str()),
             SealFault::Changed(file) => text!("seal-changed", file = file.as_str()),
             SealFault::Missing(file) => text!("seal-missing", file = file.as_str()),
         }
     }
+}
+
+/// A sealed flight that was flown again.
+#[derive(Debug, Clone, Copy)]
+pub struct FlownAgain<'a> {
+    /// The id of the mission.
+    pub mission: &'a str,
+    pub seed: u64,
+    /// The score; `None` if the flight has no end.
+    pub score: Option<u16>,
 }
 
 /// A seal that was checked.
@@ -141,10 +172,39 @@ pub struct SealCheck {
 }
 
 impl SealCheck {
-    /// Whether the try counts, and its seal fits the record.
+    /// A try without a seal.
+    pub fn missing() -> Self {
+        Self::faulty(SealFault::None)
+    }
+
+    /// A seal that cannot be read.
+    pub fn faulty(fault: SealFault) -> Self {
+        Self {
+            seal: None,
+            fingerprint: None,
+            is_known_key: None,
+            fault: Some(fault),
+        }
+    }
+
+    /// Compares the result in the seal with that of the flight that was flown again.
+    pub fn compare(&mut self, again: &FlownAgain<'_>) {
+        let Some(seal) = self.seal.as_ref().filter(|_| self.fault.is_none()) else {
+            return;
+        };
+        let is_same = seal.mission == again.mission
+            && seal.seed == again.seed
+            && again.score.is_none_or(|score| score == seal.score);
+        if !is_same {
+            self.fault = Some(SealFault::OtherResult);
+        }
+    }
+
+    /// Whether the try counts for certain: its seal fits the record, and was made with the expected key.
     pub fn counts(&self) -> bool {
         let seal = self.seal.as_ref();
-        self.fault.is_none() && seal.is_some_and(|seal| seal.reasons.is_empty())
+        let is_valid = self.fault.is_none() && self.is_known_key == Some(true);
+        is_valid && seal.is_some_and(|seal| seal.reasons.is_empty())
     }
 
     /// The check in one line: whether the try counts, or why not.
@@ -203,6 +263,10 @@ pub fn witness_text(witness: &Witness) -> Text {
         Witness::Part { heads, gap_s } => {
             let gap = clock(std::time::Duration::from_secs(*gap_s));
             text!("witness-part", heads = *heads, gap = gap)
+        }
+        Witness::Stopped { heads, stopped_s } => {
+            let stopped = clock(std::time::Duration::from_secs(*stopped_s));
+            text!("witness-stopped", heads = *heads, stopped = stopped)
         }
         Witness::Unseen => text!("witness-unseen"),
         Witness::OtherRecord { record } => text!("witness-other", record = record.as_str()),

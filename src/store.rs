@@ -63,7 +63,7 @@ mod waiting_records;
 pub use class_records::{ClassRecords, KeptRecord};
 pub use class_results::{class_flight, class_trainees};
 pub use closed::{closed_folders, unreadable_below};
-pub use exam_notes::{ExamNotes, KeptExam};
+pub use exam_notes::ExamNotes;
 pub use folders::Folders;
 pub use history::History;
 pub use keys::{KeyFile, KeyFileFault};

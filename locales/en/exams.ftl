@@ -25,7 +25,8 @@ class-exam-none = no exam is under way
 class-exam-found = the exam “{ $exam }” goes on
 class-exam-found-other = an earlier exam, “{ $exam }”, has not ended, but “{ $held }” is under way; to continue “{ $exam }”, end “{ $held }” and open the desk again
 class-exam-stopped = exam “{ $exam }” ended: no more tries are opened, and flights go on
-class-exam-failed = the exam cannot be kept: { $fault }
+class-exam-failed = notes or results of the exam cannot be written; the desk tries again every minute: { $fault }
+class-exam-no-folder = an exam needs a data folder for its notes and records: set HOME, or name one with `--data`
 class-exam-no-random = the system has no random numbers for the seeds
 class-column-exam = exam
 class-exam-cell-waits = waits
@@ -39,9 +40,11 @@ class-refusal-practice = the console of the seat has a mission or airframes of i
 
 # The seat.
 class-exam-no-restart = a try of an exam cannot be restarted
+class-exam-no-leave = the class cannot be left during a try of an exam: end the flight first
 class-exam-time-up = the time of this try is up
 
 # Seals.
+seal-none = it is not sealed yet
 seal-unreadable = it cannot be read: { $error }
 seal-damaged = it is not a seal
 seal-unsigned = it has no signature
@@ -50,6 +53,7 @@ seal-other-key = it was made with another key than the expected one
 seal-other-record = it is the seal of the record { $record }
 seal-other-user = it is the seal of { $user }
 seal-other-class = it is the seal of the class { $class }
+seal-other-result = the flight that was flown again has another result
 seal-not-sealed = { $file } is not in it: the file was added afterwards
 seal-changed = { $file } is not the file that was sealed
 seal-missing = { $file } is missing
@@ -64,6 +68,9 @@ seal-counts-not = The try does not count: { $reasons }.
 seal-reason-no-exam = it was not flown as an exam
 seal-reason-script = a script gave the commands
 seal-reason-mission = the mission is not that of the course
+seal-reason-fleet = it was flown with designs of the trainee
+seal-reason-paused = the flight was paused, or its console was stopped
+seal-reason-no-inputs = the record has no inputs, so it cannot be flown again
 seal-reason-late = it went on after its time
 seal-reason-unseen = the desk saw nothing of it while it was flown
 seal-reason-rewritten = the record is not the one that the desk saw being written
@@ -75,6 +82,10 @@ witness-part = Witnessed in part: the desk saw the record grow, { $heads ->
     [one] { $heads } time
    *[other] { $heads } times
 }; the longest gap was { $gap }.
+witness-stopped = Witnessed, but the flight stood still for { $stopped }: the desk saw the record grow, { $heads ->
+    [one] { $heads } time
+   *[other] { $heads } times
+}.
 witness-unseen = Not witnessed.
 witness-other = The desk saw another record being written: { $record }.
 witness-rewritten = Rewritten: the first { $bytes } bytes are not those that the desk saw.
@@ -87,6 +98,7 @@ class-report-exams = Exams
 class-report-exam = exam
 class-report-try = try
 class-report-seal = seal
+class-report-no-record = no record was handed in
 class-report-witness = witness
 class-report-score = score
 class-key-public = Public key of this desk: { $key }

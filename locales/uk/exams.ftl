@@ -27,7 +27,8 @@ class-exam-none = зараз немає іспиту
 class-exam-found = іспит «{ $exam }» триває далі
 class-exam-found-other = раніше розпочатий іспит «{ $exam }» не закінчено, але триває «{ $held }»; щоб продовжити «{ $exam }», закінчіть «{ $held }» і відкрийте пульт знову
 class-exam-stopped = іспит «{ $exam }» закінчено: нових спроб не буде, польоти тривають
-class-exam-failed = іспит не вдається зберегти: { $fault }
+class-exam-failed = не вдається записати нотатки або результати іспиту; пульт пробує знову щохвилини: { $fault }
+class-exam-no-folder = для нотаток і записів іспиту потрібна тека даних: задайте HOME або вкажіть теку через `--data`
 class-exam-no-random = система не дала випадкових чисел для варіантів
 class-column-exam = іспит
 class-exam-cell-waits = чекає
@@ -41,9 +42,11 @@ class-refusal-practice = консоль цього місця має власн�
 
 # The seat.
 class-exam-no-restart = спробу іспиту не можна почати спочатку
+class-exam-no-leave = під час спроби іспиту не можна вийти з класу: спершу закінчіть політ
 class-exam-time-up = час на цю спробу вичерпано
 
 # Seals.
+seal-none = її ще не запечатано
 seal-unreadable = її не вдається прочитати: { $error }
 seal-damaged = це не печатка
 seal-unsigned = на ній немає підпису
@@ -52,6 +55,7 @@ seal-other-key = її зроблено не тим ключем, якого оч
 seal-other-record = це печатка запису { $record }
 seal-other-user = це печатка користувача { $user }
 seal-other-class = це печатка класу { $class }
+seal-other-result = результат повторного польоту інший
 seal-not-sealed = { $file } у печатці немає: файл додано згодом
 seal-changed = { $file } — не той файл, який запечатано
 seal-missing = немає файлу { $file }
@@ -68,6 +72,9 @@ seal-counts-not = Спробу не зараховано: { $reasons }.
 seal-reason-no-exam = політ не був іспитом
 seal-reason-script = команди давав скрипт
 seal-reason-mission = завдання не з курсу
+seal-reason-fleet = літали апарати власної конструкції учня
+seal-reason-paused = політ призупиняли або консоль зупиняли
+seal-reason-no-inputs = у записі немає вхідних даних, тож політ не можна відтворити
 seal-reason-late = політ тривав після відведеного часу
 seal-reason-unseen = під час польоту пульт нічого не бачив
 seal-reason-rewritten = запис не той, який пульт бачив під час польоту
@@ -83,6 +90,12 @@ witness-part = Засвідчено частково: пульт бачив, я�
     [many] { $heads } разів
    *[other] { $heads } раза
 }; найдовша прогалина { $gap }.
+witness-stopped = Засвідчено, але політ стояв на місці { $stopped }: пульт бачив, як ріс запис, { $heads ->
+    [one] { $heads } раз
+    [few] { $heads } рази
+    [many] { $heads } разів
+   *[other] { $heads } раза
+}.
 witness-unseen = Не засвідчено.
 witness-other = Пульт бачив інший запис: { $record }.
 witness-rewritten = Переписано: { $bytes ->
@@ -100,6 +113,7 @@ class-report-exams = Іспити
 class-report-exam = іспит
 class-report-try = спроба
 class-report-seal = печатка
+class-report-no-record = запису не здано
 class-report-witness = засвідчення
 class-report-score = бали
 class-key-public = Відкритий ключ цього пульта: { $key }

@@ -300,18 +300,31 @@ pub enum ClassEvent {
         lesson: Result<Arc<Lesson>, Text>,
         seats: Vec<usize>,
     },
-    /// At the desk: an exam was read and can begin, or why not, for these seats.
-    ExamRead {
+    /// At the desk: what happened to its exam.
+    Exam(ExamEvent),
+    /// At the desk: the results of the class have changed.
+    Results(Arc<ClassResults>),
+}
+
+/// What happens to the exam of a desk.
+#[derive(Debug, Clone)]
+pub enum ExamEvent {
+    /// An exam was read and can begin, or why not, for these seats.
+    Read {
         name: String,
         exam: Result<Box<Exam>, Text>,
         seats: Vec<usize>,
     },
-    /// At the desk: an exam that had not ended when the last desk did.
-    ExamFound(Box<Exam>),
-    /// At the desk: notes of the exam could not be kept, or a record not be sealed.
-    ExamFailed(Text),
-    /// At the desk: the results of the class have changed.
-    Results(Arc<ClassResults>),
+    /// An exam had not ended when the last desk did.
+    Found(Box<Exam>),
+    /// This many more notes of the exam that began at a time are on disk.
+    NotesKept {
+        /// When the exam began, in seconds since 1970.
+        begun: u64,
+        count: usize,
+    },
+    /// Notes of the exam could not be kept, or a record not be sealed.
+    Failed(Text),
 }
 
 /// The result of a file operation. Paths are as the user typed them.

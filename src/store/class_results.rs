@@ -5,16 +5,23 @@ use std::time::SystemTime;
 use super::runs::moment;
 use super::{ClassRecords, DeskKey, KeptRecord, check_seal, complete, day_of, read_run};
 use crate::campaign::without_end;
+use crate::class::Exam;
 use crate::class_results::{ClassFlight, ClassTrainee, add_flight};
+use crate::exam_seal::SealCheck;
 use crate::mission::record::Stored;
 use crate::text;
 use crate::text::Text;
 
-/// A flight from its record. `own_key` is the public key that must have sealed it.
+/// A flight from its record. `own_key` is the public key that must have sealed it; the tries of these exams must have a
+/// seal.
 ///
 /// # Errors
 /// A text if the record cannot be read, or was changed after the flight.
-pub fn class_flight(kept: &KeptRecord, own_key: Option<&str>) -> Result<ClassFlight, Text> {
+pub fn class_flight(
+    kept: &KeptRecord,
+    own_key: Option<&str>,
+    exams: &[Exam],
+) -> Result<ClassFlight, Text> {
     let stem = kept.files.stem.as_str();
     let faulty = |fault: Text| {
         let place = format!("{}/{stem}", kept.user);
@@ -34,20 +41,23 @@ pub fn class_flight(kept: &KeptRecord, own_key: Option<&str>) -> Result<ClassFli
     complete(&mut report, &mission);
     let began = moment(&head.when).unwrap_or(SystemTime::UNIX_EPOCH);
     let flight = ClassFlight::of(stem.to_owned(), head, &mission, report, day_of(began));
+    let mut exams = exams.iter();
+    let is_try = exams.any(|exam| exam.try_of(&kept.user, flight.seed).is_some());
     Ok(ClassFlight {
-        seal: check_seal(&kept.files, own_key),
+        seal: check_seal(&kept.files, own_key).or_else(|| is_try.then(SealCheck::missing)),
+        has_pause: stored.has_pauses(),
         has_end: stored.end().is_some(),
         ..flight
     })
 }
 
-/// The trainees of a class with their flights, and why records cannot be read.
-pub fn class_trainees(records: &ClassRecords) -> (Vec<ClassTrainee>, Vec<Text>) {
+/// The trainees of a class with their flights, and why records cannot be read. The tries of these exams must have a seal.
+pub fn class_trainees(records: &ClassRecords, exams: &[Exam]) -> (Vec<ClassTrainee>, Vec<Text>) {
     let mut trainees: Vec<ClassTrainee> = Vec::new();
     let mut faults = Vec::new();
     let own_key = DeskKey::public_in(records.data());
     for kept in records.all() {
-        match class_flight(&kept, own_key.as_deref()) {
+        match class_flight(&kept, own_key.as_deref(), exams) {
             Ok(flight) => add_flight(&mut trainees, &kept.user, flight),
             Err(fault) => faults.push(fault),
         }

@@ -31,12 +31,6 @@ struct OpenNotes {
     len: u64,
 }
 
-/// An exam from its notes.
-#[derive(Debug, Clone)]
-pub struct KeptExam {
-    pub exam: Exam,
-}
-
 impl ExamNotes {
     /// The notes of a class.
     pub fn of(records: &ClassRecords) -> Self {
@@ -72,7 +66,7 @@ impl ExamNotes {
     /// Opens the notes of the exam that began at a time, and removes a line that a crash has cut off.
     fn open(&self, begun: u64) -> io::Result<OpenNotes> {
         sharing::private_folder(&self.folder)?;
-        let path = self.folder.join(format!("{begun}{ENDING}"));
+        let path = self.path(begun);
         let mut options = OpenOptions::new();
         options.create(true).read(true).append(true).mode(0o600);
         let mut file = options.open(path)?;
@@ -81,16 +75,25 @@ impl ExamNotes {
         Ok(OpenNotes { begun, file, len })
     }
 
+    fn path(&self, begun: u64) -> PathBuf {
+        self.folder.join(format!("{begun}{ENDING}"))
+    }
+
+    /// The exam that began at a time. `epoch` is the time since 1970 at which the desk's own clock was 0.
+    pub fn exam(&self, begun: u64, course: &MissionCourse, epoch: u64) -> Option<Exam> {
+        read(&self.path(begun), course, epoch)
+    }
+
     /// All exams of the class, oldest first. `epoch` is the time since 1970 at which the desk's own clock was 0.
-    pub fn all(&self, course: &MissionCourse, epoch: u64) -> Vec<KeptExam> {
+    pub fn all(&self, course: &MissionCourse, epoch: u64) -> Vec<Exam> {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         let mut paths: Vec<PathBuf> = entries
             .map(|entry| entry.path())
             .filter(|path| path.to_string_lossy().ends_with(ENDING))
             .collect();
         paths.sort();
-        let kept = paths.iter().filter_map(|path| kept(path, course, epoch));
-        kept.collect()
+        let exams = paths.iter().filter_map(|path| read(path, course, epoch));
+        exams.collect()
     }
 }
 
@@ -103,7 +106,7 @@ fn whole_lines(file: &mut File) -> io::Result<u64> {
     Ok(end.map_or(0, |at| at as u64 + 1))
 }
 
-fn kept(path: &Path, course: &MissionCourse, epoch: u64) -> Option<KeptExam> {
+fn read(path: &Path, course: &MissionCourse, epoch: u64) -> Option<Exam> {
     let text = fs::read_to_string(path).ok()?;
     let notes: Vec<ExamNote> = text
         .lines()
@@ -116,8 +119,8 @@ fn kept(path: &Path, course: &MissionCourse, epoch: u64) -> Option<KeptExam> {
     let file = file.inspect_err(|_| {
         tracing::warn!("the exam in {} cannot be read", path.display());
     });
-    let file = file.ok()?;
-    Some(KeptExam {
-        exam: Exam::of(file.plan, &notes, epoch)?,
-    })
+    Exam::of(file.ok()?.plan, &notes, epoch)
 }
+
+#[cfg(test)]
+mod tests;

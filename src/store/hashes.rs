@@ -6,6 +6,8 @@ use std::path::Path;
 
 use sha2::{Digest as _, Sha256};
 
+use crate::class::ContentHash;
+
 /// The hash of a file's content, in hexadecimal digits.
 pub(super) fn sha256_of(path: &Path) -> io::Result<String> {
     hash_of(File::open(path)?)
@@ -17,7 +19,7 @@ pub(super) fn hash_of(mut read: impl io::Read) -> io::Result<String> {
     let mut bytes = vec![0; 64 * 1024];
     loop {
         match read.read(&mut bytes)? {
-            0 => return Ok(hex(&hash.finalize())),
+            0 => return Ok(hex(hash.finalize())),
             count => hash.update(&bytes[..count]),
         }
     }
@@ -25,16 +27,10 @@ pub(super) fn hash_of(mut read: impl io::Read) -> io::Result<String> {
 
 /// The hash of no bytes, in hexadecimal digits.
 pub(super) fn sha256_of_nothing() -> String {
-    hex(&Sha256::new().finalize())
+    hex(Sha256::new().finalize())
 }
 
-/// Bytes in hexadecimal digits.
-pub(super) fn hex(bytes: &[u8]) -> String {
-    use std::fmt::Write as _;
-
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // Writing to a text cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
+/// A hash in hexadecimal digits.
+pub(super) fn hex(digest: impl Into<[u8; 32]>) -> String {
+    ContentHash::from(digest.into()).as_str().to_owned()
 }

@@ -17,10 +17,12 @@ use super::signature::{self, RecordKey, RecordPublicKey, SignatureError};
 use super::{ClassRecords, KeptRecord, RecordFiles};
 use crate::class::{
     CandidateTry, Exam, RecordName, RecordPart, RecordShelf as _, Submission, Witness,
+    WrittenRecord,
 };
 use crate::class_results::ClassFlight;
 use crate::exam_seal::{SEAL, Seal, SealCheck, SealFault, TryReason};
 use crate::mission::Stake;
+use crate::mission::record::time_of_line;
 use crate::scoring::MissionFile;
 
 /// The folder of the desk's key in a data folder.
@@ -57,12 +59,15 @@ impl DeskKey {
         }
         let path = signature::secret_key_in(&folder);
         require_private(&path)?;
+        let key = RecordKey::read(&path)?;
+        let public = key.public(&path)?;
+        if Self::public_in(data) != Some(public.text()) {
+            // The desk that made the key was killed before it had written both files.
+            public.write(&folder)?;
+        }
         Ok(Self {
-            key: RecordKey::read(&path)?,
-            public: Self::public_in(data).ok_or_else(|| SignatureError::File {
-                path: signature::public_key_in(&folder),
-                error: io::ErrorKind::NotFound.into(),
-            })?,
+            key,
+            public: public.text(),
         })
     }
 
@@ -80,7 +85,7 @@ impl DeskKey {
 
     /// The fingerprint of a public key.
     pub fn fingerprint(public: &str) -> String {
-        let hash = hex(&Sha256::digest(public.as_bytes()));
+        let hash = hex(Sha256::digest(public.as_bytes()));
         let digits: Vec<char> = hash.chars().take(FINGERPRINT).collect();
         let groups = digits.chunks(4).map(|group| group.iter().collect());
         groups.collect::<Vec<String>>().join(" ")
@@ -126,6 +131,10 @@ pub fn seal_record(
     sealed: &SealedTry<'_>,
     key: &DeskKey,
 ) -> Result<(), SignatureError> {
+    // One without a signature is left from a crash.
+    if is_sealed(&sealed.kept.files) {
+        return Ok(());
+    }
     let run = sealed.kept.files.run.as_deref().unwrap_or(Path::new(""));
     let file = |error| SignatureError::File {
         path: run.to_owned(),
@@ -138,17 +147,18 @@ pub fn seal_record(
         .kept(&sealed.kept.user, &record)
         .map_err(|fault| file(io::Error::other(fault.0)))?
         .ok_or_else(|| file(io::ErrorKind::NotFound.into()))?;
-    let witness = Witness::of(sealed.flown, &record, &content, sealed.handed_in);
+    let written = WrittenRecord {
+        name: &record,
+        content: &content,
+        time_of: time_of_line,
+    };
+    let witness = Witness::of(sealed.flown, &written);
     let seal = seal(sealed, submission, witness, key);
     let path = seal_path(run, &seal.record);
     let text = serde_json::to_string_pretty(&seal).map_err(|error| file(error.into()))?;
-    // One without a signature is left from a crash.
-    if !is_sealed(&sealed.kept.files) {
-        super::write(&path, &text, true)
-            .map_err(|error| file(io::Error::other(error.to_string())))?;
-        let about = format!("exam:{}\tuser:{}", seal.exam, seal.user);
-        signature::sign(&path, &key.key, &about)?;
-    }
+    super::write(&path, &text, true).map_err(|error| file(io::Error::other(error.to_string())))?;
+    let about = format!("exam:{}\tuser:{}", seal.exam, seal.user);
+    signature::sign(&path, &key.key, &about)?;
     Ok(())
 }
 
@@ -162,39 +172,50 @@ fn seal(sealed: &SealedTry<'_>, submission: Submission, witness: Witness, key: &
     let moment = |seconds: u64| utc(UNIX_EPOCH + Duration::from_secs(seconds));
     let mut missions = exam.plan().missions.iter();
     let mission = missions.find(|it| it.mission == flown.name.mission);
+    let reasons = reasons(sealed, &submission, &witness);
     Seal {
         sortie_seal: SEAL,
         class: sealed.class.to_owned(),
         exam: exam.plan().name.to_string(),
+        exam_sha256: exam.file().as_str().to_owned(),
         begun: moment(exam.begun()),
         user: sealed.kept.user.clone(),
         mission: flown.name.mission.to_string(),
         number: flown.name.number,
         tries: mission.map_or(0, |it| it.tries),
+        openings: flown.openings,
         seed: flight.seed,
         record: flight.record.clone(),
         files: submission.parts,
         score: flight.flight.score,
         passed: flight.flight.passed,
         opened: flown.opened.map(moment),
-        until: flown.until.map(moment),
+        until: moment(flown.until),
+        ended: flown.ended.map(|(at, _)| moment(at)),
         handed_in: moment(sealed.handed_in),
-        reasons: reasons(sealed, &witness),
+        reasons,
         witness,
         public_key: key.public.clone(),
     }
 }
 
-fn reasons(sealed: &SealedTry<'_>, witness: &Witness) -> Vec<TryReason> {
+fn reasons(sealed: &SealedTry<'_>, submission: &Submission, witness: &Witness) -> Vec<TryReason> {
     let flight = &sealed.flight.flight;
     let by_hand = flight.flown_by.unwrap_or_default().is_by_hand();
     let is_course = sealed.flight.mission_file == Some(MissionFile::Course);
     let mission_time = Duration::try_from_secs_f64(sealed.flight.sim_time_s).unwrap_or_default();
     let is_mission = flight.mission == sealed.flown.name.mission.as_str();
+    let has_inputs = submission
+        .parts
+        .iter()
+        .any(|it| it.part == RecordPart::Inputs);
     let found = [
         (flight.stake != Stake::Exam, TryReason::NoExam),
         (!by_hand, TryReason::Script),
         (!is_course || !is_mission, TryReason::Mission),
+        (sealed.flight.has_own_fleet, TryReason::Fleet),
+        (sealed.flight.has_pause, TryReason::Paused),
+        (!has_inputs, TryReason::NoInputs),
         (Exam::is_late(sealed.flown, mission_time), TryReason::Late),
         (*witness == Witness::Unseen, TryReason::Unseen),
         (
@@ -208,8 +229,11 @@ fn reasons(sealed: &SealedTry<'_>, witness: &Witness) -> Vec<TryReason> {
 
 /// Whether a record has a signed seal, which may be that of another key: it is not replaced.
 pub fn is_sealed(files: &RecordFiles) -> bool {
-    let run = files.run.as_deref();
-    run.is_some_and(|run| signature::check(&seal_path(run, &files.stem), None).is_some())
+    let Some(run) = files.run.as_deref() else {
+        return false;
+    };
+    let signature = signature::check(&seal_path(run, &files.stem), None);
+    matches!(signature, Some(Ok(_)))
 }
 
 fn seal_path(run: &Path, record: &str) -> PathBuf {
@@ -223,10 +247,10 @@ pub fn check_seal(files: &RecordFiles, expected: Option<&str>) -> Option<SealChe
     let text = match read_regular_text(&path, LONGEST) {
         Ok(text) => text,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return None,
-        Err(error) => return Some(unread(SealFault::Unreadable(error.to_string()))),
+        Err(error) => return Some(SealCheck::faulty(SealFault::Unreadable(error.to_string()))),
     };
     let Ok(seal) = serde_json::from_str::<Seal>(&text) else {
-        return Some(unread(SealFault::Damaged));
+        return Some(SealCheck::faulty(SealFault::Damaged));
     };
     let is_known_key = expected.map(|key| key == seal.public_key);
     Some(SealCheck {
@@ -235,15 +259,6 @@ pub fn check_seal(files: &RecordFiles, expected: Option<&str>) -> Option<SealChe
         fault: fault_of(&seal, &path, files, is_known_key).err(),
         seal: Some(seal),
     })
-}
-
-fn unread(fault: SealFault) -> SealCheck {
-    SealCheck {
-        seal: None,
-        fingerprint: None,
-        is_known_key: None,
-        fault: Some(fault),
-    }
 }
 
 fn fault_of(

@@ -94,45 +94,36 @@ impl Desk {
         message: SeatMessage,
         now: Duration,
     ) -> Result<DeskHeard, Denial> {
-        let known = self.index_of(connection);
-        match (message, known) {
-            (SeatMessage::Hello(hello), None) => {
-                self.admit(connection, user, &hello, now)?;
-            }
-            (SeatMessage::Report { last, report }, Some(index)) => {
+        let Some(index) = self.index_of(connection) else {
+            let SeatMessage::Hello(hello) = message else {
+                return Err(Denial::NoHello);
+            };
+            self.admit(connection, user, &hello, now)?;
+            return Ok(DeskHeard::Known);
+        };
+        match message {
+            SeatMessage::Hello(_) => return Err(Denial::NoHello),
+            SeatMessage::Report { last, report } => {
                 self.seats[index].announced = last;
                 self.report(index, *report, now);
             }
-            (SeatMessage::Entries(batch), Some(index)) => {
+            SeatMessage::Entries(batch) => {
                 let seat = &mut self.seats[index];
                 let new = seat.journal.receive(batch);
                 seat.hear(&new);
             }
-            (SeatMessage::Screen(part), Some(index)) => {
-                // What was on its way when the desk stopped watching is not wanted any more.
-                if self.watched == Some(index) {
-                    self.seats[index].see(&part, now);
-                }
+            SeatMessage::Screen(part) if self.watched == Some(index) => {
+                self.seats[index].see(&part, now);
             }
-            (SeatMessage::Submit(submission), Some(_)) => {
-                return Ok(DeskHeard::Submission(submission));
-            }
-            (SeatMessage::Piece(piece), Some(_)) => return Ok(DeskHeard::Piece(piece)),
-            (SeatMessage::Head(head), Some(index)) => {
+            // It was on its way when the desk stopped watching.
+            SeatMessage::Screen(_) => {}
+            SeatMessage::Submit(submission) => return Ok(DeskHeard::Submission(submission)),
+            SeatMessage::Piece(piece) => return Ok(DeskHeard::Piece(piece)),
+            SeatMessage::Head(head) => {
                 if self.witness(index, &head, now) {
                     return Ok(DeskHeard::Witnessed(head));
                 }
             }
-            (SeatMessage::Hello(_), Some(_))
-            | (
-                SeatMessage::Report { .. }
-                | SeatMessage::Entries(_)
-                | SeatMessage::Screen(_)
-                | SeatMessage::Submit(_)
-                | SeatMessage::Piece(_)
-                | SeatMessage::Head(_),
-                None,
-            ) => return Err(Denial::NoHello),
         }
         Ok(DeskHeard::Known)
     }

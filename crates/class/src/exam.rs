@@ -10,7 +10,7 @@
 //! # The witness
 //! While a try is flown, its record only grows. The seat reports the length of the record and the hash of that much of
 //! it ([`RecordHead`]), and the desk notes it. Each head must be that of the record that is handed in: what was written
-//! before a head cannot be changed after it. [`Witness::of`] compares them.
+//! before a head cannot be changed after it. [`Witness::of`] compares them, and the desk's clock with the mission's time.
 //!
 //! # How the parts fit
 //! `plan` is the plan, `secret` the seeds, `attempt` what desk and seat say about a try, `note` what the desk keeps,
@@ -28,9 +28,7 @@ mod witness;
 pub use attempt::{ContentHash, ExamTry, FlownTry, RecordHead, TryHead, TryName};
 pub use candidate::{Candidate, CandidateStage, CandidateTry, TimedHead, TryEnd};
 pub use conduct::Exam;
-pub use desk::ExamFault;
 pub use note::{ExamDeed, ExamNote};
 pub use plan::{ExamLayout, ExamMission, ExamPlan};
 pub use secret::ExamSecret;
-use witness::GAP;
-pub use witness::Witness;
+pub use witness::{Witness, WrittenRecord};

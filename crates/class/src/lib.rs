@@ -51,9 +51,9 @@ pub use conduct::{LessonDirection, LessonFault};
 pub use desk::{ConnectionId, Desk, DeskHeard, SEATS};
 pub use desk_line::DeskLine;
 pub use exam::{
-    Candidate, CandidateStage, CandidateTry, ContentHash, Exam, ExamDeed, ExamFault, ExamLayout,
-    ExamMission, ExamNote, ExamPlan, ExamSecret, ExamTry, FlownTry, RecordHead, TimedHead, TryEnd,
-    TryHead, TryName, Witness,
+    Candidate, CandidateStage, CandidateTry, ContentHash, Exam, ExamDeed, ExamLayout, ExamMission,
+    ExamNote, ExamPlan, ExamSecret, ExamTry, FlownTry, RecordHead, TimedHead, TryEnd, TryHead,
+    TryName, Witness, WrittenRecord,
 };
 pub use hand_in::{HandIn, HandInOutcome};
 pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};

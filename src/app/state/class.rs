@@ -108,10 +108,12 @@ pub(in crate::app) struct WaitingStep {
 #[derive(Debug, Clone)]
 pub(in crate::app) struct OpenTry {
     pub name: TryName,
-    /// The flight by its number.
+    /// The flight by its number, which may be the next one.
     pub flight: u32,
     /// When it must end, by the wall clock.
     pub until: Duration,
+    /// Whether it was ended because its time is up; once is enough.
+    pub is_ended: bool,
 }
 
 impl SeatPlace {
@@ -154,9 +156,14 @@ impl SeatPlace {
     /// Counts what happened, and adds it to the journal if the trainee has joined: what came before is not for the desk.
     pub(in crate::app) fn note(&mut self, clock_s: Option<f64>, what: Happening) {
         match what {
-            Happening::Started { .. } => {
+            Happening::Started { ref mission } => {
                 self.is_frozen = false;
                 self.flights += 1;
+                // The flight of the try could not be begun, and this is another one.
+                let is_other = |it: &OpenTry| mission.as_ref() != Some(&it.name.mission);
+                if self.open_try().is_some_and(is_other) {
+                    self.exam = None;
+                }
                 self.has_passed = false;
                 self.desk_entries.clear();
                 self.danger = None;
@@ -223,10 +230,10 @@ impl ClassRole {
 }
 
 impl<R> State<R> {
-    /// Why the trainee cannot restart a flight: it is a try of an exam that is not over.
-    pub fn keeps_try(&self) -> Option<Text> {
-        let is_open = self.class.seat()?.open_try().is_some() && !self.session.task.over;
-        is_open.then(|| text!("class-exam-no-restart"))
+    /// Whether the flight is a try of an exam that is not over: the trainee can neither restart it nor leave the class.
+    pub fn has_open_try(&self) -> bool {
+        let open = self.class.seat().and_then(SeatPlace::open_try);
+        open.is_some() && !self.session.task.over
     }
 
     /// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, or if it is silent, the trainee

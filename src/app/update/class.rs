@@ -78,14 +78,7 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
             lesson,
             seats,
         } => lessons::read(state, &name, lesson, &seats),
-        ClassEvent::ExamRead { name, exam, seats } => {
-            return exams::read(state, &name, exam, &seats);
-        }
-        ClassEvent::ExamFound(exam) => exams::found(state, *exam),
-        ClassEvent::ExamFailed(fault) => {
-            let text = text!("class-exam-failed", fault = fault);
-            tell(state, Severity::Warning, text);
-        }
+        ClassEvent::Exam(event) => return exams::happened(state, event),
         ClassEvent::Results(results) => state.rooms.class.results = Some(results),
     }
     Effects::none()
@@ -252,8 +245,8 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
     match line {
         ClassLine::Join | ClassLine::Leave => {
             let joins = line == ClassLine::Join;
-            if !joins && let Some(reason) = state.keeps_frozen() {
-                return Err(reason);
+            if !joins {
+                may_leave(state)?;
             }
             let place = state.class.seat_mut().ok_or_else(|| text!("class-none"))?;
             place.seat.decide(joins);
@@ -279,6 +272,17 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         ClassLine::Watch(choice) => desk::watch(state, &choice),
         ClassLine::Unwatch => desk::unwatch(state),
     }
+}
+
+/// Checks that nothing keeps the trainee in the class.
+///
+/// # Errors
+/// What does.
+fn may_leave(state: &State) -> Result<(), Text> {
+    if state.has_open_try() {
+        return Err(text!("class-exam-no-leave"));
+    }
+    state.keeps_frozen().map_or(Ok(()), Err)
 }
 
 /// The trainee joins the class.

@@ -167,7 +167,8 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }
-    if let Some(reason) = state.keeps_try() {
+    if state.has_open_try() {
+        let reason = text!("class-exam-no-restart");
         state.say(Severity::Warning, reason);
         return Effects::none();
     }

@@ -7,7 +7,7 @@ use serde::Serialize;
 
 use super::results::ReadClass;
 use super::tables;
-use crate::class_results::ClassResults;
+use crate::class_results::{ClassResults, TryWithoutRecord};
 use crate::cli::Failure;
 use crate::cli::settings::CliSettings;
 use crate::cli::table::TextTable;
@@ -36,6 +36,8 @@ struct ClassDocument<'a> {
     results: &'a ClassResults,
     /// The tries of exams.
     exams: Vec<&'a SealCheck>,
+    /// The tries of exams of which no record was handed in.
+    missing: &'a [TryWithoutRecord],
 }
 
 pub(super) fn report(
@@ -53,6 +55,7 @@ pub(super) fn report(
                 .iter()
                 .flat_map(|it| it.flights.iter().filter_map(|flight| flight.seal.as_ref()))
                 .collect(),
+            missing: &class.missing,
         };
         say!("{}", serde_json::to_string_pretty(&document)?)?;
         return Ok(ExitCode::SUCCESS);
@@ -66,7 +69,7 @@ pub(super) fn report(
     }
     let exams = (
         text!("class-report-exams"),
-        tables::exams(&class.trainees, locale),
+        tables::exams(&class.trainees, &class.missing, locale),
     );
     for (heading, table) in sections(&results, locale).into_iter().chain([exams]) {
         if !table.is_empty() {

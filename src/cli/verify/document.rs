@@ -4,7 +4,7 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
-use crate::exam_seal::SealCheck;
+use crate::exam_seal::{FlownAgain, SealCheck};
 use crate::mission::record::{Divergence, Stored};
 use crate::notice::sanitised;
 use crate::scoring::FlownBy;
@@ -280,7 +280,15 @@ impl VerifyDocument {
     }
 
     /// Adds the seal of the desk. One that does not fit makes the record unreliable.
-    pub(super) fn add_seal(&mut self, seal: SealCheck) {
+    pub(super) fn add_seal(&mut self, mut seal: SealCheck) {
+        if let Some((mission, seed)) = self.mission.as_deref().zip(self.seed) {
+            let score = self.score;
+            seal.compare(&FlownAgain {
+                mission,
+                seed,
+                score,
+            });
+        }
         self.words = Text::joined("\n", vec![std::mem::take(&mut self.words), seal.text()]);
         if seal.fault.is_some() {
             self.reliance = Reliance::Bad;

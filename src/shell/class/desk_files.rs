@@ -1,17 +1,16 @@
 //! The records that the desk takes in, and the results of the class.
 
 use std::collections::VecDeque;
-use std::io;
 use std::sync::Arc;
 use std::time::SystemTime;
 
 use super::exams::since_1970;
 use super::worker::Worker;
-use crate::app::event::ClassEvent;
+use crate::app::event::{ClassEvent, ExamEvent};
 use crate::campaign::MissionCourse;
 use crate::class::protocol::DeskMessage;
 use crate::class::{
-    ConnectionId, DeskHeard, ExamNote, Receipt, ReceiptNews, Reception, RecordHead,
+    ConnectionId, DeskHeard, Exam, ExamNote, Receipt, ReceiptNews, Reception, RecordHead,
 };
 use crate::class_results::{ClassFlight, ClassResults, ClassTrainee, add_flight};
 use crate::store::{
@@ -32,6 +31,8 @@ pub(in crate::shell) enum DeskTask {
     },
     /// Keep notes of the exam that began at a time.
     Keep { begun: u64, notes: Vec<ExamNote> },
+    /// Write what could not be written before.
+    WriteAgain,
     /// A connection has ended.
     Leave(ConnectionId),
 }
@@ -49,15 +50,7 @@ pub(super) fn start(
     class: &str,
     epoch: u64,
 ) -> Option<Worker<DeskTask, DeskAnswer>> {
-    let mut files = DeskFiles {
-        class: class.to_owned(),
-        epoch,
-        notes: ExamNotes::of(&records),
-        unwritten: VecDeque::new(),
-        reception: Reception::new(records),
-        course: store::course(),
-        trainees: Vec::new(),
-    };
+    let mut files = DeskFiles::new(records, class, epoch);
     Worker::start("class-records", move |task| files.answer(task))
 }
 
@@ -75,27 +68,33 @@ struct DeskFiles {
     /// The notes that could not be written yet, oldest first. While there are any, no seat is told that its head is
     /// noted.
     unwritten: VecDeque<UnwrittenNotes>,
+    /// Whether something could not be written.
+    has_failed: bool,
+    /// The exams of the class as their notes on disk say, oldest first.
+    exams: Vec<Exam>,
     reception: Reception<ClassRecords>,
     course: MissionCourse,
     trainees: Vec<ClassTrainee>,
 }
 
 impl DeskFiles {
+    fn new(records: ClassRecords, class: &str, epoch: u64) -> Self {
+        Self {
+            class: class.to_owned(),
+            epoch,
+            notes: ExamNotes::of(&records),
+            unwritten: VecDeque::new(),
+            has_failed: false,
+            exams: Vec::new(),
+            reception: Reception::new(records),
+            course: store::course(),
+            trainees: Vec::new(),
+        }
+    }
+
     fn answer(&mut self, task: DeskTask) -> Vec<DeskAnswer> {
         match task {
-            DeskTask::Look => {
-                let (trainees, faults) = class_trainees(self.reception.shelf());
-                self.trainees = trainees;
-                for fault in faults {
-                    tracing::warn!("a record of the class: {fault}");
-                }
-                let mut answers = self.seal_rest();
-                answers.push(self.results());
-                let kept = self.notes.all(&self.course, self.epoch);
-                let open = kept.into_iter().rev().find(|it| !it.exam.is_stopped());
-                answers.extend(open.map(|it| event(ClassEvent::ExamFound(Box::new(it.exam)))));
-                answers
-            }
+            DeskTask::Look => self.look(),
             DeskTask::Take {
                 connection,
                 user,
@@ -104,9 +103,14 @@ impl DeskFiles {
             DeskTask::Keep { begun, notes } => {
                 let was_whole = self.unwritten.is_empty();
                 self.unwritten.push_back(UnwrittenNotes { begun, notes });
-                let fault = self.write_notes().err().filter(|_| was_whole);
-                let failed = fault.map(|error| ClassEvent::ExamFailed(Text::from(&error)));
-                failed.map(event).into_iter().collect()
+                self.write_notes(was_whole)
+            }
+            DeskTask::WriteAgain if !std::mem::take(&mut self.has_failed) => Vec::new(),
+            DeskTask::WriteAgain => {
+                let mut answers = self.write_notes(true);
+                answers.extend(self.seal_rest());
+                answers.push(self.results());
+                answers
             }
             DeskTask::Leave(connection) => {
                 self.reception.leave(connection);
@@ -115,19 +119,57 @@ impl DeskFiles {
         }
     }
 
-    /// Writes the notes in their order, beginning with those that could not be written before.
-    fn write_notes(&mut self) -> io::Result<()> {
-        while let Some(next) = self.unwritten.front() {
-            self.notes.append(next.begun, &next.notes)?;
-            self.unwritten.pop_front();
+    /// Reads what an earlier desk has kept.
+    fn look(&mut self) -> Vec<DeskAnswer> {
+        self.exams = self.notes.all(&self.course, self.epoch);
+        let (trainees, faults) = class_trainees(self.reception.shelf(), &self.exams);
+        self.trainees = trainees;
+        for fault in faults {
+            tracing::warn!("a record of the class: {fault}");
         }
-        Ok(())
+        let mut answers = self.seal_rest();
+        answers.push(self.results());
+        let open = self.exams.iter().rev().find(|exam| !exam.is_stopped());
+        let found =
+            open.map(|exam| event(ClassEvent::Exam(ExamEvent::Found(Box::new(exam.clone())))));
+        answers.extend(found);
+        answers
+    }
+
+    /// Writes the notes in their order, beginning with those that could not be written before.
+    fn write_notes(&mut self, tells_failure: bool) -> Vec<DeskAnswer> {
+        let mut answers = Vec::new();
+        while let Some(next) = self.unwritten.pop_front() {
+            if let Err(error) = self.notes.append(next.begun, &next.notes) {
+                self.has_failed = true;
+                answers.extend(tells_failure.then(|| failed(Text::from(&error))));
+                self.unwritten.push_front(next);
+                break;
+            }
+            self.know(&next);
+            answers.push(event(ClassEvent::Exam(ExamEvent::NotesKept {
+                begun: next.begun,
+                count: next.notes.len(),
+            })));
+        }
+        answers
+    }
+
+    /// Takes in notes that are on disk.
+    fn know(&mut self, kept: &UnwrittenNotes) {
+        let known = self.exams.iter_mut().find(|it| it.begun() == kept.begun);
+        if let Some(exam) = known {
+            kept.notes.iter().for_each(|note| exam.take_in(note));
+        } else {
+            let begun = self.notes.exam(kept.begun, &self.course, self.epoch);
+            self.exams.extend(begun);
+        }
     }
 
     /// Seals the records that were complete before, but whose sealing was missed: the desk ended, or the disk was full.
     fn seal_rest(&mut self) -> Vec<DeskAnswer> {
         let mut trainees = std::mem::take(&mut self.trainees);
-        let mut failed = None;
+        let mut fault = None;
         for kept in self.reception.shelf().all() {
             if is_sealed(&kept.files) {
                 continue;
@@ -135,17 +177,21 @@ impl DeskFiles {
             let of_user = trainees.iter_mut().find(|it| it.user == kept.user);
             let mut flights = of_user.into_iter().flat_map(|it| &mut it.flights);
             if let Some(flight) = flights.find(|it| it.record == kept.files.stem) {
-                failed = self.seal(&kept, flight).err().or(failed);
+                fault = self.seal(&kept, flight).err().or(fault);
             }
         }
         self.trainees = trainees;
-        let failed = failed.map(|error| ClassEvent::ExamFailed(Text::from(&error)));
-        failed.map(event).into_iter().collect()
+        self.has_failed |= fault.is_some();
+        fault
+            .map(|error| failed(Text::from(&error)))
+            .into_iter()
+            .collect()
     }
 
     fn take(&mut self, connection: ConnectionId, user: &str, heard: DeskHeard) -> Vec<DeskAnswer> {
         let receipt = match heard {
-            DeskHeard::Witnessed(seen) if self.write_notes().is_ok() => {
+            // Its note came before it.
+            DeskHeard::Witnessed(seen) if self.unwritten.is_empty() => {
                 let RecordHead { record, bytes, .. } = seen.head;
                 let told = DeskMessage::Witnessed { record, bytes };
                 return vec![DeskAnswer::Say(connection, Box::new(told))];
@@ -184,14 +230,15 @@ impl DeskFiles {
         let own_key = DeskKey::public_in(self.reception.shelf().data());
         let scored = kept
             .as_ref()
-            .map(|kept| class_flight(kept, own_key.as_deref()));
+            .map(|kept| class_flight(kept, own_key.as_deref(), &self.exams));
         let mut flight = match scored {
             Some(Ok(flight)) => flight,
             Some(Err(fault)) => return vec![event(ClassEvent::Unscored(fault))],
             None => return vec![event(ClassEvent::Unscored(Text::from(record.as_str())))],
         };
-        let failed = kept.and_then(|kept| self.seal(&kept, &mut flight).err());
-        let failed = failed.map(|error| event(ClassEvent::ExamFailed(Text::from(&error))));
+        let fault = kept.and_then(|kept| self.seal(&kept, &mut flight).err());
+        self.has_failed |= fault.is_some();
+        let failed = fault.map(|error| failed(Text::from(&error)));
         let kept = ClassEvent::Kept {
             user: user.clone(),
             mission: flight.flight.mission.clone(),
@@ -205,11 +252,8 @@ impl DeskFiles {
 
     /// Seals a flight that is a try of an exam.
     fn seal(&self, kept: &KeptRecord, flight: &mut ClassFlight) -> Result<(), SignatureError> {
-        let mut exams = self.notes.all(&self.course, self.epoch).into_iter().rev();
-        let found = exams.find_map(|it| {
-            let flown = it.exam.try_of(&kept.user, flight.seed)?;
-            Some((it.exam, flown))
-        });
+        let mut exams = self.exams.iter().rev();
+        let found = exams.find_map(|exam| Some((exam, exam.try_of(&kept.user, flight.seed)?)));
         let Some((exam, flown)) = found else {
             return Ok(());
         };
@@ -217,8 +261,8 @@ impl DeskFiles {
         let key = DeskKey::open(records.data())?;
         let sealed = SealedTry {
             class: &self.class,
-            exam: &exam,
-            flown: &flown,
+            exam,
+            flown,
             kept,
             flight,
             handed_in: records.handed_in(kept).unwrap_or_else(since_1970),
@@ -235,6 +279,13 @@ impl DeskFiles {
     }
 }
 
+fn failed(fault: Text) -> DeskAnswer {
+    event(ClassEvent::Exam(ExamEvent::Failed(fault)))
+}
+
 fn event(event: ClassEvent) -> DeskAnswer {
     DeskAnswer::Event(Box::new(event))
 }
+
+#[cfg(test)]
+mod tests;

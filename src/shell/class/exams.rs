@@ -5,7 +5,7 @@ use std::time::{Duration, SystemTime, UNIX_EPOCH};
 use rand::TryRng as _;
 use rand::rngs::SysRng;
 
-use crate::app::event::ClassEvent;
+use crate::app::event::{ClassEvent, ExamEvent};
 use crate::class::{Exam, ExamDeed, ExamNote, ExamSecret, RecordHead};
 use crate::diagnostic::first_shown;
 use crate::exam_plan::ExamFile;
@@ -28,8 +28,11 @@ pub(super) fn epoch(wall: Duration) -> u64 {
 impl Console {
     /// Reads an exam, and draws the secret of its seeds.
     pub(super) fn read_exam(&mut self, name: String, seats: Vec<usize>) {
-        let exam = begun(&name, self.clock.wall()).map(Box::new);
-        self.post(ClassEvent::ExamRead { name, exam, seats });
+        let exam = match &self.options.preferences.data {
+            Some(_) => begun(&name, self.clock.wall()).map(Box::new),
+            None => Err(text!("class-exam-no-folder")),
+        };
+        self.post(ClassEvent::Exam(ExamEvent::Read { name, exam, seats }));
     }
 
     /// How far the record of the mission in flight has grown.
@@ -58,8 +61,5 @@ fn begun(name: &str, wall: Duration) -> Result<Exam, Text> {
             secret: ExamSecret::from(secret),
         },
     };
-    let mut exam = Exam::of(file.plan, std::slice::from_ref(&first), epoch(wall))
-        .ok_or_else(|| text!("class-exam-none"))?;
-    exam.keep(first);
-    Ok(exam)
+    Exam::begin(file.plan, first, epoch(wall)).ok_or_else(|| text!("class-exam-none"))
 }

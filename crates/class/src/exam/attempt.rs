@@ -61,6 +61,13 @@ pub struct RecordHead {
 #[serde(try_from = "String")]
 pub struct ContentHash(String);
 
+impl ContentHash {
+    /// Its digits.
+    pub fn as_str(&self) -> &str {
+        &self.0
+    }
+}
+
 impl From<[u8; 32]> for ContentHash {
     fn from(digest: [u8; 32]) -> Self {
         Self(hex(&digest))

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::{ExamDeed, ExamNote, ExamPlan, RecordHead, TryName};
-use crate::{OrderId, Refusal};
+use crate::OrderId;
 
 /// A trainee in an exam.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -16,7 +16,9 @@ pub struct Candidate {
     pub(super) since: u64,
     pub(super) stage: CandidateStage,
     tries: Vec<CandidateTry>,
-    /// Since when the seat has not said that it flies the try.
+    /// The index of the seat that opened the newest try; `None` if that was before this opening of the desk.
+    pub(super) seat: Option<usize>,
+    /// Since when that seat has not said that it flies the try.
     pub(super) missing_since: Option<u64>,
     /// When the seat was last asked to end the flight.
     pub(super) end_asked: Option<u64>,
@@ -27,15 +29,15 @@ pub struct Candidate {
 pub enum CandidateStage {
     /// The trainee waits for the next try.
     Waits,
-    /// The seat was asked to open the try, which must end at a time.
-    Ordered {
-        /// The order.
-        id: OrderId,
-        /// The time at which the try must end, in seconds since 1970.
-        until: u64,
+    /// The desk asks the seat to open the try once its note is on disk.
+    Asked {
+        /// The number of the note, from 1.
+        note: usize,
     },
+    /// The seat was asked to open the try.
+    Ordered(OrderId),
     /// The seat cannot open the try; it is asked again.
-    Blocked(Refusal),
+    Blocked,
     /// The try is open.
     Flying {
         /// The time at which it must end, in seconds since 1970.
@@ -47,15 +49,17 @@ pub enum CandidateStage {
     Closed,
 }
 
-/// A try that was opened, or whose record was seen.
+/// A try that a seat was asked to open.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CandidateTry {
     /// Which try it is.
     pub name: TryName,
+    /// How often the seat was asked to open it.
+    pub openings: u32,
     /// When the desk saw that it was open, in seconds since 1970.
     pub opened: Option<u64>,
     /// When it had to end, in seconds since 1970.
-    pub until: Option<u64>,
+    pub until: u64,
     /// The heads of its record, in the order in which they came.
     pub heads: Vec<TimedHead>,
     /// When and how it ended.
@@ -93,6 +97,7 @@ impl Candidate {
             since: at,
             stage: CandidateStage::Waits,
             tries: Vec::new(),
+            seat: None,
             missing_since: None,
             end_asked: None,
         }
@@ -118,24 +123,27 @@ impl Candidate {
         &self.tries
     }
 
-    /// A try, if it was opened.
-    pub(super) fn flown(&self, name: &TryName) -> Option<&CandidateTry> {
+    /// A try, if a seat was asked to open it.
+    pub(super) fn asked(&self, name: &TryName) -> Option<&CandidateTry> {
         self.tries.iter().find(|it| it.name == *name)
     }
 
-    fn flown_mut(&mut self, name: &TryName) -> &mut CandidateTry {
-        let known = self.tries.iter().position(|it| it.name == *name);
-        let index = known.unwrap_or_else(|| {
-            self.tries.push(CandidateTry {
+    fn asked_mut(&mut self, name: &TryName) -> Option<&mut CandidateTry> {
+        self.tries.iter_mut().find(|it| it.name == *name)
+    }
+
+    fn ask(&mut self, name: &TryName, opening: u32, until: u64) {
+        match self.asked_mut(name) {
+            Some(known) => (known.openings, known.until) = (opening, until),
+            None => self.tries.push(CandidateTry {
                 name: name.clone(),
+                openings: opening,
                 opened: None,
-                until: None,
+                until,
                 heads: Vec::new(),
                 ended: None,
-            });
-            self.tries.len() - 1
-        });
-        &mut self.tries[index]
+            }),
+        }
     }
 
     pub(super) fn enter(&mut self, stage: CandidateStage, at: u64) {
@@ -148,27 +156,37 @@ impl Candidate {
     pub(super) fn apply(&mut self, note: &ExamNote, plan: &ExamPlan) {
         let at = note.at;
         match &note.what {
-            ExamDeed::Opened { name, until, .. } => {
-                let flown = self.flown_mut(name);
-                flown.opened = flown.opened.or(Some(at));
-                flown.until = Some(*until);
+            ExamDeed::Asked {
+                name,
+                opening,
+                until,
+                ..
+            } => {
+                self.ask(name, *opening, *until);
                 self.go_to(name, plan);
-                self.enter(CandidateStage::Flying { until: *until }, at);
+                // If the desk ends before it has asked, it asks anew.
+                self.enter(CandidateStage::Waits, at);
+            }
+            ExamDeed::Opened { name, .. } => {
+                let Some(flown) = self.asked_mut(name) else {
+                    return;
+                };
+                flown.opened = flown.opened.or(Some(at));
+                let until = flown.until;
+                self.enter(CandidateStage::Flying { until }, at);
             }
             ExamDeed::Head { name, head, .. } => {
                 let head = head.clone();
-                self.flown_mut(name).heads.push(TimedHead { at, head });
+                if let Some(flown) = self.asked_mut(name) {
+                    flown.heads.push(TimedHead { at, head });
+                }
             }
             ExamDeed::Ended { name, how, .. } => {
-                self.flown_mut(name).ended = Some((at, *how));
+                if let Some(flown) = self.asked_mut(name) {
+                    flown.ended = Some((at, *how));
+                }
                 self.go_to(name, plan);
-                self.go_on(*how, plan);
-                let is_done = self.mission >= plan.missions.len();
-                let stage = if is_done {
-                    CandidateStage::Done
-                } else {
-                    CandidateStage::Waits
-                };
+                let stage = self.go_on(*how, plan);
                 self.enter(stage, at);
             }
             ExamDeed::Begun { .. } | ExamDeed::Seated { .. } | ExamDeed::Stopped => {}
@@ -182,13 +200,18 @@ impl Candidate {
         }
     }
 
-    /// The try after one that has ended.
-    fn go_on(&mut self, how: TryEnd, plan: &ExamPlan) {
+    /// Goes to the try after one that has ended; returns the stage that follows.
+    fn go_on(&mut self, how: TryEnd, plan: &ExamPlan) -> CandidateStage {
         let tries = plan.missions.get(self.mission).map_or(0, |it| it.tries);
         if how == TryEnd::Passed || self.number >= tries {
             (self.mission, self.number) = (self.mission + 1, 1);
         } else {
             self.number += 1;
+        }
+        if self.mission >= plan.missions.len() {
+            CandidateStage::Done
+        } else {
+            CandidateStage::Waits
         }
     }
 }

@@ -32,6 +32,18 @@ pub enum ExamDeed {
         /// The trainee's user name.
         user: String,
     },
+    /// A seat is about to be asked to open a try. Its seed may be known there from then on.
+    Asked {
+        /// The trainee's user name.
+        user: String,
+        /// Which try it is.
+        #[serde(rename = "try")]
+        name: TryName,
+        /// How often the desk has asked for this try, with this time; from 1.
+        opening: u32,
+        /// The time at which it must end, in seconds since 1970.
+        until: u64,
+    },
     /// A seat shows the brief of a try.
     Opened {
         /// The trainee's user name.
@@ -39,8 +51,6 @@ pub enum ExamDeed {
         /// Which try it is.
         #[serde(rename = "try")]
         name: TryName,
-        /// The time at which it must end, in seconds since 1970.
-        until: u64,
     },
     /// The record of a try has grown so far.
     Head {

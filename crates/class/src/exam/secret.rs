@@ -50,11 +50,12 @@ impl TryFrom<String> for ExamSecret {
 }
 
 impl ExamSecret {
-    /// The seed of a user's try.
-    pub(super) fn seed(&self, layout: ExamLayout, user: &str, name: &TryName) -> u64 {
-        let whose = match layout {
-            ExamLayout::Own => user,
-            ExamLayout::Same => "",
+    /// The seed of a user's try. That of an opening that a seat has refused may be known there, so the next opening has
+    /// another one; one that all trainees share is known to all of them anyway.
+    pub(super) fn seed(&self, layout: ExamLayout, user: &str, name: &TryName, opening: u32) -> u64 {
+        let (whose, opening) = match layout {
+            ExamLayout::Own => (user, opening),
+            ExamLayout::Same => ("", 0),
         };
         let mut hash = Sha256::new();
         hash.update(self.0);
@@ -64,6 +65,7 @@ impl ExamSecret {
             hash.update(text);
         }
         hash.update(name.number.to_le_bytes());
+        hash.update(opening.to_le_bytes());
         let digest = hash.finalize();
         let mut first = [0; 8];
         first.copy_from_slice(&digest[..8]);

@@ -306,6 +306,9 @@ pub fn try_refused(state: &mut State) -> Effects {
     let pending = state.class.seat().map_or(&[][..], |place| &place.pending);
     let is_try = |one: &&PendingOrder| matches!(one.deed, Deed::Examine(_));
     let ordered = pending.iter().find(is_try).map(|one| one.id);
+    if let Some(place) = state.class.seat_mut() {
+        place.exam = None;
+    }
     ordered.map_or_else(Effects::none, |id| {
         begun(state, id, Some(Refusal::Practice))
     })

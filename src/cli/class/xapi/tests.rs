@@ -19,6 +19,8 @@ fn trainee(stake: Stake, passed: bool) -> ClassTrainee {
         mission_file: None,
         seed: u64::MAX,
         sim_time_s: 83.5,
+        has_own_fleet: false,
+        has_pause: false,
         has_end: true,
         objectives: Vec::new(),
         flight: CareerFlight {

@@ -31,8 +31,10 @@ pub(super) fn cell(view: &SeatLineView<'_>, base: Role) -> (String, Role) {
         CandidateStage::Done => (view.say(&text!("class-exam-cell-done")), Role::Muted),
         CandidateStage::Closed => (view.say(&text!("class-exam-cell-closed")), Role::Muted),
         CandidateStage::Waits => (view.say(&text!("class-exam-cell-waits")), base),
-        CandidateStage::Ordered { .. } => (view.say(&text!("class-exam-cell-opens")), base),
-        CandidateStage::Blocked(_) => ("!".to_owned(), Role::Accent),
+        CandidateStage::Asked { .. } | CandidateStage::Ordered(_) => {
+            (view.say(&text!("class-exam-cell-opens")), base)
+        }
+        CandidateStage::Blocked => ("!".to_owned(), Role::Accent),
         CandidateStage::Flying { until } => {
             let left = until.saturating_sub(exam.at(view.now));
             (clock(Duration::from_secs(left)), base)

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use sortie::app::event::ClassEvent;
+use sortie::app::event::{ClassEvent, ExamEvent};
 use sortie::class::{
     CandidateStage, Exam, ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret,
 };
@@ -45,7 +45,7 @@ fn the_board_has_the_exam_of_each_seat() {
         let mut console = desk(language);
         report(&mut console, 1, "anna", flight(5.0));
         report(&mut console, 2, "bohdan", flight(12.0));
-        console.hear(ClassEvent::ExamFound(Box::new(exam("final"))));
+        console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
         let desk = console.state().class_role().desk().expect("a desk");
         let candidate = desk.candidate(&desk.seats()[0]).expect("anna takes part");
         assert_eq!(candidate.stage(), CandidateStage::Waits);
@@ -60,8 +60,10 @@ fn the_board_has_the_exam_of_each_seat() {
 #[test]
 fn an_earlier_exam_that_is_not_continued_is_named() {
     let mut console = desk(Language::English);
-    console.hear(ClassEvent::ExamFound(Box::new(exam("final"))));
-    console.hear(ClassEvent::ExamFound(Box::new(exam("rehearsal"))));
+    console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
+    console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam(
+        "rehearsal",
+    )))));
     let held = console.state().class_role().desk().expect("a desk").exam();
     assert_eq!(held.expect("an exam").plan().name.as_str(), "final");
     let mut lines = console.state().notices().lines();

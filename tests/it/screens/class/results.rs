@@ -56,6 +56,8 @@ fn flight(number: u32, mission: &Mission, shares: &[f64]) -> ClassFlight {
         mission_file: None,
         seed: 1,
         sim_time_s: 100.0,
+        has_own_fleet: false,
+        has_pause: false,
         has_end: true,
         objectives,
         flight: CareerFlight {

@@ -51,11 +51,21 @@ pub(super) fn examine(state: &mut State, opened: &ExamTry) -> Result<BegunOrder,
     }
     let mission = opened.name.mission.as_str();
     let begun = fly(state, mission, true)?;
+    // Without designs of the trainee: all fly the mission's own vehicles.
     let launch = Launch {
         stake: Stake::Exam,
         drawn: Some(opened.seed),
-        ..state.training().launch(mission)
+        ..Launch::graded(mission)
     };
+    let until = state.wall + Duration::from_secs(opened.within_s.into());
+    if let Some(place) = state.class.seat_mut() {
+        place.exam = Some(OpenTry {
+            name: opened.name.clone(),
+            flight: place.flights + 1,
+            until,
+            is_ended: false,
+        });
+    }
     Ok(BegunOrder {
         effects: Effect::Session(SessionEffect::StartMission(launch)).into(),
         ..begun
@@ -75,16 +85,11 @@ pub(super) fn try_outcome(
     if !is_flown(state, mission, before) {
         return None;
     }
-    let until = state.wall + Duration::from_secs(opened.within_s.into());
     let place = state.class.seat_mut()?;
-    place.tries.insert(opened.name.clone());
     if place.flown_try() != Some(&opened.name) {
-        place.exam = Some(OpenTry {
-            name: opened.name.clone(),
-            flight: place.flights,
-            until,
-        });
+        return Some(Outcome::NoEffect);
     }
+    place.tries.insert(opened.name.clone());
     Some(Outcome::Done)
 }
 
@@ -94,7 +99,7 @@ pub(super) fn end_late(state: &mut State) -> Effects {
     let wall = state.wall;
     let place = state.class.seat();
     let open = place.and_then(SeatPlace::open_try);
-    let is_late = open.is_some_and(|it| wall >= it.until);
+    let is_late = open.is_some_and(|it| wall >= it.until && !it.is_ended);
     if !is_late || state.session.task.over || state.session.activity.is_none() {
         return Effects::none();
     }
@@ -106,8 +111,7 @@ pub(super) fn end_late(state: &mut State) -> Effects {
         return Effects::none();
     }
     if let Some(open) = state.class.seat_mut().and_then(|it| it.exam.as_mut()) {
-        // Once is enough.
-        open.until = Duration::MAX;
+        open.is_ended = true;
     }
     super::tell(state, Severity::Warning, text!("class-exam-time-up"));
     Effect::Session(SessionEffect::Stop).into()
