@@ -1,4 +1,4 @@
-//! Lists the missions, pilot scripts, designs, lesson plans and rubrics to embed, and adds the current commit to the
+//! Lists the missions, pilot scripts, designs, lesson plans, exams and rubrics to embed, and adds the current commit to
 //! version for `--version`.
 //!
 //! Without git, or outside a checkout (a source archive, a registry package), the version has no
@@ -44,7 +44,7 @@ type Kind = (
     &'static str,
 );
 
-const KINDS: [Kind; 5] = [
+const KINDS: [Kind; 6] = [
     (
         "MISSIONS",
         "Missions",
@@ -54,6 +54,7 @@ const KINDS: [Kind; 5] = [
     ("PILOTS", "Pilot scripts", &["missions/pilots"], "pilot"),
     ("DESIGNS", "Designs of drones", &["designs"], "toml"),
     ("LESSONS", "Lesson plans", &["lessons"], "toml"),
+    ("EXAMS", "Exams", &["exams"], "toml"),
     ("RUBRICS", "Rubrics", &["rubrics"], "toml"),
 ];
 

@@ -11,10 +11,15 @@ use crate::campaign::{
     CareerEntry, CareerFlight, CareerProgress, Mastery, MissionCourse, MissionProgress, Skill,
     SkillProgress, Stake, is_practice,
 };
+use crate::exam_seal::SealCheck;
 use crate::mission::Mission;
 use crate::mission::record::Head;
 use crate::scoring::{MissionFile, ObjectiveReport, Report};
 use crate::text::{Text, rounded};
+
+mod missing;
+
+pub use missing::TryWithoutRecord;
 
 /// A trainee's flight of a mission, from its record.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -35,12 +40,19 @@ pub struct ClassFlight {
     pub seed: u64,
     /// Mission time used, in seconds.
     pub sim_time_s: f64,
+    /// Whether designs of the trainee were flown instead of the mission's own vehicles.
+    pub has_own_fleet: bool,
+    /// Whether the flight was paused.
+    pub has_pause: bool,
     /// Whether the record has an end: the flight was flown, or given up, to its end.
     pub has_end: bool,
     /// The objectives, in file order.
     pub objectives: Vec<FlownObjective>,
     /// The entry in a career.
     pub flight: CareerFlight,
+    /// The seal of the desk, if it is a try of an exam.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seal: Option<SealCheck>,
 }
 
 /// The result of an objective, and the skill that it trains.
@@ -81,9 +93,12 @@ impl ClassFlight {
             mission_file: report.mission_file,
             seed: report.seed,
             sim_time_s: report.sim_time_s,
+            has_own_fleet: !head.designs.is_empty(),
+            has_pause: false,
             has_end: false,
             objectives: objectives.collect(),
             flight,
+            seal: None,
         }
     }
 
@@ -100,9 +115,11 @@ impl ClassFlight {
         }
     }
 
-    /// Whether the flight counts as a try: practice and flights by script do not.
+    /// Whether the flight counts as a try: practice and flights by script do not, nor do tries of an exam without a valid
+    /// seal of the expected key which says that they count.
     pub fn counts(&self) -> bool {
-        !is_practice(self.flight.stake, self.flight.flown_by)
+        let is_sealed_so = self.seal.as_ref().is_none_or(SealCheck::counts);
+        is_sealed_so && !is_practice(self.flight.stake, self.flight.flown_by)
     }
 }
 

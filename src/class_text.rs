@@ -33,6 +33,12 @@ pub fn deed_text(deed: &Deed) -> Text {
             mission,
             exam: true,
         } => text!("class-deed-exam", mission = mission.as_str()),
+        Deed::Examine(opened) => text!(
+            "class-deed-try",
+            mission = opened.name.mission.as_str(),
+            number = opened.name.number,
+            tries = opened.tries
+        ),
         Deed::Start => text!("class-deed-start"),
         Deed::Step(step) => step_text(step),
     }
@@ -79,6 +85,8 @@ fn refusal_text(refusal: Refusal) -> Text {
         Refusal::NotArmed => text!("class-refusal-not-armed"),
         Refusal::Flying => text!("class-refusal-flying"),
         Refusal::Locked => text!("class-refusal-locked"),
+        Refusal::Flown => text!("class-refusal-flown"),
+        Refusal::Practice => text!("class-refusal-practice"),
     }
 }
 

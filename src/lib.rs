@@ -23,6 +23,8 @@
 //! | | [`store`] | files: missions, pilots, designs, the user's theme files, settings, profiles, runs, records; what a finished or abandoned flight adds to a career |
 //! | pure | [`exercise`] | when a mission begins and which clock counts its time (also in the console); a mission flown by a pilot script |
 //! | | [`operator`] | from a line to the vehicles and the mission, and the outcome back to the ledger |
+//! | | [`exam_plan`] | the file of an exam, and the faults in it |
+//! | | [`exam_seal`] | the sealed result of a try |
 //! | | [`grading`] | an instructor's grades of flights: rubrics, what the record says, and how far graders agree |
 //! | | [`lesson_plan`] | the file of a lesson: its steps, and the faults in them |
 //! | | [`class_results`] | the results of a class: per trainee, mission, objective and skill |
@@ -118,6 +120,8 @@ pub mod debrief;
 pub mod diagnostic;
 pub mod doctor;
 pub mod draft;
+pub mod exam_plan;
+pub mod exam_seal;
 pub mod exercise;
 pub mod fidelity;
 pub mod fleet;

@@ -61,6 +61,7 @@ mod trials;
 
 pub use api::ApiOptions;
 use api::Programs;
+use begin::SeedSources;
 use career::Careers;
 use class::ClassEnd;
 pub use class::{ClassOptions, ClassPart};
@@ -120,7 +121,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         console.draw(&mut screen).await?;
         let picture = || screen.frame().map(ui::picture);
         class.carry_out(std::mem::take(&mut console.class_work));
-        class.tell(console.app.state(), &picture);
+        console.tell_class(&mut class, &picture);
     }
     console.close().await;
     console.hand_in_rest(&mut class).await;
@@ -275,7 +276,10 @@ impl Console {
     async fn open(&mut self) {
         let outcome = match self.options.opening.clone() {
             Opening::Home => return,
-            Opening::Mission(mission) => self.launch(mission, Stake::Graded, None).await,
+            Opening::Mission(mission) => {
+                let seeds = SeedSources::default();
+                self.launch(mission, Stake::Graded, seeds).await
+            }
             Opening::Free => self.start_afresh(SessionPlan::Free(None)).await,
             Opening::Replay(path) => self.open_replay(&path, false),
             Opening::Connect(addresses) => self.start_afresh(SessionPlan::Connect(addresses)).await,

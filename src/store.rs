@@ -14,7 +14,7 @@
 //!   turns a finished or abandoned flight into an entry of a career, which `profiles` stores; `signature` signs
 //!   records, `sharing` lets a group read results.
 //! - A class: `waiting_records` are the records that a seat has to hand in, `class_records` those that the desk keeps;
-//!   `class_results` reads the results from them.
+//!   `class_results` reads the results from them. `exam_notes` are what the desk keeps of exams, `seals` their results.
 //! - What else the user keeps: `plans`, `unsaved` (drafts), `history` (typed lines), `logs` and `transferred` (files
 //!   from vehicles), `terrain`, `keys` (of MAVLink signing).
 
@@ -34,7 +34,9 @@ mod append;
 mod class_records;
 mod class_results;
 mod closed;
+mod exam_notes;
 mod folders;
+mod hashes;
 mod history;
 mod keys;
 mod links;
@@ -47,6 +49,7 @@ mod profiles;
 mod records;
 mod regular;
 mod runs;
+mod seals;
 mod settlement;
 mod sharing;
 mod signature;
@@ -61,6 +64,7 @@ mod waiting_records;
 pub use class_records::{ClassRecords, KeptRecord, KeptSheet};
 pub use class_results::{class_flight, class_trainees};
 pub use closed::{closed_folders, unreadable_below};
+pub use exam_notes::ExamNotes;
 pub use folders::Folders;
 pub use history::History;
 pub use keys::{KeyFile, KeyFileFault};
@@ -79,6 +83,7 @@ pub use records::{
     RecordingFault, Records, read_log,
 };
 pub use runs::{RunFile, Runs, read_run, utc};
+pub use seals::{DeskKey, SealedTry, check_seal, is_sealed, seal_record};
 pub use settlement::{Landing, Recovery, day_of, open_profiles, open_profiles_to_read, recover};
 pub use sharing::{
     PROFILES_FILE, RUNS, SharingFault, Unshared, other_owner, share_with_group, sharing_fault,
@@ -99,7 +104,7 @@ mod shipped {
     include!(concat!(env!("OUT_DIR"), "/shipped.rs"));
 }
 
-use shipped::{DESIGNS, LESSONS, MISSIONS, PILOTS, RUBRICS};
+use shipped::{DESIGNS, EXAMS, LESSONS, MISSIONS, PILOTS, RUBRICS};
 
 const MISSION_FOLDER: &str = "missions";
 
@@ -183,6 +188,19 @@ pub fn lessons() -> Vec<Source> {
 pub fn lesson(path_or_name: &str) -> Result<Source, StoreError> {
     at_path("file-lesson", path_or_name)
         .unwrap_or_else(|| LESSON_FILES.named(path_or_name, &lessons()))
+}
+
+/// All exams by name: the embedded ones, and those in the folders, which may replace embedded ones.
+pub fn exams() -> Vec<Source> {
+    EXAM_FILES.merged(EXAMS)
+}
+
+/// The file of an exam, by its path or its name.
+///
+/// # Errors
+/// No such exam exists, or it cannot be read.
+pub fn exam(path_or_name: &str) -> Result<Source, StoreError> {
+    at_path("file-exam", path_or_name).unwrap_or_else(|| EXAM_FILES.named(path_or_name, &exams()))
 }
 
 /// All rubrics by name: the embedded ones, and those in the folders, which may replace embedded ones.
@@ -380,6 +398,11 @@ const PILOT_FILES: FolderFiles = FolderFiles {
 const LESSON_FILES: FolderFiles = FolderFiles {
     kind: "file-lesson",
     folder: "lessons",
+    ending: "toml",
+};
+const EXAM_FILES: FolderFiles = FolderFiles {
+    kind: "file-exam",
+    folder: "exams",
     ending: "toml",
 };
 const RUBRIC_FILES: FolderFiles = FolderFiles {

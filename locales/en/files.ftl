@@ -29,6 +29,7 @@ file-mission = mission
 file-pilot = pilot script
 file-design = design
 file-lesson = lesson plan
+file-exam = exam
 file-statistics = statistics of messages
 file-parameters = parameter file
 file-frame = airframe

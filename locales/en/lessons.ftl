@@ -2,7 +2,7 @@
 
 # Faults
 lesson-schema = unknown schema { $found }: this version reads schema { $known }
-lesson-english-only = in English only: add `title_uk`, `about_uk`, `text_uk` and `message_uk` next to the English texts
+lesson-english-only = in English only: add a Ukrainian text next to each English one, such as `title_uk` next to `title`
 lesson-text-empty = the text is empty
 lesson-steps = { $count } steps: a lesson has at least one and at most { $most }
 lesson-id = `{ $name }` is no name for a step: use letters, digits, `-` and `_`, at most { $most } of them, and not `end`

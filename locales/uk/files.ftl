@@ -30,6 +30,7 @@ file-mission = завдання
 file-pilot = скрипт пілота
 file-design = проєкт
 file-lesson = план заняття
+file-exam = іспит
 file-statistics = статистика повідомлень
 file-parameters = файл параметрів
 file-frame = файл рами

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::campaign::{Aids, Stake};
 use crate::class::protocol::Denial;
-use crate::class::{ConnectionId, DeskHeard, OrderId, RecordName};
+use crate::class::{ConnectionId, DeskHeard, ExamNote, OrderId, RecordName};
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::draft::Trial;
@@ -28,6 +28,8 @@ pub struct Launch {
     pub stake: Stake,
     /// The seed, if the trainee chose it for practice.
     pub seed: Option<u64>,
+    /// The seed that the desk has drawn for a try of an exam.
+    pub drawn: Option<u64>,
     /// The designs of the drones, one for all seats or one per seat; empty for the mission's own
     /// drones.
     pub fleet: Vec<Design>,
@@ -40,6 +42,7 @@ impl Launch {
             mission: mission.into(),
             stake: Stake::Graded,
             seed: None,
+            drawn: None,
             fleet: Vec::new(),
         }
     }
@@ -241,6 +244,10 @@ pub enum ClassEffect {
         record: String,
         sheet: GradeSheet,
     },
+    /// At the desk: read an exam, by its name or its path, and let these seats take part.
+    ReadExam { name: String, seats: Vec<usize> },
+    /// At the desk: keep notes of the exam that began at a time.
+    KeepNotes { begun: u64, notes: Vec<ExamNote> },
     /// At the desk: take in a record, or a piece of one.
     Receive {
         connection: ConnectionId,

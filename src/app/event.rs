@@ -16,7 +16,9 @@ use super::state::{
 };
 use crate::campaign::Reward;
 use crate::class::protocol::{DeskMessage, SeatMessage};
-use crate::class::{ConnectionId, OrderId, RecordName, Refusal, Submission, SubmissionRefusal};
+use crate::class::{
+    ConnectionId, Exam, OrderId, RecordName, Refusal, Submission, SubmissionRefusal,
+};
 use crate::class_results::ClassResults;
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
@@ -257,6 +259,8 @@ pub enum ClassEvent {
         id: OrderId,
         refusal: Option<Refusal>,
     },
+    /// At a seat: the flight of a try would be practice, so it was not begun.
+    TryRefused,
     /// At the desk: a seat has said something.
     Heard {
         connection: ConnectionId,
@@ -304,8 +308,31 @@ pub enum ClassEvent {
     },
     /// At the desk: grades were not kept, with the reason.
     GradesLost(Text),
+    /// At the desk: what happened to its exam.
+    Exam(ExamEvent),
     /// At the desk: the results of the class have changed.
     Results(Arc<ClassResults>),
+}
+
+/// What happens to the exam of a desk.
+#[derive(Debug, Clone)]
+pub enum ExamEvent {
+    /// An exam was read and can begin, or why not, for these seats.
+    Read {
+        name: String,
+        exam: Result<Box<Exam>, Text>,
+        seats: Vec<usize>,
+    },
+    /// An exam had not ended when the last desk did.
+    Found(Box<Exam>),
+    /// This many more notes of the exam that began at a time are on disk.
+    NotesKept {
+        /// When the exam began, in seconds since 1970.
+        begun: u64,
+        count: usize,
+    },
+    /// Notes of the exam could not be kept, or a record not be sealed.
+    Failed(Text),
 }
 
 /// The result of a file operation. Paths are as the user typed them.

@@ -28,6 +28,7 @@ impl Names for NamesInFiles<'_> {
             | NameList::Seat
             | NameList::SeatInject
             | NameList::Lesson
+            | NameList::Exam
             | NameList::Trainee
             | NameList::Rubric => Listed::Anything,
         }

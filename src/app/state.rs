@@ -77,7 +77,7 @@ pub use alert::{Alert, alert, alerts};
 pub use bell::{BellCall, Due};
 pub use career::Career;
 pub use choice::{Choice, Selection};
-pub(in crate::app) use class::{ArmedOrder, OrderTrace, PendingOrder, WaitingStep};
+pub(in crate::app) use class::{ArmedOrder, OpenTry, OrderTrace, PendingOrder, WaitingStep};
 pub use class::{ClassRole, SeatPlace};
 pub use column::SortKey;
 pub use display::{Display, SMALLEST, is_too_small};

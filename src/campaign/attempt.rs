@@ -36,6 +36,8 @@ pub struct AttemptTerms<'a> {
     pub wanted: Stake,
     /// The seed chosen by the user, if any.
     pub seed: Option<u64>,
+    /// The seed that the desk of a class has drawn for an exam.
+    pub drawn: Option<u64>,
     /// The trainee, if there is a profile.
     pub trainee: Option<AttemptTrainee<'a>>,
     pub means: AttemptMeans,
@@ -154,6 +156,9 @@ impl AttemptTerms<'_> {
         }
         if let Some(trainee) = &self.trainee {
             reasons.extend(self.reasons_of(trainee));
+        } else if self.drawn.is_some() {
+            // The exam of a desk is flown under the same conditions by guests.
+            reasons.extend(self.means.practice_reasons());
         }
         reasons
     }
@@ -169,24 +174,14 @@ impl AttemptTerms<'_> {
         }
         let fleet = self.mission.fleet().iter();
         reasons.extend(fleet.filter_map(|design| trainee.missing_parts(design)));
-        let AttemptMeans {
-            mission_file,
-            flown_by,
-            has_own_airframes,
-            speedup,
-        } = self.means;
-        let is_slow = speedup < 1.0;
-        reasons.extend(PracticeReason::of_file(mission_file));
-        reasons.extend((!flown_by.is_by_hand()).then_some(PracticeReason::Script));
-        reasons.extend(has_own_airframes.then_some(PracticeReason::OwnAirframes));
-        reasons.extend(is_slow.then_some(PracticeReason::SlowMotion));
+        reasons.extend(self.means.practice_reasons());
         reasons
     }
 
     /// The seed that the circumstances require; `None` if any will do.
     fn layout(&self) -> Option<u64> {
         match self.wanted {
-            Stake::Exam => Some(self.exam_seed()),
+            Stake::Exam => Some(self.drawn.unwrap_or_else(|| self.exam_seed())),
             Stake::Daily => Some(daily_seed(self.day)),
             Stake::Graded => self.seed.or_else(|| self.fresh_seed()),
             Stake::Practice => self.seed,
@@ -224,6 +219,21 @@ impl AttemptTerms<'_> {
             stake,
             wanted: self.wanted,
         }
+    }
+}
+
+impl AttemptMeans {
+    fn practice_reasons(self) -> Vec<PracticeReason> {
+        let is_slow = self.speedup < 1.0;
+        let mut reasons = Vec::new();
+        reasons.extend(PracticeReason::of_file(self.mission_file));
+        reasons.extend((!self.flown_by.is_by_hand()).then_some(PracticeReason::Script));
+        reasons.extend(
+            self.has_own_airframes
+                .then_some(PracticeReason::OwnAirframes),
+        );
+        reasons.extend(is_slow.then_some(PracticeReason::SlowMotion));
+        reasons
     }
 }
 

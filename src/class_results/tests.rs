@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::campaign::{Evidence, Offer, Stake};
+use crate::class::Witness;
+use crate::exam_seal::{Seal, SealFault, TryReason};
 use crate::scoring::FlownBy;
 
 const MISSIONS: [&str; 2] = [
@@ -33,6 +35,7 @@ fn flight(record: &str, mission: &str, score: u16, shares: &[f64]) -> ClassFligh
             },
         });
     ClassFlight {
+        seal: None,
         record: record.to_owned(),
         when: "2026-11-20T14:03:22Z".to_owned(),
         profile: None,
@@ -41,6 +44,8 @@ fn flight(record: &str, mission: &str, score: u16, shares: &[f64]) -> ClassFligh
         mission_file: None,
         seed: 1,
         sim_time_s: 100.0,
+        has_own_fleet: false,
+        has_pause: false,
         has_end: true,
         objectives: objectives.collect(),
         flight: CareerFlight {
@@ -104,6 +109,69 @@ fn each_trainee_has_the_best_score_and_the_tries_of_each_mission() {
         results.trainees[1].skill(Skill::K1).is_none(),
         "never shown"
     );
+}
+
+/// A seal that says that its try counts.
+fn seal() -> Seal {
+    let moment = "2026-11-20T14:03:22Z".to_owned();
+    Seal {
+        sortie_seal: 1,
+        class: "9-A".to_owned(),
+        exam: "final".to_owned(),
+        exam_sha256: String::new(),
+        begun: moment.clone(),
+        user: "anna".to_owned(),
+        mission: "00-first-flight".to_owned(),
+        number: 1,
+        tries: 1,
+        openings: 1,
+        seed: 1,
+        record: "a2".to_owned(),
+        files: Vec::new(),
+        score: 900,
+        passed: true,
+        opened: None,
+        until: moment.clone(),
+        ended: None,
+        handed_in: moment,
+        witness: Witness::Whole { heads: 1 },
+        reasons: Vec::new(),
+        public_key: String::new(),
+    }
+}
+
+#[test]
+fn a_try_of_an_exam_counts_only_with_a_valid_seal_of_the_expected_key() {
+    let check = |fault, is_known_key, reasons| SealCheck {
+        seal: Some(Seal { reasons, ..seal() }),
+        fingerprint: None,
+        is_known_key,
+        fault,
+    };
+    let best = |seal| {
+        let mut trainees = Vec::new();
+        let tried = flight("a1", "00-first-flight", 500, &[1.0, 0.5]);
+        let sealed = ClassFlight {
+            seal: Some(seal),
+            ..flight("a2", "00-first-flight", 900, &[1.0, 1.0])
+        };
+        add_flight(&mut trainees, "anna", tried);
+        add_flight(&mut trainees, "anna", sealed);
+        // The exports have the best flights.
+        let best = trainees[0].best_flights()[0].record.clone();
+        let results = ClassResults::of(&course(), &trainees, 20_000);
+        let anna = &results.trainees[0];
+        assert_eq!(anna.tries + anna.practice, 2);
+        (best, anna.tries)
+    };
+    let (first, sealed) = (("a1".to_owned(), 1), ("a2".to_owned(), 2));
+    assert_eq!(best(check(None, Some(true), Vec::new())), sealed);
+    assert_eq!(best(SealCheck::missing()), first);
+    let changed = Some(SealFault::Signature);
+    assert_eq!(best(check(changed, Some(true), Vec::new())), first);
+    assert_eq!(best(check(None, None, Vec::new())), first, "not compared");
+    let late = vec![TryReason::Late];
+    assert_eq!(best(check(None, Some(true), late)), first);
 }
 
 #[test]

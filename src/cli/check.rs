@@ -14,6 +14,7 @@ use super::{Failure, plan, settings};
 use crate::app::keymap::{Keymap, Place};
 use crate::config::SETTINGS;
 use crate::diagnostic::{Diagnostic, nearest};
+use crate::exam_plan::{EXAM_KEYS, ExamFile};
 use crate::grading::{RUBRIC_KEYS, Rubric};
 use crate::lesson_plan::{LESSON_KEYS, Lesson, LessonMissions, LessonSetting};
 use crate::mission::Mission;
@@ -56,6 +57,7 @@ pub(super) struct CheckArguments {
 enum FileKind {
     Mission,
     Lesson,
+    Exam,
     Rubric,
     Theme,
     Keymap,
@@ -269,9 +271,10 @@ fn kind(path: &Path, text: &str) -> Option<FileKind> {
     let slots = PartSlot::ALL.map(PartSlot::key);
     let design: Vec<&str> = ["schema", "name"].into_iter().chain(slots).collect();
     let mission = [MISSION_KEYS, MISSION_SECTIONS].concat();
-    let kinds: [(FileKind, &str, &[&str]); 7] = [
+    let kinds: [(FileKind, &str, &[&str]); 8] = [
         (FileKind::Mission, "missions", &mission),
         (FileKind::Lesson, "lessons", &LESSON_KEYS),
+        (FileKind::Exam, "exams", &EXAM_KEYS),
         (FileKind::Rubric, "rubrics", &RUBRIC_KEYS),
         (FileKind::Design, "designs", &design),
         (FileKind::Theme, "themes", &["inherits", "roles"]),
@@ -337,6 +340,10 @@ fn examined(
         },
         FileKind::Lesson => match lesson(path, text, others.files) {
             Ok(lesson) => return (Vec::new(), lesson.untranslated),
+            Err(faults) => Some(faults),
+        },
+        FileKind::Exam => match ExamFile::parse(&name_of(path), text, &store::course()) {
+            Ok(exam) => return (Vec::new(), exam.untranslated),
             Err(faults) => Some(faults),
         },
         FileKind::Rubric => match Rubric::parse(&name_of(path), text) {

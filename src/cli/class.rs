@@ -1,6 +1,7 @@
 //! `sortie class`: the instructor's desk, and the results of a class.
 //!
-//! `open` is the desk, and `lessons` lists the plans that it can go through. `report` prints the results, and `export` writes them for other programs; both read the records
+//! `open` is the desk, and `lessons` and `exams` list the plans that it can go
+//! through, `key` shows that of its seals. `report` prints the results, and `export` writes them for other programs; both read the records
 //! that the trainees have handed in. Their tables are in `tables`, and the statements for learning record stores in
 //! `xapi`.
 
@@ -17,6 +18,7 @@ use export::ExportArguments;
 use grades::GradesArguments;
 use report::ReportArguments;
 
+mod exams;
 mod export;
 mod grades;
 mod lessons;
@@ -56,6 +58,14 @@ enum ClassTask {
                             sortie class lessons             the shipped ones, and those in the folder lessons\n  \
                             sortie check my-lesson.toml      checks a plan of your own")]
     Lessons,
+    /// Lists the exams that the desk can hold.
+    #[command(after_help = "Examples:\n  \
+                            sortie class exams             the shipped ones, and those in the folder exams\n  \
+                            sortie check my-exam.toml      checks an exam of your own")]
+    Exams,
+    /// Prints the public key with which this desk seals exams, and its fingerprint.
+    #[command(after_help = "Examples:\n  sortie class key")]
+    Key,
     /// Prints the results of a class: trainee by mission, trainee by skill, and what the whole class does not know.
     Report(ReportArguments),
     /// Writes the results of a class for other programs: a spreadsheet, Moodle, xAPI, or a file per trainee.
@@ -68,6 +78,8 @@ pub(super) fn class(
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
     match &arguments.task {
+        ClassTask::Exams => exams::exams(&settings),
+        ClassTask::Key => exams::key(&settings),
         ClassTask::Lessons => lessons::lessons(&settings),
         ClassTask::Open { name, grader } => open(name.as_deref(), grader.as_deref(), settings),
         ClassTask::Rubrics => grades::rubrics(&settings),

@@ -234,6 +234,7 @@ impl<'l> RunRequest<'_, 'l> {
         }
         let mission = mission.flown_for(wanted);
         let terms = AttemptTerms {
+            drawn: None,
             mission: &mission,
             wanted,
             seed: options.seed,

@@ -15,7 +15,7 @@ use crate::mission::record::{Divergence, Head, RecordExtent, Rescored, Stored, r
 use crate::record::{Journal, JournalFit, JournalNeighbours, StoredInputs, Subject};
 use crate::replay::TlogSpan;
 use crate::scoring::{FlightBackend, MissionFile};
-use crate::store::{self, RecordFiles, RecordPublicKey, read_run};
+use crate::store::{self, DeskKey, RecordFiles, RecordPublicKey, check_seal, read_run};
 use crate::text;
 use crate::text::{Locale, Text, clock};
 
@@ -32,7 +32,7 @@ pub(super) struct VerifyArguments {
     /// The number in `sortie records list`, or a file of the record.
     #[arg(default_value = "1")]
     record: String,
-    /// Require a signature with this key: the text of a minisign public key, or its file.
+    /// Require a signature, or the seal of a desk, with this key: the text of a minisign public key, or its file.
     #[arg(long, value_name = "KEY")]
     public_key: Option<String>,
     /// Print one JSON document instead of text.
@@ -58,7 +58,20 @@ pub(super) fn verify(
         .map(RecordPublicKey::read)
         .transpose()
         .map_err(|error| invalid(Text::from(&error)))?;
-    document.add_signature(files.signature(key.as_ref()), key.is_some());
+    let own = settings.data.path().and_then(DeskKey::public_in);
+    let seal = check_seal(
+        &files,
+        key.as_ref().map(RecordPublicKey::text).or(own).as_deref(),
+    );
+    // The seal has the hashes of all files.
+    let needs_signature = key.is_some() && seal.is_none();
+    document.add_signature(
+        files.signature(key.as_ref().filter(|_| seal.is_none())),
+        needs_signature,
+    );
+    if let Some(seal) = seal {
+        document.add_seal(seal);
+    }
     if options.json {
         say!("{}", serde_json::to_string_pretty(&document)?)?;
     } else {

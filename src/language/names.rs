@@ -30,6 +30,8 @@ pub enum NameList {
     SeatInject,
     /// The lessons of the desk; a path is valid, too.
     Lesson,
+    /// The exams that the desk can hold; a path is valid, too.
+    Exam,
     /// The trainees of the class, by user name.
     Trainee,
     /// The rubrics.
@@ -113,10 +115,12 @@ impl Listed {
             | NameList::Seat
             | NameList::SeatInject
             | NameList::Rubric => words.iter().copied().find(|word| *word == written),
-            NameList::Lesson if written.contains(['/', '.']) => {
+            NameList::Lesson | NameList::Exam if written.contains(['/', '.']) => {
                 return Ok(written.to_owned());
             }
-            NameList::Lesson => words.iter().copied().find(|word| *word == written),
+            NameList::Lesson | NameList::Exam => {
+                words.iter().copied().find(|word| *word == written)
+            }
             NameList::Trainee => {
                 let name = written.trim_start_matches('@');
                 words.iter().copied().find(|word| *word == name)

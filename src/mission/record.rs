@@ -135,6 +135,12 @@ impl End {
     }
 }
 
+/// The mission time of a line of a record; `None` if it has none.
+pub fn time_of_line(line: &[u8]) -> Option<Duration> {
+    let line: RecordLine = serde_json::from_slice(line).ok()?;
+    line.time().map(Duration::from_millis)
+}
+
 fn checksum(lines: RunningHash) -> String {
     format!("{:016x}", lines.value())
 }

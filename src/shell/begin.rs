@@ -10,7 +10,7 @@ use super::Console;
 use super::career::today;
 use super::session::{RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
-use crate::app::event::{Event, SessionEvent, Started};
+use crate::app::event::{ClassEvent, Event, SessionEvent, Started};
 use crate::campaign::{
     Attempt, AttemptMeans, AttemptRefusal, AttemptTerms, AttemptTrainee, PracticeReason, Stake,
 };
@@ -27,6 +27,15 @@ const RELEASE_PATIENCE: Duration = Duration::from_secs(2);
 /// The time in which the links of a session send that it releases channels, and repeat it.
 const RELEASE_TIME: Duration = Duration::from_millis(250);
 
+/// Where the seed of a mission may come from.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct SeedSources {
+    /// The seed that the user has chosen.
+    pub chosen: Option<u64>,
+    /// The seed that the desk of a class has drawn for a try of an exam.
+    pub drawn: Option<u64>,
+}
+
 impl Console {
     /// Starts a mission that the trainee has chosen.
     pub(super) async fn start_mission(&mut self, launch: &Launch) -> Result<(), Text> {
@@ -35,25 +44,38 @@ impl Console {
             .with_fleet(launch.fleet.clone())
             .map_err(|reasons| Text::joined("; ", reasons))?;
         let mission = Arc::new(equipped.flown_for(launch.stake));
-        self.launch(mission, launch.stake, launch.seed).await
+        let seeds = SeedSources {
+            chosen: launch.seed,
+            drawn: launch.drawn,
+        };
+        self.launch(mission, launch.stake, seeds).await
     }
 
-    /// Starts a mission under the rules of its stake. Shows a notice if it can only be flown for practice.
+    /// Starts a mission under the rules of its stake. Shows a notice if it can only be flown for practice; a try of an
+    /// exam is not begun then, so that its seed does not become known.
     pub(super) async fn launch(
         &mut self,
         mission: Arc<Mission>,
         wanted: Stake,
-        seed: Option<u64>,
+        seeds: SeedSources,
     ) -> Result<(), Text> {
         let (flown_by, speedup) = (self.options.flown_by(), self.options.speedup);
         if let Some(refusal) = AttemptRefusal::of(wanted, flown_by, speedup) {
             return Err(refusal.text());
         }
-        let chosen = seed.or(self.options.seed);
-        let terms = self.terms(&mission, wanted, chosen);
+        let seeds = SeedSources {
+            chosen: seeds.chosen.or(self.options.seed),
+            ..seeds
+        };
+        let terms = self.terms(&mission, wanted, seeds);
         let reasons = terms.practice_reasons();
         let misfits = mission.misfits();
-        self.attempt = terms.decide();
+        let attempt = terms.decide();
+        if seeds.drawn.is_some() && attempt.stake != Stake::Exam {
+            self.post(ClassEvent::TryRefused);
+            return Err(PracticeReason::sentence(&reasons));
+        }
+        self.attempt = attempt;
         let started = self.start(SessionPlan::Mission(mission)).await?;
         self.begun(started);
         self.tell_practice(&reasons);
@@ -68,13 +90,14 @@ impl Console {
         &'a self,
         mission: &'a Mission,
         wanted: Stake,
-        seed: Option<u64>,
+        seeds: SeedSources,
     ) -> AttemptTerms<'a> {
         let career = self.app.state().training().career();
         AttemptTerms {
             mission,
             wanted,
-            seed,
+            seed: seeds.chosen,
+            drawn: seeds.drawn,
             trainee: career.map(|career| AttemptTrainee {
                 standing: &career.standing,
                 course: &career.course,
@@ -115,7 +138,11 @@ impl Console {
         self.attempt = match &plan {
             _ if alike => self.attempt.repeated(),
             SessionPlan::Mission(mission) => {
-                let terms = self.terms(mission, self.attempt.wanted, self.options.seed);
+                let seeds = SeedSources {
+                    chosen: self.options.seed,
+                    drawn: None,
+                };
+                let terms = self.terms(mission, self.attempt.wanted, seeds);
                 terms.decide_after(&self.attempt)
             }
             SessionPlan::Free(_) | SessionPlan::Connect(_) => self.attempt,

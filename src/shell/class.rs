@@ -17,7 +17,7 @@ use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
 use crate::app::state::{ClassRole, SeatPlace};
 use crate::carrier::{ClassFault, ClassPlace, DeskArrival, Outbox, SeatArrival};
-use crate::class::{Consent, Desk, Picture, Refusal, Seat};
+use crate::class::{Consent, Desk, Picture, RecordHead, Refusal, Seat};
 use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
 use crate::text;
@@ -28,6 +28,7 @@ use seat_files::SeatAnswer;
 
 mod desk_end;
 mod desk_files;
+mod exams;
 mod last_records;
 mod lessons;
 mod seat_end;
@@ -100,6 +101,14 @@ impl<L: Default> OpenLine<L> {
     }
 }
 
+/// What of the console is not in its state.
+struct ClassSight<'a> {
+    /// Takes the screen, if there is one.
+    pub picture: &'a dyn Fn() -> Option<Picture>,
+    /// Takes the head of the record of the mission in flight.
+    pub head: &'a dyn Fn() -> Option<RecordHead>,
+}
+
 /// What arrives from the other side.
 pub(super) enum ClassArrival {
     AtSeat(SeatArrival),
@@ -147,11 +156,11 @@ impl ClassEnd {
         }
     }
 
-    /// Says what the other side does not know yet. `picture` takes the screen, if there is one.
-    pub fn tell(&mut self, state: &State, picture: &dyn Fn() -> Option<Picture>) {
+    /// Says what the other side does not know yet.
+    fn tell(&mut self, state: &State, sight: &ClassSight<'_>) {
         match (self, state.class_role()) {
             (Self::Seat(end), ClassRole::Seat(place)) => {
-                end.tell(place.seat(), state, picture);
+                end.tell(place.seat(), state, sight);
             }
             (Self::Desk(end), ClassRole::Desk(desk)) => end.tell(desk, state),
             _ => {}
@@ -170,6 +179,16 @@ async fn or_never<T>(next: Option<impl Future<Output = Option<T>>>) -> T {
 }
 
 impl Console {
+    /// Tells the other side of a class what it does not know yet. `picture` takes the screen, if there is one.
+    pub(super) fn tell_class(&self, end: &mut ClassEnd, picture: &dyn Fn() -> Option<Picture>) {
+        let head = || self.record_head();
+        let sight = ClassSight {
+            picture,
+            head: &head,
+        };
+        end.tell(self.app.state(), &sight);
+    }
+
     /// Takes in what has arrived from the other side of a class.
     pub(super) async fn attend(&mut self, end: &mut ClassEnd, arrival: ClassArrival) {
         match (end, arrival) {
@@ -249,7 +268,9 @@ impl Console {
                 let flight = Err(text!("career-nowhere"));
                 self.post(ClassEvent::Graded { asked, flight });
             }
+            ClassEffect::ReadExam { name, seats } => self.read_exam(name, seats),
             ClassEffect::HandIn(_)
+            | ClassEffect::KeepNotes { .. }
             | ClassEffect::Settle(_)
             | ClassEffect::ReadGraded(_)
             | ClassEffect::KeepGrades { .. }

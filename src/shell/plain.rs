@@ -103,7 +103,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         }
         programs.tell(plain.console.app.state());
         class.carry_out(std::mem::take(&mut plain.console.class_work));
-        class.tell(plain.console.app.state(), &|| None);
+        plain.console.tell_class(&mut class, &|| None);
     }
     plain.console.close().await;
     plain.console.hand_in_rest(&mut class).await;

@@ -3,12 +3,13 @@
 //! Each class has a folder in the instructor's data folder, with a folder for each trainee. A record is complete once
 //! its submission lies beside it, which is written last; until then, its files may be parts.
 
+use std::ffi::OsString;
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
+use std::time::UNIX_EPOCH;
 
-use sha2::{Digest as _, Sha256};
-
+use super::hashes::{sha256_of, sha256_of_nothing};
 use super::records::ending_of;
 use super::{RecordFiles, sharing};
 use crate::class::{Held, RecordName, RecordPart, RecordShelf, ShelfFault, Submission};
@@ -39,6 +40,35 @@ pub struct KeptRecord {
     pub files: RecordFiles,
 }
 
+/// The class and the trainee whose record a file is, from the folders in which it is.
+#[derive(Debug)]
+pub(super) struct RecordOwner {
+    class: OsString,
+    user: OsString,
+}
+
+impl RecordOwner {
+    /// The owner of a file; `None` if it is not in the folder of a class.
+    pub fn of(path: &Path) -> Option<Self> {
+        // A relative path does not name the folders above it.
+        let path = path.canonicalize().ok()?;
+        let user = path.parent()?;
+        let class = user.parent()?;
+        (class.parent()?.file_name()? == CLASSES).then_some(Self {
+            class: class.file_name()?.to_owned(),
+            user: user.file_name()?.to_owned(),
+        })
+    }
+
+    pub fn is_class(&self, name: &str) -> bool {
+        self.class == *safe(name)
+    }
+
+    pub fn is_user(&self, name: &str) -> bool {
+        self.user == *safe(name)
+    }
+}
+
 impl ClassRecords {
     /// The records of the class with this name, in a data folder.
     pub fn within(data: &Path, class: &str) -> Self {
@@ -51,6 +81,11 @@ impl ClassRecords {
     /// The names of the classes that have records in a data folder.
     pub fn classes(data: &Path) -> Vec<String> {
         folders_in(&data.join(CLASSES))
+    }
+
+    /// The data folder.
+    pub fn data(&self) -> &Path {
+        &self.data
     }
 
     pub fn folder(&self) -> &Path {
@@ -87,6 +122,18 @@ impl ClassRecords {
             user: user.to_owned(),
             files,
         })
+    }
+
+    /// When a record was complete, in seconds since 1970.
+    pub fn handed_in(&self, kept: &KeptRecord) -> Option<u64> {
+        let record = RecordName::try_from(kept.files.stem.clone()).ok()?;
+        let submission = fs::metadata(self.path(&kept.user, &record, SUBMISSION)).ok()?;
+        let since = submission
+            .modified()
+            .ok()?
+            .duration_since(UNIX_EPOCH)
+            .ok()?;
+        Some(since.as_secs())
     }
 
     fn path(&self, user: &str, record: &RecordName, ending: &str) -> PathBuf {
@@ -196,37 +243,6 @@ fn append(mut file: File, bytes: &[u8]) -> io::Result<()> {
     file.write_all(bytes).inspect_err(|_| {
         // On an unavailable disk, this may fail too; then the hash shows it.
         drop(file.set_len(len));
-    })
-}
-
-/// The hash of a file's content, in hexadecimal digits.
-pub(super) fn sha256_of(path: &Path) -> io::Result<String> {
-    hash_of(File::open(path)?)
-}
-
-/// The hash of what can be read, in hexadecimal digits.
-pub(super) fn hash_of(mut read: impl io::Read) -> io::Result<String> {
-    let mut hash = Sha256::new();
-    let mut bytes = vec![0; 64 * 1024];
-    loop {
-        match read.read(&mut bytes)? {
-            0 => return Ok(hex(&hash.finalize())),
-            count => hash.update(&bytes[..count]),
-        }
-    }
-}
-
-fn sha256_of_nothing() -> String {
-    hex(&Sha256::new().finalize())
-}
-
-fn hex(bytes: &[u8]) -> String {
-    use std::fmt::Write as _;
-
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        // Writing to a text cannot fail.
-        let _ = write!(text, "{byte:02x}");
-        text
     })
 }
 

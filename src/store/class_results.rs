@@ -3,9 +3,11 @@
 use std::time::SystemTime;
 
 use super::runs::moment;
-use super::{ClassRecords, KeptRecord, complete, day_of, read_run};
+use super::{ClassRecords, DeskKey, KeptRecord, check_seal, complete, day_of, read_run};
 use crate::campaign::without_end;
+use crate::class::Exam;
 use crate::class_results::{ClassFlight, ClassTrainee, add_flight};
+use crate::exam_seal::SealCheck;
 use crate::mission::Mission;
 use crate::mission::record::Stored;
 use crate::scoring::Report;
@@ -48,11 +50,16 @@ pub(super) fn rescored(kept: &KeptRecord) -> Result<RescoredFlight, Text> {
     })
 }
 
-/// A flight from its record.
+/// A flight from its record. `own_key` is the public key that must have sealed it; the tries of these exams must have a
+/// seal.
 ///
 /// # Errors
 /// A text if the record cannot be read, or was changed after the flight.
-pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
+pub fn class_flight(
+    kept: &KeptRecord,
+    own_key: Option<&str>,
+    exams: &[Exam],
+) -> Result<ClassFlight, Text> {
     let RescoredFlight {
         stored,
         mission,
@@ -62,18 +69,23 @@ pub fn class_flight(kept: &KeptRecord) -> Result<ClassFlight, Text> {
     let began = moment(&head.when).unwrap_or(SystemTime::UNIX_EPOCH);
     let record = kept.files.stem.clone();
     let flight = ClassFlight::of(record, head, &mission, report, day_of(began));
+    let mut exams = exams.iter();
+    let is_try = exams.any(|exam| exam.try_of(&kept.user, flight.seed).is_some());
     Ok(ClassFlight {
+        seal: check_seal(&kept.files, own_key).or_else(|| is_try.then(SealCheck::missing)),
+        has_pause: stored.has_pauses(),
         has_end: stored.end().is_some(),
         ..flight
     })
 }
 
-/// The trainees of a class with their flights, and why records cannot be read.
-pub fn class_trainees(records: &ClassRecords) -> (Vec<ClassTrainee>, Vec<Text>) {
+/// The trainees of a class with their flights, and why records cannot be read. The tries of these exams must have a seal.
+pub fn class_trainees(records: &ClassRecords, exams: &[Exam]) -> (Vec<ClassTrainee>, Vec<Text>) {
     let mut trainees: Vec<ClassTrainee> = Vec::new();
     let mut faults = Vec::new();
+    let own_key = DeskKey::public_in(records.data());
     for kept in records.all() {
-        match class_flight(&kept) {
+        match class_flight(&kept, own_key.as_deref(), exams) {
             Ok(flight) => add_flight(&mut trainees, &kept.user, flight),
             Err(fault) => faults.push(fault),
         }

@@ -13,11 +13,13 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use chrono::{DateTime, NaiveDateTime};
+use sha2::{Digest as _, Sha256};
 
 use super::append::{AppendFile, is_written};
 use super::signature::signature_of;
 use super::{StoreError, sharing};
 use crate::campaign::is_practice;
+use crate::class::{RecordHead, RecordName};
 use crate::mission::record::{End, Head};
 use crate::scoring::TryReport;
 
@@ -48,7 +50,11 @@ pub struct Runs {
 
 /// A run that is being recorded.
 #[derive(Debug)]
-pub struct RunFile(AppendFile);
+pub struct RunFile {
+    file: AppendFile,
+    /// The hash of all that was written.
+    hash: Sha256,
+}
 
 impl Runs {
     /// The runs in the program's data folder: the newest 300, limited to 256 MiB in total.
@@ -95,7 +101,10 @@ impl Runs {
         for number in 0..100 {
             let name = format!("{when}_{mission}_{process}-{number:02}{ENDING}");
             if let Some(file) = AppendFile::create(self.folder.join(name))? {
-                return Ok(RunFile(file));
+                return Ok(RunFile {
+                    file,
+                    hash: Sha256::new(),
+                });
             }
         }
         Err(unwritable(
@@ -220,11 +229,22 @@ impl RunFile {
     /// # Errors
     /// The disk is full or unavailable.
     pub fn append(&mut self, lines: &str) -> Result<(), StoreError> {
-        self.0.append(lines.as_bytes())
+        self.file.append(lines.as_bytes())?;
+        self.hash.update(lines);
+        Ok(())
     }
 
     pub fn path(&self) -> &Path {
-        self.0.path()
+        self.file.path()
+    }
+
+    /// How far the file has grown; `None` if its name is no name of a record.
+    pub fn head(&self) -> Option<RecordHead> {
+        Some(RecordHead {
+            record: RecordName::try_from(self.id().to_owned()).ok()?,
+            bytes: self.file.len(),
+            sha256: <[u8; 32]>::from(self.hash.clone().finalize()).into(),
+        })
     }
 
     /// Removes the file, and that of the inputs. If that fails, they stay as a flight without an
@@ -236,7 +256,7 @@ impl RunFile {
 
     /// The run's unique id: the file's name without its suffix.
     pub fn id(&self) -> &str {
-        run_id(self.0.path())
+        run_id(self.file.path())
     }
 }
 

@@ -104,23 +104,35 @@ impl RecordKey {
         let pair = pair.map_err(failed)?;
         let id = key_id(pair.pk.keynum());
         let secret = pair.sk.to_box(None).map_err(failed)?.into_string();
-        let public = format!(
-            "untrusted comment: minisign public key {id}\n{}\n",
-            pair.pk.to_base64()
-        );
         let mut folders = DirBuilder::new();
         folders.recursive(true).mode(0o700);
         folders
             .create(folder)
             .map_err(|error| unreadable(folder, error))?;
-        for (path, text, mode) in [(&files[0], secret, 0o600), (&files[1], public, 0o644)] {
-            let mut options = OpenOptions::new();
-            let file = options.write(true).create_new(true).mode(mode).open(path);
-            file.and_then(|mut file| file.write_all(text.as_bytes()))
-                .map_err(|error| unreadable(path, error))?;
+        for (path, text, mode) in [
+            (&files[0], secret, 0o600),
+            (&files[1], public_file(&pair.pk), 0o644),
+        ] {
+            write_whole(path, &text, mode).map_err(|error| match error.kind() {
+                io::ErrorKind::AlreadyExists => SignatureError::Exists(path.clone()),
+                _ => unreadable(path, error),
+            })?;
         }
         // The id comes from the public key, since that of the secret key is encrypted with its password.
         Ok((id, files))
+    }
+
+    /// The public key.
+    ///
+    /// # Errors
+    /// The secret key, which was read from this file, is damaged.
+    pub(super) fn public(&self, path: &Path) -> Result<RecordPublicKey, SignatureError> {
+        let public = PublicKey::from_secret_key(&self.0);
+        let public = public.map_err(|error| SignatureError::Key {
+            path: path.to_owned(),
+            why: error.to_string(),
+        });
+        public.map(RecordPublicKey)
     }
 
     /// The id of the key in hexadecimal digits, as minisign shows it.
@@ -134,13 +146,33 @@ impl RecordKey {
 pub struct RecordPublicKey(PublicKey);
 
 impl RecordPublicKey {
+    /// The key as text.
+    pub fn text(&self) -> String {
+        self.0.to_base64()
+    }
+
+    /// The key with this text, which may come from anywhere: it is never taken for a path.
+    pub(super) fn from_text(text: &str) -> Option<Self> {
+        PublicKey::from_base64(text).ok().map(Self)
+    }
+
+    /// Writes its file in a folder, replacing another one.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub(super) fn write(&self, folder: &Path) -> Result<(), SignatureError> {
+        let path = public_key_in(folder);
+        let written = super::write(&path, &public_file(&self.0), true);
+        written.map_err(|error| unreadable(&path, io::Error::other(error.to_string())))
+    }
+
     /// Reads a public key from its text, or from a file of `minisign -G`.
     ///
     /// # Errors
     /// The argument is neither a key nor such a file.
     pub fn read(text_or_path: &str) -> Result<Self, SignatureError> {
-        if let Ok(key) = PublicKey::from_base64(text_or_path) {
-            return Ok(Self(key));
+        if let Some(key) = Self::from_text(text_or_path) {
+            return Ok(key);
         }
         let path = Path::new(text_or_path);
         let text = read_regular_text(path, LONGEST).map_err(|error| unreadable(path, error))?;
@@ -150,6 +182,44 @@ impl RecordPublicKey {
             why: error.to_string(),
         })
     }
+}
+
+/// The content of the file of a public key.
+fn public_file(key: &PublicKey) -> String {
+    let id = key_id(key.keynum());
+    format!(
+        "untrusted comment: minisign public key {id}\n{}\n",
+        key.to_base64()
+    )
+}
+
+/// Writes a new file, which is never seen in part.
+fn write_whole(path: &Path, text: &str, mode: u32) -> io::Result<()> {
+    let beside = path.with_extension(format!("{}.new", std::process::id()));
+    let mut options = OpenOptions::new();
+    let file = options
+        .write(true)
+        .create_new(true)
+        .mode(mode)
+        .open(&beside);
+    let written = file.and_then(|mut file| {
+        file.write_all(text.as_bytes())?;
+        file.sync_all()
+    });
+    // Unlike a rename, a link replaces no file.
+    let written = written.and_then(|()| fs::hard_link(&beside, path));
+    drop(fs::remove_file(&beside));
+    written
+}
+
+/// The file with the secret key in a folder.
+pub(super) fn secret_key_in(folder: &Path) -> PathBuf {
+    folder.join(SECRET_KEY)
+}
+
+/// The file with the public key in a folder.
+pub(super) fn public_key_in(folder: &Path) -> PathBuf {
+    folder.join(PUBLIC_KEY)
 }
 
 /// Signs a file, replacing an existing signature; the signature contains the comment `about`.

@@ -6,7 +6,7 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
-use super::class_records::hash_of;
+use super::hashes::hash_of;
 use super::records::ending_of;
 use super::{Records, sharing};
 use crate::class::{

@@ -27,6 +27,7 @@ catalogue! {
     "debrief",
     "doctor",
     "drafts",
+    "exams",
     "faults",
     "fleet",
     "fly",

@@ -3,6 +3,7 @@
 mod check;
 mod class;
 mod designs;
+mod exams;
 mod output;
 mod plans;
 mod rehearsals;

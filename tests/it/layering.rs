@@ -30,8 +30,9 @@ const PURE: &[&[&str]] = &[
     &["sitl"],
     &["fidelity", "mission", "scoring", "debrief"],
     &["campaign", "comparison", "review"],
+    &["exam_seal"],
     &["class_results", "lesson_plan"],
-    &["grading"],
+    &["exam_plan", "grading"],
     &["operator"],
     &["exercise"],
 ];

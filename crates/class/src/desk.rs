@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use super::protocol::{Denial, Hello, SeatMessage, VERSION};
 use super::{
-    Attention, Deed, Need, OrderId, Piece, Presence, SeatRecord, SeatReport, Submission, Words,
+    Attention, Deed, Exam, Need, OrderId, Piece, Presence, SeatRecord, SeatReport, Submission,
+    TryHead, Words,
 };
 
 /// The maximum number of seats.
@@ -23,6 +24,8 @@ pub enum DeskHeard {
     Submission(Submission),
     /// Take in a piece of a record.
     Piece(Piece),
+    /// Tell the seat that this head is noted, once it is.
+    Witnessed(TryHead),
 }
 
 /// What an instructor's console knows of the class.
@@ -34,6 +37,7 @@ pub struct Desk {
     orders: u32,
     /// The seat whose screen is watched.
     watched: Option<usize>,
+    pub(super) exam: Option<Exam>,
 }
 
 impl Desk {
@@ -45,6 +49,7 @@ impl Desk {
             seats: Vec::new(),
             orders: 0,
             watched: None,
+            exam: None,
         }
     }
 
@@ -89,39 +94,36 @@ impl Desk {
         message: SeatMessage,
         now: Duration,
     ) -> Result<DeskHeard, Denial> {
-        let known = self.index_of(connection);
-        match (message, known) {
-            (SeatMessage::Hello(hello), None) => {
-                self.admit(connection, user, &hello, now)?;
-            }
-            (SeatMessage::Report { last, report }, Some(index)) => {
+        let Some(index) = self.index_of(connection) else {
+            let SeatMessage::Hello(hello) = message else {
+                return Err(Denial::NoHello);
+            };
+            self.admit(connection, user, &hello, now)?;
+            return Ok(DeskHeard::Known);
+        };
+        match message {
+            SeatMessage::Hello(_) => return Err(Denial::NoHello),
+            SeatMessage::Report { last, report } => {
                 self.seats[index].announced = last;
                 self.report(index, *report, now);
             }
-            (SeatMessage::Entries(batch), Some(index)) => {
+            SeatMessage::Entries(batch) => {
                 let seat = &mut self.seats[index];
                 let new = seat.journal.receive(batch);
                 seat.hear(&new);
             }
-            (SeatMessage::Screen(part), Some(index)) => {
-                // What was on its way when the desk stopped watching is not wanted any more.
-                if self.watched == Some(index) {
-                    self.seats[index].see(&part, now);
+            SeatMessage::Screen(part) if self.watched == Some(index) => {
+                self.seats[index].see(&part, now);
+            }
+            // It was on its way when the desk stopped watching.
+            SeatMessage::Screen(_) => {}
+            SeatMessage::Submit(submission) => return Ok(DeskHeard::Submission(submission)),
+            SeatMessage::Piece(piece) => return Ok(DeskHeard::Piece(piece)),
+            SeatMessage::Head(head) => {
+                if self.witness(index, &head, now) {
+                    return Ok(DeskHeard::Witnessed(head));
                 }
             }
-            (SeatMessage::Submit(submission), Some(_)) => {
-                return Ok(DeskHeard::Submission(submission));
-            }
-            (SeatMessage::Piece(piece), Some(_)) => return Ok(DeskHeard::Piece(piece)),
-            (SeatMessage::Hello(_), Some(_))
-            | (
-                SeatMessage::Report { .. }
-                | SeatMessage::Entries(_)
-                | SeatMessage::Screen(_)
-                | SeatMessage::Submit(_)
-                | SeatMessage::Piece(_),
-                None,
-            ) => return Err(Denial::NoHello),
         }
         Ok(DeskHeard::Known)
     }

@@ -14,6 +14,7 @@
 //!   `reception`, how the desk takes them in.
 //! - What is planned: `lesson`, the steps of a lesson and where a seat is in them; `conduct`, what the desk does for
 //!   all seats.
+//! - What counts: `exam`, tries that the desk opens, and whose records it sees growing.
 //! - How it is said: [`protocol`], as lines of JSON.
 //! - Who knows what: [`Seat`] is the state of a seat's side, [`Desk`] that of the desk, with a [`SeatRecord`] for each
 //!   seat; `need` orders them.
@@ -27,6 +28,7 @@
 mod conduct;
 mod desk;
 mod desk_line;
+mod exam;
 mod hand_in;
 mod journal;
 mod lesson;
@@ -48,6 +50,11 @@ mod tests;
 pub use conduct::{LessonDirection, LessonFault};
 pub use desk::{ConnectionId, Desk, DeskHeard, SEATS};
 pub use desk_line::DeskLine;
+pub use exam::{
+    Candidate, CandidateStage, CandidateTry, ContentHash, Exam, ExamDeed, ExamLayout, ExamMission,
+    ExamNote, ExamPlan, ExamSecret, ExamTry, FlownTry, RecordHead, TimedHead, TryEnd, TryHead,
+    TryName, Witness, WrittenRecord,
+};
 pub use hand_in::{HandIn, HandInOutcome};
 pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};
 pub use lesson::{
@@ -63,7 +70,7 @@ pub use report::{
     ArmedInject, Danger, DangerKind, FlightReport, LastCommand, OfferedInject, SeatReport, Stage,
 };
 pub use seat::{Consent, Seat};
-pub use seat_line::{REPORT_EVERY, SeatLine, SeatSource};
+pub use seat_line::{HEAD_EVERY, REPORT_EVERY, SeatLine, SeatSource};
 pub use seat_record::{GivenOrder, OrderState, Presence, SeatRecord};
 pub use submission::{
     LARGEST_PART, PIECE, Piece, PieceBytes, PieceRequest, RecordName, RecordPart, Submission,

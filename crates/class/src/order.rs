@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
-use super::Words;
+use super::{ExamTry, Words};
 
 /// How long an order may take. Later it is not sent any more: a freeze that arrives minutes after it was meant would
 /// do harm.
@@ -71,6 +71,8 @@ pub enum Deed {
         #[serde(default, skip_serializing_if = "is_false")]
         exam: bool,
     },
+    /// Open a try of an exam, with the brief of its mission.
+    Examine(ExamTry),
     /// Let the time of a mission begin whose brief is still shown.
     Start,
     /// Note which step of a lesson the seat is at, and report when its condition holds.
@@ -114,7 +116,7 @@ impl Deed {
     pub fn is_for_exams(&self) -> bool {
         matches!(
             self,
-            Self::Message { .. } | Self::End | Self::Start | Self::Step(_)
+            Self::Message { .. } | Self::End | Self::Start | Self::Step(_) | Self::Examine(_)
         )
     }
 
@@ -178,4 +180,8 @@ pub enum Refusal {
     Flying,
     /// The mission is locked in the trainee's career, so it cannot be an exam.
     Locked,
+    /// The try was flown already, or there are no more tries.
+    Flown,
+    /// At this seat, the flight would be practice: the console has a mission or airframes of its own.
+    Practice,
 }

@@ -10,7 +10,7 @@ use thiserror::Error;
 
 use super::{
     JournalBatch, Order, PicturePart, Piece, PieceRequest, RecordName, SeatReport, Submission,
-    SubmissionEnd, Words,
+    SubmissionEnd, TryHead, Words,
 };
 
 /// The version of the protocol; it increases with every change that is not an addition.
@@ -39,6 +39,8 @@ pub enum SeatMessage {
     Submit(Submission),
     /// A piece of a record, as the desk has asked for it.
     Piece(Piece),
+    /// How far the record of an exam's try has grown.
+    Head(TryHead),
 }
 
 /// The first line of a seat, which asks to join.
@@ -83,6 +85,13 @@ pub enum DeskMessage {
         record: RecordName,
         /// Whether the desk has it, or why it does not take it.
         end: SubmissionEnd,
+    },
+    /// The desk has noted how far the record of a try had grown.
+    Witnessed {
+        /// The record.
+        record: RecordName,
+        /// The number of its bytes.
+        bytes: u64,
     },
     /// The desk is still there, though it has nothing else to say.
     Here,

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Words;
+use super::{FlownTry, Words};
 
 /// A seat's state. Only the newest one matters.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
@@ -20,6 +20,9 @@ pub struct FlightReport {
     pub mission: Option<Words>,
     /// Whether the flight is an exam.
     pub exam: bool,
+    /// The try of an exam that the desk has opened.
+    #[serde(default, rename = "try", skip_serializing_if = "Option::is_none")]
+    pub exam_try: Option<FlownTry>,
     /// How far the flight is.
     pub stage: Stage,
     /// The time since the start of the mission.

@@ -4,10 +4,14 @@ use std::time::Duration;
 
 use super::protocol::{DeskMessage, Hello, SeatMessage, VERSION};
 use super::watch::{Picture, PictureSender};
-use super::{Consent, Piece, PieceRequest, RecordName, Seat, SeatReport};
+use super::{Consent, Piece, PieceRequest, RecordName, Seat, SeatReport, TryHead};
 
 /// The time between two reports.
 pub const REPORT_EVERY: Duration = Duration::from_millis(500);
+/// The time between two heads of an exam's record.
+pub const HEAD_EVERY: Duration = Duration::from_secs(10);
+/// The time after which a head is sent again that the desk has not noted: it may not know yet that the try is open.
+const HEAD_AGAIN: Duration = Duration::from_secs(2);
 
 /// The time without an answer of the desk after which a record is offered again.
 const SUBMIT_AGAIN: Duration = Duration::from_secs(10);
@@ -20,6 +24,8 @@ pub trait SeatSource {
     fn picture(&self) -> Option<Picture>;
     /// A piece of a record; `None` until it is read.
     fn piece(&self, request: &PieceRequest) -> Option<Piece>;
+    /// How far the record of an exam's try has grown; `None` if none is flown.
+    fn head(&self) -> Option<TryHead>;
 }
 
 /// A seat's half of one connection. A new connection needs a new one.
@@ -29,6 +35,9 @@ pub struct SeatLine {
     /// The number of the next entry; `None` until the desk has asked.
     next_entry: Option<u64>,
     next_report: Option<Duration>,
+    /// When the last head was sent; a new connection begins with one.
+    head_sent: Option<Duration>,
+    is_head_noted: bool,
     /// What the desk has seen of the screen, while it watches.
     screen: Option<PictureSender>,
     /// The record that is being handed in.
@@ -59,6 +68,7 @@ impl SeatLine {
                 }
             }
             DeskMessage::Settled { .. } => self.submitted = None,
+            DeskMessage::Witnessed { .. } => self.is_head_noted = true,
             DeskMessage::Welcome { .. }
             | DeskMessage::Denied(_)
             | DeskMessage::Order(_)
@@ -91,6 +101,9 @@ impl SeatLine {
                 report: Box::new(source.report()),
             });
         }
+        if let Some(head) = self.next_head(source, now) {
+            return Some(SeatMessage::Head(head));
+        }
         if let Some(screen) = &mut self.screen
             && let Some(part) = screen.next(|| source.picture(), now)
         {
@@ -103,6 +116,19 @@ impl SeatLine {
             return Some(SeatMessage::Entries(batch));
         }
         self.hand_in(seat, source, now)
+    }
+
+    /// The head of an exam's record, if one is due.
+    fn next_head(&mut self, source: &impl SeatSource, now: Duration) -> Option<TryHead> {
+        let wait = if self.is_head_noted {
+            HEAD_EVERY
+        } else {
+            HEAD_AGAIN
+        };
+        let is_due = self.head_sent.is_none_or(|sent| now >= sent + wait);
+        let head = is_due.then(|| source.head()).flatten()?;
+        (self.head_sent, self.is_head_noted) = (Some(now), false);
+        Some(head)
     }
 
     /// The next line about a record, after everything else: a record waits for the class, not the class for a record.

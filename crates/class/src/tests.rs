@@ -9,6 +9,7 @@ use super::reception::tests::{piece, submission};
 use super::*;
 use rig::{Rig, fates};
 
+mod exams;
 mod lessons;
 mod rig;
 
@@ -44,6 +45,10 @@ impl SeatSource for Idle {
 
     fn picture(&self) -> Option<Picture> {
         Some(Picture::blank(3, 2))
+    }
+
+    fn head(&self) -> Option<TryHead> {
+        None
     }
 
     fn piece(&self, request: &PieceRequest) -> Option<Piece> {

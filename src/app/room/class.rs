@@ -280,6 +280,7 @@ const DESK_HINTS: &[KeyHint] = &[
     hint_words("class grade", "class-key-grade"),
     hint_words("class lesson", "class-key-lesson"),
     hint_words("class lesson next", "class-key-next-step"),
+    hint_words("class exam ", "class-key-exam"),
     hint(&[Action::Quit], "hint-quit"),
 ];
 
@@ -362,6 +363,7 @@ impl RoomModel for ClassRoom {
         writes('\'', "class mark "),
         writes('e', "class inject "),
         gives('i', "class injects"),
+        writes('E', "class exam "),
         gives('x', "class end"),
         gives('t', "class results"),
         gives('g', "class grade"),

@@ -38,7 +38,7 @@ impl Names for Known<'_> {
             | NameList::SeatInject => self.0.listed(list),
             NameList::Lesson => lessons(self.0),
             NameList::Trainee => trainees(self.0),
-            NameList::Rubric => Listed::Anything,
+            NameList::Exam | NameList::Rubric => Listed::Anything,
         }
     }
 

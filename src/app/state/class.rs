@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::State;
-use crate::class::{Consent, Danger, Deed, Desk, Happening, NotedStep, OrderId, Seat, Words};
+use crate::class::{
+    Consent, Danger, Deed, Desk, Happening, NotedStep, OrderId, Seat, TryName, Words,
+};
 use crate::ledger::EntryId;
 use crate::text;
 use crate::text::Text;
@@ -34,6 +36,10 @@ pub struct SeatPlace {
     pub(in crate::app) armed: Vec<ArmedOrder>,
     /// The step of a lesson that waits for its condition.
     pub(in crate::app) step: Option<WaitingStep>,
+    /// The try of an exam that the desk has opened last.
+    pub(in crate::app) exam: Option<OpenTry>,
+    /// The tries that were opened at this console.
+    pub(in crate::app) tries: BTreeSet<TryName>,
     /// The number of flights that this console has begun.
     pub(in crate::app) flights: u32,
     /// Whether the mission of this flight is over and was passed.
@@ -98,6 +104,18 @@ pub(in crate::app) struct WaitingStep {
     pub asked: Option<u32>,
 }
 
+/// A try of an exam at this seat.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct OpenTry {
+    pub name: TryName,
+    /// The flight by its number, which may be the next one.
+    pub flight: u32,
+    /// When it must end, by the wall clock.
+    pub until: Duration,
+    /// Whether it was ended because its time is up; once is enough.
+    pub is_ended: bool,
+}
+
 impl SeatPlace {
     /// A place that is not taken yet.
     pub fn new(seat: Seat) -> Self {
@@ -106,6 +124,8 @@ impl SeatPlace {
             pending: Vec::new(),
             armed: Vec::new(),
             step: None,
+            exam: None,
+            tries: BTreeSet::new(),
             flights: 0,
             has_passed: false,
             desk_entries: BTreeSet::new(),
@@ -123,12 +143,27 @@ impl SeatPlace {
         &self.seat
     }
 
+    /// The try of an exam that is the present flight.
+    pub(in crate::app) fn open_try(&self) -> Option<&OpenTry> {
+        self.exam.as_ref().filter(|it| it.flight == self.flights)
+    }
+
+    /// The name of the try of an exam that is the present flight.
+    pub fn flown_try(&self) -> Option<&TryName> {
+        self.open_try().map(|it| &it.name)
+    }
+
     /// Counts what happened, and adds it to the journal if the trainee has joined: what came before is not for the desk.
     pub(in crate::app) fn note(&mut self, clock_s: Option<f64>, what: Happening) {
         match what {
-            Happening::Started { .. } => {
+            Happening::Started { ref mission } => {
                 self.is_frozen = false;
                 self.flights += 1;
+                // The flight of the try could not be begun, and this is another one.
+                let is_other = |it: &OpenTry| mission.as_ref() != Some(&it.name.mission);
+                if self.open_try().is_some_and(is_other) {
+                    self.exam = None;
+                }
                 self.has_passed = false;
                 self.desk_entries.clear();
                 self.danger = None;
@@ -195,6 +230,12 @@ impl ClassRole {
 }
 
 impl<R> State<R> {
+    /// Whether the flight is a try of an exam that is not over: the trainee can neither restart it nor leave the class.
+    pub fn has_open_try(&self) -> bool {
+        let open = self.class.seat().and_then(SeatPlace::open_try);
+        open.is_some() && !self.session.task.over
+    }
+
     /// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, or if it is silent, the trainee
     /// can.
     pub fn keeps_frozen(&self) -> Option<Text> {

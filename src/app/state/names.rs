@@ -25,6 +25,7 @@ impl<R: fmt::Debug> Names for State<R> {
             NameList::Draft
             | NameList::ItemField
             | NameList::Lesson
+            | NameList::Exam
             | NameList::Trainee
             | NameList::Rubric => Listed::Anything,
             NameList::PlanFile => Listed::Names(self.typing.plan_files()),

@@ -3,7 +3,9 @@
 use std::time::Duration;
 
 use super::{Activity, ClassRole, SeatPlace, State};
-use crate::class::{ArmedInject, FlightReport, LastCommand, OfferedInject, SeatReport, Stage};
+use crate::class::{
+    ArmedInject, FlightReport, FlownTry, LastCommand, OfferedInject, SeatReport, Stage,
+};
 use crate::ledger::LedgerEntry;
 use crate::mission::{ObjectiveState, Progress, Stake};
 use crate::scoring::utilisation;
@@ -54,6 +56,10 @@ impl<R> State<R> {
                 .as_ref()
                 .map(|it| it.id.as_str().into()),
             exam: is_exam,
+            exam_try: place.and_then(SeatPlace::flown_try).map(|name| FlownTry {
+                name: name.clone(),
+                is_passed: place.is_some_and(|place| place.has_passed),
+            }),
             stage: self.stage(),
             clock_s: seconds(session.time(self.now)),
             score: progress.and_then(|it| it.score_so_far),

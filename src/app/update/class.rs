@@ -3,8 +3,8 @@
 //! # How the parts fit
 //! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
 //! - After a flight: `hand_in`, the records that a seat hands in.
-//! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan; `grading` is the
-//!   instructor's judgement of a flight.
+//! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan; `exams` holds an
+//!   exam; `grading` is the instructor's judgement of a flight.
 
 use crate::app::State;
 use crate::app::effect::{Effect, Effects};
@@ -19,6 +19,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 
 mod desk;
+mod exams;
 mod grading;
 mod hand_in;
 mod lessons;
@@ -40,6 +41,7 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
         ClassEvent::Lost => lost(state),
         ClassEvent::Refused(text) => tell(state, Severity::Warning, text),
         ClassEvent::Begun { id, refusal } => return orders::begun(state, id, refusal),
+        ClassEvent::TryRefused => return orders::try_refused(state),
         ClassEvent::Heard {
             connection,
             user,
@@ -86,6 +88,7 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
                 text!("grading-lost", fault = fault),
             );
         }
+        ClassEvent::Exam(event) => return exams::happened(state, event),
         ClassEvent::Results(results) => state.rooms.class.results = Some(results),
     }
     Effects::none()
@@ -144,7 +147,10 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
         }
         DeskMessage::Settled { record, end } => return hand_in::settled(state, record, end),
         // What is to be sent is a matter of the connection.
-        DeskMessage::Ask { .. } | DeskMessage::Fetch(_) | DeskMessage::Here => {}
+        DeskMessage::Ask { .. }
+        | DeskMessage::Fetch(_)
+        | DeskMessage::Witnessed { .. }
+        | DeskMessage::Here => {}
     }
     Effects::none()
 }
@@ -164,6 +170,7 @@ pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: 
         ClassRole::Desk(_) if is_tick => {
             desk::tick(state);
             effects.extend(lessons::tick(state));
+            effects.extend(exams::tick(state));
             return;
         }
         ClassRole::None | ClassRole::Desk(_) => return,
@@ -248,8 +255,8 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
     match line {
         ClassLine::Join | ClassLine::Leave => {
             let joins = line == ClassLine::Join;
-            if !joins && let Some(reason) = state.keeps_frozen() {
-                return Err(reason);
+            if !joins {
+                may_leave(state)?;
             }
             let place = state.class.seat_mut().ok_or_else(|| text!("class-none"))?;
             place.seat.decide(joins);
@@ -268,12 +275,25 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         ClassLine::Lessons => lessons::show_lessons(state),
         ClassLine::Teach { seats, lesson } => lessons::teach(state, &seats, lesson),
         ClassLine::Direct { seats, direction } => lessons::direct(state, &seats, direction),
+        ClassLine::Examine { seats, exam } => exams::begin(state, &seats, exam),
+        ClassLine::StopExam => exams::stop(state),
         ClassLine::Injects => desk::show_injects(state),
         ClassLine::Results => desk::show_results(state),
         ClassLine::Grading(line) => grading::carry_out(state, line),
         ClassLine::Watch(choice) => desk::watch(state, &choice),
         ClassLine::Unwatch => desk::unwatch(state),
     }
+}
+
+/// Checks that nothing keeps the trainee in the class.
+///
+/// # Errors
+/// What does.
+fn may_leave(state: &State) -> Result<(), Text> {
+    if state.has_open_try() {
+        return Err(text!("class-exam-no-leave"));
+    }
+    state.keeps_frozen().map_or(Ok(()), Err)
 }
 
 /// The trainee joins the class.

@@ -167,6 +167,11 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }
+    if state.has_open_try() {
+        let reason = text!("class-exam-no-restart");
+        state.say(Severity::Warning, reason);
+        return Effects::none();
+    }
     if state.flown_mission().is_none() {
         state.say(Severity::Notice, text!("mission-none"));
         return Effects::none();

@@ -66,6 +66,7 @@ impl FlightClaim<'_> {
 
     fn terms<'t>(&'t self, trainee: AttemptTrainee<'t>, day: i64) -> AttemptTerms<'t> {
         AttemptTerms {
+            drawn: None,
             mission: self.mission,
             wanted: self.stake,
             seed: None,

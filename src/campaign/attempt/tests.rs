@@ -56,6 +56,7 @@ impl Newcomer {
 
     fn terms(&self, wanted: Stake) -> AttemptTerms<'_> {
         AttemptTerms {
+            drawn: None,
             mission: &self.open,
             wanted,
             seed: None,
@@ -419,4 +420,30 @@ fn exams_and_the_layout_of_the_day_are_flown_by_hand() {
         let refusal = AttemptRefusal::of(stake, flown_by, speedup);
         assert_eq!(refusal, expected, "{stake:?} {flown_by:?} {speedup}");
     }
+}
+
+#[test]
+fn an_exam_of_a_desk_is_flown_by_guests_under_the_same_conditions() {
+    let newcomer = Newcomer::new();
+    let stake = |drawn, means| {
+        let terms = AttemptTerms {
+            drawn,
+            trainee: None,
+            means,
+            ..newcomer.terms(Stake::Exam)
+        };
+        terms.decide().stake
+    };
+    let slow = AttemptMeans {
+        speedup: 0.5,
+        ..USUAL
+    };
+    let own = AttemptMeans {
+        has_own_airframes: true,
+        ..USUAL
+    };
+    assert_eq!(stake(Some(7), USUAL), Stake::Exam);
+    assert_eq!(stake(Some(7), slow), Stake::Practice);
+    assert_eq!(stake(Some(7), own), Stake::Practice);
+    assert_eq!(stake(None, own), Stake::Exam, "nothing is stored");
 }

@@ -167,6 +167,13 @@ fn markdown(class: &ReadClass, trainee: &ClassTrainee) -> String {
         words(text!("progress-skills")),
         progress::skills(&progress, locale).markdown(),
     );
+    let mut missing = class.missing.clone();
+    missing.retain(|it| it.user == trainee.user);
+    let exams = tables::exams(std::slice::from_ref(trainee), &missing, locale);
+    if !exams.is_empty() {
+        let heading = words(text!("class-report-exams"));
+        text += &["\n## ", &heading, "\n\n", &exams.markdown()].concat();
+    }
     for best in trainee.best_flights() {
         text += &best_markdown(class, best);
     }

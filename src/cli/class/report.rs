@@ -7,10 +7,11 @@ use serde::Serialize;
 
 use super::results::ReadClass;
 use super::tables;
-use crate::class_results::ClassResults;
+use crate::class_results::{ClassResults, TryWithoutRecord};
 use crate::cli::Failure;
 use crate::cli::settings::CliSettings;
 use crate::cli::table::TextTable;
+use crate::exam_seal::SealCheck;
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -33,6 +34,10 @@ struct ClassDocument<'a> {
     class: &'a str,
     #[serde(flatten)]
     results: &'a ClassResults,
+    /// The tries of exams.
+    exams: Vec<&'a SealCheck>,
+    /// The tries of exams of which no record was handed in.
+    missing: &'a [TryWithoutRecord],
 }
 
 pub(super) fn report(
@@ -45,6 +50,12 @@ pub(super) fn report(
         let document = ClassDocument {
             class: &class.name,
             results: &results,
+            exams: class
+                .trainees
+                .iter()
+                .flat_map(|it| it.flights.iter().filter_map(|flight| flight.seal.as_ref()))
+                .collect(),
+            missing: &class.missing,
         };
         say!("{}", serde_json::to_string_pretty(&document)?)?;
         return Ok(ExitCode::SUCCESS);
@@ -56,7 +67,11 @@ pub(super) fn report(
     if results.missions.is_empty() {
         say!("\n{}", locale.text(&text!("class-report-none")))?;
     }
-    for (heading, table) in sections(&results, locale) {
+    let exams = (
+        text!("class-report-exams"),
+        tables::exams(&class.trainees, &class.missing, locale),
+    );
+    for (heading, table) in sections(&results, locale).into_iter().chain([exams]) {
         if !table.is_empty() {
             let heading = locale.text(&heading);
             say!("\n{heading}\n{}", table.plain().trim_end())?;

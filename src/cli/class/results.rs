@@ -4,10 +4,10 @@ use std::time::SystemTime;
 
 use crate::campaign::MissionCourse;
 use crate::carrier::own_user_name;
-use crate::class_results::{ClassResults, ClassTrainee};
+use crate::class_results::{ClassResults, ClassTrainee, TryWithoutRecord};
 use crate::cli::Failure;
 use crate::cli::settings::CliSettings;
-use crate::store::{self, ClassRecords, class_trainees, day_of};
+use crate::store::{self, ClassRecords, ExamNotes, class_trainees, day_of};
 use crate::text;
 use crate::text::Locale;
 
@@ -16,6 +16,8 @@ pub(super) struct ReadClass {
     /// The name of the class.
     pub name: String,
     pub trainees: Vec<ClassTrainee>,
+    /// The tries of exams of which no record was handed in.
+    pub missing: Vec<TryWithoutRecord>,
     pub course: MissionCourse,
     /// The present day, in days since 1970 (UTC).
     pub day: i64,
@@ -67,14 +69,17 @@ impl ReadClass {
     pub fn read(named: Option<&str>, settings: &CliSettings) -> Result<Self, Failure> {
         let locale = Locale::new(settings.language());
         let (name, records) = records_of(named, settings, &locale)?;
-        let (trainees, faults) = class_trainees(&records);
+        let course = store::course();
+        let exams = ExamNotes::of(&records).all(&course, 0);
+        let (trainees, faults) = class_trainees(&records, &exams);
         for fault in faults {
             tell!("sortie: {}", locale.text(&fault));
         }
         Ok(Self {
             name,
+            missing: TryWithoutRecord::of(&exams, &trainees),
             trainees,
-            course: store::course(),
+            course,
             day: day_of(SystemTime::now()),
             locale,
         })

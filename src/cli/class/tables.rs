@@ -2,13 +2,17 @@
 
 use crate::campaign::Skill;
 use crate::class_results::{
-    ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults, number_of_mission,
+    ClassFlight, ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults,
+    TryWithoutRecord, number_of_mission,
 };
 use crate::cli::progress::answer;
 use crate::cli::table::{Side, TextTable};
+use crate::exam_seal::{SealCheck, witness_text};
 use crate::text;
 use crate::text::{Locale, Text, figure};
 
+/// The cell of a figure that there is not.
+const NONE: &str = "-";
 /// The number of columns to which the titles of objectives are cut.
 const WIDTH: usize = 110;
 
@@ -145,6 +149,58 @@ pub(super) fn skills(results: &ClassResults, locale: &Locale) -> TextTable {
     table
 }
 
+/// A row for each try of an exam: those with records, and those without.
+pub(super) fn exams(
+    trainees: &[ClassTrainee],
+    missing: &[TryWithoutRecord],
+    locale: &Locale,
+) -> TextTable {
+    let columns = [
+        (text!("progress-trainee"), Side::Left),
+        (text!("class-report-exam"), Side::Left),
+        (text!("progress-mission"), Side::Left),
+        (text!("class-report-try"), Side::Right),
+        (text!("class-report-score"), Side::Right),
+        (text!("class-report-seal"), Side::Left),
+        (text!("class-report-witness"), Side::Left),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for trainee in trainees {
+        for flight in &trainee.flights {
+            if let Some(check) = &flight.seal {
+                table.push(try_cells(&trainee.user, flight, check, locale).into());
+            }
+        }
+    }
+    for it in missing {
+        let cells = [
+            it.user.clone(),
+            it.exam.clone(),
+            it.mission.clone(),
+            format!("{}/{}", it.number, it.tries),
+            NONE.to_owned(),
+            locale.text(&text!("class-report-no-record")),
+            NONE.to_owned(),
+        ];
+        table.push(cells.into());
+    }
+    table
+}
+
+fn try_cells(user: &str, flight: &ClassFlight, check: &SealCheck, locale: &Locale) -> [String; 7] {
+    let seal = check.seal.as_ref();
+    let said = |text: Option<String>| text.unwrap_or_else(|| NONE.to_owned());
+    [
+        user.to_owned(),
+        said(seal.map(|it| it.exam.clone())),
+        flight.flight.mission.clone(),
+        said(seal.map(|it| format!("{}/{}", it.number, it.tries))),
+        flight.flight.score.to_string(),
+        locale.text(&check.standing()),
+        said(seal.map(|it| locale.text(&witness_text(&it.witness)))),
+    ]
+}
+
 /// A row for each trainee and objective, from the best flights that count.
 pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
     let of_flight = [
@@ -160,6 +216,8 @@ pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
         (text!("progress-seed"), Side::Right),
         (text!("class-report-began"), Side::Left),
         (text!("class-report-record"), Side::Left),
+        (text!("class-report-exam"), Side::Left),
+        (text!("class-report-seal"), Side::Left),
     ];
     let mut columns = of_flight.to_vec();
     columns.extend(objective_columns());
@@ -167,32 +225,57 @@ pub(super) fn rows(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
     let mut table = TextTable::new(locale, &columns);
     for trainee in trainees {
         for best in trainee.best_flights() {
-            let mission = &best.flight.mission;
-            let tries = trainee.flights.iter().filter(|it| it.counts());
-            let tries = tries.filter(|it| it.flight.mission == *mission).count();
-            for objective in &best.objectives {
-                let of_flight = [
-                    trainee.user.clone(),
-                    best.profile.clone().unwrap_or_default(),
-                    mission.clone(),
-                    best.revision.to_string(),
-                    tries.to_string(),
-                    best.flight.score.to_string(),
-                    locale.text(&answer(best.flight.passed)),
-                ];
-                let after = [
-                    best.seed.to_string(),
-                    best.when.clone(),
-                    best.record.clone(),
-                ];
-                let cells = of_flight
-                    .into_iter()
-                    .chain(objective_cells(objective, locale));
-                table.push(cells.chain(after).collect());
-            }
+            push_objectives(&mut table, trainee, best, locale);
         }
     }
     table
+}
+
+/// Adds a row for each objective of a flight.
+fn push_objectives(
+    table: &mut TextTable,
+    trainee: &ClassTrainee,
+    best: &ClassFlight,
+    locale: &Locale,
+) {
+    let mission = &best.flight.mission;
+    let tries = trainee.flights.iter().filter(|it| it.counts());
+    let tries = tries.filter(|it| it.flight.mission == *mission).count();
+    for objective in &best.objectives {
+        let of_flight = [
+            trainee.user.clone(),
+            best.profile.clone().unwrap_or_default(),
+            mission.clone(),
+            best.revision.to_string(),
+            tries.to_string(),
+            best.flight.score.to_string(),
+            locale.text(&answer(best.flight.passed)),
+        ];
+        let after = [
+            best.seed.to_string(),
+            best.when.clone(),
+            best.record.clone(),
+            exam_of(best),
+            seal_of(best, locale),
+        ];
+        let cells = of_flight
+            .into_iter()
+            .chain(objective_cells(objective, locale));
+        table.push(cells.chain(after).collect());
+    }
+}
+
+/// The exam whose seal a flight has; empty without one.
+fn exam_of(flight: &ClassFlight) -> String {
+    let seal = flight.seal.as_ref().and_then(|it| it.seal.as_ref());
+    seal.map(|it| it.exam.clone()).unwrap_or_default()
+}
+
+/// Whether the try counts by its seal; empty without one.
+fn seal_of(flight: &ClassFlight, locale: &Locale) -> String {
+    let seal = flight.seal.as_ref();
+    seal.map(|it| locale.text(&it.standing()))
+        .unwrap_or_default()
 }
 
 /// The columns of [`objective_cells`].

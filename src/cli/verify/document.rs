@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use serde::Serialize;
 
+use crate::exam_seal::{FlownAgain, SealCheck};
 use crate::mission::record::{Divergence, Stored};
 use crate::notice::sanitised;
 use crate::scoring::FlownBy;
@@ -94,8 +95,8 @@ pub(super) struct VerifyDocument {
     pub(super) unproved: &'static [&'static str],
     #[serde(flatten)]
     pub(super) signature: SignatureDocument,
-    /// The instructor's desk that witnessed the flight.
-    pub(super) witnessed: Option<String>,
+    /// The seal of the desk, if it is a try of an exam.
+    pub(super) seal: Option<SealCheck>,
     #[serde(skip)]
     pub(super) words: Text,
     /// The faults of the journal, in English.
@@ -165,7 +166,7 @@ impl VerifyDocument {
             when: None,
             unproved: &[],
             signature: SignatureDocument::default(),
-            witnessed: None,
+            seal: None,
             words: Text::default(),
             faults: Vec::new(),
             reliance: Reliance::Bad,
@@ -276,6 +277,23 @@ impl VerifyDocument {
             | RecordSignature::Invalid { .. }
             | RecordSignature::Partial { .. } => {}
         }
+    }
+
+    /// Adds the seal of the desk. One that does not fit makes the record unreliable.
+    pub(super) fn add_seal(&mut self, mut seal: SealCheck) {
+        if let Some((mission, seed)) = self.mission.as_deref().zip(self.seed) {
+            let score = self.score;
+            seal.compare(&FlownAgain {
+                mission,
+                seed,
+                score,
+            });
+        }
+        self.words = Text::joined("\n", vec![std::mem::take(&mut self.words), seal.text()]);
+        if seal.fault.is_some() {
+            self.reliance = Reliance::Bad;
+        }
+        self.seal = Some(seal);
     }
 
     pub(super) fn differing(difference: Divergence, program: String) -> Self {

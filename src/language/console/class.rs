@@ -29,6 +29,10 @@ pub enum ClassLine {
         seats: SeatChoice,
         direction: LessonDirection,
     },
+    /// At the desk: let seats take part in an exam, given by its name or its file.
+    Examine { seats: SeatChoice, exam: String },
+    /// At the desk: end the exam.
+    StopExam,
     /// At the desk: give an order to seats.
     Give { seats: SeatChoice, deed: Deed },
 }

@@ -34,6 +34,8 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class rate 4",
         "class remark answered at once",
         "class cite 1",
+        "class exam @all two-missions",
+        "class exam stop",
         "class join",
     ],
     forms: &[
@@ -127,6 +129,14 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
             let seats = seats(given);
             console(ConsoleLine::Class(ClassLine::Teach { seats, lesson }))
         }),
+        Form::new(&[EXAM_WORD, Argument::flag("stop", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::StopExam))
+        }),
+        Form::new(&[EXAM_WORD, SEAT, EXAM_NAME], |given| {
+            let exam = given.required_word("name")?.to_owned();
+            let seats = seats(given);
+            console(ConsoleLine::Class(ClassLine::Examine { seats, exam }))
+        }),
         Form::new(&[Argument::flag("end", ""), SEAT], |given| {
             give(given, |_| Deed::End)
         }),
@@ -148,6 +158,9 @@ const CONDITION: Argument =
 
 const MISSION: Argument = Argument::value("mission", Kind::Name(NameList::Mission), "");
 const EXAM: Argument = Argument::flag("exam", "argument-exam").optional();
+const EXAM_WORD: Argument = Argument::flag("exam", "");
+const EXAM_NAME: Argument =
+    Argument::value("name", Kind::Name(NameList::Exam), "argument-exam-name");
 const LESSON: Argument = Argument::flag("lesson", "");
 const LESSON_NAME: Argument =
     Argument::value("name", Kind::Name(NameList::Lesson), "argument-lesson");

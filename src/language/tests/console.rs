@@ -30,6 +30,7 @@ impl Names for Known {
             NameList::Lesson => &["first-lesson"],
             NameList::Trainee => &["anna"],
             NameList::Rubric => &["notechs"],
+            NameList::Exam => &["two-missions"],
             NameList::Inject | NameList::SeatInject if self.has_injects => &["gust"],
             NameList::Inject | NameList::SeatInject => {
                 return Listed::Nothing(text!("console-no-mission"));

@@ -139,7 +139,7 @@ impl Stored {
     }
 
     /// Whether the flight was paused.
-    pub(super) fn has_pauses(&self) -> bool {
+    pub fn has_pauses(&self) -> bool {
         let mut lines = self.lines.iter();
         lines.any(|line| matches!(line, RecordLine::Pause { .. }))
     }

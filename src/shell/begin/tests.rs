@@ -126,7 +126,7 @@ async fn no_exam_begins_in_a_console_that_accepts_commands_of_programs() {
         let socket = "api".into();
         options.api = Some(ApiOptions { socket, commands });
         let mut console = Console::new(options, true);
-        let begun = Box::pin(console.launch(first(), Stake::Exam, None)).await;
+        let begun = Box::pin(console.launch(first(), Stake::Exam, SeedSources::default())).await;
         assert_eq!(begun, expected);
     }
 }
@@ -136,13 +136,14 @@ async fn an_exam_runs_in_real_time() {
     let mut options = ConsoleOptions::for_test(Opening::Home);
     options.speedup = 4.0;
     let mut console = Console::new(options, true);
-    let refused = Box::pin(console.launch(first(), Stake::Exam, None)).await;
+    let refused = Box::pin(console.launch(first(), Stake::Exam, SeedSources::default())).await;
     assert_eq!(refused, Err(text!("exam-real-time")));
     console.options.speedup = 1.0;
     let mission = Mission::parse(FIRST)
         .expect("it is good")
         .flown_for(Stake::Exam);
-    let begun = Box::pin(console.launch(Arc::new(mission), Stake::Exam, None)).await;
+    let begun =
+        Box::pin(console.launch(Arc::new(mission), Stake::Exam, SeedSources::default())).await;
     assert_eq!(begun, Ok(()));
     console.take_in().await;
     run(&mut console, 3).await;
@@ -151,4 +152,28 @@ async fn an_exam_runs_in_real_time() {
     say(&mut console, "speedup 2").await;
     let said = console.app.state().message().map(|it| it.text.clone());
     assert_eq!(said, Some(text!("speedup-not-in-exams")));
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_try_that_would_be_practice_is_not_begun() {
+    let launch = Launch {
+        stake: Stake::Exam,
+        drawn: Some(7),
+        ..Launch::graded("00-first-flight")
+    };
+    for (speedup, is_begun) in [(1.0, true), (0.5, false)] {
+        let mut options = ConsoleOptions::for_test(Opening::Home);
+        options.speedup = speedup;
+        let mut console = Console::new(options, true);
+        console.begin().await;
+        let started = Box::pin(console.start_mission(&launch)).await;
+        assert_eq!(started.is_ok(), is_begun);
+        assert_eq!(console.running.is_some(), is_begun);
+        if is_begun {
+            assert_eq!(
+                (console.attempt.stake, console.attempt.seed),
+                (Stake::Exam, 7)
+            );
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! The connections of a desk.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 use super::desk_files::{DeskAnswer, DeskTask};
 use super::worker::Worker;
@@ -13,12 +14,17 @@ use crate::class::protocol::DeskMessage;
 use crate::class::{ConnectionId, Desk, DeskHeard, DeskLine, SubmissionEnd, SubmissionRefusal};
 use crate::shell::Console;
 
+/// The time after which the desk tries again to write what it could not write.
+const WRITE_AGAIN: Duration = Duration::from_secs(60);
+
 /// The connections of a desk.
 pub(in crate::shell) struct DeskEnd {
     port: DeskPort,
     open: BTreeMap<ConnectionId, DeskConnection>,
     /// Keeps the records that are handed in; `None` without a data folder.
     files: Option<Worker<DeskTask, DeskAnswer>>,
+    /// When the desk next tries to write what it could not write, by the wall clock.
+    writes_again: Duration,
 }
 
 /// A connection to a seat.
@@ -44,6 +50,7 @@ impl DeskEnd {
             port: unix::open(place)?,
             open: BTreeMap::new(),
             files,
+            writes_again: WRITE_AGAIN,
         })
     }
 
@@ -58,6 +65,12 @@ impl DeskEnd {
 
     /// Says what the seats do not know yet.
     pub fn tell(&mut self, desk: &Desk, state: &State) {
+        if let Some(files) = &mut self.files
+            && state.wall() >= self.writes_again
+        {
+            self.writes_again = state.wall() + WRITE_AGAIN;
+            files.give(DeskTask::WriteAgain);
+        }
         for (&connection, DeskConnection { open, .. }) in &mut self.open {
             while open.outbox.has_room() {
                 match open.line.next(desk, connection, state.wall()) {
@@ -98,6 +111,7 @@ impl DeskEnd {
                 record,
                 sheet,
             }),
+            ClassEffect::KeepNotes { begun, notes } => self.give(DeskTask::Keep { begun, notes }),
             _ => {}
         }
     }

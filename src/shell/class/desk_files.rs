@@ -1,17 +1,25 @@
 //! The records that the desk takes in, and the results of the class.
 
+use std::collections::VecDeque;
 use std::sync::Arc;
-use std::time::SystemTime;
+use std::time::{Duration, SystemTime};
 
+use super::exams::epoch;
+use super::exams::since_1970;
 use super::worker::Worker;
-use crate::app::event::ClassEvent;
+use crate::app::event::{ClassEvent, ExamEvent};
 use crate::campaign::MissionCourse;
 use crate::class::protocol::DeskMessage;
-use crate::class::{ConnectionId, DeskHeard, Receipt, ReceiptNews, Reception};
-use crate::class_results::{ClassResults, ClassTrainee, add_flight};
+use crate::class::{
+    ConnectionId, DeskHeard, Exam, ExamNote, Receipt, ReceiptNews, Reception, RecordHead,
+};
+use crate::class_results::{ClassFlight, ClassResults, ClassTrainee, add_flight};
 use crate::grading::{GradeSheet, GradedFlight, GradedRequest};
 use crate::shell::ConsoleOptions;
-use crate::store::{self, ClassRecords, class_flight, class_trainees, day_of};
+use crate::store::{
+    self, ClassRecords, DeskKey, ExamNotes, KeptRecord, SealedTry, SignatureError, check_seal,
+    class_flight, class_trainees, day_of, is_sealed, seal_record,
+};
 use crate::text::Text;
 
 /// The name of the rubric with which flights are graded unless another one is named.
@@ -27,6 +35,10 @@ pub(in crate::shell) enum DeskTask {
         user: String,
         heard: DeskHeard,
     },
+    /// Keep notes of the exam that began at a time.
+    Keep { begun: u64, notes: Vec<ExamNote> },
+    /// Write what could not be written before.
+    WriteAgain,
     /// A connection has ended.
     Leave(ConnectionId),
     /// Read a flight to grade it.
@@ -53,16 +65,28 @@ pub(super) fn start(
     grader: &str,
 ) -> Option<Worker<DeskTask, DeskAnswer>> {
     let data = options.preferences.data.as_deref()?;
-    let mut files = DeskFiles {
-        reception: Reception::new(ClassRecords::within(data, class)),
-        course: store::course(),
-        trainees: Vec::new(),
-        grader: grader.to_owned(),
-    };
+    let mut files = DeskFiles::new(ClassRecords::within(data, class), class, grader);
     Worker::start("class-records", move |task| files.answer(task))
 }
 
+/// Notes of the exam that began at a time.
+struct UnwrittenNotes {
+    begun: u64,
+    notes: Vec<ExamNote>,
+}
+
 struct DeskFiles {
+    class: String,
+    /// The time since 1970 at which the desk's own clock was 0.
+    epoch: u64,
+    notes: ExamNotes,
+    /// The notes that could not be written yet, oldest first. While there are any, no seat is told that its head is
+    /// noted.
+    unwritten: VecDeque<UnwrittenNotes>,
+    /// Whether something could not be written.
+    has_failed: bool,
+    /// The exams of the class as their notes on disk say, oldest first.
+    exams: Vec<Exam>,
     reception: Reception<ClassRecords>,
     course: MissionCourse,
     trainees: Vec<ClassTrainee>,
@@ -71,21 +95,41 @@ struct DeskFiles {
 }
 
 impl DeskFiles {
+    fn new(records: ClassRecords, class: &str, grader: &str) -> Self {
+        Self {
+            class: class.to_owned(),
+            epoch: epoch(Duration::ZERO),
+            notes: ExamNotes::of(&records),
+            unwritten: VecDeque::new(),
+            has_failed: false,
+            exams: Vec::new(),
+            reception: Reception::new(records),
+            course: store::course(),
+            trainees: Vec::new(),
+            grader: grader.to_owned(),
+        }
+    }
+
     fn answer(&mut self, task: DeskTask) -> Vec<DeskAnswer> {
         match task {
-            DeskTask::Look => {
-                let (trainees, faults) = class_trainees(self.reception.shelf());
-                self.trainees = trainees;
-                for fault in faults {
-                    tracing::warn!("a record of the class: {fault}");
-                }
-                vec![self.results()]
-            }
+            DeskTask::Look => self.look(),
             DeskTask::Take {
                 connection,
                 user,
                 heard,
             } => self.take(connection, &user, heard),
+            DeskTask::Keep { begun, notes } => {
+                let was_whole = self.unwritten.is_empty();
+                self.unwritten.push_back(UnwrittenNotes { begun, notes });
+                self.write_notes(was_whole)
+            }
+            DeskTask::WriteAgain if !std::mem::take(&mut self.has_failed) => Vec::new(),
+            DeskTask::WriteAgain => {
+                let mut answers = self.write_notes(true);
+                answers.extend(self.seal_rest());
+                answers.push(self.results());
+                answers
+            }
             DeskTask::Leave(connection) => {
                 self.reception.leave(connection);
                 Vec::new()
@@ -109,9 +153,84 @@ impl DeskFiles {
         }
     }
 
+    /// Reads what an earlier desk has kept.
+    fn look(&mut self) -> Vec<DeskAnswer> {
+        self.exams = self.notes.all(&self.course, self.epoch);
+        let (trainees, faults) = class_trainees(self.reception.shelf(), &self.exams);
+        self.trainees = trainees;
+        for fault in faults {
+            tracing::warn!("a record of the class: {fault}");
+        }
+        let mut answers = self.seal_rest();
+        answers.push(self.results());
+        let open = self.exams.iter().rev().find(|exam| !exam.is_stopped());
+        let found =
+            open.map(|exam| event(ClassEvent::Exam(ExamEvent::Found(Box::new(exam.clone())))));
+        answers.extend(found);
+        answers
+    }
+
+    /// Writes the notes in their order, beginning with those that could not be written before.
+    fn write_notes(&mut self, tells_failure: bool) -> Vec<DeskAnswer> {
+        let mut answers = Vec::new();
+        while let Some(next) = self.unwritten.pop_front() {
+            if let Err(error) = self.notes.append(next.begun, &next.notes) {
+                self.has_failed = true;
+                answers.extend(tells_failure.then(|| failed(Text::from(&error))));
+                self.unwritten.push_front(next);
+                break;
+            }
+            self.know(&next);
+            answers.push(event(ClassEvent::Exam(ExamEvent::NotesKept {
+                begun: next.begun,
+                count: next.notes.len(),
+            })));
+        }
+        answers
+    }
+
+    /// Takes in notes that are on disk.
+    fn know(&mut self, kept: &UnwrittenNotes) {
+        let known = self.exams.iter_mut().find(|it| it.begun() == kept.begun);
+        if let Some(exam) = known {
+            kept.notes.iter().for_each(|note| exam.take_in(note));
+        } else {
+            let begun = self.notes.exam(kept.begun, &self.course, self.epoch);
+            self.exams.extend(begun);
+        }
+    }
+
+    /// Seals the records that were complete before, but whose sealing was missed: the desk ended, or the disk was full.
+    fn seal_rest(&mut self) -> Vec<DeskAnswer> {
+        let mut trainees = std::mem::take(&mut self.trainees);
+        let mut fault = None;
+        for kept in self.reception.shelf().all() {
+            if is_sealed(&kept.files) {
+                continue;
+            }
+            let of_user = trainees.iter_mut().find(|it| it.user == kept.user);
+            let mut flights = of_user.into_iter().flat_map(|it| &mut it.flights);
+            if let Some(flight) = flights.find(|it| it.record == kept.files.stem) {
+                fault = self.seal(&kept, flight).err().or(fault);
+            }
+        }
+        self.trainees = trainees;
+        self.has_failed |= fault.is_some();
+        fault
+            .map(|error| failed(Text::from(&error)))
+            .into_iter()
+            .collect()
+    }
+
     fn take(&mut self, connection: ConnectionId, user: &str, heard: DeskHeard) -> Vec<DeskAnswer> {
         let receipt = match heard {
-            DeskHeard::Known => None,
+            // Its note came before it.
+            DeskHeard::Witnessed(seen) if self.unwritten.is_empty() => {
+                let RecordHead { record, bytes, .. } = seen.head;
+                let told = DeskMessage::Witnessed { record, bytes };
+                return vec![DeskAnswer::Say(connection, Box::new(told))];
+            }
+            DeskHeard::Known | DeskHeard::Witnessed(_) => None,
             DeskHeard::Submission(submission) => {
                 Some(self.reception.begin(connection, user, &submission))
             }
@@ -142,18 +261,49 @@ impl DeskFiles {
             ReceiptNews::Kept(record) => record,
         };
         let kept = self.reception.shelf().kept_record(&user, &record);
-        let flight = match kept.as_ref().map(class_flight) {
+        let own_key = DeskKey::public_in(self.reception.shelf().data());
+        let scored = kept
+            .as_ref()
+            .map(|kept| class_flight(kept, own_key.as_deref(), &self.exams));
+        let mut flight = match scored {
             Some(Ok(flight)) => flight,
             Some(Err(fault)) => return vec![event(ClassEvent::Unscored(fault))],
             None => return vec![event(ClassEvent::Unscored(Text::from(record.as_str())))],
         };
+        let fault = kept.and_then(|kept| self.seal(&kept, &mut flight).err());
+        self.has_failed |= fault.is_some();
+        let failed = fault.map(|error| failed(Text::from(&error)));
         let kept = ClassEvent::Kept {
             user: user.clone(),
             mission: flight.flight.mission.clone(),
             score: flight.flight.score,
         };
         add_flight(&mut self.trainees, &user, flight);
-        vec![event(kept), self.results()]
+        let mut answers = vec![event(kept), self.results()];
+        answers.extend(failed);
+        answers
+    }
+
+    /// Seals a flight that is a try of an exam.
+    fn seal(&self, kept: &KeptRecord, flight: &mut ClassFlight) -> Result<(), SignatureError> {
+        let mut exams = self.exams.iter().rev();
+        let found = exams.find_map(|exam| Some((exam, exam.try_of(&kept.user, flight.seed)?)));
+        let Some((exam, flown)) = found else {
+            return Ok(());
+        };
+        let records = self.reception.shelf();
+        let key = DeskKey::open(records.data())?;
+        let sealed = SealedTry {
+            class: &self.class,
+            exam,
+            flown,
+            kept,
+            flight,
+            handed_in: records.handed_in(kept).unwrap_or_else(since_1970),
+        };
+        seal_record(records, &sealed, &key)?;
+        flight.seal = check_seal(&kept.files, Some(key.public()));
+        Ok(())
     }
 
     /// The flight that is asked for, with the grades that it has.
@@ -171,6 +321,13 @@ impl DeskFiles {
     }
 }
 
+fn failed(fault: Text) -> DeskAnswer {
+    event(ClassEvent::Exam(ExamEvent::Failed(fault)))
+}
+
 fn event(event: ClassEvent) -> DeskAnswer {
     DeskAnswer::Event(Box::new(event))
 }
+
+#[cfg(test)]
+mod tests;

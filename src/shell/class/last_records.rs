@@ -28,7 +28,7 @@ impl Console {
         self.take_in().await;
         loop {
             end.carry_out(std::mem::take(&mut self.class_work));
-            end.tell(self.app.state(), &|| None);
+            self.tell_class(end, &|| None);
             if !end.has_records(self.app.state()) {
                 return;
             }

@@ -4,13 +4,15 @@ use std::time::Duration;
 
 use super::seat_files::{self, SeatAnswer, SeatTask};
 use super::worker::Worker;
-use super::{ClassArrival, OpenLine, or_never};
+use super::{ClassArrival, ClassSight, OpenLine, or_never};
 use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
 use crate::carrier::{ClassPlace, SeatArrival, SeatPort, unix};
 use crate::class::protocol::DeskMessage;
-use crate::class::{Consent, Picture, Piece, PieceRequest, Seat, SeatLine, SeatReport, SeatSource};
+use crate::class::{
+    Consent, Picture, Piece, PieceRequest, Seat, SeatLine, SeatReport, SeatSource, TryHead,
+};
 use crate::scoring::FlownBy;
 use crate::shell::{Console, ConsoleOptions};
 use crate::store::WaitingRecords;
@@ -112,7 +114,7 @@ impl SeatEnd {
     }
 
     /// Says what the desk does not know yet.
-    pub fn tell(&mut self, seat: &Seat, state: &State, picture: &dyn Fn() -> Option<Picture>) {
+    pub(super) fn tell(&mut self, seat: &Seat, state: &State, sight: &ClassSight<'_>) {
         self.pauses.note(state.wall());
         if seat.consent() == Consent::Declined {
             (self.port, self.open) = (None, None);
@@ -127,7 +129,7 @@ impl SeatEnd {
         let view = SeatView {
             state,
             by_script: self.by_script,
-            picture,
+            sight,
             piece: self.piece.as_ref(),
         };
         while outbox.has_room() {
@@ -143,7 +145,7 @@ impl SeatEnd {
 struct SeatView<'a> {
     state: &'a State,
     by_script: bool,
-    picture: &'a dyn Fn() -> Option<Picture>,
+    sight: &'a ClassSight<'a>,
     /// The piece that was read last.
     piece: Option<&'a Piece>,
 }
@@ -154,7 +156,13 @@ impl SeatSource for SeatView<'_> {
     }
 
     fn picture(&self) -> Option<Picture> {
-        (self.picture)()
+        (self.sight.picture)()
+    }
+
+    fn head(&self) -> Option<TryHead> {
+        let name = self.state.class_role().seat()?.flown_try()?.clone();
+        let head = (self.sight.head)()?;
+        Some(TryHead { name, head })
     }
 
     fn piece(&self, request: &PieceRequest) -> Option<Piece> {

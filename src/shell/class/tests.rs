@@ -16,6 +16,7 @@ use crate::shell::pace::TICK;
 use crate::shell::{ConsoleOptions, Opening, key};
 use crate::ui;
 
+mod exams;
 mod lessons;
 mod records;
 
@@ -62,8 +63,7 @@ impl Member {
         let work = std::mem::take(&mut self.console.class_work);
         self.end.carry_out(work);
         let console = &self.console;
-        let picture = || Some(drawn(console));
-        self.end.tell(console.app.state(), &picture);
+        console.tell_class(&mut self.end, &|| Some(drawn(console)));
     }
 
     async fn say(&mut self, line: &str) {

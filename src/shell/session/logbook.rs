@@ -3,6 +3,7 @@
 use std::time::{Duration, SystemTime};
 
 use crate::campaign::{is_practice, next_try};
+use crate::class::RecordHead;
 use crate::mission::Flight;
 use crate::mission::record::Occasion;
 use crate::scoring::{Report, TryReport};
@@ -101,6 +102,11 @@ impl Logbook {
     /// The unique id of the run.
     pub fn run_id(&self) -> &str {
         &self.run_id
+    }
+
+    /// How far the record has grown.
+    pub fn head(&self) -> Option<RecordHead> {
+        self.file.as_ref().ok()?.head()
     }
 
     /// Whether the record is complete so far.

@@ -11,6 +11,7 @@ use super::logbook::Logbook;
 use crate::app::event::{Event, SessionEvent};
 use crate::app::state::{FlightView, Hangar, SitlStage};
 use crate::campaign::is_practice;
+use crate::class::RecordHead;
 use crate::exercise::{FlightDriver, FlightPace};
 use crate::mission::record::Occasion;
 use crate::mission::{Clock, Demand, Flight, Mission, Pledge};
@@ -314,6 +315,11 @@ impl RunningSession {
         if let Some(mission_run) = &mut self.mission_run {
             mission_run.driver.flight_mut().renew(pledge);
         }
+    }
+
+    /// How far the record of the mission has grown.
+    pub fn record_head(&self) -> Option<RecordHead> {
+        self.mission_run.as_ref()?.logbook.as_ref()?.head()
     }
 
     /// The flight of the mission, for what an instructor does in it; `None` without a mission.

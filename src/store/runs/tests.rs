@@ -134,7 +134,7 @@ fn in_a_folder_of_somebodys_own_nothing_makes_room() {
 fn a_run_of_which_nothing_could_be_written_leaves_no_file() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut run = begin(&Runs::at(folder.path()), 0);
-    run.0.make_read_only();
+    run.file.make_read_only();
     let error = run.append(HEAD).expect_err("it takes nothing").to_string();
     assert!(error.contains(&run.path().display().to_string()), "{error}");
     assert!(!run.path().exists());

@@ -17,6 +17,7 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, row_of, short_clock, width, wrap};
 
 mod detail;
+mod exam;
 mod grading;
 mod lesson;
 mod results;
@@ -97,8 +98,7 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
         marked = room.marked()
     );
     let inner = panel.focused(&panel.text(&title), true, buffer);
-    let has_lessons = desk.seats().iter().any(|seat| seat.lesson.is_some());
-    let columns = BoardColumn::fitting(inner.width, has_lessons);
+    let columns = BoardColumn::fitting(inner.width, exam::column(desk));
     put(buffer, inner, 0, &heading(&columns, panel));
     let inner = below(inner, 1);
     if board.is_empty() {
@@ -123,6 +123,7 @@ fn draw_board(state: &State, desk: &Desk, board: &[usize], panel: Panel<'_>, buf
     for (row, (at, &seat)) in (0..).zip(shown) {
         let place = row_of(inner, row);
         let view = SeatLineView {
+            desk,
             seat: &desk.seats()[seat],
             now: state.wall(),
             look: panel.look,
@@ -154,6 +155,7 @@ enum BoardColumn {
     Failures,
     Workload,
     Lesson,
+    Exam,
     Command,
 }
 
@@ -186,20 +188,23 @@ impl BoardColumn {
     /// The column of lessons.
     const LESSON: (Self, usize) = (Self::Lesson, 16);
 
-    /// The columns with their widths; the last one takes the rest of the row. While there are lessons, others give way
-    /// to their column, unless all fit.
-    fn fitting(columns: u16, has_lessons: bool) -> Vec<(Self, usize)> {
+    /// The column of an exam.
+    const EXAM: (Self, usize) = (Self::Exam, 16);
+
+    /// The columns with their widths; the last one takes the rest of the row. While there are lessons or an exam,
+    /// others give way to their column, unless all fit.
+    fn fitting(columns: u16, of_course: Option<(Self, usize)>) -> Vec<(Self, usize)> {
         let known = if columns >= WIDE {
             Self::WIDE
         } else {
             Self::NARROW
         };
         let mut fitting = known.to_vec();
-        if has_lessons {
+        if let Some(of_course) = of_course {
             fitting.retain(|(column, _)| columns >= WIDEST || !column.gives_way(columns));
             let last = fitting.len();
             let at = last - usize::from(columns >= WIDE);
-            fitting.insert(at, Self::LESSON);
+            fitting.insert(at, of_course);
         }
         let used: usize = fitting.iter().map(|(_, width)| width + 1).sum();
         if let Some((_, last)) = fitting.last_mut() {
@@ -231,6 +236,7 @@ impl BoardColumn {
             Self::Failures => "class-column-failures",
             Self::Workload => "class-column-workload",
             Self::Lesson => "class-column-lesson",
+            Self::Exam => "class-column-exam",
             Self::Command => "class-column-command",
         }
     }
@@ -239,7 +245,7 @@ impl BoardColumn {
     fn is_right(self) -> bool {
         !matches!(
             self,
-            Self::Seat | Self::State | Self::Mission | Self::Lesson | Self::Command
+            Self::Seat | Self::State | Self::Mission | Self::Lesson | Self::Exam | Self::Command
         )
     }
 }
@@ -255,6 +261,7 @@ fn heading(columns: &[(BoardColumn, usize)], panel: Panel<'_>) -> Line<'static> 
 
 /// A seat as it is drawn.
 struct SeatLineView<'a> {
+    desk: &'a Desk,
     seat: &'a SeatRecord,
     now: Duration,
     look: &'a Look,
@@ -275,6 +282,7 @@ impl SeatLineView<'_> {
             let (text, role) = match column {
                 BoardColumn::State => self.state(),
                 BoardColumn::Lesson => lesson::cell(self.seat, base),
+                BoardColumn::Exam => exam::cell(self, base),
                 _ => (self.cell(column, columns), base),
             };
             let text = aligned(&text, columns, column.is_right());
@@ -336,7 +344,9 @@ impl SeatLineView<'_> {
         };
         let whole = |value: Option<f64>| value.map_or_else(dash, |it| format!("{it:.0}"));
         match column {
-            BoardColumn::Seat | BoardColumn::State | BoardColumn::Lesson => String::new(),
+            BoardColumn::Seat | BoardColumn::State | BoardColumn::Lesson | BoardColumn::Exam => {
+                String::new()
+            }
             BoardColumn::Mission => match &flight.mission {
                 Some(mission) => short_mission(mission.as_str(), columns),
                 None => self.look.say("class-free"),

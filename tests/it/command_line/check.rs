@@ -377,3 +377,27 @@ fn a_lesson_plan_is_known_by_its_keys_and_checked_with_missions_beside_it() {
         "{found}"
     );
 }
+
+#[test]
+fn an_exam_is_known_by_its_keys_and_flies_missions_of_the_course() {
+    let exam = |mission: &str, more: &str| {
+        format!(
+            "schema = 1\ntitle = \"A\"\nabout = \"B\"\n[[missions]]\nmission = \"{mission}\"\n\
+             tries = 2\nminutes = 10\n{more}"
+        )
+    };
+    let folder = folder_with(&[
+        ("good.toml", exam("00", "").as_str()),
+        ("bad.toml", exam("51-none", "").as_str()),
+        ("hints.toml", exam("00", "hints = true\n").as_str()),
+    ]);
+    let checked = sortie(&["check", folder.path().to_str().expect("plain")]);
+    let found = text(&checked.stdout);
+    assert_eq!(checked.status.code(), Some(1), "{found}");
+    assert!(found.contains("good.toml: good"), "{found}");
+    assert!(
+        found.contains("bad.toml:5:11: no mission of the course is called “51-none”"),
+        "{found}"
+    );
+    assert!(found.contains("hints.toml:8:1"), "{found}");
+}

@@ -7,7 +7,9 @@ use sortie::app::event::{ClassEvent, Event, SessionEvent};
 use sortie::app::state::{Activity, ClassRole, Overlay, SeatPlace};
 use sortie::campaign::Stake;
 use sortie::class::protocol::{DeskMessage, VERSION};
-use sortie::class::{Consent, Deed, Happening, Order, OrderId, Outcome, Refusal, Seat, Stage};
+use sortie::class::{
+    Consent, Deed, ExamTry, Happening, Order, OrderId, Outcome, Refusal, Seat, Stage, TryName,
+};
 use sortie::ledger::RowState;
 use sortie::mission::Progress;
 
@@ -103,6 +105,69 @@ fn session_effects(console: &Console) -> Vec<&SessionEffect> {
 fn pass(console: &mut Console, seconds: u64) {
     let now = console.state().wall() + Duration::from_secs(seconds);
     console.hear(Event::Tick { now, wall: now });
+}
+
+fn opened_try() -> ExamTry {
+    ExamTry {
+        name: TryName {
+            exam: "final".into(),
+            begun: 1_800_000_000,
+            mission: "00-first-flight".into(),
+            number: 1,
+        },
+        tries: 1,
+        seed: 7,
+        within_s: 600,
+    }
+}
+
+fn start(console: &mut Console, mission: &str) {
+    console.start(Activity::Mission {
+        id: mission.to_owned(),
+        title: "First flight".into(),
+        stake: Stake::Exam,
+    });
+}
+
+#[test]
+fn a_try_is_the_flight_that_the_desk_has_ordered_however_late_it_begins() {
+    let mut console = joined();
+    let opened = opened_try();
+    order(&mut console, 1, Deed::Examine(opened.clone()));
+    assert_eq!(place(&console).flown_try(), None);
+    // The vehicles start slowly, and the desk has given the order up.
+    pass(&mut console, 30);
+    start(&mut console, "00-first-flight");
+    assert_eq!(place(&console).flown_try(), Some(&opened.name));
+    console.give("class leave");
+    assert_eq!(place(&console).seat().consent(), Consent::Given);
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("cannot be left during a try"), "{screen}");
+
+    let mut console = joined();
+    order(&mut console, 1, Deed::Examine(opened));
+    start(&mut console, "01-air-sample");
+    assert_eq!(place(&console).flown_try(), None, "another mission");
+}
+
+#[test]
+fn a_try_that_would_be_practice_is_not_used_up() {
+    let mut console = joined();
+    let opened = opened_try();
+    for number in 1..=2 {
+        order(&mut console, number, Deed::Examine(opened.clone()));
+        let begun = session_effects(&console);
+        let [SessionEffect::StartMission(launch)] = begun[..] else {
+            panic!("{begun:?}");
+        };
+        assert_eq!((launch.drawn, &launch.fleet[..]), (Some(7), &[][..]));
+        console.hear(ClassEvent::TryRefused);
+    }
+    // It is no try that another flight could be.
+    start(&mut console, "00-first-flight");
+    assert_eq!(place(&console).flown_try(), None);
+    let refused = Outcome::Refused(Refusal::Practice);
+    assert_eq!(outcomes(&console), [(1, refused), (2, refused)]);
 }
 
 #[test]

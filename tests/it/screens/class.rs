@@ -10,6 +10,7 @@ use sortie::text::Language;
 use crate::console::class::{desk, flight, flight_with_injects, join, report, say, send_screen};
 use crate::harness::Console;
 
+mod exams;
 mod grading;
 mod lessons;
 mod results;

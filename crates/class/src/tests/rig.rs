@@ -104,7 +104,7 @@ impl Rig {
                 // A delayed line of the other side.
                 let Ok(heard) = heard else { continue };
                 let receipt = match self.desk.hear(at, "anna", heard, self.now) {
-                    Ok(DeskHeard::Known) => None,
+                    Ok(DeskHeard::Known | DeskHeard::Witnessed(_)) => None,
                     Ok(DeskHeard::Submission(it)) => Some(self.reception.begin(at, "anna", &it)),
                     Ok(DeskHeard::Piece(it)) => self.reception.take(at, "anna", &it),
                     Err(_) => return self.reconnect(),
@@ -163,6 +163,7 @@ impl Rig {
             DeskMessage::Order(_)
             | DeskMessage::Fetch(_)
             | DeskMessage::Ask { .. }
+            | DeskMessage::Witnessed { .. }
             | DeskMessage::Denied(_)
             | DeskMessage::Here => {}
         }

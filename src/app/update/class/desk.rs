@@ -29,12 +29,32 @@ pub fn heard(
     class::keep_cursor(state);
     match outcome {
         Ok(DeskHeard::Known) => Effects::none(),
-        Ok(heard) => Effects::from(Effect::Class(ClassEffect::Receive {
-            connection,
-            user: user.to_owned(),
-            heard,
-        })),
+        Ok(heard) => {
+            // A head is noted before its seat is told.
+            let mut effects = exam_notes(state);
+            effects.extend(Effects::from(Effect::Class(ClassEffect::Receive {
+                connection,
+                user: user.to_owned(),
+                heard,
+            })));
+            effects
+        }
         Err(denial) => Effects::from(Effect::Class(ClassEffect::Deny { connection, denial })),
+    }
+}
+
+/// The notes that the desk has made, to be kept.
+pub(super) fn exam_notes(state: &mut State) -> Effects {
+    let Some(desk) = state.class.desk_mut() else {
+        return Effects::none();
+    };
+    let notes = desk.take_exam_notes();
+    match desk.exam() {
+        Some(exam) if !notes.is_empty() => {
+            let begun = exam.begun();
+            Effect::Class(ClassEffect::KeepNotes { begun, notes }).into()
+        }
+        _ => Effects::none(),
     }
 }
 

@@ -96,6 +96,7 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, Refusal> {
         Deed::Disarm { name } => injects::disarm(state, order.id, name.as_ref()),
         Deed::End => stop(state),
         Deed::Fly { mission, exam } => flights::fly(state, mission.as_str(), *exam),
+        Deed::Examine(opened) => flights::examine(state, opened),
         Deed::Start => flights::start(state),
         // It is noted without being carried out.
         Deed::Step(_) => Ok(BegunOrder::default()),
@@ -202,6 +203,8 @@ pub fn settle(state: &mut State) -> Effects {
         let outcome = match (&one.deed, one.trace) {
             // Vehicles may take minutes to start.
             (Deed::Start, OrderTrace::Flight(flight)) => flights::begin(state, flight),
+            (Deed::Examine(opened), trace) => flights::try_outcome(state, opened, trace)
+                .or_else(|| (state.wall >= one.due).then_some(Outcome::NoEffect)),
             _ => effect_of(state, &one)
                 .or_else(|| (state.wall >= one.due).then_some(Outcome::NoEffect)),
         };
@@ -214,6 +217,7 @@ pub fn settle(state: &mut State) -> Effects {
             }
         }
     }
+    effects.extend(flights::end_late(state));
     effects.extend(injects::settle(state));
     effects.extend(steps::settle(state));
     effects
@@ -232,6 +236,7 @@ fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
         Deed::Mark { .. }
         | Deed::Disarm { .. }
         | Deed::Inject { when: Some(_), .. }
+        | Deed::Examine(_)
         | Deed::Start => false,
         Deed::Inject { when: None, .. } => injects::is_done(state, pending),
         Deed::Hint => return hint_outcome(state, pending.trace),
@@ -294,6 +299,19 @@ pub fn begun(state: &mut State, id: OrderId, refusal: Option<Refusal>) -> Effect
         }
         _ => end(state, id, pending.deed, Outcome::Done),
     }
+}
+
+/// The flight of a try that the desk has ordered would be practice, so it was not begun.
+pub fn try_refused(state: &mut State) -> Effects {
+    let pending = state.class.seat().map_or(&[][..], |place| &place.pending);
+    let is_try = |one: &&PendingOrder| matches!(one.deed, Deed::Examine(_));
+    let ordered = pending.iter().find(is_try).map(|one| one.id);
+    if let Some(place) = state.class.seat_mut() {
+        place.exam = None;
+    }
+    ordered.map_or_else(Effects::none, |id| {
+        begun(state, id, Some(Refusal::Practice))
+    })
 }
 
 /// Notes the end of an order: in the journal for the desk, in the record of the flight, and for the trainee.

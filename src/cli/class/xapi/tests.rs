@@ -10,6 +10,7 @@ use crate::store;
 fn trainee(stake: Stake, passed: bool) -> ClassTrainee {
     let mission: Mission = store::mission("00").expect("it is embedded");
     let flight = ClassFlight {
+        seal: None,
         record: "2026-11-20T14-03-22Z_00-first-flight_1-00".to_owned(),
         when: "2026-11-20T14:03:22Z".to_owned(),
         profile: Some("Anna".to_owned()),
@@ -18,6 +19,8 @@ fn trainee(stake: Stake, passed: bool) -> ClassTrainee {
         mission_file: None,
         seed: u64::MAX,
         sim_time_s: 83.5,
+        has_own_fleet: false,
+        has_pause: false,
         has_end: true,
         objectives: Vec::new(),
         flight: CareerFlight {

@@ -6,7 +6,7 @@ use crate::shell::Preferences;
 use crate::store::{ClassRecords, Records, Runs};
 
 /// A member whose files are in a folder of its own.
-async fn keeping(opening: Opening, class: ClassOptions, data: &Path) -> Member {
+pub(super) async fn keeping(opening: Opening, class: ClassOptions, data: &Path) -> Member {
     let options = ConsoleOptions {
         class: Some(class),
         preferences: Preferences {
@@ -21,7 +21,7 @@ async fn keeping(opening: Opening, class: ClassOptions, data: &Path) -> Member {
 }
 
 /// Lets the members run until something is so.
-async fn until(members: &mut [&mut Member], is_so: impl Fn(&[&mut Member]) -> bool) {
+pub(super) async fn until(members: &mut [&mut Member], is_so: impl Fn(&[&mut Member]) -> bool) {
     for _ in 0..600 {
         if is_so(members) {
             return;
@@ -36,7 +36,7 @@ async fn until(members: &mut [&mut Member], is_so: impl Fn(&[&mut Member]) -> bo
 
 impl Member {
     /// Ends the console as its user does.
-    async fn quit(mut self) {
+    pub(super) async fn quit(mut self) {
         Box::pin(self.console.close()).await;
         Box::pin(self.console.hand_in_rest(&mut self.end)).await;
     }
@@ -53,7 +53,7 @@ impl Member {
         room.grading().is_some()
     }
 
-    fn is_flying(&self) -> bool {
+    pub(super) fn is_flying(&self) -> bool {
         let report = self.console.app.state().seat_report(false).flight;
         report.is_some_and(|flight| flight.clock_s > 0.5)
     }

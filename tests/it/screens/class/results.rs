@@ -47,6 +47,7 @@ fn flight(number: u32, mission: &Mission, shares: &[f64]) -> ClassFlight {
         what: Text::default(),
     });
     ClassFlight {
+        seal: None,
         record: format!("2026-11-20T14-03-{number:02}Z_{}", mission.id),
         when: "2026-11-20T14:03:22Z".to_owned(),
         profile: None,
@@ -55,6 +56,8 @@ fn flight(number: u32, mission: &Mission, shares: &[f64]) -> ClassFlight {
         mission_file: None,
         seed: 1,
         sim_time_s: 100.0,
+        has_own_fleet: false,
+        has_pause: false,
         has_end: true,
         objectives,
         flight: CareerFlight {

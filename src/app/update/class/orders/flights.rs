@@ -1,14 +1,18 @@
 //! The desk lets missions be flown.
 
+use std::time::Duration;
+
 use super::super::super::loss::loss;
 use super::super::super::show;
 use super::{BegunOrder, OrderTrace};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
-use crate::app::state::Activity;
+use crate::app::state::{Activity, OpenTry, SeatPlace};
 use crate::campaign::{MissionStage, Stake};
-use crate::class::{Outcome, Refusal};
+use crate::class::{ExamTry, Outcome, Refusal};
+use crate::text;
+use crate::vehicle::Severity;
 
 /// Begins the flight of a mission with its brief, unless another flight would be lost.
 pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOrder, Refusal> {
@@ -28,6 +32,89 @@ pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOr
         effects: Effect::Session(SessionEffect::StartMission(launch)).into(),
         trace: OrderTrace::Flight(flights),
     })
+}
+
+/// Opens a try of an exam with the brief of its mission. One that is open already is open; one that was is not
+/// opened again.
+pub(super) fn examine(state: &mut State, opened: &ExamTry) -> Result<BegunOrder, Refusal> {
+    let place = state.class.seat();
+    if place.and_then(SeatPlace::flown_try) == Some(&opened.name) {
+        let trace = OrderTrace::Flight(place.map_or(0, |place| place.flights) - 1);
+        return Ok(BegunOrder {
+            effects: Effects::none(),
+            trace,
+        });
+    }
+    let is_known = place.is_some_and(|place| place.tries.contains(&opened.name));
+    if is_known || opened.name.number > opened.tries || opened.within_s == 0 {
+        return Err(Refusal::Flown);
+    }
+    let mission = opened.name.mission.as_str();
+    let begun = fly(state, mission, true)?;
+    // Without designs of the trainee: all fly the mission's own vehicles.
+    let launch = Launch {
+        stake: Stake::Exam,
+        drawn: Some(opened.seed),
+        ..Launch::graded(mission)
+    };
+    let until = state.wall + Duration::from_secs(opened.within_s.into());
+    if let Some(place) = state.class.seat_mut() {
+        place.exam = Some(OpenTry {
+            name: opened.name.clone(),
+            flight: place.flights + 1,
+            until,
+            is_ended: false,
+        });
+    }
+    Ok(BegunOrder {
+        effects: Effect::Session(SessionEffect::StartMission(launch)).into(),
+        ..begun
+    })
+}
+
+/// How the order to open a try has ended; `None` before the flight is there.
+pub(super) fn try_outcome(
+    state: &mut State,
+    opened: &ExamTry,
+    trace: OrderTrace,
+) -> Option<Outcome> {
+    let OrderTrace::Flight(before) = trace else {
+        return None;
+    };
+    let mission = opened.name.mission.as_str();
+    if !is_flown(state, mission, before) {
+        return None;
+    }
+    let place = state.class.seat_mut()?;
+    if place.flown_try() != Some(&opened.name) {
+        return Some(Outcome::NoEffect);
+    }
+    place.tries.insert(opened.name.clone());
+    Some(Outcome::Done)
+}
+
+/// Ends a try whose time is up, also while the desk is away. The clock of a brief starts first, so that every try has a
+/// record.
+pub(super) fn end_late(state: &mut State) -> Effects {
+    let wall = state.wall;
+    let place = state.class.seat();
+    let open = place.and_then(SeatPlace::open_try);
+    let is_late = open.is_some_and(|it| wall >= it.until && !it.is_ended);
+    if !is_late || state.session.task.over || state.session.activity.is_none() {
+        return Effects::none();
+    }
+    if !state.session.has_flight_begun() {
+        if !state.session.is_starting() && state.session.is_reading() {
+            show::show(state, Room::Fly);
+            state.session.leave_brief();
+        }
+        return Effects::none();
+    }
+    if let Some(open) = state.class.seat_mut().and_then(|it| it.exam.as_mut()) {
+        open.is_ended = true;
+    }
+    super::tell(state, Severity::Warning, text!("class-exam-time-up"));
+    Effect::Session(SessionEffect::Stop).into()
 }
 
 /// Whether the trainee's career does not permit the mission yet: it would be flown for practice.

@@ -1,0 +1,143 @@
+//! The exam of the desk.
+
+use super::desk::{connected, exam_notes, names};
+use super::tell;
+use crate::app::State;
+use crate::app::effect::{ClassEffect, Effect, Effects};
+use crate::app::event::ExamEvent;
+use crate::class::{Desk, Exam};
+use crate::language::SeatChoice;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+
+/// Handles what happened to the exam.
+pub(super) fn happened(state: &mut State, event: ExamEvent) -> Effects {
+    match event {
+        ExamEvent::Read { name, exam, seats } => return read(state, &name, exam, &seats),
+        ExamEvent::Found(exam) => found(state, *exam),
+        ExamEvent::NotesKept { begun, count } => kept(state, begun, count),
+        ExamEvent::Failed(fault) => {
+            let text = text!("class-exam-failed", fault = fault);
+            tell(state, Severity::Warning, text);
+        }
+    }
+    Effects::none()
+}
+
+/// Goes on with the exam of all trainees.
+pub(super) fn tick(state: &mut State) -> Effects {
+    let wall = state.wall;
+    if state
+        .class
+        .desk_mut()
+        .is_some_and(|desk| desk.examine(wall))
+    {
+        state.touch();
+    }
+    exam_notes(state)
+}
+
+/// Reads an exam, to let seats take part.
+///
+/// # Errors
+/// This console is no desk, no connected seat is meant, or another exam is held.
+pub(super) fn begin(state: &State, choice: &SeatChoice, exam: String) -> Result<Effects, Text> {
+    let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    let seats = connected(state, desk, choice)?;
+    Ok(Effect::Class(ClassEffect::ReadExam { name: exam, seats }).into())
+}
+
+/// Handles an exam that was read: it begins, or more seats take part in it.
+fn read(state: &mut State, name: &str, exam: Result<Box<Exam>, Text>, seats: &[usize]) -> Effects {
+    let wall = state.wall;
+    let meant = names(state, seats);
+    let seated = exam.and_then(|exam| {
+        let desk = state.class.desk_mut();
+        let desk = desk.ok_or_else(|| text!("class-no-desk"))?;
+        seat(desk, *exam, seats, wall)
+    });
+    match seated {
+        Ok(true) => state.say(
+            Severity::Notice,
+            text!("class-exam-begun", exam = name, seats = meant),
+        ),
+        Ok(false) => {}
+        Err(fault) => state.say(
+            Severity::Warning,
+            text!("class-exam-unread", exam = name, fault = fault),
+        ),
+    }
+    exam_notes(state)
+}
+
+/// Lets seats take part in an exam; if the desk holds it already, in that one. Returns whether it has begun: a new one
+/// begins once its first note is on disk.
+fn seat(
+    desk: &mut Desk,
+    exam: Exam,
+    seats: &[usize],
+    wall: std::time::Duration,
+) -> Result<bool, Text> {
+    let held = desk.exam().filter(|it| !it.is_stopped());
+    let held = held.map(|it| it.plan().name.clone());
+    if held.as_ref() != Some(&exam.plan().name) && !desk.hold(exam) {
+        let held = held.map(|it| it.to_string()).unwrap_or_default();
+        return Err(text!("class-exam-other", exam = held));
+    }
+    desk.seat_candidates(seats, wall);
+    Ok(desk.exam().is_some_and(Exam::has_begun))
+}
+
+/// Notes of the exam that began at a time are on disk.
+fn kept(state: &mut State, begun: u64, count: usize) {
+    let Some(desk) = state.class.desk_mut() else {
+        return;
+    };
+    if !desk.exam_notes_kept(begun, count) {
+        return;
+    }
+    let Some(exam) = desk.exam() else { return };
+    let users: Vec<&str> = exam.candidates().keys().map(String::as_str).collect();
+    let text = text!(
+        "class-exam-begun",
+        exam = exam.plan().name.as_str(),
+        seats = users.join(", ")
+    );
+    state.say(Severity::Notice, text);
+}
+
+/// Goes on with an exam that an earlier desk has begun.
+fn found(state: &mut State, exam: Exam) {
+    let name = exam.plan().name.to_string();
+    let Some(desk) = state.class.desk_mut() else {
+        return;
+    };
+    if desk.hold(exam) {
+        state.say(Severity::Notice, text!("class-exam-found", exam = name));
+    } else {
+        // The instructor was faster than the reading of the notes.
+        let held = desk.exam().map(|it| it.plan().name.to_string());
+        let held = held.unwrap_or_default();
+        let text = text!("class-exam-found-other", exam = name, held = held);
+        tell(state, Severity::Warning, text);
+    }
+    state.touch();
+}
+
+/// Ends the exam.
+///
+/// # Errors
+/// This console is no desk, or holds no exam.
+pub(super) fn stop(state: &mut State) -> Result<Effects, Text> {
+    let wall = state.wall;
+    let desk = state.class.desk_mut();
+    let stopped = desk.ok_or_else(|| text!("class-no-desk"))?.stop_exam(wall);
+    let name = stopped.ok_or_else(|| text!("class-exam-none"))?;
+    state.say(
+        Severity::Notice,
+        text!("class-exam-stopped", exam = name.as_str()),
+    );
+    state.touch();
+    Ok(exam_notes(state))
+}

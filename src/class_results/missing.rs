@@ -1,0 +1,55 @@
+//! Tries of exams without records.
+
+use serde::Serialize;
+
+use super::ClassTrainee;
+use crate::class::Exam;
+
+/// A try of an exam that was opened, and of which no record was handed in.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct TryWithoutRecord {
+    pub user: String,
+    /// The name of the exam.
+    pub exam: String,
+    /// The id of the mission.
+    pub mission: String,
+    /// The number of the try, from 1.
+    pub number: u32,
+    /// The number of tries at the mission.
+    pub tries: u32,
+}
+
+impl TryWithoutRecord {
+    /// The tries of exams that none of the flights is.
+    pub fn of(exams: &[Exam], trainees: &[ClassTrainee]) -> Vec<Self> {
+        let of_exam = |exam| Self::of_exam(exam, trainees);
+        exams.iter().flat_map(of_exam).collect()
+    }
+
+    fn of_exam(exam: &Exam, trainees: &[ClassTrainee]) -> Vec<Self> {
+        let mut found = Vec::new();
+        for (user, candidate) in exam.candidates() {
+            let flown = trainees.iter().filter(|it| it.user == *user);
+            let flights = flown.flat_map(|it| &it.flights);
+            let recorded: Vec<_> = flights
+                .filter_map(|it| exam.try_of(user, it.seed))
+                .collect();
+            let opened = candidate.tries().iter().filter(|it| it.opened.is_some());
+            for missing in opened.filter(|it| !recorded.contains(it)) {
+                let mut missions = exam.plan().missions.iter();
+                let mission = missions.find(|it| it.mission == missing.name.mission);
+                found.push(Self {
+                    user: user.clone(),
+                    exam: exam.plan().name.to_string(),
+                    mission: missing.name.mission.to_string(),
+                    number: missing.name.number,
+                    tries: mission.map_or(0, |it| it.tries),
+                });
+            }
+        }
+        found
+    }
+}
+
+#[cfg(test)]
+mod tests;

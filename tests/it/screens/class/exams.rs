@@ -1,0 +1,75 @@
+//! The exam of the seats on the board.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use sortie::app::event::{ClassEvent, ExamEvent};
+use sortie::class::{
+    CandidateStage, Exam, ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret,
+};
+use sortie::text::Language;
+
+use crate::console::class::{desk, flight, report};
+
+/// An exam that began when the desk was opened.
+fn exam(name: &str) -> Exam {
+    let mission = |id: &str, tries| ExamMission {
+        mission: id.into(),
+        tries,
+        limit: Duration::from_secs(900),
+    };
+    let plan = Arc::new(ExamPlan {
+        name: name.into(),
+        layout: ExamLayout::Own,
+        opens: None,
+        closes: None,
+        missions: vec![mission("00-first-flight", 2), mission("01-air-sample", 1)],
+    });
+    let note = |what| ExamNote {
+        at: 1_800_000_000,
+        what,
+    };
+    let begun = note(ExamDeed::Begun {
+        exam: name.to_owned(),
+        source: String::new(),
+        secret: ExamSecret::from([7; 32]),
+    });
+    let user = "anna".to_owned();
+    let seated = note(ExamDeed::Seated { user });
+    Exam::of(plan, &[begun, seated], 1_800_000_000).expect("it began")
+}
+
+#[test]
+fn the_board_has_the_exam_of_each_seat() {
+    for language in Language::ALL {
+        let mut console = desk(language);
+        report(&mut console, 1, "anna", flight(5.0));
+        report(&mut console, 2, "bohdan", flight(12.0));
+        console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
+        let desk = console.state().class_role().desk().expect("a desk");
+        let candidate = desk.candidate(&desk.seats()[0]).expect("anna takes part");
+        assert_eq!(candidate.stage(), CandidateStage::Waits);
+        assert!(desk.candidate(&desk.seats()[1]).is_none());
+        for (width, height) in [(80, 24), (120, 40)] {
+            let name = format!("exam_{}_{width}x{height}", language.code());
+            insta::assert_snapshot!(name, console.screen(width, height));
+        }
+    }
+}
+
+#[test]
+fn an_earlier_exam_that_is_not_continued_is_named() {
+    let mut console = desk(Language::English);
+    console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
+    console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam(
+        "rehearsal",
+    )))));
+    let held = console.state().class_role().desk().expect("a desk").exam();
+    assert_eq!(held.expect("an exam").plan().name.as_str(), "final");
+    let mut lines = console.state().notices().lines();
+    let newest = lines.next_back().expect("a notice").notice.text.to_string();
+    assert!(
+        newest.contains("an earlier exam, “rehearsal”, has not ended"),
+        "{newest}"
+    );
+}
