@@ -3,14 +3,14 @@
 # The file of an exam.
 exam-schema = unknown schema { $found }: this version reads schema { $known }
 exam-layout = the layout is “own” or “same”, not “{ $word }”
-exam-time = a date, a time and an offset are needed: 2026-12-01T09:00:00+02:00
+exam-time = a date, a time and an offset from UTC are needed: 2026-12-01T09:00:00+02:00
 exam-window = the exam would close before it opens
 exam-missions = { $count ->
     [one] { $count } mission: an exam has 1 to { $most }
    *[other] { $count } missions: an exam has 1 to { $most }
 }
 exam-no-mission = no mission of the course is called “{ $name }”
-exam-no-mission-help = only missions of the course can be exams: a mission of one's own is practice at the seats
+exam-no-mission-help = only missions of the course can be exams: a mission of your own would only be practice at the seats
 exam-mission-twice = “{ $name }” is in the exam already: give it more tries instead
 exam-number = `{ $key }` is a number from 1 to { $most }, not { $found }
 
@@ -35,8 +35,9 @@ class-exam-cell-done = done
 class-exam-cell-closed = closed
 class-key-exam = hold an exam
 class-deed-try = exam { $mission }, try { $number } of { $tries }
-class-refusal-flown = this try was flown already
-class-refusal-practice = the console of the seat has a mission or airframes of its own, so the flight would be practice
+class-refusal-flown = this try is used up already
+class-exam-unrecorded = the try of the exam was not opened: this console keeps no complete records (`--no-record`, `records.enabled`, or ArduPilot as simulator)
+class-refusal-practice = the flight would only be practice: own mission files, own airframes, another speed, or it could not begin
 
 # The seat.
 class-exam-no-restart = a try of an exam cannot be restarted
@@ -44,7 +45,7 @@ class-exam-no-leave = the class cannot be left during a try of an exam: end the 
 class-exam-time-up = the time of this try is up
 
 # Seals.
-seal-none = it is not sealed yet
+seal-none = there is no seal yet
 seal-unreadable = it cannot be read: { $error }
 seal-damaged = it is not a seal
 seal-unsigned = it has no signature
@@ -53,7 +54,7 @@ seal-other-key = it was made with another key than the expected one
 seal-other-record = it is the seal of the record { $record }
 seal-other-user = it is the seal of { $user }
 seal-other-class = it is the seal of the class { $class }
-seal-other-result = the flight that was flown again has another result
+seal-other-result = flown again, the flight has another result
 seal-not-sealed = { $file } is not in it: the file was added afterwards
 seal-changed = { $file } is not the file that was sealed
 seal-missing = { $file } is missing
@@ -82,7 +83,7 @@ witness-part = Witnessed in part: the desk saw the record grow, { $heads ->
     [one] { $heads } time
    *[other] { $heads } times
 }; the longest gap was { $gap }.
-witness-stopped = Witnessed, but the flight stood still for { $stopped }: the desk saw the record grow, { $heads ->
+witness-stopped = Witnessed, but the mission's time stood still for { $stopped }: the desk saw the record grow, { $heads ->
     [one] { $heads } time
    *[other] { $heads } times
 }.

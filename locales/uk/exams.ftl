@@ -3,7 +3,7 @@
 # The file of an exam.
 exam-schema = невідома схема { $found }: ця версія читає схему { $known }
 exam-layout = `layout` — це `own` або `same`, а не «{ $word }»
-exam-time = потрібні дата, час і зсув: 2026-12-01T09:00:00+02:00
+exam-time = потрібні дата, час і зсув від UTC: 2026-12-01T09:00:00+02:00
 exam-window = іспит закінчився б раніше, ніж почався
 exam-missions = { $count ->
     [one] { $count } завдання: в іспиті їх від 1 до { $most }
@@ -38,7 +38,8 @@ class-exam-cell-closed = закрито
 class-key-exam = провести іспит
 class-deed-try = іспит { $mission }, спроба { $number } з { $tries }
 class-refusal-flown = цю спробу вже використано
-class-refusal-practice = консоль цього місця має власне завдання або власні апарати, тож політ був би тренуванням
+class-exam-unrecorded = спробу іспиту не відкрито: ця консоль не веде повних записів (`--no-record`, `records.enabled` або ArduPilot як симулятор)
+class-refusal-practice = політ був би лише тренуванням: власні файли завдань чи апаратів, інша швидкість, або його не вдалося почати
 
 # The seat.
 class-exam-no-restart = спробу іспиту не можна почати спочатку
@@ -46,11 +47,11 @@ class-exam-no-leave = під час спроби іспиту не можна в
 class-exam-time-up = час на цю спробу вичерпано
 
 # Seals.
-seal-none = її ще не запечатано
+seal-none = печатки ще немає
 seal-unreadable = її не вдається прочитати: { $error }
 seal-damaged = це не печатка
 seal-unsigned = на ній немає підпису
-seal-signature = її підпис не збігається: печатку змінено або підписано іншим ключем
+seal-signature = підпис їй не відповідає: печатку змінено або підписано іншим ключем
 seal-other-key = її зроблено не тим ключем, якого очікували
 seal-other-record = це печатка запису { $record }
 seal-other-user = це печатка користувача { $user }
@@ -72,11 +73,11 @@ seal-counts-not = Спробу не зараховано: { $reasons }.
 seal-reason-no-exam = політ не був іспитом
 seal-reason-script = команди давав скрипт
 seal-reason-mission = завдання не з курсу
-seal-reason-fleet = літали апарати власної конструкції учня
+seal-reason-fleet = літали апарати, які сконструював учень
 seal-reason-paused = політ призупиняли або консоль зупиняли
 seal-reason-no-inputs = у записі немає вхідних даних, тож політ не можна відтворити
 seal-reason-late = політ тривав після відведеного часу
-seal-reason-unseen = під час польоту пульт нічого не бачив
+seal-reason-unseen = під час польоту пульт не бачив запису
 seal-reason-rewritten = запис не той, який пульт бачив під час польоту
 witness-whole = Засвідчено: пульт бачив, як ріс запис, { $heads ->
     [one] { $heads } раз
@@ -90,7 +91,7 @@ witness-part = Засвідчено частково: пульт бачив, я�
     [many] { $heads } разів
    *[other] { $heads } раза
 }; найдовша прогалина { $gap }.
-witness-stopped = Засвідчено, але політ стояв на місці { $stopped }: пульт бачив, як ріс запис, { $heads ->
+witness-stopped = Засвідчено, але час завдання стояв { $stopped }: пульт бачив, як ріс запис, { $heads ->
     [one] { $heads } раз
     [few] { $heads } рази
     [many] { $heads } разів

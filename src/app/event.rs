@@ -260,7 +260,7 @@ pub enum ClassEvent {
         refusal: Option<Refusal>,
     },
     /// At a seat: the flight of a try would be practice, so it was not begun.
-    TryRefused,
+    TryRefused(Refusal),
     /// At the desk: a seat has said something.
     Heard {
         connection: ConnectionId,

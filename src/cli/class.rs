@@ -50,6 +50,9 @@ enum ClassTask {
         grader: Option<String>,
     },
     /// Lists the rubrics with which the desk grades flights.
+    #[command(after_help = "Examples:\n  \
+                            sortie class rubrics             the shipped one, and those in the folder rubrics\n  \
+                            sortie check my-rubric.toml      checks a rubric of your own")]
     Rubrics,
     /// Prints the grades of a class: trainee by category, and how far graders agree.
     Grades(GradesArguments),

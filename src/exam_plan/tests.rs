@@ -52,7 +52,7 @@ fn every_fault_is_named() {
     for (from, to, expected) in [
         ("schema = 1", "schema = 2", "unknown schema 2"),
         ("\"same\"", "\"other\"", "the layout is “own” or “same”"),
-        ("+02:00", "", "an offset are needed"),
+        ("+02:00", "", "an offset from UTC are needed"),
         (
             "closes = 2026-12-01T08",
             "closes = 2026-12-01T06",

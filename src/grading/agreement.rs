@@ -55,19 +55,23 @@ pub struct Disagreement {
     pub second: Mark,
 }
 
-/// The marks on a sheet for a flight.
+/// The marks on a sheet for a flight; those that lack a required reason are left out.
 pub fn marks_of<'a>(
     user: &'a str,
     record: &'a str,
     sheet: &'a GradeSheet,
 ) -> impl Iterator<Item = (GradedElement, Option<Mark>)> + 'a {
-    sheet.grades.iter().map(move |(element, grade)| {
+    let counted = sheet
+        .grades
+        .iter()
+        .filter(|(_, grade)| !grade.lacks_reason());
+    counted.map(move |(element, grade)| {
         let graded = GradedElement {
             user: user.to_owned(),
             record: record.to_owned(),
             element: element.clone(),
         };
-        (graded, grade.counted_mark())
+        (graded, grade.mark)
     })
 }
 

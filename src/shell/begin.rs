@@ -14,10 +14,12 @@ use crate::app::event::{ClassEvent, Event, SessionEvent, Started};
 use crate::campaign::{
     Attempt, AttemptMeans, AttemptRefusal, AttemptTerms, AttemptTrainee, PracticeReason, Stake,
 };
+use crate::class::Refusal;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::mission::record::Occasion;
 use crate::store;
+use crate::text;
 use crate::text::Text;
 
 /// How long the program waits for its vehicles' processes when it ends.
@@ -48,7 +50,26 @@ impl Console {
             chosen: launch.seed,
             drawn: launch.drawn,
         };
-        self.launch(mission, launch.stake, seeds).await
+        if seeds.drawn.is_none() {
+            return self.launch(mission, launch.stake, seeds).await;
+        }
+        if !self.can_prove_flights() {
+            self.post(ClassEvent::TryRefused(Refusal::NotRecorded));
+            return Err(text!("class-exam-unrecorded"));
+        }
+        let begun = self.launch(mission, launch.stake, seeds).await;
+        if begun.is_err() {
+            // Whatever the reason, the desk is told at once, and the next flight is not taken for the try.
+            self.post(ClassEvent::TryRefused(Refusal::Practice));
+        }
+        begun
+    }
+
+    /// Whether records of flights are kept, with the inputs from which they can be flown again.
+    fn can_prove_flights(&self) -> bool {
+        let preferences = &self.options.preferences;
+        let is_recorded = preferences.runs.is_some() && preferences.records.is_some();
+        is_recorded && self.options.backend.ardupilot.is_none()
     }
 
     /// Starts a mission under the rules of its stake. Shows a notice if it can only be flown for practice; a try of an
@@ -72,7 +93,6 @@ impl Console {
         let misfits = mission.misfits();
         let attempt = terms.decide();
         if seeds.drawn.is_some() && attempt.stake != Stake::Exam {
-            self.post(ClassEvent::TryRefused);
             return Err(PracticeReason::sentence(&reasons));
         }
         self.attempt = attempt;

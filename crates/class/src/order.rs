@@ -111,12 +111,28 @@ fn is_false(value: &bool) -> bool {
 }
 
 impl Deed {
+    /// The deed as a record of a flight keeps it: the trainee can read the record, so the seed of a try is not in it.
+    pub fn for_record(&self) -> Self {
+        match self {
+            Self::Examine(opened) => Self::Examine(ExamTry {
+                seed: 0,
+                ..opened.clone()
+            }),
+            other => other.clone(),
+        }
+    }
+
     /// Whether the deed is permitted in an exam. Of those that change a flight, only its end is: a freeze would give
-    /// the trainee time to think.
+    /// the trainee time to think. A bookmark changes nothing, and grades need it.
     pub fn is_for_exams(&self) -> bool {
         matches!(
             self,
-            Self::Message { .. } | Self::End | Self::Start | Self::Step(_) | Self::Examine(_)
+            Self::Message { .. }
+                | Self::Mark { .. }
+                | Self::End
+                | Self::Start
+                | Self::Step(_)
+                | Self::Examine(_)
         )
     }
 
@@ -182,6 +198,6 @@ pub enum Refusal {
     Locked,
     /// The try was flown already, or there are no more tries.
     Flown,
-    /// At this seat, the flight would be practice: the console has a mission or airframes of its own.
+    /// At this seat, the flight would be practice: the console has a mission or airframes of its own, or slow motion.
     Practice,
 }

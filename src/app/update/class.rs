@@ -41,7 +41,7 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
         ClassEvent::Lost => lost(state),
         ClassEvent::Refused(text) => tell(state, Severity::Warning, text),
         ClassEvent::Begun { id, refusal } => return orders::begun(state, id, refusal),
-        ClassEvent::TryRefused => return orders::try_refused(state),
+        ClassEvent::TryRefused(why) => return orders::try_refused(state, why),
         ClassEvent::Heard {
             connection,
             user,

@@ -8,7 +8,7 @@ use crate::mission::record::{Stored, WithoutEnd};
 use crate::scoring::TryReport;
 use crate::shell::pace::TICK;
 use crate::shell::{ApiOptions, ConsoleOptions, Opening, key};
-use crate::store::Runs;
+use crate::store::{RecordLimits, Records, Runs};
 use crate::text;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
@@ -155,15 +155,22 @@ async fn an_exam_runs_in_real_time() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn a_try_that_would_be_practice_is_not_begun() {
+async fn a_try_that_would_be_practice_or_has_no_record_is_not_begun() {
+    let folder = tempfile::tempdir().expect("a folder");
     let launch = Launch {
         stake: Stake::Exam,
         drawn: Some(7),
         ..Launch::graded("00-first-flight")
     };
-    for (speedup, is_begun) in [(1.0, true), (0.5, false)] {
+    for (speedup, is_kept) in [(1.0, true), (0.5, true), (1.0, false)] {
+        let is_begun = speedup >= 1.0 && is_kept;
         let mut options = ConsoleOptions::for_test(Opening::Home);
         options.speedup = speedup;
+        if is_kept {
+            let limits = RecordLimits::default();
+            options.preferences.runs = Some(Runs::within(folder.path()));
+            options.preferences.records = Some(Records::within(folder.path(), limits));
+        }
         let mut console = Console::new(options, true);
         console.begin().await;
         let started = Box::pin(console.start_mission(&launch)).await;

@@ -161,13 +161,31 @@ fn a_try_that_would_be_practice_is_not_used_up() {
             panic!("{begun:?}");
         };
         assert_eq!((launch.drawn, &launch.fleet[..]), (Some(7), &[][..]));
-        console.hear(ClassEvent::TryRefused);
+        console.hear(ClassEvent::TryRefused(Refusal::Practice));
     }
     // It is no try that another flight could be.
     start(&mut console, "00-first-flight");
     assert_eq!(place(&console).flown_try(), None);
     let refused = Outcome::Refused(Refusal::Practice);
     assert_eq!(outcomes(&console), [(1, refused), (2, refused)]);
+}
+
+/// The trainee can read the record; with seeds that are the same for all, or for a try that was refused, the seed in it
+/// was once a help.
+#[test]
+fn the_seed_of_a_try_is_not_in_the_record() {
+    let mut console = joined();
+    order(&mut console, 1, Deed::Examine(opened_try()));
+    console.hear(ClassEvent::TryRefused(Refusal::NotRecorded));
+    let notes = console.effects.iter().filter_map(|effect| match effect {
+        Effect::Class(ClassEffect::Note(line)) => Some(line),
+        _ => None,
+    });
+    let notes: Vec<String> = notes
+        .map(|line| serde_json::to_string(line).expect("written"))
+        .collect();
+    assert_eq!(notes.len(), 1);
+    assert!(notes[0].contains("\"seed\":0"), "{notes:?}");
 }
 
 #[test]
@@ -310,24 +328,27 @@ fn an_order_without_a_visible_effect_says_so_after_five_seconds() {
 }
 
 #[test]
-fn in_an_exam_only_a_message_and_the_end_are_carried_out() {
+fn in_an_exam_only_messages_bookmarks_and_the_end_are_carried_out() {
     let mut console = flying_mission(Stake::Exam);
-    let text = "text".into();
-    for (number, deed) in (1..).zip([Deed::Hint, Deed::Mark { text }, Deed::Freeze, Deed::Resume]) {
+    for (number, deed) in (1..).zip([Deed::Hint, Deed::Freeze, Deed::Resume]) {
         order(&mut console, number, deed);
         assert_eq!(session_effects(&console), Vec::<&SessionEffect>::new());
     }
     let refused = Outcome::Refused(Refusal::Exam);
-    let all: Vec<(u32, Outcome)> = (1..=4).map(|number| (number, refused)).collect();
+    let all: Vec<(u32, Outcome)> = (1..=3).map(|number| (number, refused)).collect();
     assert_eq!(outcomes(&console), all);
     let text = "text".into();
-    order(&mut console, 5, Deed::Message { text });
-    assert_eq!(outcomes(&console)[4], (5, Outcome::Done));
+    order(&mut console, 4, Deed::Message { text });
+    assert_eq!(outcomes(&console)[3], (4, Outcome::Done));
+    let text = "text".into();
+    order(&mut console, 5, Deed::Mark { text });
+    let is_mark = |effect: &Effect| matches!(effect, Effect::Class(ClassEffect::Mark { .. }));
+    assert!(console.effects.iter().any(is_mark));
     order(&mut console, 6, Deed::End);
     assert_eq!(session_effects(&console), [&SessionEffect::Stop]);
     let report = Box::new(fixtures::report());
     console.hear(SessionEvent::MissionEnded(report));
-    let ended: Vec<(u32, Outcome)> = outcomes(&console).split_off(5);
+    let ended: Vec<(u32, Outcome)> = outcomes(&console).split_off(4);
     assert_eq!(ended, [(6, Outcome::Done)]);
 }
 

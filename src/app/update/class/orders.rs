@@ -301,24 +301,22 @@ pub fn begun(state: &mut State, id: OrderId, refusal: Option<Refusal>) -> Effect
     }
 }
 
-/// The flight of a try that the desk has ordered would be practice, so it was not begun.
-pub fn try_refused(state: &mut State) -> Effects {
+/// The flight of a try that the desk has ordered was not begun.
+pub fn try_refused(state: &mut State, why: Refusal) -> Effects {
     let pending = state.class.seat().map_or(&[][..], |place| &place.pending);
     let is_try = |one: &&PendingOrder| matches!(one.deed, Deed::Examine(_));
     let ordered = pending.iter().find(is_try).map(|one| one.id);
     if let Some(place) = state.class.seat_mut() {
         place.exam = None;
     }
-    ordered.map_or_else(Effects::none, |id| {
-        begun(state, id, Some(Refusal::Practice))
-    })
+    ordered.map_or_else(Effects::none, |id| begun(state, id, Some(why)))
 }
 
 /// Notes the end of an order: in the journal for the desk, in the record of the flight, and for the trainee.
 fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects {
     let line = DeskRecord {
         by: instructor(state),
-        deed: deed.clone(),
+        deed: deed.for_record(),
         outcome,
     };
     let clock_s = clock_s(state);

@@ -83,7 +83,7 @@ fn notes_that_cannot_be_written_are_kept_and_written_later_in_their_order() {
         [DeskAnswer::Say(..)]
     ));
     assert_eq!(told(&files.answer(seated("bohdan"))), (vec![1], 0));
-    let on_disk = files.notes.all(&files.course, 0);
+    let on_disk = files.notes.all(&files.course, files.epoch);
     assert_eq!(on_disk, files.exams);
     let users: Vec<&String> = on_disk[0].candidates().keys().collect();
     assert_eq!(users, ["anna", "bohdan"]);
