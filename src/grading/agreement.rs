@@ -131,10 +131,11 @@ fn mean(pairs: &[Disagreement], number: impl Fn(&Disagreement) -> f64) -> f64 {
 /// Cohen's kappa with quadratic weights (J. Cohen, "Weighted kappa", Psychological Bulletin 70, 1968): one minus the
 /// mean squared difference, as a share of that between all marks of one grader and all of the other.
 fn kappa(pairs: &[Disagreement]) -> Option<f64> {
-    let seen = mean(pairs, |it| f64::from(it.steps()).powi(2));
+    let square = |steps: u8| f64::from(u16::from(steps) * u16::from(steps));
+    let seen = mean(pairs, |it| square(it.steps()));
     let by_chance = mean(pairs, |one| {
         mean(pairs, |other| {
-            f64::from(one.first.number().abs_diff(other.second.number())).powi(2)
+            square(one.first.number().abs_diff(other.second.number()))
         })
     });
     (by_chance > 0.0).then(|| 1.0 - seen / by_chance)

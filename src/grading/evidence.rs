@@ -65,7 +65,7 @@ impl EvidenceKind {
             Self::Workload => workload(report),
             Self::Hints => Some(text!("evidence-hints", count = report.hints.len())),
             Self::Prediction => prediction(report),
-            Self::Crashes => crashes(&report.usage),
+            Self::Crashes => Some(crashes(&report.usage)),
             Self::Component(component) => of_component(report, component),
         }
     }
@@ -159,14 +159,14 @@ fn prediction(report: &Report) -> Option<Text> {
     ))
 }
 
-fn crashes(usage: &[UseReport]) -> Option<Text> {
+fn crashes(usage: &[UseReport]) -> Text {
     let fallen = usage.iter().filter(|it| it.crashed);
     let fallen: Vec<String> = fallen.map(|it| it.vehicle.to_string()).collect();
-    Some(if fallen.is_empty() {
+    if fallen.is_empty() {
         text!("evidence-no-crash")
     } else {
         text!("evidence-crashes", vehicles = fallen.join(", "))
-    })
+    }
 }
 
 fn of_component(report: &Report, component: Component) -> Option<Text> {

@@ -1,6 +1,7 @@
 //! The grades that one grader gives a flight.
 
 use std::collections::BTreeMap;
+use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
@@ -51,26 +52,32 @@ pub struct Grade {
     /// The grader's remark.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
-    /// The bookmarks to which the grade refers: their times in the flight, in seconds.
+    /// The bookmarks to which the grade refers: their times in the record, in milliseconds.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub bookmarks_s: Vec<f64>,
+    pub bookmarks_ms: Vec<u64>,
 }
 
 impl Grade {
-    /// Refers to a bookmark at this time in the flight, in seconds, or no longer refers to it.
-    pub fn cite(&mut self, at_s: f64) {
-        let before = self.bookmarks_s.len();
-        self.bookmarks_s.retain(|it| *it != at_s);
-        if self.bookmarks_s.len() == before {
-            self.bookmarks_s.push(at_s);
-            self.bookmarks_s.sort_by(f64::total_cmp);
+    /// Refers to a bookmark at this time in the record, or no longer refers to it.
+    pub fn cite(&mut self, recorded: Duration) {
+        let at_ms = milliseconds(recorded);
+        if self.cites(recorded) {
+            self.bookmarks_ms.retain(|it| *it != at_ms);
+        } else {
+            self.bookmarks_ms.push(at_ms);
+            self.bookmarks_ms.sort_unstable();
         }
+    }
+
+    /// Whether it refers to a bookmark at this time in the record.
+    pub fn cites(&self, recorded: Duration) -> bool {
+        self.bookmarks_ms.contains(&milliseconds(recorded))
     }
 
     /// Whether the mark needs a reason that it does not have.
     pub fn lacks_reason(&self) -> bool {
         let is_extreme = self.mark.is_some_and(Mark::is_extreme);
-        is_extreme && self.text.trim().is_empty() && self.bookmarks_s.is_empty()
+        is_extreme && self.text.trim().is_empty() && self.bookmarks_ms.is_empty()
     }
 
     /// The mark that counts: one without a required reason does not.
@@ -135,6 +142,10 @@ impl GradeSheet {
             .collect();
         (!marks.is_empty()).then(|| marks.iter().sum::<f64>() / marks.len() as f64)
     }
+}
+
+fn milliseconds(time: Duration) -> u64 {
+    u64::try_from(time.as_millis()).unwrap_or(u64::MAX)
 }
 
 #[cfg(test)]

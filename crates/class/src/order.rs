@@ -112,6 +112,7 @@ fn is_false(value: &bool) -> bool {
 
 impl Deed {
     /// The deed as a record of a flight keeps it: the trainee can read the record, so the seed of a try is not in it.
+    #[must_use]
     pub fn for_record(&self) -> Self {
         match self {
             Self::Examine(opened) => Self::Examine(ExamTry {

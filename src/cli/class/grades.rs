@@ -178,7 +178,8 @@ pub(super) fn rows(grades: &ReadGrades, locale: &Locale) -> TextTable {
         let rubric = grades.rubrics.get(&kept.sheet.rubric);
         for (element, grade) in &kept.sheet.grades {
             let known = rubric.and_then(|it| it.elements().find(|it| it.id == *element));
-            let bookmarks: Vec<String> = grade.bookmarks_s.iter().map(f64::to_string).collect();
+            let seconds = |ms: &u64| format!("{:.1}", *ms as f64 / 1000.0);
+            let bookmarks: Vec<String> = grade.bookmarks_ms.iter().map(seconds).collect();
             table.push(vec![
                 kept.user.clone(),
                 kept.record.clone(),

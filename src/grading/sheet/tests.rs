@@ -33,12 +33,16 @@ fn the_extremes_need_a_remark_or_a_bookmark() {
         change(sheet.grade_mut(id).expect("graded"));
     };
     grade(&mut sheet, "planning", |it| it.text = " ".to_owned());
-    grade(&mut sheet, "choice", |it| it.cite(61.5));
+    grade(&mut sheet, "choice", |it| {
+        it.cite(Duration::from_millis(61_500));
+    });
     assert_eq!(open(&sheet), ["planning"], "blanks are no reason");
     grade(&mut sheet, "planning", |it| {
-        it.text = "pairs by height".to_owned()
+        it.text = "pairs by height".to_owned();
     });
-    grade(&mut sheet, "choice", |it| it.cite(61.5));
+    grade(&mut sheet, "choice", |it| {
+        it.cite(Duration::from_millis(61_500));
+    });
     assert_eq!(open(&sheet), ["choice"], "cited twice is not cited");
 }
 

@@ -16,6 +16,7 @@ use crate::text::Text;
 
 /// What stands between the name of the record and those of rubric and grader.
 const GRADES: &str = ".grades.";
+const ENDING: &str = ".toml";
 
 /// A grader's sheet for a flight.
 #[derive(Debug, Clone, PartialEq)]
@@ -135,7 +136,7 @@ impl ClassRecords {
             let folder = self.folder.join(safe(&kept.user));
             let prefix = format!("{}{GRADES}", kept.files.stem);
             let mut names = names_in(&folder);
-            names.retain(|name| name.starts_with(&prefix) && name.ends_with(".toml"));
+            names.retain(|name| name.starts_with(&prefix) && name.ends_with(ENDING));
             names.sort();
             for name in names {
                 match read_sheet(&folder.join(name)) {
@@ -155,7 +156,7 @@ impl ClassRecords {
     fn sheet_path(&self, user: &str, record: &str, rubric: &str, grader: &str) -> PathBuf {
         // Points separate the parts of the name.
         let [rubric, grader] = [rubric, grader].map(|it| it.replace('.', "_"));
-        let name = format!("{record}{GRADES}{rubric}.{grader}.toml");
+        let name = format!("{record}{GRADES}{rubric}.{grader}{ENDING}");
         self.folder.join(safe(user)).join(safe(&name))
     }
 }

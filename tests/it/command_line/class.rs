@@ -103,11 +103,10 @@ fn the_lessons_are_listed_and_those_with_faults_named() {
 
 /// The grades of a grader for the flight of anna.
 fn grades_of(grader: &str, marks: [(&str, u8); 3]) -> String {
-    let mut text = format!("rubric = \"notechs\"\ngrader = \"{grader}\"\n");
-    for (element, mark) in marks {
-        text += &format!("[grades.{element}]\nmark = {mark}\ntext = \"=seen\"\n");
-    }
-    text
+    let grades = marks
+        .map(|(element, mark)| format!("[grades.{element}]\nmark = {mark}\ntext = \"=seen\"\n"));
+    let grades = grades.concat();
+    format!("rubric = \"notechs\"\ngrader = \"{grader}\"\n{grades}")
 }
 
 #[test]

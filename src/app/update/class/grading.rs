@@ -43,9 +43,9 @@ pub(super) fn carry_out(state: &mut State, line: GradingLine) -> Result<Effects,
             let bookmarks = &page.flight().bookmarks;
             let count = bookmarks.len();
             let bookmark = number.checked_sub(1).and_then(|it| bookmarks.get(it));
-            let at = bookmark.map(|it| it.recorded.as_secs_f64());
-            let at_s = at.ok_or_else(|| text!("grading-no-bookmark", count = count))?;
-            page.grade_mut()?.cite(at_s);
+            let recorded = bookmark.map(|it| it.recorded);
+            let recorded = recorded.ok_or_else(|| text!("grading-no-bookmark", count = count))?;
+            page.grade_mut()?.cite(recorded);
             Ok(keep(page))
         }
     }

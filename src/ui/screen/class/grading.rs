@@ -181,7 +181,7 @@ fn reasons(page: &GradingPage, grade: &Grade) -> Vec<(Text, Role)> {
     }
     let numbers = (1..)
         .zip(&page.flight().bookmarks)
-        .filter(|(_, bookmark)| grade.bookmarks_s.contains(&bookmark.recorded.as_secs_f64()));
+        .filter(|(_, bookmark)| grade.cites(bookmark.recorded));
     let numbers: Vec<String> = numbers.map(|(number, _)| format!("◆{number}")).collect();
     if !numbers.is_empty() {
         let cited = text!("grading-cited", numbers = numbers.join(" "));

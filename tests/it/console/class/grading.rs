@@ -128,7 +128,7 @@ fn a_one_wants_a_reason_a_remark_or_a_bookmark() {
     assert!(!screen.contains("1 and 5 need a remark"), "{screen}");
     console.press("c").write("2").press("enter");
     let sheet = kept(&console).expect("kept");
-    assert_eq!(sheet.grades["informing"].bookmarks_s, [163.0]);
+    assert_eq!(sheet.grades["informing"].bookmarks_ms, [163_000]);
     console.give("class cite 3");
     let screen = console.screen(120, 40);
     assert!(screen.contains("choose a bookmark from 1 to 2"), "{screen}");
