@@ -7,7 +7,7 @@ fn a_seat_is_asked_to_open_a_try_only_once_that_is_on_disk() {
     let mut hall = Hall::new();
     hall.is_full = true;
     hall.until(20);
-    assert_eq!(hall.asked(), None, "nobody has noted it");
+    assert_eq!(hall.asked(), None, "it is not noted yet");
     hall.is_full = false;
     hall.until(22);
     let first = hall.asked().expect("it is noted");
