@@ -78,6 +78,10 @@ pub enum TryReason {
     Unseen,
     /// The record is not the one that the desk has seen being written.
     Rewritten,
+    /// The desk was there, but has not seen the end of the record before it was handed in.
+    EndUnseen,
+    /// The end of the record has no checksum, as this program always writes one.
+    NoChecksum,
 }
 
 impl From<TryReason> for Text {
@@ -92,6 +96,8 @@ impl From<TryReason> for Text {
             TryReason::Late => text!("seal-reason-late"),
             TryReason::Unseen => text!("seal-reason-unseen"),
             TryReason::Rewritten => text!("seal-reason-rewritten"),
+            TryReason::EndUnseen => text!("seal-reason-end-unseen"),
+            TryReason::NoChecksum => text!("seal-reason-no-checksum"),
         }
     }
 }

@@ -120,3 +120,12 @@ class-report-score = бали
 class-key-public = Відкритий ключ цього пульта: { $key }
 class-key-fingerprint = Відбиток: { $fingerprint }
 class-key-none = цей пульт ще не має ключа: його буде створено, коли запечатають першу спробу
+
+# Кінці записів і пошкоджені нотатки.
+seal-reason-end-unseen = пульт не бачив кінця запису, доки політ був відкритий
+seal-reason-no-checksum = кінець запису не має контрольної суми
+exam-notes-unreadable = { $file }: нотатки цього іспиту не вдалося прочитати, тож його не продовжено: { $why }
+exam-notes-damaged = { $file }, рядок { $line }: цю нотатку пошкоджено, тож іспит не продовжено: { $why }
+exam-notes-no-begin = іспит починається не з неї
+exam-notes-plan = файл іспиту в ній не відповідає цій версії курсу
+exam-notes-time = час у ній неможливий

@@ -331,6 +331,8 @@ pub enum ExamEvent {
         begun: u64,
         count: usize,
     },
+    /// The notes of an exam are damaged, so it is not continued.
+    Damaged(Text),
     /// Notes of the exam could not be kept, or a record not be sealed.
     Failed(Text),
 }

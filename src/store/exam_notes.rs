@@ -10,10 +10,14 @@ use super::{ClassRecords, sharing};
 use crate::campaign::MissionCourse;
 use crate::class::{Exam, ExamDeed, ExamNote};
 use crate::exam_plan::ExamFile;
+use crate::text;
+use crate::text::Text;
 
 /// The folder of the notes in that of a class. No trainee's folder begins with a dot.
 const EXAMS: &str = ".exams";
 const ENDING: &str = ".jsonl";
+/// The last second of the year 9999, in seconds since 1970.
+const LAST_TIME: u64 = 253_402_300_799;
 
 /// The notes of a class's exams.
 #[derive(Debug)]
@@ -79,21 +83,38 @@ impl ExamNotes {
         self.folder.join(format!("{begun}{ENDING}"))
     }
 
-    /// The exam that began at a time. `epoch` is the time since 1970 at which the desk's own clock was 0.
-    pub fn exam(&self, begun: u64, course: &MissionCourse, epoch: u64) -> Option<Exam> {
+    /// The exam that began at a time; `None` if nothing of it was written. `epoch` is the time since 1970 at which the
+    /// desk's own clock was 0.
+    ///
+    /// # Errors
+    /// Its notes are damaged: what follows from them is not known.
+    pub fn exam(
+        &self,
+        begun: u64,
+        course: &MissionCourse,
+        epoch: u64,
+    ) -> Result<Option<Exam>, Text> {
         read(&self.path(begun), course, epoch)
     }
 
-    /// All exams of the class, oldest first. `epoch` is the time since 1970 at which the desk's own clock was 0.
-    pub fn all(&self, course: &MissionCourse, epoch: u64) -> Vec<Exam> {
+    /// All exams of the class, oldest first, and what is wrong with the notes of others. `epoch` is the time since 1970
+    /// at which the desk's own clock was 0.
+    pub fn all(&self, course: &MissionCourse, epoch: u64) -> (Vec<Exam>, Vec<Text>) {
         let entries = fs::read_dir(&self.folder).into_iter().flatten().flatten();
         let mut paths: Vec<PathBuf> = entries
             .map(|entry| entry.path())
             .filter(|path| path.to_string_lossy().ends_with(ENDING))
             .collect();
         paths.sort();
-        let exams = paths.iter().filter_map(|path| read(path, course, epoch));
-        exams.collect()
+        let mut faults = Vec::new();
+        let exams = paths.iter().filter_map(|path| {
+            let read = read(path, course, epoch);
+            read.unwrap_or_else(|fault| {
+                faults.push(fault);
+                None
+            })
+        });
+        (exams.collect(), faults)
     }
 }
 
@@ -106,20 +127,57 @@ fn whole_lines(file: &mut File) -> io::Result<u64> {
     Ok(end.map_or(0, |at| at as u64 + 1))
 }
 
-fn read(path: &Path, course: &MissionCourse, epoch: u64) -> Option<Exam> {
-    let text = fs::read_to_string(path).ok()?;
-    let notes: Vec<ExamNote> = text
-        .lines()
-        .map_while(|line| serde_json::from_str(line).ok())
-        .collect();
-    let ExamDeed::Begun { exam, source, .. } = &notes.first()?.what else {
-        return None;
+fn read(path: &Path, course: &MissionCourse, epoch: u64) -> Result<Option<Exam>, Text> {
+    let notes = read_notes(path)?;
+    let Some(first) = notes.first() else {
+        return Ok(None);
+    };
+    let damaged = |why| damaged(path, 1, why);
+    let ExamDeed::Begun { exam, source, .. } = &first.what else {
+        return Err(damaged(text!("exam-notes-no-begin")));
     };
     let file = ExamFile::parse(exam, source, course);
-    let file = file.inspect_err(|_| {
-        tracing::warn!("the exam in {} cannot be read", path.display());
+    let file = file.map_err(|_| damaged(text!("exam-notes-plan")))?;
+    Ok(Exam::of(file.plan, &notes, epoch))
+}
+
+/// The notes in a file. A line that a crash has cut off is left out.
+fn read_notes(path: &Path) -> Result<Vec<ExamNote>, Text> {
+    let text = match fs::read_to_string(path) {
+        Ok(text) => text,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
+        Err(error) => {
+            let (file, why) = (path.display().to_string(), error.to_string());
+            return Err(text!("exam-notes-unreadable", file = file, why = why));
+        }
+    };
+    let lines = text.split_inclusive('\n').enumerate();
+    let whole = lines.filter(|(_, line)| line.ends_with('\n'));
+    let notes = whole.map(|(index, line)| {
+        let damaged = |why| damaged(path, index + 1, why);
+        let note = serde_json::from_str::<ExamNote>(line)
+            .map_err(|error| damaged(Text::verbatim(error.to_string())))?;
+        if has_good_times(&note) {
+            Ok(note)
+        } else {
+            Err(damaged(text!("exam-notes-time")))
+        }
     });
-    Exam::of(file.ok()?.plan, &notes, epoch)
+    notes.collect()
+}
+
+fn damaged(path: &Path, line: usize, why: Text) -> Text {
+    let file = path.display().to_string();
+    text!("exam-notes-damaged", file = file, line = line, why = why)
+}
+
+/// Whether the times of a note are some that a clock can have shown.
+fn has_good_times(note: &ExamNote) -> bool {
+    let until = match &note.what {
+        ExamDeed::Asked { until, .. } => *until,
+        _ => note.at,
+    };
+    note.at <= LAST_TIME && until <= LAST_TIME
 }
 
 #[cfg(test)]

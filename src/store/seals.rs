@@ -16,13 +16,13 @@ use super::runs::utc;
 use super::signature::{self, RecordKey, RecordPublicKey, SignatureError};
 use super::{ClassRecords, KeptRecord, RecordFiles};
 use crate::class::{
-    CandidateTry, Exam, RecordName, RecordPart, RecordShelf as _, Submission, Witness,
+    CandidateTry, Exam, RecordName, RecordPart, RecordShelf as _, SubmittedPart, Witness,
     WrittenRecord,
 };
 use crate::class_results::ClassFlight;
 use crate::exam_seal::{SEAL, Seal, SealCheck, SealFault, TryReason};
 use crate::mission::Stake;
-use crate::mission::record::time_of_line;
+use crate::mission::record::{Stored, time_of_line};
 use crate::scoring::MissionFile;
 
 /// The folder of the desk's key in a data folder.
@@ -152,8 +152,12 @@ pub fn seal_record(
         content: &content,
         time_of: time_of_line,
     };
-    let witness = Witness::of(sealed.flown, &written);
-    let seal = seal(sealed, submission, witness, key);
+    let seen = SeenRecord {
+        witness: Witness::of(sealed.flown, &written),
+        has_checksum: has_checksum(&content),
+        parts: submission.parts,
+    };
+    let seal = seal(sealed, seen, key);
     let path = seal_path(run, &seal.record);
     let text = serde_json::to_string_pretty(&seal).map_err(|error| file(error.into()))?;
     super::write(&path, &text, true).map_err(|error| file(io::Error::other(error.to_string())))?;
@@ -162,17 +166,45 @@ pub fn seal_record(
     Ok(())
 }
 
-fn seal(sealed: &SealedTry<'_>, submission: Submission, witness: Witness, key: &DeskKey) -> Seal {
+/// Whether the end of a record has a checksum. A record without an end was cut off, and has none.
+fn has_checksum(content: &[u8]) -> bool {
+    let text = std::str::from_utf8(content).ok();
+    let stored = text.and_then(|text| Stored::read(text).ok());
+    stored.is_some_and(|it| it.end().is_none() || it.has_checksum())
+}
+
+/// What is known of a record from the outside.
+struct SeenRecord {
+    witness: Witness,
+    /// Whether its end has a checksum, if it has an end.
+    has_checksum: bool,
+    /// Its files.
+    parts: Vec<SubmittedPart>,
+}
+
+impl SeenRecord {
+    /// The length of the record of the mission, in bytes.
+    fn length(&self) -> u64 {
+        let mut parts = self.parts.iter();
+        let run = parts.find(|it| it.part == RecordPart::Run);
+        run.map_or(0, |it| it.bytes)
+    }
+}
+
+fn seal(sealed: &SealedTry<'_>, seen: SeenRecord, key: &DeskKey) -> Seal {
     let SealedTry {
         exam,
         flown,
         flight,
         ..
     } = sealed;
-    let moment = |seconds: u64| utc(UNIX_EPOCH + Duration::from_secs(seconds));
+    let moment = |seconds: u64| {
+        let time = UNIX_EPOCH.checked_add(Duration::from_secs(seconds));
+        utc(time.unwrap_or(UNIX_EPOCH))
+    };
     let mut missions = exam.plan().missions.iter();
     let mission = missions.find(|it| it.mission == flown.name.mission);
-    let reasons = reasons(sealed, &submission, &witness);
+    let reasons = reasons(sealed, &seen);
     Seal {
         sortie_seal: SEAL,
         class: sealed.class.to_owned(),
@@ -183,32 +215,34 @@ fn seal(sealed: &SealedTry<'_>, submission: Submission, witness: Witness, key: &
         mission: flown.name.mission.to_string(),
         number: flown.name.number,
         tries: mission.map_or(0, |it| it.tries),
-        openings: flown.openings,
+        openings: u32::try_from(flown.openings.len()).unwrap_or(u32::MAX),
         seed: flight.seed,
         record: flight.record.clone(),
-        files: submission.parts,
+        files: seen.parts,
         score: flight.flight.score,
         passed: flight.flight.passed,
         opened: flown.opened.map(moment),
-        until: moment(flown.until),
+        until: moment(flown.opening().until),
         ended: flown.ended.map(|(at, _)| moment(at)),
         handed_in: moment(sealed.handed_in),
         reasons,
-        witness,
+        witness: seen.witness,
         public_key: key.public.clone(),
     }
 }
 
-fn reasons(sealed: &SealedTry<'_>, submission: &Submission, witness: &Witness) -> Vec<TryReason> {
+fn reasons(sealed: &SealedTry<'_>, seen: &SeenRecord) -> Vec<TryReason> {
+    let (flown, witness, length) = (sealed.flown, &seen.witness, seen.length());
     let flight = &sealed.flight.flight;
     let by_hand = flight.flown_by.unwrap_or_default().is_by_hand();
     let is_course = sealed.flight.mission_file == Some(MissionFile::Course);
     let mission_time = Duration::try_from_secs_f64(sealed.flight.sim_time_s).unwrap_or_default();
-    let is_mission = flight.mission == sealed.flown.name.mission.as_str();
-    let has_inputs = submission
-        .parts
-        .iter()
-        .any(|it| it.part == RecordPart::Inputs);
+    let is_mission = flight.mission == flown.name.mission.as_str();
+    let mut parts = seen.parts.iter();
+    let has_inputs = parts.any(|it| it.part == RecordPart::Inputs);
+    let is_late = Exam::is_late(flown, length, mission_time);
+    // What follows the last head may have been written by anyone.
+    let is_end_known = flown.has_end_seen(length) || flown.was_desk_away;
     let found = [
         (flight.stake != Stake::Exam, TryReason::NoExam),
         (!by_hand, TryReason::Script),
@@ -216,12 +250,14 @@ fn reasons(sealed: &SealedTry<'_>, submission: &Submission, witness: &Witness) -
         (sealed.flight.has_own_fleet, TryReason::Fleet),
         (sealed.flight.has_pause, TryReason::Paused),
         (!has_inputs, TryReason::NoInputs),
-        (Exam::is_late(sealed.flown, mission_time), TryReason::Late),
+        (is_late, TryReason::Late),
         (*witness == Witness::Unseen, TryReason::Unseen),
         (
             !witness.fits() && *witness != Witness::Unseen,
             TryReason::Rewritten,
         ),
+        (witness.fits() && !is_end_known, TryReason::EndUnseen),
+        (!seen.has_checksum, TryReason::NoChecksum),
     ];
     let reasons = found.into_iter().filter(|(holds, _)| *holds);
     reasons.map(|(_, reason)| reason).collect()

@@ -53,7 +53,7 @@ pub use desk_line::DeskLine;
 pub use exam::{
     Candidate, CandidateStage, CandidateTry, ContentHash, Exam, ExamDeed, ExamLayout, ExamMission,
     ExamNote, ExamPlan, ExamSecret, ExamTry, FlownTry, RecordHead, TimedHead, TryEnd, TryHead,
-    TryName, Witness, WrittenRecord,
+    TryName, TryOpening, Witness, WrittenRecord,
 };
 pub use hand_in::{HandIn, HandInOutcome};
 pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};

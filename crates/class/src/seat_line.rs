@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::protocol::{DeskMessage, Hello, SeatMessage, VERSION};
 use super::watch::{Picture, PictureSender};
-use super::{Consent, Piece, PieceRequest, RecordName, Seat, SeatReport, TryHead};
+use super::{Consent, Piece, PieceRequest, RecordName, Seat, SeatReport, TryHead, TryName};
 
 /// The time between two reports.
 pub const REPORT_EVERY: Duration = Duration::from_millis(500);
@@ -38,6 +38,8 @@ pub struct SeatLine {
     /// When the last head was sent; a new connection begins with one.
     head_sent: Option<Duration>,
     is_head_noted: bool,
+    /// The try of which a head was sent after its flight.
+    end_sent: Option<TryName>,
     /// What the desk has seen of the screen, while it watches.
     screen: Option<PictureSender>,
     /// The record that is being handed in.
@@ -118,15 +120,21 @@ impl SeatLine {
         self.hand_in(seat, source, now)
     }
 
-    /// The head of an exam's record, if one is due.
+    /// The head of an exam's record, if one is due: at once after the flight, before the record is handed in.
     fn next_head(&mut self, source: &impl SeatSource, now: Duration) -> Option<TryHead> {
         let wait = if self.is_head_noted {
             HEAD_EVERY
         } else {
             HEAD_AGAIN
         };
-        let is_due = self.head_sent.is_none_or(|sent| now >= sent + wait);
-        let head = is_due.then(|| source.head()).flatten()?;
+        let head = source.head()?;
+        let is_end = head.is_over && self.end_sent.as_ref() != Some(&head.name);
+        if !is_end && self.head_sent.is_some_and(|sent| now < sent + wait) {
+            return None;
+        }
+        if head.is_over {
+            self.end_sent = Some(head.name.clone());
+        }
         (self.head_sent, self.is_head_noted) = (Some(now), false);
         Some(head)
     }

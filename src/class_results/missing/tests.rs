@@ -11,6 +11,7 @@ fn name(number: u32) -> TryName {
         begun: 0,
         mission: "00-first-flight".into(),
         number,
+        opening: 1,
     }
 }
 
@@ -18,7 +19,6 @@ fn asked(number: u32) -> ExamDeed {
     ExamDeed::Asked {
         user: "anna".to_owned(),
         name: name(number),
-        opening: 1,
         until: 600,
     }
 }

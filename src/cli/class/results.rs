@@ -70,9 +70,9 @@ impl ReadClass {
         let locale = Locale::new(settings.language());
         let (name, records) = records_of(named, settings, &locale)?;
         let course = store::course();
-        let exams = ExamNotes::of(&records).all(&course, 0);
+        let (exams, damaged) = ExamNotes::of(&records).all(&course, 0);
         let (trainees, faults) = class_trainees(&records, &exams);
-        for fault in faults {
+        for fault in damaged.into_iter().chain(faults) {
             tell!("sortie: {}", locale.text(&fault));
         }
         Ok(Self {

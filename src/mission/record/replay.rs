@@ -138,10 +138,12 @@ impl Stored {
         }
     }
 
-    /// Whether the flight was paused.
+    /// Whether the flight was paused after its mission's time had begun. A machine that starts the vehicles slowly stalls
+    /// before that, and nothing is gained by it.
     pub fn has_pauses(&self) -> bool {
-        let mut lines = self.lines.iter();
-        lines.any(|line| matches!(line, RecordLine::Pause { .. }))
+        let lines = self.lines.iter();
+        let mut flown = lines.skip_while(|line| line.time().is_none_or(|ms| ms == 0));
+        flown.any(|line| matches!(line, RecordLine::Pause { .. }))
     }
 
     /// Whether the record was changed after the flight: its end states another checksum. Records from before

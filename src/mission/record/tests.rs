@@ -408,3 +408,24 @@ fn a_record_that_is_older_than_careers_was_practice_with_the_missions_own_drones
     assert_eq!((head.stake, head.profile), (Stake::Practice, None));
     assert!(head.designs.is_empty());
 }
+
+#[test]
+fn a_stall_before_the_time_of_the_mission_is_no_pause() {
+    let stalled = |in_flight: bool| {
+        let mut pilot = recorded();
+        let long = Duration::from_secs(9);
+        drop(pilot.flight.note_pause(long));
+        pilot.wait(3.0);
+        if in_flight {
+            drop(pilot.flight.note_pause(long));
+        }
+        pilot.wait(3.0);
+        pilot.flight.abandon();
+        drop(pilot.flight.close(&pilot.ledger));
+        let text = pilot.flight.take_record();
+        assert!(text.contains("{\"pause\""), "{text}");
+        Stored::read(&text).expect("a good record").has_pauses()
+    };
+    assert!(!stalled(false));
+    assert!(stalled(true));
+}

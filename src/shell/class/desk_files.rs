@@ -155,13 +155,16 @@ impl DeskFiles {
 
     /// Reads what an earlier desk has kept.
     fn look(&mut self) -> Vec<DeskAnswer> {
-        self.exams = self.notes.all(&self.course, self.epoch);
+        let (exams, damaged) = self.notes.all(&self.course, self.epoch);
+        self.exams = exams;
         let (trainees, faults) = class_trainees(self.reception.shelf(), &self.exams);
         self.trainees = trainees;
         for fault in faults {
             tracing::warn!("a record of the class: {fault}");
         }
-        let mut answers = self.seal_rest();
+        let damaged = damaged.into_iter().map(ExamEvent::Damaged);
+        let mut answers: Vec<_> = damaged.map(|it| event(ClassEvent::Exam(it))).collect();
+        answers.extend(self.seal_rest());
         answers.push(self.results());
         let open = self.exams.iter().rev().find(|exam| !exam.is_stopped());
         let found =
@@ -196,7 +199,10 @@ impl DeskFiles {
             kept.notes.iter().for_each(|note| exam.take_in(note));
         } else {
             let begun = self.notes.exam(kept.begun, &self.course, self.epoch);
-            self.exams.extend(begun);
+            match begun {
+                Ok(exam) => self.exams.extend(exam),
+                Err(fault) => tracing::warn!("an exam of the class: {fault}"),
+            }
         }
     }
 

@@ -162,7 +162,11 @@ impl SeatSource for SeatView<'_> {
     fn head(&self) -> Option<TryHead> {
         let name = self.state.class_role().seat()?.flown_try()?.clone();
         let head = (self.sight.head)()?;
-        Some(TryHead { name, head })
+        Some(TryHead {
+            name,
+            is_over: self.state.session().is_over(),
+            head,
+        })
     }
 
     fn piece(&self, request: &PieceRequest) -> Option<Piece> {

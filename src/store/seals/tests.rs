@@ -5,10 +5,13 @@ use std::fs;
 use super::*;
 use crate::campaign::CareerFlight;
 use crate::class::{
-    ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret, SubmittedPart, TryName,
+    ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret, RecordHead, SubmittedPart,
+    TimedHead, TryName, TryOpening,
 };
 use crate::exam_seal::FlownAgain;
-use crate::scoring::FlownBy;
+use crate::mission::fake::Pilot;
+use crate::mission::record::Occasion;
+use crate::scoring::{FlightBackend, FlownBy};
 use crate::store::hashes::sha256_of_nothing;
 use crate::text;
 
@@ -196,7 +199,7 @@ struct Flown {
     opened: CandidateTry,
     kept: KeptRecord,
     flight: ClassFlight,
-    submission: Submission,
+    seen: SeenRecord,
 }
 
 fn exam() -> Exam {
@@ -242,19 +245,30 @@ fn entry() -> CareerFlight {
     }
 }
 
+/// A try of which the desk has seen the end.
 fn opened() -> CandidateTry {
+    let opening = TryOpening {
+        asked: 10,
+        until: 610,
+    };
+    let head = RecordHead {
+        record: RecordName::try_from(STEM.to_owned()).expect("a name"),
+        bytes: 3,
+        sha256: [0; 32].into(),
+    };
     CandidateTry {
         name: TryName {
             exam: "final".into(),
             begun: 0,
             mission: "00-first-flight".into(),
             number: 1,
+            opening: 1,
         },
-        openings: 1,
-        opened: Some(10),
-        until: 610,
-        heads: Vec::new(),
+        openings: [(1, opening)].into(),
+        opened: Some(11),
+        heads: vec![TimedHead { at: 110, head }],
         ended: None,
+        was_desk_away: false,
     }
 }
 
@@ -288,14 +302,15 @@ impl Flown {
                 flight: entry(),
                 seal: None,
             },
-            submission: Submission {
-                record: RecordName::try_from(STEM.to_owned()).expect("a name"),
+            seen: SeenRecord {
+                witness: Witness::Whole { heads: 9 },
+                has_checksum: true,
                 parts: vec![part(RecordPart::Run), part(RecordPart::Inputs)],
             },
         }
     }
 
-    fn reasons(&self, witness: &Witness) -> Vec<TryReason> {
+    fn reasons(&self) -> Vec<TryReason> {
         let sealed = SealedTry {
             class: "9-A",
             exam: &self.exam,
@@ -304,18 +319,17 @@ impl Flown {
             flight: &self.flight,
             handed_in: 700,
         };
-        reasons(&sealed, &self.submission, witness)
+        reasons(&sealed, &self.seen)
     }
 }
 
 #[test]
 fn each_reason_why_a_try_does_not_count_is_found() {
-    let seen = Witness::Whole { heads: 9 };
-    assert_eq!(Flown::new().reasons(&seen), []);
+    assert_eq!(Flown::new().reasons(), []);
     let with = |change: fn(&mut Flown)| {
         let mut flown = Flown::new();
         change(&mut flown);
-        flown.reasons(&seen)
+        flown.reasons()
     };
     let practice = with(|it| it.flight.flight.stake = Stake::Practice);
     assert_eq!(practice, [TryReason::NoExam]);
@@ -330,11 +344,47 @@ fn each_reason_why_a_try_does_not_count_is_found() {
         [TryReason::Fleet]
     );
     assert_eq!(with(|it| it.flight.has_pause = true), [TryReason::Paused]);
-    let without = with(|it| it.submission.parts.truncate(1));
+    let without = with(|it| it.seen.parts.truncate(1));
     assert_eq!(without, [TryReason::NoInputs]);
     assert_eq!(with(|it| it.flight.sim_time_s = 700.0), [TryReason::Late]);
-    let unseen = Flown::new().reasons(&Witness::Unseen);
+    let unseen = with(|it| it.seen.witness = Witness::Unseen);
     assert_eq!(unseen, [TryReason::Unseen]);
-    let rewritten = Flown::new().reasons(&Witness::Rewritten { at: 1, bytes: 1 });
+    let rewritten = with(|it| it.seen.witness = Witness::Rewritten { at: 1, bytes: 1 });
     assert_eq!(rewritten, [TryReason::Rewritten]);
+    let unchecked = with(|it| it.seen.has_checksum = false);
+    assert_eq!(unchecked, [TryReason::NoChecksum]);
+}
+
+#[test]
+fn a_record_whose_end_nobody_has_seen_counts_only_if_the_desk_was_away() {
+    let mut flown = Flown::new();
+    // A killed console leaves a record that can be edited after its last head.
+    flown.opened.heads[0].head.bytes = 2;
+    assert_eq!(flown.reasons(), [TryReason::EndUnseen]);
+    flown.opened.was_desk_away = true;
+    assert_eq!(flown.reasons(), []);
+}
+
+#[test]
+fn an_end_without_a_checksum_is_noticed() {
+    let mut pilot = Pilot::new(7);
+    pilot.flight.start_record(&Occasion {
+        flown_by: FlownBy::Hand,
+        when: "2026-11-20T14:03:22Z".to_owned(),
+        backend: FlightBackend::Embedded,
+        profile: None,
+        stake: Stake::Exam,
+    });
+    pilot.wait(2.0);
+    let open = pilot.flight.take_record();
+    assert!(has_checksum(open.as_bytes()), "it has no end yet");
+    pilot.flight.abandon();
+    drop(pilot.flight.close(&pilot.ledger));
+    let end = pilot.flight.take_record();
+    let whole = format!("{open}{end}");
+    assert!(has_checksum(whole.as_bytes()));
+    let cut = whole.split(",\"checksum\"").next().expect("an end");
+    assert_ne!(cut, whole);
+    assert!(!has_checksum(format!("{cut}}}}}\n").as_bytes()));
+    assert!(!has_checksum(b"\xff"));
 }

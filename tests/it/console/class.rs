@@ -114,6 +114,7 @@ fn opened_try() -> ExamTry {
             begun: 1_800_000_000,
             mission: "00-first-flight".into(),
             number: 1,
+            opening: 1,
         },
         tries: 1,
         seed: 7,
@@ -148,6 +149,20 @@ fn a_try_is_the_flight_that_the_desk_has_ordered_however_late_it_begins() {
     order(&mut console, 1, Deed::Examine(opened));
     start(&mut console, "01-air-sample");
     assert_eq!(place(&console).flown_try(), None, "another mission");
+}
+
+#[test]
+fn another_opening_of_a_try_is_refused_while_the_first_is_flown() {
+    let mut console = joined();
+    let opened = opened_try();
+    order(&mut console, 1, Deed::Examine(opened.clone()));
+    start(&mut console, "00-first-flight");
+    let mut again = opened.clone();
+    (again.name.opening, again.seed) = (2, 8);
+    order(&mut console, 2, Deed::Examine(again));
+    assert_eq!(place(&console).flown_try(), Some(&opened.name));
+    let refused = Outcome::Refused(Refusal::Flying);
+    assert_eq!(outcomes(&console), [(2, refused)]);
 }
 
 #[test]

@@ -19,6 +19,20 @@ pub struct TryName {
     pub mission: Words,
     /// The number of the try at this mission, from 1.
     pub number: u32,
+    /// How often the seat was asked to open this try so far, with this time; from 1. Each has a seed of its own.
+    pub opening: u32,
+}
+
+impl TryName {
+    /// Whether it is the same try, whichever opening of it.
+    pub fn is_same_try(&self, other: &Self) -> bool {
+        let opening = self.opening;
+        *self
+            == Self {
+                opening,
+                ..other.clone()
+            }
+    }
 }
 
 /// A try that the desk opens at a seat.
@@ -92,6 +106,9 @@ pub struct TryHead {
     /// Which try is recorded.
     #[serde(rename = "try")]
     pub name: TryName,
+    /// Whether the flight is over, so that the record grows no more.
+    #[serde(default)]
+    pub is_over: bool,
     /// The head.
     #[serde(flatten)]
     pub head: RecordHead,

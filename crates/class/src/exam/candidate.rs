@@ -1,8 +1,10 @@
 //! Where a trainee is in an exam.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
-use super::{ExamDeed, ExamNote, ExamPlan, RecordHead, TryName};
+use super::{ExamDeed, ExamMission, ExamNote, ExamPlan, RecordHead, TryName};
 use crate::OrderId;
 
 /// A trainee in an exam.
@@ -22,6 +24,8 @@ pub struct Candidate {
     pub(super) missing_since: Option<u64>,
     /// When the seat was last asked to end the flight.
     pub(super) end_asked: Option<u64>,
+    /// Whether a head of the newest try was noted after its flight.
+    pub(super) is_end_noted: bool,
 }
 
 /// What a trainee does in an exam.
@@ -49,21 +53,59 @@ pub enum CandidateStage {
     Closed,
 }
 
+impl CandidateStage {
+    /// Whether the next thing that happens is that a seat opens a try.
+    pub(super) fn awaits_opening(self) -> bool {
+        match self {
+            Self::Waits | Self::Asked { .. } | Self::Ordered(_) | Self::Blocked => true,
+            Self::Flying { .. } | Self::Done | Self::Closed => false,
+        }
+    }
+}
+
 /// A try that a seat was asked to open.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct CandidateTry {
-    /// Which try it is.
+    /// Which try it is, with the opening that is flown; before that, the newest one.
     pub name: TryName,
-    /// How often the seat was asked to open it.
-    pub openings: u32,
+    /// The times at which the seat was asked to open it, by their numbers.
+    pub openings: BTreeMap<u32, TryOpening>,
     /// When the desk saw that it was open, in seconds since 1970.
     pub opened: Option<u64>,
-    /// When it had to end, in seconds since 1970.
-    pub until: u64,
     /// The heads of its record, in the order in which they came.
     pub heads: Vec<TimedHead>,
     /// When and how it ended.
     pub ended: Option<(u64, TryEnd)>,
+    /// Whether the desk was away after the last head while the try was not over for it, so that it may have missed the
+    /// end.
+    pub was_desk_away: bool,
+}
+
+/// A time at which a seat was asked to open a try.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct TryOpening {
+    /// When the desk noted that it asks, in seconds since 1970.
+    pub asked: u64,
+    /// When the try had to end, in seconds since 1970.
+    pub until: u64,
+}
+
+impl CandidateTry {
+    /// The opening that is flown; before that, the newest one.
+    pub fn opening(&self) -> TryOpening {
+        let known = self.openings.get(&self.name.opening);
+        known.copied().unwrap_or_default()
+    }
+
+    /// Whether a name is that of one of its openings.
+    pub(super) fn was_asked(&self, name: &TryName) -> bool {
+        self.name.is_same_try(name) && self.openings.contains_key(&name.opening)
+    }
+
+    /// Whether a head is that of a record of this length as a whole.
+    pub fn has_end_seen(&self, length: u64) -> bool {
+        self.heads.iter().any(|it| it.head.bytes == length)
+    }
 }
 
 /// A head, and when it came.
@@ -100,6 +142,7 @@ impl Candidate {
             seat: None,
             missing_since: None,
             end_asked: None,
+            is_end_noted: false,
         }
     }
 
@@ -123,26 +166,32 @@ impl Candidate {
         &self.tries
     }
 
-    /// A try, if a seat was asked to open it.
-    pub(super) fn asked(&self, name: &TryName) -> Option<&CandidateTry> {
-        self.tries.iter().find(|it| it.name == *name)
+    /// The try at a mission that is due, if a seat was asked to open it.
+    pub(super) fn due(&self, mission: &ExamMission) -> Option<&CandidateTry> {
+        let is_due = |it: &&CandidateTry| {
+            it.name.mission == mission.mission && it.name.number == self.number
+        };
+        self.tries.iter().find(is_due)
     }
 
     fn asked_mut(&mut self, name: &TryName) -> Option<&mut CandidateTry> {
-        self.tries.iter_mut().find(|it| it.name == *name)
+        self.tries.iter_mut().find(|it| it.name.is_same_try(name))
     }
 
-    fn ask(&mut self, name: &TryName, opening: u32, until: u64) {
-        match self.asked_mut(name) {
-            Some(known) => (known.openings, known.until) = (opening, until),
-            None => self.tries.push(CandidateTry {
+    fn ask(&mut self, name: &TryName, opening: TryOpening) {
+        self.is_end_noted = false;
+        if let Some(known) = self.asked_mut(name) {
+            known.name = name.clone();
+            known.openings.insert(name.opening, opening);
+        } else {
+            self.tries.push(CandidateTry {
                 name: name.clone(),
-                openings: opening,
+                openings: BTreeMap::from([(name.opening, opening)]),
                 opened: None,
-                until,
                 heads: Vec::new(),
                 ended: None,
-            }),
+                was_desk_away: false,
+            });
         }
     }
 
@@ -156,29 +205,29 @@ impl Candidate {
     pub(super) fn apply(&mut self, note: &ExamNote, plan: &ExamPlan) {
         let at = note.at;
         match &note.what {
-            ExamDeed::Asked {
-                name,
-                opening,
-                until,
-                ..
-            } => {
-                self.ask(name, *opening, *until);
+            ExamDeed::Asked { name, until, .. } => {
+                let (asked, until) = (at, *until);
+                self.ask(name, TryOpening { asked, until });
                 self.go_to(name, plan);
                 // If the desk ends before it has asked, it asks anew.
                 self.enter(CandidateStage::Waits, at);
             }
             ExamDeed::Opened { name, .. } => {
-                let Some(flown) = self.asked_mut(name) else {
+                let asked = self.asked_mut(name).filter(|it| it.was_asked(name));
+                let Some(flown) = asked else {
                     return;
                 };
-                flown.opened = flown.opened.or(Some(at));
-                let until = flown.until;
+                if flown.opened.is_none() {
+                    (flown.name, flown.opened) = (name.clone(), Some(at));
+                }
+                let until = flown.opening().until;
                 self.enter(CandidateStage::Flying { until }, at);
             }
             ExamDeed::Head { name, head, .. } => {
                 let head = head.clone();
                 if let Some(flown) = self.asked_mut(name) {
                     flown.heads.push(TimedHead { at, head });
+                    flown.was_desk_away = false;
                 }
             }
             ExamDeed::Ended { name, how, .. } => {
@@ -189,7 +238,17 @@ impl Candidate {
                 let stage = self.go_on(*how, plan);
                 self.enter(stage, at);
             }
-            ExamDeed::Begun { .. } | ExamDeed::Seated { .. } | ExamDeed::Stopped => {}
+            ExamDeed::Begun { .. }
+            | ExamDeed::Seated { .. }
+            | ExamDeed::Resumed
+            | ExamDeed::Stopped => {}
+        }
+    }
+
+    /// A desk goes on with the exam after it was away.
+    pub(super) fn resume(&mut self) {
+        if let Some(newest) = self.tries.last_mut() {
+            newest.was_desk_away |= newest.ended.is_none();
         }
     }
 

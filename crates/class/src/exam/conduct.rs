@@ -9,7 +9,7 @@ use sha2::{Digest as _, Sha256};
 use super::witness::GAP;
 use super::{
     Candidate, CandidateStage, CandidateTry, ContentHash, ExamDeed, ExamMission, ExamNote,
-    ExamPlan, ExamSecret, ExamTry, TryEnd, TryHead, TryName,
+    ExamPlan, ExamSecret, ExamTry, TryEnd, TryHead, TryName, TryOpening,
 };
 use crate::{FlightReport, OrderState, Outcome, Refusal, SeatRecord, Stage};
 
@@ -156,32 +156,23 @@ impl Exam {
     /// The try that a user's record with a seed is of.
     pub fn try_of(&self, user: &str, seed: u64) -> Option<&CandidateTry> {
         let mut tries = self.candidates.get(user)?.tries().iter();
-        tries.find(|it| self.seed(user, &it.name, it.openings) == seed)
+        tries.find(|it| self.seed(user, &it.name) == seed)
     }
 
     /// Whether a try has gone on for longer than it may: by the heads that the desk has seen, or because its record has
-    /// more mission time than there was.
-    pub fn is_late(flown: &CandidateTry, mission_time: Duration) -> bool {
-        let until = flown.until;
-        let newest = flown.heads.last();
-        let is_seen = newest.is_some_and(|it| it.at > until.saturating_add(GRACE + GAP));
-        let ends = flown
-            .opened
-            .map(|opened| opened.saturating_add(mission_time.as_secs()));
-        is_seen || ends.is_some_and(|ends| ends > until.saturating_add(GRACE))
+    /// more mission time than there was. `length` is that of its record, in bytes.
+    pub fn is_late(flown: &CandidateTry, length: u64, mission_time: Duration) -> bool {
+        let TryOpening { asked, until } = flown.opening();
+        // The whole record may be seen long after the flight: a new connection begins with its head.
+        let mut growing = flown.heads.iter().filter(|it| it.head.bytes < length);
+        let is_seen = growing.any(|it| it.at > until.saturating_add(GRACE + GAP));
+        // Not from when the desk saw that it was open: it may have been away until then.
+        let ends = asked.saturating_add(mission_time.as_secs());
+        is_seen || ends > until.saturating_add(GRACE)
     }
 
-    fn name(&self, mission: &ExamMission, number: u32) -> TryName {
-        TryName {
-            exam: self.plan.name.clone(),
-            begun: self.begun,
-            mission: mission.mission.clone(),
-            number,
-        }
-    }
-
-    fn seed(&self, user: &str, name: &TryName, opening: u32) -> u64 {
-        self.secret.seed(self.plan.layout, user, name, opening)
+    fn seed(&self, user: &str, name: &TryName) -> u64 {
+        self.secret.seed(self.plan.layout, user, name)
     }
 
     /// Takes in a note that is on disk.
@@ -194,6 +185,10 @@ impl Exam {
     fn apply(&mut self, note: &ExamNote) {
         let user = match &note.what {
             ExamDeed::Begun { .. } => return,
+            ExamDeed::Resumed => {
+                self.candidates.values_mut().for_each(Candidate::resume);
+                return;
+            }
             ExamDeed::Stopped => {
                 self.is_stopped = true;
                 for candidate in self.candidates.values_mut() {
@@ -229,16 +224,15 @@ impl Exam {
     pub(super) fn next(&self, sight: CandidateSight<'_>) -> Option<ExamMove> {
         let candidate = self.candidates.get(sight.user)?;
         let mission = self.plan.missions.get(candidate.mission)?;
-        let name = self.name(mission, candidate.number);
-        let asked = candidate.asked(&name);
-        let is_open =
-            asked.is_some() && sight.seat.is_some_and(|it| flight_of(it, &name).is_some());
+        let due = candidate.due(mission);
+        if candidate.stage.awaits_opening()
+            && let Some((_, name)) = sight.seat.and_then(flight_of)
+            && due.is_some_and(|it| it.was_asked(name))
+        {
+            // Also an earlier opening: the seat may answer late.
+            return Some(opened(sight.user, name.clone()));
+        }
         match candidate.stage {
-            CandidateStage::Waits | CandidateStage::Blocked | CandidateStage::Ordered(_)
-                if is_open =>
-            {
-                Some(opened(sight.user, name))
-            }
             CandidateStage::Waits | CandidateStage::Asked { .. } | CandidateStage::Blocked
                 if self.plan.is_closed_at(sight.at) =>
             {
@@ -248,11 +242,12 @@ impl Exam {
                 self.asking(candidate, mission, sight)
             }
             CandidateStage::Asked { note } if note > self.kept => None,
-            CandidateStage::Asked { .. } => self.opening(asked?, mission, sight),
-            CandidateStage::Ordered(_) => ordered(sight.user, name, sight.order),
+            CandidateStage::Asked { .. } => self.opening(due?, mission, sight),
+            CandidateStage::Ordered(_) => ordered(sight.user, due?.name.clone(), sight.order),
             CandidateStage::Flying { until } => {
-                let end = flying(candidate, &name, until, sight);
-                end.map(|how| ended(sight.user, name, how))
+                let name = &due?.name;
+                let end = flying(candidate, name, until, sight);
+                end.map(|how| ended(sight.user, name.clone(), how))
                     .or_else(|| asks_end(candidate, sight.seat?, until, sight.at))
             }
             CandidateStage::Done | CandidateStage::Closed => None,
@@ -276,13 +271,18 @@ impl Exam {
         if !is_due || sight.seat?.report.is_none() {
             return None;
         }
-        let name = self.name(mission, candidate.number);
-        let before = candidate.asked(&name).map_or(0, |it| it.openings);
+        let due = candidate.due(mission);
+        let newest = due.and_then(|it| it.openings.keys().next_back().copied());
         Some(ExamMove::Ask(ExamDeed::Asked {
             user: sight.user.to_owned(),
-            opening: before + 1,
+            name: TryName {
+                exam: self.plan.name.clone(),
+                begun: self.begun,
+                mission: mission.mission.clone(),
+                number: candidate.number,
+                opening: newest.unwrap_or_default().saturating_add(1),
+            },
             until: self.plan.until(mission, at),
-            name,
         }))
     }
 
@@ -293,13 +293,13 @@ impl Exam {
         mission: &ExamMission,
         sight: CandidateSight<'_>,
     ) -> Option<ExamMove> {
-        let within = asked.until.saturating_sub(sight.at);
+        let within = asked.opening().until.saturating_sub(sight.at);
         if within == 0 {
             return Some(ExamMove::Stage(CandidateStage::Waits));
         }
         sight.seat?;
         Some(ExamMove::Open(ExamTry {
-            seed: self.seed(sight.user, &asked.name, asked.openings),
+            seed: self.seed(sight.user, &asked.name),
             name: asked.name.clone(),
             tries: mission.tries,
             within_s: u32::try_from(within).unwrap_or(u32::MAX),
@@ -311,37 +311,35 @@ impl Exam {
         let Some(candidate) = self.candidates.get(user) else {
             return false;
         };
-        let opened = candidate.asked(&seen.name).filter(|it| it.opened.is_some());
-        let Some(flown) = opened else {
+        // Only the newest try is still recorded.
+        let newest = candidate.tries().last();
+        let Some(flown) = newest.filter(|it| it.opened.is_some() && it.name == seen.name) else {
             return false;
         };
-        // Only the newest try is still recorded.
-        if candidate
-            .tries()
-            .last()
-            .is_some_and(|it| it.name != seen.name)
-        {
-            return false;
-        }
+        // The trainee may leave, and the record be handed in, right after the flight.
+        let is_end = seen.is_over && !candidate.is_end_noted;
         match flown.heads.last() {
             Some(last) if last.head == seen.head => return true,
-            Some(last) if at < last.at.saturating_add(HEADS_EVERY) => return false,
+            Some(last) if !is_end && at < last.at.saturating_add(HEADS_EVERY) => return false,
             // An earlier head again must not hide that the record does not grow.
             Some(last) if seen.head.bytes < last.head.bytes => return false,
             _ => {}
         }
         let (user, name) = (user.to_owned(), seen.name.clone());
         let head = seen.head.clone();
+        if let Some(candidate) = self.candidates.get_mut(&user) {
+            candidate.is_end_noted |= seen.is_over;
+        }
         self.note(at, ExamDeed::Head { user, name, head });
         true
     }
 }
 
-/// The flight of a seat, if it is that try.
-fn flight_of<'a>(seat: &'a SeatRecord, name: &TryName) -> Option<&'a FlightReport> {
+/// The flight of a seat, and which try it is.
+fn flight_of(seat: &SeatRecord) -> Option<(&FlightReport, &TryName)> {
     let flight = seat.report.as_ref()?.flight.as_ref()?;
     let flown = flight.exam_try.as_ref()?;
-    (seat.is_here() && flown.name == *name).then_some(flight)
+    seat.is_here().then_some((flight, &flown.name))
 }
 
 fn opened(user: &str, name: TryName) -> ExamMove {
@@ -375,8 +373,8 @@ fn flying(
     until: u64,
     sight: CandidateSight<'_>,
 ) -> Option<TryEnd> {
-    let flight = sight.seat.and_then(|seat| flight_of(seat, name));
-    let Some(flight) = flight else {
+    let flight = sight.seat.and_then(flight_of);
+    let Some((flight, _)) = flight.filter(|(_, flown)| *flown == name) else {
         let is_missing = |since: u64| sight.at >= since.saturating_add(LEFT);
         if candidate.missing_since.is_some_and(is_missing) {
             return Some(TryEnd::Left);

@@ -12,7 +12,11 @@ impl Desk {
     pub fn hold(&mut self, exam: Exam) -> bool {
         let is_free = self.exam().is_none_or(Exam::is_stopped);
         if is_free {
-            self.exam = Some(exam);
+            let at = exam.at(Duration::ZERO);
+            let held = self.exam.insert(exam);
+            if held.has_begun() && !held.is_stopped {
+                held.note(at, ExamDeed::Resumed);
+            }
         }
         is_free
     }
@@ -125,7 +129,6 @@ impl Desk {
     /// Notes since when a seat has not said that it flies its try.
     fn watch_candidate(&self, exam: &mut Exam, user: &str, seat: Option<usize>, at: u64) {
         let plan = Arc::clone(&exam.plan);
-        let begun = exam.begun;
         let Some(candidate) = exam.candidates.get_mut(user) else {
             return;
         };
@@ -135,11 +138,10 @@ impl Desk {
             let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
             let flown = flight.and_then(|it| it.exam_try.as_ref());
             let mission = plan.missions.get(candidate.mission);
-            flown.zip(mission).is_some_and(|(flown, mission)| {
-                flown.name.begun == begun
-                    && flown.name.mission == mission.mission
-                    && flown.name.number == candidate.number
-            })
+            let due = mission.and_then(|mission| candidate.due(mission));
+            flown
+                .zip(due)
+                .is_some_and(|(flown, due)| flown.name == due.name)
         });
         candidate.missing_since = if is_flown || !is_reporting {
             None

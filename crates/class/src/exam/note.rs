@@ -39,8 +39,6 @@ pub enum ExamDeed {
         /// Which try it is.
         #[serde(rename = "try")]
         name: TryName,
-        /// How often the desk has asked for this try, with this time; from 1.
-        opening: u32,
         /// The time at which it must end, in seconds since 1970.
         until: u64,
     },
@@ -73,6 +71,8 @@ pub enum ExamDeed {
         /// How it ended.
         how: TryEnd,
     },
+    /// A desk that was opened again goes on with the exam. What happened since the last note, nobody has seen.
+    Resumed,
     /// The instructor has ended the exam; the last note.
     Stopped,
 }

@@ -50,11 +50,11 @@ impl TryFrom<String> for ExamSecret {
 }
 
 impl ExamSecret {
-    /// The seed of a user's try. That of an opening that a seat has refused may be known there, so the next opening has
+    /// The seed of an opening of a user's try. That of an opening that a seat has refused may be known there, so the next opening has
     /// another one; one that all trainees share is known to all of them anyway.
-    pub(super) fn seed(&self, layout: ExamLayout, user: &str, name: &TryName, opening: u32) -> u64 {
+    pub(super) fn seed(&self, layout: ExamLayout, user: &str, name: &TryName) -> u64 {
         let (whose, opening) = match layout {
-            ExamLayout::Own => (user, opening),
+            ExamLayout::Own => (user, name.opening),
             ExamLayout::Same => ("", 0),
         };
         let mut hash = Sha256::new();

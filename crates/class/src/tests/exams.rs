@@ -56,6 +56,7 @@ fn name(mission: &str, number: u32) -> TryName {
         begun: EPOCH,
         mission: mission.into(),
         number,
+        opening: 1,
     }
 }
 
@@ -149,7 +150,16 @@ impl Hall {
     }
 
     fn head(&mut self, name: TryName, head: RecordHead) -> DeskHeard {
-        let heard = self.hear(SeatMessage::Head(TryHead { name, head }));
+        let is_over = false;
+        self.try_head(TryHead {
+            name,
+            is_over,
+            head,
+        })
+    }
+
+    fn try_head(&mut self, head: TryHead) -> DeskHeard {
+        let heard = self.hear(SeatMessage::Head(head));
         self.keep_notes();
         heard
     }
@@ -324,6 +334,7 @@ fn heads_are_noted_for_the_users_own_open_try_only() {
     let head = head_of("flight", b"one\n");
     let seen = TryHead {
         name: name("00", 1),
+        is_over: false,
         head: head.clone(),
     };
     let other = hall.desk.hear(

@@ -17,6 +17,7 @@ pub(super) fn happened(state: &mut State, event: ExamEvent) -> Effects {
         ExamEvent::Read { name, exam, seats } => return read(state, &name, exam, &seats),
         ExamEvent::Found(exam) => found(state, *exam),
         ExamEvent::NotesKept { begun, count } => kept(state, begun, count),
+        ExamEvent::Damaged(fault) => tell(state, Severity::Warning, fault),
         ExamEvent::Failed(fault) => {
             let text = text!("class-exam-failed", fault = fault);
             tell(state, Severity::Warning, text);

@@ -37,11 +37,16 @@ fn witnessed() -> DeskTask {
         begun: 7,
         mission: "00-first-flight".into(),
         number: 1,
+        opening: 1,
     };
     DeskTask::Take {
         connection: ConnectionId(1),
         user: "anna".to_owned(),
-        heard: DeskHeard::Witnessed(TryHead { name, head }),
+        heard: DeskHeard::Witnessed(TryHead {
+            name,
+            is_over: true,
+            head,
+        }),
     }
 }
 
@@ -83,7 +88,8 @@ fn notes_that_cannot_be_written_are_kept_and_written_later_in_their_order() {
         [DeskAnswer::Say(..)]
     ));
     assert_eq!(told(&files.answer(seated("bohdan"))), (vec![1], 0));
-    let on_disk = files.notes.all(&files.course, files.epoch);
+    let (on_disk, faults) = files.notes.all(&files.course, files.epoch);
+    assert!(faults.is_empty(), "{faults:?}");
     assert_eq!(on_disk, files.exams);
     let users: Vec<&String> = on_disk[0].candidates().keys().collect();
     assert_eq!(users, ["anna", "bohdan"]);

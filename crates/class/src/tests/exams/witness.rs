@@ -116,12 +116,109 @@ fn a_record_without_heads_or_with_those_of_another_is_told_apart() {
 fn a_record_that_goes_on_after_the_time_of_its_try_is_late_also_without_heads() {
     let mut hall = Hall::flying();
     let flown = &hall.candidate().tries()[0];
-    assert!(!Exam::is_late(flown, seconds(60)));
-    assert!(Exam::is_late(flown, seconds(90)));
+    assert!(!Exam::is_late(flown, 100, seconds(60)));
+    assert!(Exam::is_late(flown, 100, seconds(90)));
     // By the mission's time it is not, but by the desk's clock.
     hall.at += 120;
     hall.head(name("00", 1), head_of("flight", b"1 one\n"));
-    assert!(Exam::is_late(&hall.candidate().tries()[0], seconds(60)));
+    assert!(Exam::is_late(
+        &hall.candidate().tries()[0],
+        100,
+        seconds(60)
+    ));
+}
+
+#[test]
+fn a_record_whose_end_is_seen_late_is_not_late() {
+    let mut hall = Hall::flying();
+    let content = lines(1..=20);
+    // The desk was closed, and a new connection begins with the head of the whole record.
+    hall.at += 60 + 60;
+    hall.head(name("00", 1), head_of("flight", &content));
+    let flown = &hall.candidate().tries()[0];
+    let length = content.len() as u64;
+    assert!(!Exam::is_late(flown, length, seconds(20)));
+    // If it is not the whole record, the flight went on.
+    assert!(Exam::is_late(flown, length + 1, seconds(20)));
+}
+
+#[test]
+fn the_head_after_the_flight_is_noted_at_once_and_once() {
+    let mut hall = Hall::flying();
+    let over = |content: &[u8]| TryHead {
+        name: name("00", 1),
+        is_over: true,
+        head: head_of("flight", content),
+    };
+    hall.head(name("00", 1), head_of("flight", b"1 one\n"));
+    let end = hall.try_head(over(b"1 one\n2 two\n"));
+    assert!(matches!(end, DeskHeard::Witnessed(_)), "{end:?}");
+    let again = hall.try_head(over(b"1 one\n2 two\n3 three\n"));
+    assert_eq!(again, DeskHeard::Known, "a seat cannot fill the notes");
+    let flown = &hall.candidate().tries()[0];
+    assert!(flown.has_end_seen(12) && !flown.has_end_seen(20));
+}
+
+#[test]
+fn a_desk_that_was_away_may_have_missed_the_end_until_it_sees_a_head_again() {
+    let mut hall = Hall::flying();
+    hall.head(name("00", 1), head_of("flight", b"1 one\n"));
+    assert!(!hall.candidate().tries()[0].was_desk_away);
+    let found = Exam::of(plan(ExamLayout::Own), &hall.notes, EPOCH).expect("it began");
+    hall.desk = desk();
+    joined(&mut hall.desk, 1, "anna", 10);
+    assert!(hall.desk.hold(found));
+    assert!(hall.candidate().tries()[0].was_desk_away);
+    hall.at += 10;
+    hall.head(name("00", 1), head_of("flight", b"1 one\n2 two\n"));
+    assert!(!hall.candidate().tries()[0].was_desk_away);
+}
+
+/// A seat that flies a try.
+struct Flying {
+    is_over: bool,
+}
+
+impl SeatSource for Flying {
+    fn report(&self) -> SeatReport {
+        SeatReport::default()
+    }
+
+    fn picture(&self) -> Option<Picture> {
+        None
+    }
+
+    fn head(&self) -> Option<TryHead> {
+        Some(TryHead {
+            name: name("00", 1),
+            is_over: self.is_over,
+            head: head_of("flight", b"1 one\n"),
+        })
+    }
+
+    fn piece(&self, _: &PieceRequest) -> Option<Piece> {
+        None
+    }
+}
+
+#[test]
+fn a_seat_sends_the_head_of_a_whole_record_at_once() {
+    let mut seat = Seat::new(1, Consent::Given);
+    seat.enter("9-A".into());
+    let mut line = SeatLine::default();
+    let mut said = |is_over: bool, at: Duration| -> Vec<bool> {
+        let source = Flying { is_over };
+        let messages = std::iter::from_fn(|| line.next(&seat, &source, at));
+        let heads = messages.filter_map(|it| match it {
+            SeatMessage::Head(head) => Some(head.is_over),
+            _ => None,
+        });
+        heads.collect()
+    };
+    assert_eq!(said(false, seconds(1)), [false]);
+    assert_eq!(said(false, seconds(2)), [false; 0]);
+    assert_eq!(said(true, seconds(2)), [true]);
+    assert_eq!(said(true, seconds(3)), [false; 0]);
 }
 
 proptest! {

@@ -10,7 +10,7 @@ use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
 use crate::app::state::{Activity, OpenTry, SeatPlace};
 use crate::campaign::{MissionStage, Stake};
-use crate::class::{ExamTry, Outcome, Refusal};
+use crate::class::{ExamTry, Outcome, Refusal, TryName};
 use crate::text;
 use crate::vehicle::Severity;
 
@@ -45,7 +45,12 @@ pub(super) fn examine(state: &mut State, opened: &ExamTry) -> Result<BegunOrder,
             trace,
         });
     }
-    let is_known = place.is_some_and(|place| place.tries.contains(&opened.name));
+    let is_same = |name: &TryName| name.is_same_try(&opened.name);
+    // The desk has given an earlier opening up; it sees that this one is flown.
+    if place.and_then(SeatPlace::flown_try).is_some_and(is_same) {
+        return Err(Refusal::Flying);
+    }
+    let is_known = place.is_some_and(|place| place.tries.iter().any(is_same));
     if is_known || opened.name.number > opened.tries || opened.within_s == 0 {
         return Err(Refusal::Flown);
     }
