@@ -42,6 +42,7 @@ class-refusal-practice = the flight would only be practice: own mission files, o
 # The seat.
 class-exam-no-restart = a try of an exam cannot be restarted
 class-exam-no-leave = the class cannot be left during a try of an exam: end the flight first
+class-exam-ask-leave = this uses up the try of the exam: the desk does not open it again
 class-exam-time-up = the time of this try is up
 
 # Seals.

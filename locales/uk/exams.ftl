@@ -44,6 +44,7 @@ class-refusal-practice = політ був би лише тренуванням:
 # The seat.
 class-exam-no-restart = спробу іспиту не можна почати спочатку
 class-exam-no-leave = під час спроби іспиту не можна вийти з класу: спершу закінчіть політ
+class-exam-ask-leave = спробу іспиту буде використано: пульт не відкриє її знову
 class-exam-time-up = час на цю спробу вичерпано
 
 # Seals.

@@ -416,6 +416,10 @@ impl RoomModel for ClassRoom {
     fn submit(state: &mut State) -> Answer {
         let desk = state.class.desk()?;
         if let Some(page) = &state.rooms.class.grading {
+            if state.rooms.class.awaited.is_some() {
+                // The remark would be that of the flight before.
+                return Some(Vec::new());
+            }
             let line = format!("class remark {}", page.remark());
             return Some(vec![RoomRequest::Write(line)]);
         }

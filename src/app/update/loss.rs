@@ -13,8 +13,13 @@ pub fn loss(state: &State) -> Option<Text> {
     let is_mission = matches!(session.activity, Some(Activity::Mission { .. }));
     let is_waiting = session.is_starting() || (is_mission && !session.has_flight_begun());
     let has_not_begun = is_waiting && session.armed() == 0;
-    if session.task.over || session.activity.is_none() || has_not_begun || state.replay.is_some() {
+    if session.task.over || session.activity.is_none() || state.replay.is_some() {
         return None;
+    }
+    if has_not_begun {
+        let place = state.class.seat();
+        let is_try = place.is_some_and(|place| place.flown_try().is_some());
+        return is_try.then(|| text!("class-exam-ask-leave"));
     }
     let count = session.armed();
     let armed = (count > 0).then(|| text!("ask-armed", count = count));

@@ -165,6 +165,20 @@ fn another_opening_of_a_try_is_refused_while_the_first_is_flown() {
     assert_eq!(outcomes(&console), [(2, refused)]);
 }
 
+/// Esc in the brief of a try once used it up without a question.
+#[test]
+fn leaving_the_brief_of_a_try_is_asked_about() {
+    let mut console = joined();
+    order(&mut console, 1, Deed::Examine(opened_try()));
+    start(&mut console, "00-first-flight");
+    console.give("abandon");
+    assert_eq!(session_effects(&console), Vec::<&SessionEffect>::new());
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("uses up the try of the exam"), "{screen}");
+    console.press("y");
+    assert_eq!(session_effects(&console), [&SessionEffect::Leave]);
+}
+
 #[test]
 fn a_try_that_would_be_practice_is_not_used_up() {
     let mut console = joined();

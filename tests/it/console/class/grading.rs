@@ -155,7 +155,8 @@ fn left_and_right_ask_for_older_and_newer_flights_and_keys_wait_for_them() {
     let screen = console.screen(120, 40);
     assert!(screen.contains("another flight is being read"), "{screen}");
     // The line is kept until it is given up.
-    console.press("esc");
+    console.press("esc").press("enter");
+    assert!(!console.screen(120, 40).contains(": class remark"));
     let older = GradedFlight {
         record: "2026-11-20T13-00-00Z_06-lane-survey".to_owned(),
         number: 1,
