@@ -68,7 +68,7 @@ pub enum TryReason {
     Mission,
     /// It was flown with designs of the trainee instead of the mission's vehicles.
     Fleet,
-    /// It was paused.
+    /// The flight was paused after the mission's time had begun.
     Paused,
     /// The record has no inputs, so the flight cannot be flown again.
     NoInputs,

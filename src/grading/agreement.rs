@@ -75,7 +75,7 @@ pub fn marks_of<'a>(
     })
 }
 
-/// Compares two graders.
+/// Compares the marks of two graders for the same elements of the same flights.
 pub fn agreement(first: &GraderMarks, second: &GraderMarks) -> Agreement {
     let both = first
         .iter()

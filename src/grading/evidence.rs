@@ -23,7 +23,7 @@ pub enum EvidenceKind {
     Hints,
     /// The predicted score beside the reached one.
     Prediction,
-    /// Vehicles that crashed.
+    /// Vehicles that crashed or were disarmed in the air.
     Crashes,
     /// A component of the score, with its main cause.
     Component(Component),

@@ -49,7 +49,7 @@ pub struct Grade {
     /// The mark; `None` if the element was not observed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mark: Option<Mark>,
-    /// The grader's remark.
+    /// The grader's reason in words; may be empty.
     #[serde(default, skip_serializing_if = "String::is_empty")]
     pub text: String,
     /// The bookmarks to which the grade refers: their times in the record, in milliseconds.
@@ -100,7 +100,7 @@ pub struct GradeSheet {
 }
 
 impl GradeSheet {
-    /// An empty sheet.
+    /// A sheet on which all elements are open.
     pub fn new(rubric: &Rubric, grader: &str) -> Self {
         Self {
             rubric: rubric.name.clone(),

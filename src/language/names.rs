@@ -34,7 +34,7 @@ pub enum NameList {
     Exam,
     /// The trainees of the class, by user name.
     Trainee,
-    /// The rubrics.
+    /// The rubrics with which the desk grades flights.
     Rubric,
 }
 

@@ -59,7 +59,7 @@ impl Console {
         }
         let begun = self.launch(mission, launch.stake, seeds).await;
         if begun.is_err() {
-            // Whatever the reason, the desk is told at once, and the next flight is not taken for the try.
+            // Without this, the trainee's next flight would count as the try.
             self.post(ClassEvent::TryRefused(Refusal::Practice));
         }
         begun

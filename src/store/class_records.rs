@@ -83,7 +83,7 @@ impl ClassRecords {
         folders_in(&data.join(CLASSES))
     }
 
-    /// The data folder.
+    /// The instructor's data folder, in which the class has its own.
     pub fn data(&self) -> &Path {
         &self.data
     }

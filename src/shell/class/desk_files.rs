@@ -80,8 +80,7 @@ struct DeskFiles {
     /// The time since 1970 at which the desk's own clock was 0.
     epoch: u64,
     notes: ExamNotes,
-    /// The notes that could not be written yet, oldest first. While there are any, no seat is told that its head is
-    /// noted.
+    /// Notes that still have to be written, oldest first. Until they are, reports of seats are not confirmed.
     unwritten: VecDeque<UnwrittenNotes>,
     /// Whether something could not be written.
     has_failed: bool,

@@ -76,7 +76,7 @@ pub struct RecordHead {
 pub struct ContentHash(String);
 
 impl ContentHash {
-    /// Its digits.
+    /// The hash in 64 hexadecimal digits.
     pub fn as_str(&self) -> &str {
         &self.0
     }
@@ -109,7 +109,7 @@ pub struct TryHead {
     /// Whether the flight is over, so that the record grows no more.
     #[serde(default)]
     pub is_over: bool,
-    /// The head.
+    /// The length of the record so far, and its hash.
     #[serde(flatten)]
     pub head: RecordHead,
 }

@@ -113,7 +113,7 @@ impl CandidateTry {
 pub struct TimedHead {
     /// The time by the desk's clock, in seconds since 1970.
     pub at: u64,
-    /// The head.
+    /// The length of the record at that time, and its hash.
     pub head: RecordHead,
 }
 

@@ -66,7 +66,7 @@ pub(super) enum ExamMove {
     Open(ExamTry),
     /// Ask the seat to end the flight.
     AskEnd,
-    /// Note something.
+    /// A deed that has to be noted on the disk.
     Note(ExamDeed),
     /// Another stage, which needs no note.
     Stage(CandidateStage),
@@ -106,7 +106,7 @@ impl Exam {
         Some(exam)
     }
 
-    /// What is flown.
+    /// The missions, tries and times of the exam.
     pub fn plan(&self) -> &ExamPlan {
         &self.plan
     }

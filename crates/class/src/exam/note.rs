@@ -9,7 +9,7 @@ use super::{ExamSecret, RecordHead, TryEnd, TryName};
 pub struct ExamNote {
     /// The time by the desk's clock, in seconds since 1970.
     pub at: u64,
-    /// What happened.
+    /// The deed that the desk has decided or seen.
     #[serde(flatten)]
     pub what: ExamDeed,
 }
@@ -68,7 +68,7 @@ pub enum ExamDeed {
         /// Which try it was.
         #[serde(rename = "try")]
         name: TryName,
-        /// How it ended.
+        /// Whether the mission was over, the trainee left, or the time was up.
         how: TryEnd,
     },
     /// A desk that was opened again goes on with the exam. What happened since the last note, nobody has seen.

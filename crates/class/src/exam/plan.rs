@@ -22,7 +22,7 @@ pub struct ExamPlan {
 /// A mission of an exam.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ExamMission {
-    /// Its id.
+    /// The id of the mission in the course.
     pub mission: Words,
     /// How often it may be flown. The first pass is the last try.
     pub tries: u32,

@@ -57,9 +57,9 @@ pub enum Witness {
 /// A record that was handed in.
 #[derive(Debug, Clone, Copy)]
 pub struct WrittenRecord<'a> {
-    /// Its name.
+    /// The name under which the seat has handed it in.
     pub name: &'a RecordName,
-    /// Its lines.
+    /// The whole file, one JSON object per line.
     pub content: &'a [u8],
     /// The mission time of a line; `None` if it has none.
     pub time_of: fn(&[u8]) -> Option<Duration>,

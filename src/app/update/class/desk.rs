@@ -30,7 +30,7 @@ pub fn heard(
     match outcome {
         Ok(DeskHeard::Known) => Effects::none(),
         Ok(heard) => {
-            // A head is noted before its seat is told.
+            // The desk notes what a seat has reported before it confirms the report.
             let mut effects = exam_notes(state);
             effects.extend(Effects::from(Effect::Class(ClassEffect::Receive {
                 connection,

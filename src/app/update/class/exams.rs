@@ -126,7 +126,7 @@ fn found(state: &mut State, exam: Exam) {
     state.touch();
 }
 
-/// Ends the exam.
+/// Ends the exam: no more tries are opened, and flights go on.
 ///
 /// # Errors
 /// This console is no desk, or holds no exam.
