@@ -1,8 +1,9 @@
 //! The orders of an instructor's desk and their outcomes, as text.
 
-use crate::class::{Consent, Deed, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal};
+use crate::class::{Consent, Deed, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal, Words};
 use crate::text;
 use crate::text::Text;
+use crate::vehicle_id::ranges;
 
 /// What an order asks for.
 pub fn deed_text(deed: &Deed) -> Text {
@@ -25,6 +26,21 @@ pub fn deed_text(deed: &Deed) -> Text {
         Deed::Disarm { name: None } => text!("class-deed-disarm-all"),
         Deed::Disarm { name: Some(name) } => text!("class-deed-disarm", name = name.as_str()),
         Deed::End => text!("class-deed-end"),
+        Deed::TakeOver { vehicles } if vehicles.is_empty() => text!("class-deed-take-all"),
+        Deed::TakeOver { vehicles } => {
+            text!(
+                "class-deed-take",
+                vehicles = ranges(vehicles.iter().copied())
+            )
+        }
+        Deed::HandBack { vehicles } if vehicles.is_empty() => text!("class-deed-give-all"),
+        Deed::HandBack { vehicles } => {
+            text!(
+                "class-deed-give",
+                vehicles = ranges(vehicles.iter().copied())
+            )
+        }
+        Deed::Command { line } => text!("class-deed-command", line = line.as_str()),
         Deed::Fly {
             mission,
             exam: false,
@@ -59,12 +75,24 @@ fn step_text(noted: &NotedStep) -> Text {
     }
 }
 
+/// How an order ended, with what the seat has said about it.
+pub fn ended_text(outcome: Outcome, why: Option<&Words>) -> Text {
+    let Some(why) = why.map(|why| Text::verbatim(why.as_str())) else {
+        return outcome_text(outcome);
+    };
+    match outcome {
+        Outcome::Refused(_) => text!("class-refused", reason = why),
+        other => Text::joined(": ", vec![outcome_text(other), why]),
+    }
+}
+
 /// How an order ended.
 pub fn outcome_text(outcome: Outcome) -> Text {
     match outcome {
         Outcome::Done => text!("class-done"),
         Outcome::NoEffect => text!("class-no-effect"),
         Outcome::Armed => text!("class-armed"),
+        Outcome::UnderWay => text!("class-under-way"),
         Outcome::Disarmed => text!("class-disarmed"),
         Outcome::Refused(refusal) => text!("class-refused", reason = refusal_text(refusal)),
     }
@@ -87,6 +115,11 @@ fn refusal_text(refusal: Refusal) -> Text {
         Refusal::Locked => text!("class-refusal-locked"),
         Refusal::Flown => text!("class-refusal-flown"),
         Refusal::Practice => text!("class-refusal-practice"),
+        Refusal::NoVehicle => text!("class-refusal-no-vehicle"),
+        Refusal::RealVehicle => text!("class-refusal-real-vehicle"),
+        Refusal::NotTaken => text!("class-refusal-not-taken"),
+        Refusal::Line => text!("class-refusal-line"),
+        Refusal::Vehicle => text!("class-refusal-vehicle"),
     }
 }
 

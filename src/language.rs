@@ -158,6 +158,7 @@ impl Statement {
             verb: self.verb,
             targets,
             act,
+            by: None,
         })
     }
 }

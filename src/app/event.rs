@@ -31,6 +31,7 @@ use crate::moment::Moment;
 use crate::notice::Notice;
 use crate::operator::RehearsalFindings;
 use crate::parameters::ParameterSnapshot;
+use crate::pilot_in_command::Person;
 use crate::review::Review;
 use crate::scoring::{Report, TryReport};
 use crate::session::ListedFolder;
@@ -138,6 +139,8 @@ pub enum VehicleEvent {
         verb: &'static Verb,
         /// The risk of the command.
         risk: Risk,
+        /// Who gave the command; `None` for the user of the console.
+        by: Option<Person>,
         /// The vehicles that the command addresses.
         vehicles: Vec<VehicleId>,
     },

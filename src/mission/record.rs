@@ -308,6 +308,7 @@ impl Recorder {
                 line: entry.line.clone(),
                 verb: entry.verb,
                 risk: entry.risk,
+                by: entry.by.clone(),
                 vehicles: entry.rows.iter().map(|row| row.vehicle).collect(),
             });
         }

@@ -63,6 +63,23 @@ pub enum Deed {
     },
     /// End the mission: the flight is scored as it stands.
     End,
+    /// Make the instructor the pilot in command of vehicles.
+    TakeOver {
+        /// Their numbers; empty for all.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        vehicles: Vec<u16>,
+    },
+    /// Hand vehicles back to the trainee.
+    HandBack {
+        /// Their numbers; empty for all.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        vehicles: Vec<u16>,
+    },
+    /// Carry out a command of the instructor to vehicles that the instructor flies.
+    Command {
+        /// The line in the language of the command line.
+        line: Words,
+    },
     /// Begin the flight of a mission, with its brief.
     Fly {
         /// The id of the mission.
@@ -161,6 +178,8 @@ pub enum Outcome {
     NoEffect,
     /// It waits for its condition. Another outcome follows.
     Armed,
+    /// It is being carried out. Another outcome follows.
+    UnderWay,
     /// It no longer waits: the desk has disarmed it, or the flight has ended.
     Disarmed,
     /// It was not carried out.
@@ -201,4 +220,14 @@ pub enum Refusal {
     Flown,
     /// At this seat, the flight would be practice: the console has a mission or airframes of its own, or slow motion.
     Practice,
+    /// The flight has no such vehicle.
+    NoVehicle,
+    /// The vehicles may be real, and the trainee's configuration does not permit others to fly them.
+    RealVehicle,
+    /// The trainee flies the vehicle: the instructor has not taken it over.
+    NotTaken,
+    /// The line cannot be read, or is no command to vehicles.
+    Line,
+    /// A vehicle refused the command, or it does not suit the vehicle.
+    Vehicle,
 }

@@ -120,10 +120,22 @@ impl Seat {
         self.journal.note(clock_s, what);
     }
 
-    /// Notes how an order ended.
-    pub fn settle(&mut self, clock_s: Option<f64>, order: Order, outcome: Outcome) {
+    /// Notes how an order ended, and why, if there is more to say.
+    pub fn settle(
+        &mut self,
+        clock_s: Option<f64>,
+        order: Order,
+        outcome: Outcome,
+        why: Option<Words>,
+    ) {
         let Order { id, deed } = order;
-        self.note(clock_s, Happening::Order { id, deed, outcome });
+        let ended = Happening::Order {
+            id,
+            deed,
+            outcome,
+            why,
+        };
+        self.note(clock_s, ended);
     }
 
     /// The records that the desk has not acknowledged.

@@ -7,7 +7,7 @@ use super::order::ANSWERED_WITHIN;
 use super::watch::{Picture, PicturePart, PictureReceiver};
 use super::{
     Attention, ConnectionId, Deed, Entry, Happening, JournalCopy, LessonPosition, Order, OrderId,
-    Outcome, SeatReport,
+    Outcome, SeatReport, Words,
 };
 
 /// The maximum number of orders to one seat that a desk remembers.
@@ -42,6 +42,8 @@ pub struct GivenOrder {
     pub at: Duration,
     /// How far it is.
     pub state: OrderState,
+    /// What the seat has said about the outcome.
+    pub why: Option<Words>,
 }
 
 /// A seat as its desk knows it.
@@ -154,6 +156,7 @@ impl SeatRecord {
             order: Order { id, deed },
             at: now,
             state: OrderState::Waiting,
+            why: None,
         });
         if self.orders.len() > REMEMBERED {
             self.orders.pop_front();
@@ -163,12 +166,17 @@ impl SeatRecord {
     /// Notes the outcomes of orders in new entries.
     pub(super) fn hear(&mut self, entries: &[Entry]) {
         for entry in entries {
-            let Happening::Order { id, outcome, .. } = entry.what else {
+            let Happening::Order {
+                id, outcome, why, ..
+            } = &entry.what
+            else {
                 continue;
             };
+            let (id, outcome) = (*id, *outcome);
             let given = self.orders.iter_mut().find(|it| it.order.id == id);
             if let Some(given) = given {
                 given.state = OrderState::Ended(outcome);
+                given.why.clone_from(why);
             }
             if let Some(lesson) = &mut self.lesson {
                 lesson.hear(id, outcome);

@@ -8,8 +8,10 @@ use crate::class::{
     Consent, Danger, Deed, Desk, Happening, NotedStep, OrderId, Seat, TryName, Words,
 };
 use crate::ledger::EntryId;
+use crate::pilot_in_command::Person;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle_id::ranges;
 
 /// The time without a line of the desk, which says something every 2 s, after which it no longer holds a flight.
 const DESK_SILENT: Duration = Duration::from_secs(10);
@@ -48,6 +50,8 @@ pub struct SeatPlace {
     pub(in crate::app) desk_entries: BTreeSet<EntryId>,
     /// Whether the desk has frozen the flight.
     pub(in crate::app) is_frozen: bool,
+    /// The person at the desk, once that person has taken over vehicles of this flight.
+    pub(in crate::app) desk_pilot: Option<Person>,
     /// When the desk last said something, by the wall clock.
     pub(in crate::app) heard_at: Duration,
     /// When dangers were last looked for, on the console's clock.
@@ -130,6 +134,7 @@ impl SeatPlace {
             has_passed: false,
             desk_entries: BTreeSet::new(),
             is_frozen: false,
+            desk_pilot: None,
             heard_at: Duration::ZERO,
             looked_at: Duration::ZERO,
             danger: None,
@@ -141,6 +146,11 @@ impl SeatPlace {
     /// The seat's journal and connection.
     pub fn seat(&self) -> &Seat {
         &self.seat
+    }
+
+    /// Whether the desk has said something lately: one that has not holds neither the flight nor its vehicles.
+    pub(in crate::app) fn hears_desk(&self, wall: Duration) -> bool {
+        wall < self.heard_at + DESK_SILENT
     }
 
     /// The try of an exam that is the present flight.
@@ -158,6 +168,7 @@ impl SeatPlace {
         match what {
             Happening::Started { ref mission } => {
                 self.is_frozen = false;
+                self.desk_pilot = None;
                 self.flights += 1;
                 // The flight of the try could not be begun, and this is another one.
                 let is_other = |it: &OpenTry| mission.as_ref() != Some(&it.name.mission);
@@ -236,12 +247,24 @@ impl<R> State<R> {
         open.is_some() && !self.session.task.over
     }
 
+    /// Why the trainee cannot leave the class while the instructor flies vehicles; they go back without the desk.
+    pub fn keeps_vehicles(&self) -> Option<Text> {
+        let place = self.class.seat()?;
+        let pilot = place.desk_pilot.as_ref()?;
+        let vehicles = self.session.pilots.flown_by(pilot);
+        let is_held = !vehicles.is_empty() && place.hears_desk(self.wall);
+        is_held.then(|| {
+            let vehicles = ranges(vehicles);
+            text!("pilot-keeps", pilot = pilot.name(), vehicles = vehicles)
+        })
+    }
+
     /// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, or if it is silent, the trainee
     /// can.
     pub fn keeps_frozen(&self) -> Option<Text> {
         let place = self.class.seat()?;
         let instructor = self.class.watcher()?;
-        let is_held = place.is_frozen && self.wall < place.heard_at + DESK_SILENT;
+        let is_held = place.is_frozen && place.hears_desk(self.wall);
         is_held.then(|| text!("class-frozen", instructor = instructor))
     }
 }

@@ -81,6 +81,9 @@ impl<R> State<R> {
             by_script: false,
             injects: progress.map_or_else(Vec::new, offered),
             armed: place.map_or_else(Vec::new, armed),
+            taken: place
+                .and_then(|place| place.desk_pilot.as_ref())
+                .map_or_else(Vec::new, |pilot| session.pilots.flown_by(pilot)),
         }
     }
 

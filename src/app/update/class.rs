@@ -293,7 +293,8 @@ fn may_leave(state: &State) -> Result<(), Text> {
     if state.has_open_try() {
         return Err(text!("class-exam-no-leave"));
     }
-    state.keeps_frozen().map_or(Ok(()), Err)
+    let kept = state.keeps_frozen().or_else(|| state.keeps_vehicles());
+    kept.map_or(Ok(()), Err)
 }
 
 /// The trainee joins the class.

@@ -1,12 +1,14 @@
 //! The verb for a class.
 
 use super::{Built, Problem, console};
-use crate::class::{Deed, LessonDirection};
+use crate::class::{Deed, LessonDirection, Words};
+use crate::language::VehicleChoice;
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
 use crate::language::console::{ClassLine, ConsoleLine, GradingLine, Rating, Report, SeatChoice};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
+use crate::vehicle_id::VehicleId;
 use crate::verb::Verb;
 
 /// The word for all seats.
@@ -24,6 +26,9 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class inject gust when t > 60",
         "class injects",
         "class disarm",
+        "class take @anna 3",
+        "class say @anna 3 takeoff 20",
+        "class give",
         "class watch @anna",
         "class results",
         "class fly @all 00",
@@ -140,6 +145,27 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         Form::new(&[Argument::flag("end", ""), SEAT], |given| {
             give(given, |_| Deed::End)
         }),
+        Form::new(
+            &[Argument::flag("take", ""), SEAT, VEHICLES.optional()],
+            |given| {
+                let vehicles = flown(given)?;
+                instruct(given, Deed::TakeOver { vehicles })
+            },
+        ),
+        Form::new(
+            &[Argument::flag("give", ""), SEAT, VEHICLES.optional()],
+            |given| {
+                let vehicles = flown(given)?;
+                instruct(given, Deed::HandBack { vehicles })
+            },
+        ),
+        Form::new(&[Argument::flag("say", ""), SEAT, TEXT], |given| {
+            let text = given.required_word("text")?;
+            let line =
+                Words::whole(text).ok_or_else(|| Problem::new("text", text!("class-line-long")))?;
+            check_seat(given, text)?;
+            instruct(given, Deed::Command { line })
+        }),
         Form::new(&[Argument::flag("join", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Join))
         }),
@@ -152,6 +178,7 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
 const SEAT: Argument =
     Argument::value("@seat", Kind::Name(NameList::Seat), "argument-seat").optional();
 const TEXT: Argument = Argument::value("text", Kind::Rest, "");
+const VEHICLES: Argument = Argument::value("vehicles", Kind::Vehicles, "argument-class-vehicles");
 const INJECT: Argument = Argument::value("name", Kind::Name(NameList::SeatInject), "");
 const CONDITION: Argument =
     Argument::keyed("when", "condition", Kind::Rest, "argument-condition").optional();
@@ -192,11 +219,28 @@ fn direct(given: &Arguments, direction: LessonDirection) -> Built {
 
 fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
     let text = given.word("text").unwrap_or_default();
-    // A name that no seat has must not become part of a text to another seat.
+    check_seat(given, text)?;
+    instruct(given, deed(text))
+}
+
+/// Checks that a name that no seat has does not become part of a text to another seat.
+fn check_seat(given: &Arguments, text: &str) -> Result<(), Problem> {
     if given.word("@seat").is_none() && text.starts_with('@') {
         return Err(Problem::new("text", text!("class-unknown-seat")));
     }
-    instruct(given, deed(text))
+    Ok(())
+}
+
+/// The vehicles of a seat; empty for all.
+fn flown(given: &Arguments) -> Result<Vec<VehicleId>, Problem> {
+    match given.vehicles("vehicles") {
+        None | Some(VehicleChoice::All) => Ok(Vec::new()),
+        Some(VehicleChoice::Ids(vehicles)) => Ok(vehicles),
+        Some(VehicleChoice::Group(_)) => Err(Problem::new("vehicles", text!("class-unknown-seat"))),
+        Some(VehicleChoice::None | VehicleChoice::Filter | VehicleChoice::Invert) => {
+            Err(Problem::new("vehicles", text!("class-which-vehicles")))
+        }
+    }
 }
 
 fn instruct(given: &Arguments, deed: Deed) -> Built {

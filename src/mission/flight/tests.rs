@@ -121,6 +121,7 @@ fn who_holds_a_place_is_at_work_and_who_was_dismissed_is_idle() {
             line: verb,
             verb: language::verb(verb).expect(verb),
             risk: Risk::None,
+            by: None,
         };
         pilot.ledger.open(pilot.now, given, &[1]);
         pilot.wait(60.0);

@@ -363,6 +363,7 @@ impl Reenactment {
                 line: &entry.line,
                 verb: entry.verb,
                 risk: entry.risk,
+                by: entry.by.as_ref(),
             };
             let id = self.ledger.open(at, given, &entry.vehicles);
             self.entries.insert(entry.id, id);

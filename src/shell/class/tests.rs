@@ -18,6 +18,7 @@ use crate::ui;
 
 mod exams;
 mod lessons;
+mod pilots;
 mod records;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");

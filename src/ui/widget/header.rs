@@ -14,6 +14,7 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{alert_role, clip, clock, columns, put, replay, upper, width};
+use crate::vehicle_id::ranges;
 
 /// Draws the header and returns the area between it and the footer.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
@@ -124,6 +125,7 @@ fn figures(state: &State, short: bool) -> Vec<Figure> {
         pressing_alert(state),
         mission_alert(state),
         plain(vehicles(state, short)),
+        pilots(state),
         plain(watched(state, short)),
         plain(recorded_at(state, short)),
         Some(time.into()),
@@ -193,6 +195,20 @@ fn vehicles(state: &State, short: bool) -> Option<Text> {
     let links = state.replay().is_none().then(|| links(state, short));
     let shown = std::iter::once(count).chain(links).collect();
     Some(Text::joined("   ", shown))
+}
+
+/// Who else flies vehicles of this console.
+fn pilots(state: &State) -> Option<Figure> {
+    let others = state.session().pilots().others();
+    let parts = others.into_iter().map(|(pilot, vehicles)| {
+        let (pilot, vehicles) = (pilot.name(), ranges(vehicles));
+        text!("header-pilot", pilot = pilot, vehicles = vehicles)
+    });
+    let parts: Vec<Text> = parts.collect();
+    (!parts.is_empty()).then(|| Figure {
+        text: Text::joined(", ", parts),
+        role: Some(Role::Warning),
+    })
 }
 
 /// Who watches this seat of a class.

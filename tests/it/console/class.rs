@@ -20,6 +20,7 @@ mod desk;
 mod grading;
 mod injects;
 mod lessons;
+mod pilots;
 mod watch;
 
 pub use desk::{desk, flight, join, report, say};

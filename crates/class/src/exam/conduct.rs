@@ -360,7 +360,11 @@ fn ordered(user: &str, name: TryName, state: OrderState) -> Option<ExamMove> {
         // The desk was away meanwhile.
         OrderState::Ended(Outcome::Refused(Refusal::Flown)) => ended(user, name, TryEnd::Left),
         OrderState::Ended(
-            Outcome::Refused(_) | Outcome::NoEffect | Outcome::Armed | Outcome::Disarmed,
+            Outcome::Refused(_)
+            | Outcome::NoEffect
+            | Outcome::Armed
+            | Outcome::UnderWay
+            | Outcome::Disarmed,
         )
         | OrderState::Unanswered => ExamMove::Stage(CandidateStage::Blocked),
     })

@@ -137,8 +137,15 @@ impl Hall {
     fn answer(&mut self, outcome: Outcome) {
         let order = self.desk.seats()[0].orders().next_back().expect("an order");
         let Order { id, deed } = order.order.clone();
-        self.journal
-            .note(None, Happening::Order { id, deed, outcome });
+        self.journal.note(
+            None,
+            Happening::Order {
+                id,
+                deed,
+                outcome,
+                why: None,
+            },
+        );
         let batch = self.journal.from(self.journal.last()).expect("an entry");
         self.hear(SeatMessage::Entries(batch));
         self.until(self.at + 1);

@@ -39,7 +39,15 @@ impl Pupil {
         }
         let end = |journal: &mut Journal, order: Order, outcome| {
             let Order { id, deed } = order;
-            journal.note(None, Happening::Order { id, deed, outcome });
+            journal.note(
+                None,
+                Happening::Order {
+                    id,
+                    deed,
+                    outcome,
+                    why: None,
+                },
+            );
         };
         match &order.deed {
             Deed::Step(step) => {
@@ -68,8 +76,15 @@ impl Pupil {
             && let Some(Order { id, deed }) = self.waits.take()
         {
             let outcome = Outcome::Done;
-            self.journal
-                .note(None, Happening::Order { id, deed, outcome });
+            self.journal.note(
+                None,
+                Happening::Order {
+                    id,
+                    deed,
+                    outcome,
+                    why: None,
+                },
+            );
         }
     }
 

@@ -153,7 +153,7 @@ impl Rig {
             DeskMessage::Welcome { class, .. } => self.seat.enter(class),
             DeskMessage::Order(order) if self.seat.is_new(&order) => {
                 *self.done.entry(order.id).or_default() += 1;
-                self.seat.settle(None, order.clone(), Outcome::Done);
+                self.seat.settle(None, order.clone(), Outcome::Done, None);
             }
             DeskMessage::Watch { on } => self.seat.let_watch(on),
             DeskMessage::Settled { record, end } => {

@@ -6,13 +6,14 @@ use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::room::class;
 use crate::app::state::{Consequence, Room};
 use crate::class::protocol::{Denial, SeatMessage};
-use crate::class::{ConnectionId, Deed, Desk, DeskHeard, SeatRecord};
-use crate::class_text::deed_text;
-use crate::language::SeatChoice;
+use crate::class::{ConnectionId, Deed, Desk, DeskHeard, GivenOrder, OrderState, SeatRecord};
+use crate::class_text::{deed_text, ended_text};
+use crate::language::{self, Meaning, SeatChoice};
 use crate::mission::check_condition;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
+use crate::verb::Danger;
 
 /// Takes in a line of a seat.
 pub fn heard(
@@ -25,7 +26,24 @@ pub fn heard(
     let Some(desk) = state.class.desk_mut() else {
         return Effects::none();
     };
+    let before = watched_order(desk);
     let outcome = desk.hear(connection, user, message, wall);
+    let ended = watched_order(desk).filter(|now| before.as_ref().is_some_and(|it| it != now));
+    if let Some(GivenOrder {
+        order,
+        state: OrderState::Ended(outcome),
+        why,
+        ..
+    }) = ended
+    {
+        let outcome = ended_text(outcome, why.as_ref());
+        let text = text!(
+            "class-order",
+            deed = deed_text(&order.deed),
+            state = outcome
+        );
+        state.say(Severity::Notice, text);
+    }
     class::keep_cursor(state);
     match outcome {
         Ok(DeskHeard::Known) => Effects::none(),
@@ -41,6 +59,12 @@ pub fn heard(
         }
         Err(denial) => Effects::from(Effect::Class(ClassEffect::Deny { connection, denial })),
     }
+}
+
+/// The newest order to the seat whose screen is watched: its outcome is not below the board then.
+fn watched_order(desk: &Desk) -> Option<GivenOrder> {
+    let seat = desk.seats().get(desk.watched()?)?;
+    seat.orders().next_back().cloned()
 }
 
 /// The notes that the desk has made, to be kept.
@@ -93,15 +117,42 @@ pub fn give(state: &mut State, choice: &SeatChoice, deed: Deed) -> Result<Effect
         check_condition(when.as_str()).map_err(|fault| fault.message)?;
     }
     let here = connected(state, desk, choice)?;
-    if deed.is_final() {
-        let names = names(state, &here);
-        let question = text!("class-ask-end", seats = names);
+    if let Some((question, reason)) = question(state, &here, &deed)? {
         let then = Consequence::Instruct { seats: here, deed };
-        state.ask(question, text!("class-ask-end-reason"), then);
+        state.ask(question, reason, then);
         return Ok(Effects::none());
     }
     instruct(state, &here, &deed);
     Ok(Effects::none())
+}
+
+/// What is asked before an order is given, and why; `None` if nothing is.
+///
+/// # Errors
+/// A line for vehicles is not one.
+fn question(state: &State, seats: &[usize], deed: &Deed) -> Result<Option<(Text, Text)>, Text> {
+    let names = || names(state, seats);
+    if deed.is_final() {
+        let question = text!("class-ask-end", seats = names());
+        return Ok(Some((question, text!("class-ask-end-reason"))));
+    }
+    let Deed::Command { line } = deed else {
+        return Ok(None);
+    };
+    // Names that only the seat knows are for the seat to judge.
+    let Ok(read) = state.with_context(|context| language::parse(line.as_str(), context)) else {
+        return Ok(None);
+    };
+    if !read.verb.counts_as.is_for_vehicles() || !matches!(read.meaning, Meaning::Act(_)) {
+        return Err(text!("class-say-vehicles"));
+    }
+    let question = text!(
+        "class-ask-command",
+        line = line.as_str().to_uppercase(),
+        seats = names()
+    );
+    let reason = Text::new(format!("verb-{}", read.verb.name), Vec::new());
+    Ok((read.verb.danger == Danger::Confirm).then_some((question, reason)))
 }
 
 /// The connected seats that are meant.

@@ -5,12 +5,13 @@ use ratatui::text::{Line, Span};
 
 use super::seconds;
 use crate::class::{Entry, GivenOrder, Happening, OrderState, Outcome, SeatRecord};
-use crate::class_text::{deed_text, outcome_text};
+use crate::class_text::{deed_text, ended_text};
 use crate::text;
 use crate::text::{Text, clock};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put};
+use crate::vehicle_id::ranges;
 
 /// The maximum number of orders shown.
 const ORDERS: usize = 3;
@@ -25,7 +26,12 @@ pub fn draw(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
         .entries()
         .rev()
         .filter_map(|it| entry(it, seat));
-    let lines = armed(seat).chain(orders).chain(missing).chain(journal);
+    let lines = taken(seat)
+        .into_iter()
+        .chain(armed(seat))
+        .chain(orders)
+        .chain(missing)
+        .chain(journal);
     draw_lines(lines, panel.at(inner), buffer);
 }
 
@@ -79,6 +85,13 @@ fn draw_lines(lines: impl Iterator<Item = (Text, Role)>, panel: Panel<'_>, buffe
     }
 }
 
+/// The vehicles that the instructor flies.
+fn taken(seat: &SeatRecord) -> Option<(Text, Role)> {
+    let taken = &seat.report.as_ref()?.flight.as_ref()?.taken;
+    let vehicles = ranges(taken.iter().copied());
+    (!taken.is_empty()).then(|| (text!("class-taken", vehicles = vehicles), Role::Warning))
+}
+
 /// The injects that wait for their conditions.
 fn armed(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
     let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
@@ -96,9 +109,14 @@ fn armed(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
 fn order(given: &GivenOrder) -> (Text, Role) {
     let (state, role) = match given.state {
         OrderState::Waiting => (text!("class-waiting"), Role::Accent),
-        OrderState::Ended(Outcome::Done) => (outcome_text(Outcome::Done), Role::Ok),
-        OrderState::Ended(Outcome::Armed) => (outcome_text(Outcome::Armed), Role::Accent),
-        OrderState::Ended(outcome) => (outcome_text(outcome), Role::Warning),
+        OrderState::Ended(outcome) => {
+            let role = match outcome {
+                Outcome::Done => Role::Ok,
+                Outcome::Armed | Outcome::UnderWay => Role::Accent,
+                Outcome::NoEffect | Outcome::Disarmed | Outcome::Refused(_) => Role::Warning,
+            };
+            (ended_text(outcome, given.why.as_ref()), role)
+        }
         OrderState::Unanswered => (text!("class-unanswered"), Role::Warning),
     };
     let deed = deed_text(&given.order.deed);
@@ -133,8 +151,10 @@ fn entry(entry: &Entry, seat: &SeatRecord) -> Option<(Text, Role)> {
             passed: false,
         } => (text!("class-not-passed", score = *score), Role::Warning),
         Happening::Order { id, .. } if seat.orders().any(|it| it.order.id == *id) => return None,
-        Happening::Order { deed, outcome, .. } => {
-            let (deed, state) = (deed_text(deed), outcome_text(*outcome));
+        Happening::Order {
+            deed, outcome, why, ..
+        } => {
+            let (deed, state) = (deed_text(deed), ended_text(*outcome, why.as_ref()));
             (
                 text!("class-order", deed = deed, state = state),
                 Role::Muted,

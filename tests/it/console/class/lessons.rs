@@ -84,6 +84,7 @@ fn answer(console: &mut Console, seat: usize, user: &str, holds: bool) {
                 id: order.id,
                 deed: order.deed,
                 outcome,
+                why: None,
             },
         });
     let entries: Vec<Entry> = entries.collect();
