@@ -43,11 +43,26 @@ pub fn deed_text(deed: &Deed) -> Text {
         Deed::Command { line } => text!("class-deed-command", line = line.as_str()),
         Deed::Fly {
             mission,
+            exam,
+            hold: true,
+        } => {
+            let (mission, exam, hold) = (mission.clone(), *exam, false);
+            let open = Deed::Fly {
+                mission,
+                exam,
+                hold,
+            };
+            text!("class-deed-hold", deed = deed_text(&open))
+        }
+        Deed::Fly {
+            mission,
             exam: false,
+            ..
         } => text!("class-deed-fly", mission = mission.as_str()),
         Deed::Fly {
             mission,
             exam: true,
+            ..
         } => text!("class-deed-exam", mission = mission.as_str()),
         Deed::Examine(opened) => text!(
             "class-deed-try",

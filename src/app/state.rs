@@ -77,8 +77,10 @@ pub use alert::{Alert, alert, alerts};
 pub use bell::{BellCall, Due};
 pub use career::Career;
 pub use choice::{Choice, Selection};
-pub(in crate::app) use class::{ArmedOrder, OpenTry, OrderTrace, PendingOrder, WaitingStep};
-pub use class::{ClassRole, SeatPlace};
+pub(in crate::app) use class::{
+    ArmedOrder, HeldBrief, OpenTry, OrderTrace, PendingOrder, WaitingStep,
+};
+pub use class::{ClassRole, SeatPlace, ShownTry};
 pub use column::SortKey;
 pub use display::{Display, SMALLEST, is_too_small};
 pub use filter::VehicleFilter;

@@ -87,6 +87,9 @@ pub enum Deed {
         /// Whether the flight is an exam.
         #[serde(default, skip_serializing_if = "is_false")]
         exam: bool,
+        /// Whether the trainee stays in the brief until the desk starts the mission.
+        #[serde(default, skip_serializing_if = "is_false")]
+        hold: bool,
     },
     /// Open a try of an exam, with the brief of its mission.
     Examine(ExamTry),

@@ -52,6 +52,8 @@ pub struct SeatPlace {
     pub(in crate::app) is_frozen: bool,
     /// The person at the desk, once that person has taken over vehicles of this flight.
     pub(in crate::app) desk_pilot: Option<Person>,
+    /// The flight whose brief is held until the desk starts the mission.
+    pub(in crate::app) held: Option<HeldBrief>,
     /// When the desk last said something, by the wall clock.
     pub(in crate::app) heard_at: Duration,
     /// When dangers were last looked for, on the console's clock.
@@ -112,12 +114,33 @@ pub(in crate::app) struct WaitingStep {
 #[derive(Debug, Clone)]
 pub(in crate::app) struct OpenTry {
     pub name: TryName,
+    /// The number of tries at its mission.
+    pub tries: u32,
     /// The flight by its number, which may be the next one.
     pub flight: u32,
     /// When it must end, by the wall clock.
     pub until: Duration,
     /// Whether it was ended because its time is up; once is enough.
     pub is_ended: bool,
+}
+
+/// A flight whose brief is held until the desk starts the mission.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct HeldBrief {
+    /// The flight by its number, which may be the next one.
+    pub flight: u32,
+    pub mission: Words,
+}
+
+/// The try of an exam, for the trainee.
+#[derive(Debug, Clone, Copy)]
+pub struct ShownTry<'a> {
+    /// Which try it is.
+    pub name: &'a TryName,
+    /// The number of tries at its mission.
+    pub tries: u32,
+    /// The time that is left for it.
+    pub left: Duration,
 }
 
 impl SeatPlace {
@@ -135,6 +158,7 @@ impl SeatPlace {
             desk_entries: BTreeSet::new(),
             is_frozen: false,
             desk_pilot: None,
+            held: None,
             heard_at: Duration::ZERO,
             looked_at: Duration::ZERO,
             danger: None,
@@ -151,6 +175,13 @@ impl SeatPlace {
     /// Whether the desk has said something lately: one that has not holds neither the flight nor its vehicles.
     pub(in crate::app) fn hears_desk(&self, wall: Duration) -> bool {
         wall < self.heard_at + DESK_SILENT
+    }
+
+    /// Whether the desk wants to start the present flight.
+    pub(in crate::app) fn is_held(&self) -> bool {
+        self.held
+            .as_ref()
+            .is_some_and(|it| it.flight == self.flights)
     }
 
     /// The try of an exam that is the present flight.
@@ -175,6 +206,8 @@ impl SeatPlace {
                 if self.open_try().is_some_and(is_other) {
                     self.exam = None;
                 }
+                let is_same = |it: &HeldBrief| mission.as_ref() == Some(&it.mission);
+                self.held = self.held.take().filter(is_same);
                 self.has_passed = false;
                 self.desk_entries.clear();
                 self.danger = None;
@@ -245,6 +278,32 @@ impl<R> State<R> {
     pub fn has_open_try(&self) -> bool {
         let open = self.class.seat().and_then(SeatPlace::open_try);
         open.is_some() && !self.session.task.over
+    }
+
+    /// Why the trainee cannot start the mission whose brief is shown: the desk does.
+    pub fn holds_brief(&self) -> Option<Text> {
+        let place = self.class.seat()?;
+        let instructor = place.seat.instructor().unwrap_or_default();
+        let is_held = place.is_held() && place.hears_desk(self.wall);
+        let is_held = is_held && self.session.is_reading();
+        is_held.then(|| text!("class-brief-held", instructor = instructor))
+    }
+
+    /// Starts the mission if it is waiting for the user to leave the brief, and the desk does not hold it.
+    pub(in crate::app) fn leave_brief(&mut self) {
+        if self.holds_brief().is_none() {
+            self.session.leave_brief();
+        }
+    }
+
+    /// The try of an exam that is flown and not over.
+    pub fn shown_try(&self) -> Option<ShownTry<'_>> {
+        let open = self.class.seat()?.open_try()?;
+        (!self.session.task.over).then(|| ShownTry {
+            name: &open.name,
+            tries: open.tries,
+            left: open.until.saturating_sub(self.wall),
+        })
     }
 
     /// Why the trainee cannot leave the class while the instructor flies vehicles; they go back without the desk.

@@ -293,7 +293,10 @@ fn may_leave(state: &State) -> Result<(), Text> {
     if state.has_open_try() {
         return Err(text!("class-exam-no-leave"));
     }
-    let kept = state.keeps_frozen().or_else(|| state.keeps_vehicles());
+    let kept = state
+        .keeps_frozen()
+        .or_else(|| state.keeps_vehicles())
+        .or_else(|| state.holds_brief());
     kept.map_or(Ok(()), Err)
 }
 

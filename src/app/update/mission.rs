@@ -21,6 +21,9 @@ pub fn leave_brief(state: &mut State) {
     if state.room == Room::Mission || state.session.is_starting() {
         return;
     }
+    if state.holds_brief().is_some() {
+        return;
+    }
     // In Fly, the clock itself shows that it runs.
     if state.session.is_reading() && state.room != Room::Fly {
         let key = state.key(Action::PauseMission);
@@ -163,7 +166,7 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
         state.say(Severity::Notice, text!("restart-not-replay"));
         return Effects::none();
     }
-    if let Some(reason) = state.keeps_frozen() {
+    if let Some(reason) = state.keeps_frozen().or_else(|| state.holds_brief()) {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }

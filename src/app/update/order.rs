@@ -123,6 +123,11 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
             ),
         ));
     }
+    if let Some(reason) = state.holds_brief()
+        && !moves_nothing(state, statement)
+    {
+        return Err(Diagnostic::new(first_word(line), reason));
+    }
     if state.session.is_paused() && !moves_nothing(state, statement) {
         if let Some(reason) = state.keeps_frozen() {
             return Err(Diagnostic::new(first_word(line), reason));
@@ -254,7 +259,7 @@ pub struct SentOrder {
 pub fn send(state: &mut State, order: Order) -> SentOrder {
     let now = state.now;
     if !order.verb.counts_as.is_said_to_mission() {
-        state.session.leave_brief();
+        state.leave_brief();
     }
     let entry = state
         .session

@@ -31,7 +31,7 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class give",
         "class watch @anna",
         "class results",
-        "class fly @all 00",
+        "class fly @all 00 hold",
         "class start @all",
         "class lesson @all first-lesson",
         "class lesson next",
@@ -106,11 +106,21 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         Form::new(&[Argument::flag("cite", ""), BOOKMARK], |given| {
             grade(GradingLine::Cite(given.required("bookmark")? as usize))
         }),
-        Form::new(&[Argument::flag("fly", ""), SEAT, MISSION, EXAM], |given| {
-            let mission = given.required_word("mission")?.into();
-            let exam = given.flag("exam");
-            instruct(given, Deed::Fly { mission, exam })
-        }),
+        Form::new(
+            &[Argument::flag("fly", ""), SEAT, MISSION, EXAM, HOLD],
+            |given| {
+                let mission = given.required_word("mission")?.into();
+                let [exam, hold] = ["exam", "hold"].map(|word| given.flag(word));
+                instruct(
+                    given,
+                    Deed::Fly {
+                        mission,
+                        exam,
+                        hold,
+                    },
+                )
+            },
+        ),
         Form::new(&[Argument::flag("start", ""), SEAT], |given| {
             give(given, |_| Deed::Start)
         }),
@@ -185,6 +195,7 @@ const CONDITION: Argument =
 
 const MISSION: Argument = Argument::value("mission", Kind::Name(NameList::Mission), "");
 const EXAM: Argument = Argument::flag("exam", "argument-exam").optional();
+const HOLD: Argument = Argument::flag("hold", "argument-hold").optional();
 const EXAM_WORD: Argument = Argument::flag("exam", "");
 const EXAM_NAME: Argument =
     Argument::value("name", Kind::Name(NameList::Exam), "argument-exam-name");

@@ -255,6 +255,20 @@ fn a_landed_vehicle_is_not_called_home() {
     assert!(down.starts_with("Landed."), "{down}");
 }
 
+/// "hint: all drones return…" was once shown in exams, which have no hints.
+#[test]
+fn an_exam_shows_no_advice_by_itself() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(10.0);
+    pilot.flight.set_stake(Stake::Exam);
+    assert_eq!(pilot.flight.progress().hint, None, "of the mission");
+    pilot.set_mode("RTL");
+    pilot.wait(1.0);
+    assert_eq!(pilot.flight.progress().hint, None, "about the return");
+    pilot.flight.set_stake(Stake::Graded);
+    assert!(pilot.flight.progress().hint.is_some());
+}
+
 #[test]
 fn vehicles_that_return_are_not_told_to_go_on() {
     let mut pilot = Pilot::new(1);

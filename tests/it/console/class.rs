@@ -21,6 +21,7 @@ mod grading;
 mod injects;
 mod lessons;
 mod pilots;
+mod start;
 mod watch;
 
 pub use desk::{desk, flight, join, report, say};

@@ -363,7 +363,11 @@ fn a_mission_that_is_not_begun_holds_the_lesson() {
     let mut fly = step("fly", StepStart::AtOnce, StepTarget::End);
     let mission = "00".into();
     let exam = false;
-    fly.deeds = vec![Deed::Fly { mission, exam }];
+    fly.deeds = vec![Deed::Fly {
+        mission,
+        exam,
+        hold: false,
+    }];
     let mut class = Class::new(&["a"]);
     class.seats[0].refuses_to_fly = true;
     class.desk.teach(&plan(vec![fly]), &[0], class.now);

@@ -6,7 +6,7 @@ use super::super::order::{self, Given};
 use super::{clock_s, tell};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect, TerminalEffect};
-use crate::app::state::{Activity, OrderTrace, PendingOrder};
+use crate::app::state::{Activity, HeldBrief, OrderTrace, PendingOrder};
 use crate::class::{Deed, Order, OrderId, Outcome, Refusal, Words};
 use crate::ledger::RowState;
 use crate::mission::Stake;
@@ -126,7 +126,20 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, OrderFault>
         Deed::TakeOver { vehicles } => pilots::take_over(state, vehicles)?,
         Deed::HandBack { vehicles } => pilots::hand_back(state, vehicles)?,
         Deed::Command { line } => pilots::command(state, line.as_str())?,
-        Deed::Fly { mission, exam } => flights::fly(state, mission.as_str(), *exam)?,
+        Deed::Fly {
+            mission,
+            exam,
+            hold,
+        } => {
+            let begun = flights::fly(state, mission.as_str(), *exam)?;
+            if let Some(place) = state.class.seat_mut() {
+                place.held = hold.then(|| HeldBrief {
+                    flight: place.flights + 1,
+                    mission: mission.clone(),
+                });
+            }
+            begun
+        }
         Deed::Examine(opened) => flights::examine(state, opened)?,
         Deed::Start => flights::start(state)?,
         // It is noted without being carried out.
@@ -256,6 +269,7 @@ pub fn settle(state: &mut State) -> Effects {
         }
     }
     effects.extend(flights::end_late(state));
+    flights::free_brief(state);
     effects.extend(pilots::settle(state));
     effects.extend(injects::settle(state));
     effects.extend(steps::settle(state));
