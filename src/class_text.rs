@@ -25,6 +25,11 @@ pub fn deed_text(deed: &Deed) -> Text {
         ),
         Deed::Disarm { name: None } => text!("class-deed-disarm-all"),
         Deed::Disarm { name: Some(name) } => text!("class-deed-disarm", name = name.as_str()),
+        Deed::Capture { name } if name.is_empty() => text!("class-deed-capture"),
+        Deed::Capture { name } => text!("class-deed-capture-name", name = name.as_str()),
+        Deed::Recall { situation } => {
+            text!("class-deed-recall", situation = situation.as_str())
+        }
         Deed::End => text!("class-deed-end"),
         Deed::TakeOver { vehicles } if vehicles.is_empty() => text!("class-deed-take-all"),
         Deed::TakeOver { vehicles } => {
@@ -130,6 +135,8 @@ fn refusal_text(refusal: Refusal) -> Text {
         Refusal::Locked => text!("class-refusal-locked"),
         Refusal::Flown => text!("class-refusal-flown"),
         Refusal::Practice => text!("class-refusal-practice"),
+        Refusal::TooManySituations => text!("class-refusal-too-many-situations"),
+        Refusal::NoSituation => text!("class-refusal-no-situation"),
         Refusal::NoVehicle => text!("class-refusal-no-vehicle"),
         Refusal::RealVehicle => text!("class-refusal-real-vehicle"),
         Refusal::NotTaken => text!("class-refusal-not-taken"),

@@ -65,7 +65,7 @@ pub use rehearsal_tape::RehearsalTape;
 pub use relay::{ForwardCounts, Relay, StationNews};
 pub use signer::{SignedLink, Signer, signing_clock};
 pub use simulator::{
-    Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator,
+    Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator, WorldHandle,
     step_on_threads,
 };
 pub use sink::{FrameSink, WaitingFrames};

@@ -170,6 +170,7 @@ mission-goal-attention-result = { $count } of { $all } late
 mission-goal-score = { $points } points or more
 mission-goal-score-result = { $points } points
 # A pause.
+mission-recalled = a situation was recalled: from here on, the flight is practice, and not recorded
 mission-paused = paused for { $time }
 # The whole program was stopped (Ctrl-Z) while the embedded simulator flew.
 session-stopped = the console and the flight were suspended for { $time }

@@ -309,6 +309,17 @@ pub enum SessionEffect {
     Speedup(PaceChange),
     /// Give the mission up; its report follows as an event.
     Abandon,
+    /// Keep the situation of the flight in this place, in which another one may be.
+    Capture {
+        id: OrderId,
+        slot: usize,
+    },
+    /// Return to the situation in this place; the line is the last one of the record.
+    Recall {
+        id: OrderId,
+        slot: usize,
+        line: DeskRecord,
+    },
     /// End the mission for the instructor, as it stands; its report follows as an event.
     Stop,
     /// Start the same mission again.

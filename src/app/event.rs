@@ -200,6 +200,8 @@ pub enum SessionEvent {
     Mission(Box<Progress>),
     /// The mission is over.
     MissionEnded(Box<Report>),
+    /// The flight continues, frozen, from this earlier state.
+    Recalled(Box<FlightSnapshot>),
     /// Another flight of the mission is ready to show beside this one.
     Ghost(Box<Ghost>),
 }

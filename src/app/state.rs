@@ -78,7 +78,7 @@ pub use bell::{BellCall, Due};
 pub use career::Career;
 pub use choice::{Choice, Selection};
 pub(in crate::app) use class::{
-    ArmedOrder, HeldBrief, OpenTry, OrderTrace, PendingOrder, WaitingStep,
+    ArmedOrder, HeldBrief, OpenTry, OrderTrace, PendingOrder, SeatSituation, WaitingStep,
 };
 pub use class::{ClassRole, SeatPlace, ShownTry};
 pub use column::SortKey;

@@ -271,6 +271,7 @@ fn session(state: &mut State, event: SessionEvent) {
         SessionEvent::Speedup(change) => pace::changed(state, change),
         SessionEvent::Mission(progress) => telemetry::progress(state, *progress),
         SessionEvent::MissionEnded(report) => telemetry::ended(state, report),
+        SessionEvent::Recalled(flight) => class::recalled(state, *flight),
         SessionEvent::Ghost(other) => ghost::arrived(state, *other),
     }
 }

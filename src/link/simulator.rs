@@ -10,7 +10,7 @@ use std::time::Duration;
 
 use tokio::io::DuplexStream;
 use tokio::net::UdpSocket;
-use tokio::sync::watch;
+use tokio::sync::{mpsc, oneshot, watch};
 use tokio::task::{JoinHandle, coop::unconstrained, yield_now};
 use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
@@ -154,6 +154,35 @@ impl From<f64> for PaceFeed {
     }
 }
 
+/// A request to a running simulator, which it also answers while it is held.
+enum WorldRequest {
+    /// Send a copy of the world.
+    Copy(oneshot::Sender<World>),
+    /// Go on with this world, which is a copy of an earlier time; what waits on the way to or from its ground stations
+    /// is dropped, and inputs are not recorded any more.
+    Replace(Box<World>, oneshot::Sender<()>),
+}
+
+/// The way to copy and replace the world of a running simulator.
+#[derive(Debug, Clone)]
+pub struct WorldHandle(mpsc::Sender<WorldRequest>);
+
+impl WorldHandle {
+    /// A copy of the world as it is; `None` if the simulator has ended.
+    pub async fn copy(&self) -> Option<World> {
+        let (answer, copied) = oneshot::channel();
+        self.0.send(WorldRequest::Copy(answer)).await.ok()?;
+        copied.await.ok()
+    }
+
+    /// Replaces the world by a copy of an earlier time; returns whether the simulator goes on with it.
+    pub async fn replace(&self, world: World) -> bool {
+        let (answer, replaced) = oneshot::channel();
+        let request = WorldRequest::Replace(Box::new(world), answer);
+        self.0.send(request).await.is_ok() && replaced.await.is_ok()
+    }
+}
+
 /// The server of the embedded simulator.
 #[derive(Debug)]
 pub struct Simulator;
@@ -170,6 +199,8 @@ pub struct StartedSimulator {
     pub connections: watch::Receiver<usize>,
     /// The number of steps whose output was sent. It does not change while the program is stopped.
     pub steps: watch::Receiver<u64>,
+    /// Copies and replaces the world.
+    pub world: WorldHandle,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,
 }
@@ -220,7 +251,9 @@ impl Simulator {
         // vehicles would use it up, and those of later ones would look idle in every round.
         let (count, connections) = watch::channel(world.connections());
         let (passed, steps) = watch::channel(world.steps());
+        let (handle, requests) = mpsc::channel(1);
         let running = SteppedWorld {
+            requests,
             threads: threads(world.vehicles(), speedup),
             world,
             transports,
@@ -235,6 +268,7 @@ impl Simulator {
             further_addresses: addresses.iter().map(|[_, one, two]| [*one, *two]).collect(),
             connections,
             steps,
+            world: WorldHandle(handle),
             task,
         })
     }
@@ -340,6 +374,7 @@ struct SteppedWorld {
     passed: watch::Sender<u64>,
     threads: usize,
     record: Option<WorldRecord>,
+    requests: mpsc::Receiver<WorldRequest>,
 }
 
 impl SteppedWorld {
@@ -351,6 +386,7 @@ impl SteppedWorld {
         loop {
             tokio::select! {
                 () = cancel.cancelled() => return self.end(),
+                Some(request) = self.requests.recv() => self.serve(request),
                 _ = wake.tick() => {}
             }
             let now = Instant::now();
@@ -385,6 +421,20 @@ impl SteppedWorld {
             }
             self.write();
             self.count_connections();
+        }
+    }
+
+    fn serve(&mut self, request: WorldRequest) {
+        match request {
+            WorldRequest::Copy(answer) => drop(answer.send(self.world.copy())),
+            WorldRequest::Replace(world, answer) => {
+                self.transports.drop_traffic(&mut self.world);
+                self.end();
+                self.record = None;
+                self.world = *world;
+                self.passed.send_replace(self.world.steps());
+                let _ = answer.send(());
+            }
         }
     }
 

@@ -146,7 +146,7 @@ fn checksum(lines: RunningHash) -> String {
 }
 
 /// Writes the record of a flight while it is flown.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Recorder {
     written: String,
     sum: RunningHash,
@@ -245,6 +245,10 @@ impl Recorder {
 
     pub fn abandon(&mut self) {
         self.befall(&RecordLine::Abandon);
+    }
+
+    pub fn recall(&mut self) {
+        self.befall(&RecordLine::Recall);
     }
 
     pub fn stop(&mut self) {

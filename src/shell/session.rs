@@ -21,7 +21,7 @@ use crate::app::event::{Event, VehicleEvent};
 use crate::app::room::messages::TrafficRequest;
 use crate::exercise::PacedClock;
 use crate::fleet::{Fleet, FleetEvent};
-use crate::link::SimulatorPace;
+use crate::link::{SimulatorPace, WorldHandle};
 use crate::notice::Notice;
 use crate::operator::Operator;
 use crate::parameters::ParameterSnapshot;
@@ -40,6 +40,7 @@ mod mission_run;
 mod orders;
 mod recorder;
 mod rehearsals;
+mod situation;
 mod start;
 
 use forwards::SessionForwards;
@@ -51,6 +52,7 @@ pub(super) use mission_run::Finished;
 use mission_run::MissionRun;
 use recorder::FlightRecorder;
 use rehearsals::Rehearsals;
+pub(super) use situation::SessionSituation;
 pub(super) use start::{SessionBackend, SessionPlan};
 
 /// The maximum number of fleet events per tick, so that a flood of notices cannot block the screen.
@@ -73,6 +75,8 @@ pub(super) struct RunningSession {
     pace: watch::Sender<SimulatorPace>,
     operator: Operator,
     rehearsals: Rehearsals,
+    /// The world of the embedded simulator, if the session has one.
+    world: Option<WorldHandle>,
     /// The airframes of the simulated vehicles; empty for the standard one.
     airframes: Vec<Arc<Airframe>>,
     /// The paths of manoeuvres, as last shown.

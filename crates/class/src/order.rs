@@ -61,6 +61,16 @@ pub enum Deed {
         /// Only those with this name; all without one.
         name: Option<Words>,
     },
+    /// Keep the situation of the flight, to return to it later.
+    Capture {
+        /// What it is called.
+        name: Words,
+    },
+    /// Return to a situation that was captured in this flight, which is frozen then.
+    Recall {
+        /// The name of the situation, or its number, counted from 1.
+        situation: Words,
+    },
     /// End the mission: the flight is scored as it stands.
     End,
     /// Make the instructor the pilot in command of vehicles.
@@ -223,6 +233,10 @@ pub enum Refusal {
     Flown,
     /// At this seat, the flight would be practice: the console has a mission or airframes of its own, or slow motion.
     Practice,
+    /// The seat keeps as many situations as it can.
+    TooManySituations,
+    /// No such situation was captured in this flight.
+    NoSituation,
     /// The flight has no such vehicle.
     NoVehicle,
     /// The vehicles may be real, and the trainee's configuration does not permit others to fly them.

@@ -61,6 +61,9 @@ pub struct FlightReport {
     /// The injects that wait for their conditions.
     #[serde(default)]
     pub armed: Vec<ArmedInject>,
+    /// The situations that were captured, in the order of their numbers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub situations: Vec<Words>,
     /// The vehicles that the instructor flies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub taken: Vec<u16>,

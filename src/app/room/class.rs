@@ -368,6 +368,8 @@ impl RoomModel for ClassRoom {
         writes('e', "class inject "),
         gives('i', "class injects"),
         writes('E', "class exam "),
+        writes('C', "class capture "),
+        writes('R', "class recall "),
         writes('T', "class take "),
         writes('G', "class give "),
         gives('x', "class end"),

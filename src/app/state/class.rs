@@ -36,6 +36,8 @@ pub struct SeatPlace {
     pub(in crate::app) pending: Vec<PendingOrder>,
     /// The injects of the desk that wait for their conditions.
     pub(in crate::app) armed: Vec<ArmedOrder>,
+    /// The situations that were captured in this flight.
+    pub(in crate::app) situations: Vec<SeatSituation>,
     /// The step of a lesson that waits for its condition.
     pub(in crate::app) step: Option<WaitingStep>,
     /// The try of an exam that the desk has opened last.
@@ -101,6 +103,14 @@ pub(in crate::app) struct ArmedOrder {
     pub before: usize,
 }
 
+/// A situation that was captured, as far as the class knows it.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct SeatSituation {
+    pub name: Words,
+    /// The injects that waited for their conditions.
+    pub armed: Vec<ArmedOrder>,
+}
+
 /// A step of a lesson that waits for its condition.
 #[derive(Debug, Clone)]
 pub(in crate::app) struct WaitingStep {
@@ -150,6 +160,7 @@ impl SeatPlace {
             seat,
             pending: Vec::new(),
             armed: Vec::new(),
+            situations: Vec::new(),
             step: None,
             exam: None,
             tries: BTreeSet::new(),
@@ -200,6 +211,7 @@ impl SeatPlace {
             Happening::Started { ref mission } => {
                 self.is_frozen = false;
                 self.desk_pilot = None;
+                self.situations.clear();
                 self.flights += 1;
                 // The flight of the try could not be begun, and this is another one.
                 let is_other = |it: &OpenTry| mission.as_ref() != Some(&it.name.mission);

@@ -81,6 +81,10 @@ impl<R> State<R> {
             by_script: false,
             injects: progress.map_or_else(Vec::new, offered),
             armed: place.map_or_else(Vec::new, armed),
+            situations: place.map_or_else(Vec::new, |place| {
+                let names = place.situations.iter().map(|it| it.name.clone());
+                names.collect()
+            }),
             taken: place
                 .and_then(|place| place.desk_pilot.as_ref())
                 .map_or_else(Vec::new, |pilot| session.pilots.flown_by(pilot)),

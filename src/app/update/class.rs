@@ -27,6 +27,7 @@ mod orders;
 mod witness;
 
 pub use desk::instruct;
+pub use orders::recalled;
 pub use witness::witnessed;
 
 /// The interval between searches for dangers, in milliseconds.

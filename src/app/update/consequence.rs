@@ -63,6 +63,8 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Bookmark(_)
         | SessionEffect::Ghost(_)
         | SessionEffect::Abandon
+        | SessionEffect::Capture { .. }
+        | SessionEffect::Recall { .. }
         | SessionEffect::Stop => {}
     }
 }

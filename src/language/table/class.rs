@@ -26,6 +26,8 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class inject gust when t > 60",
         "class injects",
         "class disarm",
+        "class capture before the turn",
+        "class recall 1",
         "class take @anna 3",
         "class say @anna 3 takeoff 20",
         "class give",
@@ -154,6 +156,15 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         }),
         Form::new(&[Argument::flag("end", ""), SEAT], |given| {
             give(given, |_| Deed::End)
+        }),
+        Form::new(
+            &[Argument::flag("capture", ""), SEAT, TEXT.optional()],
+            |given| give(given, |text| Deed::Capture { name: text.into() }),
+        ),
+        Form::new(&[Argument::flag("recall", ""), SEAT, TEXT], |given| {
+            give(given, |text| Deed::Recall {
+                situation: text.into(),
+            })
         }),
         Form::new(
             &[Argument::flag("take", ""), SEAT, VEHICLES.optional()],

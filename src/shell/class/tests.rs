@@ -20,6 +20,7 @@ mod exams;
 mod lessons;
 mod pilots;
 mod records;
+mod situations;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
 const WITH_INJECTS: &str = include_str!("../../../missions/12-relay-chain.toml");

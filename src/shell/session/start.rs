@@ -173,6 +173,7 @@ impl RunningSession {
             dropped: 0,
             mission_run: None,
             rehearsals: Rehearsals::new(backend.records.clone()),
+            world: None,
             airframes: Vec::new(),
             pace: watch::Sender::new(SimulatorPace {
                 speedup: backend.speedup,
@@ -309,6 +310,7 @@ impl RunningSession {
         let cancel = self.cancel.clone();
         let pace = self.pace.subscribe();
         let simulator = Simulator::start_recorded(world, pace, &endpoints, record, cancel).await?;
+        self.world = Some(simulator.world);
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }

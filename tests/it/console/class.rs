@@ -21,6 +21,7 @@ mod grading;
 mod injects;
 mod lessons;
 mod pilots;
+mod situations;
 mod start;
 mod watch;
 

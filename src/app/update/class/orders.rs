@@ -17,7 +17,10 @@ use crate::vehicle::Severity;
 mod flights;
 mod injects;
 mod pilots;
+mod situations;
 mod steps;
+
+pub use situations::recalled;
 
 /// How long the effect of an order may take.
 const SEEN_WITHIN: Duration = Duration::from_secs(5);
@@ -122,6 +125,8 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, OrderFault>
         Deed::Resume => return Err(Refusal::NotFrozen.into()),
         Deed::Inject { name, when } => injects::inject(state, order.id, name, when.as_ref())?,
         Deed::Disarm { name } => injects::disarm(state, order.id, name.as_ref())?,
+        Deed::Capture { name } => situations::capture(state, order.id, name)?,
+        Deed::Recall { situation } => situations::recall(state, order, situation)?,
         Deed::End => stop(state)?,
         Deed::TakeOver { vehicles } => pilots::take_over(state, vehicles)?,
         Deed::HandBack { vehicles } => pilots::hand_back(state, vehicles)?,
@@ -277,7 +282,8 @@ pub fn settle(state: &mut State) -> Effects {
 }
 
 fn awaits_freeze(pending: &[PendingOrder]) -> bool {
-    pending.iter().any(|one| one.deed == Deed::Freeze)
+    let mut deeds = pending.iter().map(|one| &one.deed);
+    deeds.any(|deed| matches!(deed, Deed::Freeze | Deed::Recall { .. }))
 }
 
 /// How an order has ended, if its effect can be seen.
@@ -290,6 +296,8 @@ fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
         // The shell reports it, or what begins the flight, or the ledger.
         Deed::Mark { .. }
         | Deed::Command { .. }
+        | Deed::Capture { .. }
+        | Deed::Recall { .. }
         | Deed::Disarm { .. }
         | Deed::Inject { when: Some(_), .. }
         | Deed::Examine(_)
@@ -347,6 +355,10 @@ pub fn begun(state: &mut State, id: OrderId, refusal: Option<Refusal>) -> Effect
         } => {
             injects::armed(place, &pending, name, when);
             end(state, id, pending.deed, Outcome::Armed)
+        }
+        Deed::Capture { name } => {
+            situations::captured(state, name.clone());
+            end(state, id, pending.deed, Outcome::Done)
         }
         Deed::Disarm { name } => {
             let mut effects = injects::disarmed(state, name.as_ref());

@@ -28,6 +28,7 @@ pub fn draw(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
         .filter_map(|it| entry(it, seat));
     let lines = taken(seat)
         .into_iter()
+        .chain(situations(seat))
         .chain(armed(seat))
         .chain(orders)
         .chain(missing)
@@ -90,6 +91,20 @@ fn taken(seat: &SeatRecord) -> Option<(Text, Role)> {
     let taken = &seat.report.as_ref()?.flight.as_ref()?.taken;
     let vehicles = ranges(taken.iter().copied());
     (!taken.is_empty()).then(|| (text!("class-taken", vehicles = vehicles), Role::Warning))
+}
+
+/// The situations that were captured, with their numbers.
+fn situations(seat: &SeatRecord) -> Option<(Text, Role)> {
+    let situations = &seat.report.as_ref()?.flight.as_ref()?.situations;
+    let numbered = (1..).zip(situations).map(|(number, name)| {
+        if name.as_str() == number.to_string() {
+            number.to_string()
+        } else {
+            format!("{number} {name}")
+        }
+    });
+    let all = numbered.collect::<Vec<_>>().join(", ");
+    (!situations.is_empty()).then(|| (text!("class-situations", all = all), Role::Accent))
 }
 
 /// The injects that wait for their conditions.
