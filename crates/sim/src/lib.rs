@@ -53,7 +53,7 @@
 //!   (`reaction`): `estimator` (the estimated motion), `control` and `yaw` (the path and the
 //!   heading), `helm` (the steering of rovers), `task` (the current task, with a cockpit lent to it), `trail`, `rally`, `fence`,
 //!   `boot`, `arming`, `failsafe`, `crash`, `counters`, `workbench` (tests on the ground),
-//!   `flight_log`. `tuning` holds their parameters in SI units.
+//!   `output_test` (that of a rover), `flight_log`. `tuning` holds their parameters in SI units.
 //! - `vehicle` combines all that flies; `auto_plan` flies the mission of AUTO with it; `autopilot`
 //!   decides, and steps all parts in order. Its `telemetry` builds the messages.
 //! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) carry
@@ -99,6 +99,7 @@ mod mask;
 mod mixer;
 mod mode;
 mod operator;
+mod output_test;
 mod parameters;
 mod payload;
 mod place;
