@@ -138,7 +138,7 @@ use self::autopilot::Autopilot;
 pub use self::battery::resting_voltage_v;
 use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
-pub use self::config::{Serial, Start, WorldConfig};
+pub use self::config::{BootPace, Serial, Start, WorldConfig};
 pub use self::input::{Input, InputKind};
 pub use self::inventory::Inventory;
 pub use self::kind::{Chassis, VehicleKind};
@@ -201,11 +201,12 @@ impl World {
             let system = (vehicle % SYSTEMS) as u8 + 1;
             let airframe = config.airframe(vehicle, &usual);
             let wind = Wind::new(config.seed, vehicle as u64);
-            let mut autopilot =
-                Autopilot::new(config.kind(vehicle), system, *start, airframe, wind);
-            if config.realistic_boot {
-                autopilot = autopilot.booting_realistically();
-            }
+            let fresh = Autopilot::new(config.kind(vehicle), system, *start, airframe, wind);
+            let mut autopilot = match config.boot {
+                BootPace::Over => fresh.switched_on_long_ago(),
+                BootPace::Quick => fresh,
+                BootPace::Realistic => fresh.booting_realistically(),
+            };
             if let Some(before) = slots.last() {
                 autopilot.vehicle.share_tuning(&before.autopilot.vehicle);
             }
