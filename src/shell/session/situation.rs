@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::RunningSession;
-use super::mission_run::MissionSituation;
+use super::mission_run::{MissionRun, MissionSituation};
 use crate::exercise::PacedClock;
 use crate::notice::Notice;
 use crate::operator::Operator;
@@ -40,7 +40,7 @@ impl RunningSession {
         Some(SessionSituation {
             world,
             sessions,
-            mission: self.mission_run.as_ref().map(|run| run.situation()),
+            mission: self.mission_run.as_ref().map(MissionRun::situation),
             operator: self.operator.clone(),
             paths: self.paths.clone(),
             vehicle_time: self.vehicle_time,

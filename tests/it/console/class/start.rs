@@ -64,7 +64,7 @@ fn a_held_brief_is_left_only_when_the_desk_starts_the_mission() {
 
 #[test]
 fn the_brief_says_that_the_instructor_starts() {
-    let mut console = reading(true);
+    let console = reading(true);
     for (columns, rows) in [(120, 40), (80, 24)] {
         let screen = console.screen(columns, rows);
         assert!(screen.contains("petro starts the mission"), "{screen}");
