@@ -180,6 +180,28 @@ pub fn add_flight(trainees: &mut Vec<ClassTrainee>, user: &str, flight: ClassFli
     }
 }
 
+/// A flight that was handed in, to be replayed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct FoundFlights {
+    /// The names of the trainee: that of the user, and that of the profile.
+    pub trainee: String,
+    /// The name of the record.
+    pub record: String,
+    /// The file with its frames.
+    pub frames: String,
+    /// Another flight of the mission, to be shown beside it.
+    pub beside: Option<BesideFlight>,
+}
+
+/// A flight that is shown beside a replay.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct BesideFlight {
+    /// The names of the trainee.
+    pub trainee: String,
+    /// The file with the record of the mission.
+    pub run: String,
+}
+
 /// The results of a class on a day.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub struct ClassResults {

@@ -6,7 +6,7 @@ action-mark-seat = mark the seat, or remove its mark
 action-mark-all-seats = mark all seats
 verb-class = show the class, or give orders to its seats
 words-class = instructor desk seats trainees lesson
-argument-seat = @seat or @all; by default the marked seats
+argument-seat = @seat or @all; by default the watched, the marked or the seat under the cursor
 argument-condition = a condition as in mission files
 
 # Keys on the last line

@@ -6,6 +6,7 @@
 
 use std::io;
 use std::net::SocketAddr;
+use std::sync::Arc;
 use std::time::Duration;
 
 use tokio::io::DuplexStream;
@@ -16,6 +17,7 @@ use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
 
 use super::connect::resolve;
+use crate::geo::LatLon;
 use crate::record::InputsHead;
 use crate::sim::{STEP, World};
 use crate::text::Text;
@@ -41,6 +43,8 @@ const CATCH_UP: Duration = Duration::from_millis(50);
 const SPEEDUP_MAX: f64 = 1000.0;
 /// At high speed, ground stations are served after this many steps.
 const STEPS_PER_ROUND: usize = 10;
+/// True places are published after this many steps.
+const STEPS_PER_PLACE: u64 = 25;
 
 /// How ground stations reach the vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -154,6 +158,17 @@ impl From<f64> for PaceFeed {
     }
 }
 
+/// Where a simulated vehicle is in truth, whatever its telemetry says.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TruePlace {
+    pub at: LatLon,
+    /// Metres above its start.
+    pub height_m: f64,
+}
+
+/// The true places of the vehicles, in their order. They are published only while somebody has subscribed.
+pub type TruePlaces = watch::Sender<Arc<[TruePlace]>>;
+
 /// The server of the embedded simulator.
 #[derive(Debug)]
 pub struct Simulator;
@@ -170,6 +185,8 @@ pub struct StartedSimulator {
     pub connections: watch::Receiver<usize>,
     /// The number of steps whose output was sent. It does not change while the program is stopped.
     pub steps: watch::Receiver<u64>,
+    /// Where the vehicles are in truth.
+    pub places: TruePlaces,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,
 }
@@ -220,12 +237,15 @@ impl Simulator {
         // vehicles would use it up, and those of later ones would look idle in every round.
         let (count, connections) = watch::channel(world.connections());
         let (passed, steps) = watch::channel(world.steps());
+        let places = watch::Sender::new(Arc::default());
         let running = SteppedWorld {
             threads: threads(world.vehicles(), speedup),
             world,
             transports,
             count,
             passed,
+            places: places.clone(),
+            placed_at: None,
             record,
         };
         let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
@@ -235,6 +255,7 @@ impl Simulator {
             further_addresses: addresses.iter().map(|[_, one, two]| [*one, *two]).collect(),
             connections,
             steps,
+            places,
             task,
         })
     }
@@ -338,6 +359,9 @@ struct SteppedWorld {
     transports: Transports,
     count: watch::Sender<usize>,
     passed: watch::Sender<u64>,
+    places: TruePlaces,
+    /// The step at which true places were last published.
+    placed_at: Option<u64>,
     threads: usize,
     record: Option<WorldRecord>,
 }
@@ -400,7 +424,27 @@ impl SteppedWorld {
             record.publish();
         }
         self.passed.send_replace(self.world.steps());
+        self.publish_places();
         self.transports.write(&mut self.world);
+    }
+
+    fn publish_places(&mut self) {
+        let steps = self.world.steps();
+        let is_due = self
+            .placed_at
+            .is_none_or(|at| steps >= at + STEPS_PER_PLACE);
+        if !is_due || self.places.receiver_count() == 0 {
+            return;
+        }
+        self.placed_at = Some(steps);
+        let places = (0..self.world.vehicles()).map(|vehicle| {
+            let truth = self.world.truth(vehicle);
+            TruePlace {
+                at: truth.at,
+                height_m: -truth.position_ned_m[2],
+            }
+        });
+        self.places.send_replace(places.collect());
     }
 
     fn end(&mut self) {

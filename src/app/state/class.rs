@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use super::State;
+use super::{Room, State};
 use crate::class::{
     Consent, Danger, Deed, Desk, Happening, NotedStep, OrderId, Seat, TryName, Words,
 };
@@ -46,6 +46,8 @@ pub struct SeatPlace {
     pub(in crate::app) has_passed: bool,
     /// The entries of the ledger that the desk has caused, which are no commands of the trainee.
     pub(in crate::app) desk_entries: BTreeSet<EntryId>,
+    /// The room that was shown before the trainee looked on at what the desk shows.
+    pub(in crate::app) looked_from: Option<Room>,
     /// Whether the desk has frozen the flight.
     pub(in crate::app) is_frozen: bool,
     /// When the desk last said something, by the wall clock.
@@ -129,6 +131,7 @@ impl SeatPlace {
             flights: 0,
             has_passed: false,
             desk_entries: BTreeSet::new(),
+            looked_from: None,
             is_frozen: false,
             heard_at: Duration::ZERO,
             looked_at: Duration::ZERO,
@@ -158,6 +161,8 @@ impl SeatPlace {
         match what {
             Happening::Started { ref mission } => {
                 self.is_frozen = false;
+                // A flight is never hidden by what the desk shows.
+                self.seat.look_on(false);
                 self.flights += 1;
                 // The flight of the try could not be begun, and this is another one.
                 let is_other = |it: &OpenTry| mission.as_ref() != Some(&it.name.mission);

@@ -19,6 +19,7 @@ use crate::ui;
 mod exams;
 mod lessons;
 mod records;
+mod showing;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
 const WITH_INJECTS: &str = include_str!("../../../missions/12-relay-chain.toml");

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::super::order::{self, Given};
-use super::{clock_s, tell};
+use super::{clock_s, showing, tell};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::state::{Activity, OrderTrace, PendingOrder};
@@ -98,6 +98,7 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, Refusal> {
         Deed::Fly { mission, exam } => flights::fly(state, mission.as_str(), *exam),
         Deed::Examine(opened) => flights::examine(state, opened),
         Deed::Start => flights::start(state),
+        Deed::LookOn => showing::look_on(state).map(|()| BegunOrder::default()),
         // It is noted without being carried out.
         Deed::Step(_) => Ok(BegunOrder::default()),
     }
@@ -231,7 +232,7 @@ fn awaits_freeze(pending: &[PendingOrder]) -> bool {
 fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
     let session = &state.session;
     let is_done = match &pending.deed {
-        Deed::Message { .. } | Deed::Step(_) => true,
+        Deed::Message { .. } | Deed::Step(_) | Deed::LookOn => true,
         // The shell reports it, or what begins the flight.
         Deed::Mark { .. }
         | Deed::Disarm { .. }
