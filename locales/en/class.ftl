@@ -11,7 +11,7 @@ argument-condition = a condition as in mission files
 
 # Keys on the last line
 class-key-watch = watch
-class-key-board = back to the board
+class-key-board = board
 class-key-mark = mark seat
 class-key-message = message
 class-key-hint = hint

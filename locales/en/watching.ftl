@@ -1,10 +1,10 @@
 # Watching seats, and what the desk shows to the class
 
 # Keys on the last line
-class-key-tiles = four seats
+class-key-tiles = tiles
 class-key-replay = replay
 class-key-unmark = remove marks
-class-key-other-flight = other flight
+class-key-other-flight = flight
 class-key-back = back
 class-key-state = state
 class-key-injects = injects
@@ -43,6 +43,6 @@ class-show-nothing = nothing is being replayed: open a flight first, with `class
 class-show-exam = an exam is under way: nothing is shown to the class before it has ended
 class-show-none = nothing is being shown to the class
 class-show-stopped = the class no longer sees the replay
-class-show-over = the replay has ended: the class no longer sees it
+class-show-over = the class no longer sees the replay: it has ended, or an exam is under way
 class-shown-title = { $instructor } shows
 class-shown-over = the desk no longer shows the replay

@@ -11,7 +11,7 @@ argument-condition = умова, як у файлах завдань
 
 # Клавіші в останньому рядку
 class-key-watch = екран
-class-key-board = до таблиці
+class-key-board = таблиця
 class-key-mark = позначити
 class-key-message = повідомлення
 class-key-hint = підказка

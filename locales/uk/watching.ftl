@@ -1,10 +1,10 @@
 # Спостереження за місцями і те, що пульт показує класу
 
 # Клавіші в останньому рядку
-class-key-tiles = чотири місця
+class-key-tiles = плитки
 class-key-replay = відтворити
 class-key-unmark = зняти позначки
-class-key-other-flight = інший політ
+class-key-other-flight = політ
 class-key-back = назад
 class-key-state = стан
 class-key-injects = події
@@ -44,6 +44,6 @@ class-show-nothing = нічого не відтворюється: спершу 
 class-show-exam = триває іспит: до його кінця класові нічого не показують
 class-show-none = класові нічого не показують
 class-show-stopped = клас більше не бачить відтворення
-class-show-over = відтворення завершено: клас його більше не бачить
+class-show-over = клас більше не бачить відтворення: воно завершене або триває іспит
 class-shown-title = { $instructor } показує
 class-shown-over = пульт більше не показує відтворення

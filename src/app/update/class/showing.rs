@@ -8,7 +8,7 @@ use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect};
 use crate::app::room::class::{DeskPage, ReplayedFlights, show_page};
 use crate::app::state::{Consequence, Room};
-use crate::class::{Deed, Desk, Exam, Refusal, SeatRecord};
+use crate::class::{Deed, Desk, Refusal, SeatRecord};
 use crate::class_results::FoundFlights;
 use crate::grading::GradedFlight;
 use crate::language::{GhostSource, ReplayedTrainees, SeatChoice};
@@ -66,7 +66,8 @@ pub(super) fn found(state: &mut State, found: Result<FoundFlights, Text>) -> Eff
 pub(super) fn tick(state: &mut State) -> Effects {
     let replayed = state.replay.as_ref().map(|view| view.name.clone());
     let is_over = replayed.is_none();
-    if let Some(desk) = state.class.desk_mut().filter(|_| is_over)
+    let is_exam = state.class.desk().is_some_and(holds_exam);
+    if let Some(desk) = state.class.desk_mut().filter(|_| is_over || is_exam)
         && desk.is_showing()
     {
         desk.show(false);
@@ -108,7 +109,7 @@ pub(super) fn show_class(state: &mut State, choice: &SeatChoice) -> Result<Effec
     if state.replay.is_none() {
         return Err(text!("class-show-nothing"));
     }
-    if desk.exam().is_some_and(|exam: &Exam| !exam.is_stopped()) {
+    if holds_exam(desk) {
         return Err(text!("class-show-exam"));
     }
     let seats = match choice {
@@ -120,6 +121,11 @@ pub(super) fn show_class(state: &mut State, choice: &SeatChoice) -> Result<Effec
     }
     instruct(state, &seats, &Deed::LookOn);
     Ok(Effects::none())
+}
+
+/// Whether an exam is under way, during which nothing is shown.
+fn holds_exam(desk: &Desk) -> bool {
+    desk.exam().is_some_and(|exam| !exam.is_stopped())
 }
 
 /// The marked seats that are connected; without marks, all that are.

@@ -23,13 +23,13 @@ use crate::ui::widget::put;
 const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
 /// From this distance on, it is said that a trainee sees a vehicle elsewhere; below, telemetry is only late.
 const ELSEWHERE_M: f64 = 15.0;
-/// The least width from which a map stands beside the lines, and the least height for a map below each other.
+/// The least width from which a map stands beside the lines.
 const MAP_FROM: u16 = 54;
 /// The share of the width that the map has beside the lines, in percent.
 const MAP_SHARE: u16 = 42;
 /// The maximum number of orders among what happened.
 const ORDERS: usize = 2;
-/// The least height at which the map stands above the lines if they are narrow, and the rows that it has then.
+/// The least height at which the map stands above the lines in a place that is narrow or tall.
 const TALL: u16 = 24;
 
 /// A watched seat as it is drawn.
@@ -48,13 +48,14 @@ impl FlightView<'_> {
         let Some(map) = map.filter(|map| !map.signs.is_empty()) else {
             return self.draw_rows(panel, buffer);
         };
-        if panel.area.width >= MAP_FROM {
+        let is_tall = panel.area.height * 2 >= panel.area.width;
+        if panel.area.width >= MAP_FROM && !is_tall {
             let width = panel.area.width * MAP_SHARE / 100;
             map.draw(panel.columns(0, width), buffer);
             let rest = panel.columns(width + 1, panel.area.width);
             self.draw_rows(rest, buffer);
         } else if panel.area.height >= TALL {
-            let rows = panel.area.height * 2 / 5;
+            let rows = panel.area.height / 2;
             map.draw(panel.upper(rows), buffer);
             self.draw_rows(panel.below(rows), buffer);
         } else {
@@ -207,11 +208,7 @@ fn map(insight: &Insight) -> PlainMap {
         } else {
             ("X", Role::Danger)
         };
-        map.signs.push(MapSign {
-            at: place(target.at),
-            text: text.to_owned(),
-            role,
-        });
+        map.signs.push(MapSign::text(place(target.at), text, role));
     }
     for vehicle in &insight.vehicles {
         let Some(here) = vehicle.place() else {
@@ -220,17 +217,11 @@ fn map(insight: &Insight) -> PlainMap {
         if let Some(shown) = vehicle.shown.filter(|_| elsewhere_m(vehicle).is_some()) {
             let way = vec![place(here.at), place(shown.at)];
             map.ways.push((Stroke::dotted(Role::Warning), way));
-            map.signs.push(MapSign {
-                at: place(shown.at),
-                text: format!("?{}", vehicle.id),
-                role: Role::Warning,
-            });
+            let seen = format!("?{}", vehicle.id);
+            map.signs
+                .push(MapSign::text(place(shown.at), &seen, Role::Warning));
         }
-        map.signs.push(MapSign {
-            at: place(here.at),
-            text: vehicle.id.to_string(),
-            role: Role::Accent,
-        });
+        map.signs.push(MapSign::vehicle(place(here.at), vehicle.id));
     }
     map
 }

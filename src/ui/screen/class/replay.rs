@@ -35,7 +35,8 @@ pub fn draw(state: &State, flights: &ReplayedFlights, panel: Panel<'_>, buffer: 
         }
         return;
     };
-    let half = panel.area.width / 2;
+    // Maps of the same size have the same scale.
+    let half = panel.area.width.saturating_sub(1) / 2;
     let view = FlightAtTime {
         state,
         ghost,
@@ -43,14 +44,14 @@ pub fn draw(state: &State, flights: &ReplayedFlights, panel: Panel<'_>, buffer: 
         trainee: &flights.own,
         time: Some(elapsed),
     };
-    view.draw(panel.columns(0, half.saturating_sub(1)), buffer);
+    view.draw(panel.columns(0, half), buffer);
     let other = FlightAtTime {
         flight: &ghost.other,
         trainee: &flights.other,
         time: ghost.time(elapsed),
         ..view
     };
-    other.draw(panel.columns(half, panel.area.width), buffer);
+    other.draw(panel.columns(half + 1, half), buffer);
 }
 
 /// A flight at a moment.
@@ -103,11 +104,7 @@ impl FlightAtTime<'_> {
         map.signs = self
             .flight
             .at(time)
-            .map(|(vehicle, point)| MapSign {
-                at: point.place,
-                text: vehicle.to_string(),
-                role: Role::Accent,
-            })
+            .map(|(vehicle, point)| MapSign::vehicle(point.place, vehicle))
             .collect();
         map
     }

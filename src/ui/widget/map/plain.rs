@@ -11,6 +11,7 @@ use crate::geo::{Extent, GridSize, LatLon, Viewport};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::width as width_of;
+use crate::vehicle_id::{VehicleId, ranges};
 
 /// The margin around everything, as a share of the extent, and in metres.
 const EDGE: (f64, f64) = (0.06, 8.0);
@@ -24,7 +25,7 @@ pub struct PlainMap {
     /// Fences, by their corners.
     pub fences: Vec<Vec<LatLon>>,
     pub ways: Vec<(Stroke, Vec<LatLon>)>,
-    /// Short texts at places, the most important last.
+    /// Short texts at places; the vehicles are drawn over the others.
     pub signs: Vec<MapSign>,
     /// Other places that must be in view.
     pub others: Vec<LatLon>,
@@ -33,9 +34,37 @@ pub struct PlainMap {
 /// A short text at a place.
 #[derive(Debug)]
 pub struct MapSign {
-    pub at: LatLon,
-    pub text: String,
-    pub role: Role,
+    at: LatLon,
+    what: SignText,
+    role: Role,
+}
+
+#[derive(Debug, Clone)]
+enum SignText {
+    Text(String),
+    /// The number of a vehicle; those that would touch each other are written as one list.
+    Vehicle(VehicleId),
+}
+
+/// A sign in its cell.
+struct PlacedSign {
+    column: u16,
+    row: u16,
+    text: String,
+    role: Role,
+}
+
+impl MapSign {
+    pub fn text(at: LatLon, text: &str, role: Role) -> Self {
+        let what = SignText::Text(text.to_owned());
+        Self { at, what, role }
+    }
+
+    pub fn vehicle(at: LatLon, id: VehicleId) -> Self {
+        let what = SignText::Vehicle(id);
+        let role = Role::Accent;
+        Self { at, what, role }
+    }
 }
 
 impl PlainMap {
@@ -65,22 +94,84 @@ impl PlainMap {
         if area.width >= SCALE_FROM {
             draw_scale(panel.look, &view, area, buffer);
         }
-        for sign in &self.signs {
-            self.draw_sign(sign, &view, panel, buffer);
+        for sign in self.placed(&view) {
+            sign.draw(panel, buffer);
         }
         true
     }
 
-    fn draw_sign(&self, sign: &MapSign, view: &Viewport, panel: Panel<'_>, buffer: &mut Buffer) {
-        let area = panel.area;
-        let Some((column, row)) = view.cell(sign.at) else {
-            return;
+    /// The signs in their cells: first the texts, then the vehicles, with one list for those in touching cells of a row.
+    fn placed(&self, view: &Viewport) -> Vec<PlacedSign> {
+        let mut placed = Vec::new();
+        let mut vehicles = Vec::new();
+        for sign in &self.signs {
+            let Some((column, row)) = view.cell(sign.at) else {
+                continue;
+            };
+            match &sign.what {
+                SignText::Text(text) => placed.push(PlacedSign {
+                    column,
+                    row,
+                    text: text.clone(),
+                    role: sign.role,
+                }),
+                SignText::Vehicle(id) => vehicles.push((row, column, *id)),
+            }
+        }
+        vehicles.sort_unstable();
+        let touches = |a: &(u16, u16, VehicleId), b: &(u16, u16, VehicleId)| {
+            a.0 == b.0 && b.1 <= a.1 + a.2.to_string().len() as u16
         };
-        let columns = (width_of(&sign.text) as u16).min(area.width);
+        for group in vehicles.chunk_by(touches) {
+            let (row, column, _) = group[0];
+            let mut ids: Vec<VehicleId> = group.iter().map(|it| it.2).collect();
+            ids.sort_unstable();
+            placed.push(PlacedSign {
+                column,
+                row,
+                text: ranges(ids),
+                role: Role::Accent,
+            });
+        }
+        placed
+    }
+}
+
+impl PlacedSign {
+    fn draw(&self, panel: Panel<'_>, buffer: &mut Buffer) {
+        let area = panel.area;
+        let columns = (width_of(&self.text) as u16).min(area.width);
         // At the right edge, it stands before its place.
-        let column = column.min(area.width - columns);
-        let cells = Rect::new(area.x + column, area.y + row, columns, 1);
-        let style = panel.style(Role::Text).patch(panel.style(sign.role));
-        stamp(&sign.text, style, panel.at(cells), buffer);
+        let column = self.column.min(area.width - columns);
+        let cells = Rect::new(area.x + column, area.y + self.row, columns, 1);
+        let style = panel.style(Role::Text).patch(panel.style(self.role));
+        stamp(&self.text, style, panel.at(cells), buffer);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vehicles_in_touching_cells_have_one_list() {
+        let origin = LatLon::new(0.0, 0.0);
+        let at = |north_m, east_m, id| MapSign::vehicle(origin.moved(north_m, east_m), id);
+        let map = PlainMap {
+            signs: vec![
+                at(0.0, 0.0, 1),
+                at(0.0, 4.0, 4),
+                at(0.0, 1.0, 3),
+                at(0.0, 90.0, 5),
+                at(90.0, 0.0, 6),
+            ],
+            ..PlainMap::default()
+        };
+        let size = GridSize::new(30, 15);
+        let extent = Extent::around(map.signs.iter().map(|sign| sign.at)).expect("places");
+        let view = Viewport::new(extent.centre(), extent.zoom(size), size);
+        let mut texts: Vec<String> = map.placed(&view).into_iter().map(|it| it.text).collect();
+        texts.sort();
+        assert_eq!(texts, ["1,3-4", "5", "6"]);
     }
 }
