@@ -35,7 +35,7 @@ use std::time::Duration;
 use crate::diagnostic::Diagnostic;
 use crate::geo::LatLon;
 use crate::scoring;
-use crate::sim::{Start, WorldConfig};
+use crate::sim::{BootPace, Start, WorldConfig};
 use crate::text::Text;
 
 mod area;
@@ -262,7 +262,8 @@ impl Mission {
             kinds: self.vehicle_kinds(),
             seed,
             obstacles: Vec::new(),
-            realistic_boot: false,
+            // As with real ones, time begins when the vehicles are ready.
+            boot: BootPace::Over,
         }
     }
 

@@ -13,7 +13,7 @@ use super::home::StartPlace;
 use super::{Failure, parse_speedup, runtime};
 use crate::hash::fnv1a;
 use crate::link::{Endpoint, Simulator, StartedSimulator};
-use crate::sim::{SYSTEMS, VehicleKind, World, WorldConfig};
+use crate::sim::{BootPace, SYSTEMS, VehicleKind, World, WorldConfig};
 
 /// Options of `sortie sim`.
 #[derive(Debug, Args)]
@@ -112,7 +112,11 @@ pub(super) fn serve(options: &SimArguments) -> Result<ExitCode, Failure> {
         seed: options.seed,
         airframes: airframes?,
         kinds: options.kinds.clone(),
-        realistic_boot: options.realistic_boot,
+        boot: if options.realistic_boot {
+            BootPace::Realistic
+        } else {
+            BootPace::Quick
+        },
         ..WorldConfig::row(usize::from(options.vehicles), options.home.0)
     };
     let endpoints = endpoints(options);

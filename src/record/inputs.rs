@@ -12,7 +12,8 @@ use serde::{Deserialize, Serialize};
 use super::line::written;
 use crate::geo::LatLon;
 use crate::sim::{
-    Airframe, Input, InputKind, PortId, STEP, Serial, Start, VehicleKind, World, WorldConfig,
+    Airframe, BootPace, Input, InputKind, PortId, STEP, Serial, Start, VehicleKind, World,
+    WorldConfig,
 };
 use crate::text;
 use crate::text::Text;
@@ -39,6 +40,9 @@ pub struct InputsHead {
     /// The kinds of the vehicles, if any is not a copter: one for each; the last one applies to all further vehicles.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub kinds: Vec<String>,
+    /// Whether the vehicles were ready at the start; otherwise they booted for a second.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub booted: bool,
     /// The frame files of airframes that the mission does not define, as JSON.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub airframes: Vec<serde_json::Value>,
@@ -58,6 +62,7 @@ impl InputsHead {
                 .iter()
                 .map(|kind| kind.name().to_owned())
                 .collect(),
+            booted: world.boot == BootPace::Over,
             airframes: files.flatten().cloned().collect(),
         }
     }
@@ -82,7 +87,11 @@ impl InputsHead {
                 .collect(),
             seed: self.seed,
             obstacles: Vec::new(),
-            realistic_boot: false,
+            boot: if self.booted {
+                BootPace::Over
+            } else {
+                BootPace::Quick
+            },
         }
     }
 

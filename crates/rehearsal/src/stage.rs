@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use sortie_geo::LatLon;
 use sortie_plan::{ListKind, command};
-use sortie_sim::{Airframe, Met, STEP, World, WorldConfig, resting_voltage_v};
+use sortie_sim::{Airframe, BootPace, Met, STEP, World, WorldConfig, resting_voltage_v};
 
 use crate::approach::Closest;
 use crate::flight::{DISARM_DELAY, Flight};
@@ -41,7 +41,7 @@ impl Stage {
             kinds: Vec::new(),
             seed: conditions.seed,
             obstacles: Vec::new(),
-            realistic_boot: false,
+            boot: BootPace::Quick,
         });
         let mut flights = Vec::new();
         for (vehicle, (participant, place)) in participants.iter().zip(starts).enumerate() {

@@ -116,6 +116,17 @@ impl Autopilot {
         self
     }
 
+    /// The vehicle after its boot. What it said meanwhile has passed.
+    pub(super) fn switched_on_long_ago(mut self) -> Self {
+        while !self.vehicle.boot.is_over() {
+            for event in self.vehicle.boot.step(false) {
+                self.pass(event);
+            }
+        }
+        self.vehicle.outbox.clear();
+        self
+    }
+
     /// Schedules a reboot; [`Autopilot::take_reboot`] performs it when due.
     pub(super) fn schedule_reboot(&mut self) {
         let at = self.vehicle.uptime() + REBOOT_AFTER;

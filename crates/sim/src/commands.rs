@@ -148,6 +148,7 @@ const COPTER: &[(u16, Handler)] = &[
 
 /// The commands that only rovers have, or carry out in their own way.
 const ROVER: &[(u16, Handler)] = &[
+    (cmd::DO_MOTOR_TEST, driving::motor_test),
     (cmd::DO_CHANGE_SPEED, driving::change_speed),
     (cmd::DO_REPOSITION, driving::reposition),
     (cmd::MISSION_START, driving::start_mission),

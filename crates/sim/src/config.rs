@@ -24,9 +24,20 @@ pub struct WorldConfig {
     pub seed: u64,
     /// The obstacles that vehicles can hit.
     pub obstacles: Vec<Obstacle>,
-    /// Whether the vehicles take as long to boot as real ones: half a minute or more until they can be armed in GUIDED.
-    /// Otherwise they are ready after about a second.
-    pub realistic_boot: bool,
+    /// How long the vehicles take to boot.
+    pub boot: BootPace,
+}
+
+/// How long vehicles take from being switched on to being ready.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BootPace {
+    /// They were switched on long ago, and are ready. A reboot takes about a second.
+    Over,
+    /// They are ready after about a second.
+    #[default]
+    Quick,
+    /// They take as long as real ones: half a minute or more until they can be armed in GUIDED.
+    Realistic,
 }
 
 impl WorldConfig {
@@ -43,7 +54,7 @@ impl WorldConfig {
             airframes: Vec::new(),
             kinds: Vec::new(),
             seed: 0,
-            realistic_boot: false,
+            boot: BootPace::Quick,
             obstacles: Vec::new(),
         }
     }

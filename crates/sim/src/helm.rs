@@ -108,10 +108,10 @@ impl Helm {
     /// The pulses of the first and the third output in microseconds: steering and throttle, or the left and the right
     /// motors.
     pub(super) fn pulses_us(&self, kind: VehicleKind) -> [u16; 2] {
-        let Outputs { steering, throttle } = self.outputs;
+        let outputs = self.outputs;
         let shares = match kind.chassis() {
-            Some(Chassis::Skid) => [throttle + steering, throttle - steering],
-            _ => [steering, throttle],
+            Some(Chassis::Skid) => [outputs.left(), outputs.right()],
+            _ => [outputs.steering, outputs.throttle],
         };
         shares.map(|share| (1500.0 + 500.0 * share) as u16)
     }

@@ -53,7 +53,7 @@
 //!   (`reaction`): `estimator` (the estimated motion), `control` and `yaw` (the path and the
 //!   heading), `helm` (the steering of rovers), `task` (the current task, with a cockpit lent to it), `trail`, `rally`, `fence`,
 //!   `boot`, `arming`, `failsafe`, `crash`, `counters`, `workbench` (tests on the ground),
-//!   `flight_log`. `tuning` holds their parameters in SI units.
+//!   `output_test` (that of a rover), `flight_log`. `tuning` holds their parameters in SI units.
 //! - `vehicle` combines all that flies; `auto_plan` flies the mission of AUTO with it; `autopilot`
 //!   decides, and steps all parts in order. Its `telemetry` builds the messages.
 //! - Ground stations: `commands`, `guided` (setpoints) and `transfer` (lists, files, logs) carry
@@ -99,6 +99,7 @@ mod mask;
 mod mixer;
 mod mode;
 mod operator;
+mod output_test;
 mod parameters;
 mod payload;
 mod place;
@@ -137,7 +138,7 @@ use self::autopilot::Autopilot;
 pub use self::battery::resting_voltage_v;
 use self::collision::Collisions;
 pub use self::collision::{Collision, Met, Obstacle, Placement, Shape};
-pub use self::config::{Serial, Start, WorldConfig};
+pub use self::config::{BootPace, Serial, Start, WorldConfig};
 pub use self::input::{Input, InputKind};
 pub use self::inventory::Inventory;
 pub use self::kind::{Chassis, VehicleKind};
@@ -200,11 +201,12 @@ impl World {
             let system = (vehicle % SYSTEMS) as u8 + 1;
             let airframe = config.airframe(vehicle, &usual);
             let wind = Wind::new(config.seed, vehicle as u64);
-            let mut autopilot =
-                Autopilot::new(config.kind(vehicle), system, *start, airframe, wind);
-            if config.realistic_boot {
-                autopilot = autopilot.booting_realistically();
-            }
+            let fresh = Autopilot::new(config.kind(vehicle), system, *start, airframe, wind);
+            let mut autopilot = match config.boot {
+                BootPace::Over => fresh.switched_on_long_ago(),
+                BootPace::Quick => fresh,
+                BootPace::Realistic => fresh.booting_realistically(),
+            };
             if let Some(before) = slots.last() {
                 autopilot.vehicle.share_tuning(&before.autopilot.vehicle);
             }

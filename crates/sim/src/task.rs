@@ -17,7 +17,7 @@ pub(super) use attitude::{Attitude, Lift};
 pub(super) use auto::{AutoRules, Orbit, Route, stopping_point};
 pub(super) use drive::{
     CirclePlace, Drive, DriveCircle, DriveHeading, DriveNews, DriveSetpoint, Loiter,
-    SetpointCourse, on_surface,
+    SetpointCourse, on_surface, stick_outputs,
 };
 pub(super) use landing::Landing;
 pub(super) use piloted::{LineEnd, Pilot, PilotRules};

@@ -17,6 +17,7 @@ mod links;
 mod messages;
 mod numbers;
 mod operator;
+mod output_test;
 mod piloted;
 mod protocol;
 mod retracing;

@@ -33,6 +33,24 @@ pub(super) struct Rolling {
 }
 
 impl Outputs {
+    /// The outputs of a skid-steered vehicle whose sides have these, -1 to 1.
+    pub(super) fn of_sides(left: f64, right: f64) -> Self {
+        Self {
+            steering: (left - right) / 2.0,
+            throttle: f64::midpoint(left, right),
+        }
+    }
+
+    /// That to the left side of a skid-steered vehicle.
+    pub(super) fn left(self) -> f64 {
+        self.throttle + self.steering
+    }
+
+    /// That to the right side of a skid-steered vehicle.
+    pub(super) fn right(self) -> f64 {
+        self.throttle - self.steering
+    }
+
     pub(super) fn are_off(self) -> bool {
         self == Self::default()
     }

@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use mavlink::dialects::ardupilotmega::MotorTestThrottleType;
 
+use super::output_test::OutputTest;
 use super::parameters::Parameters;
 
 /// A motor test lasts at most this long, in seconds.
@@ -19,6 +20,8 @@ const COMPASSES: u8 = 0b111;
 #[expect(clippy::struct_excessive_bools, reason = "independent switches")]
 pub(super) struct Workbench {
     pub(super) motor_test: Option<MotorTest>,
+    /// The motor test of a rover.
+    pub(super) output_test: Option<OutputTest>,
     pub(super) compasses: CompassCalibration,
     /// Whether the safety switch blocks the motors.
     pub(super) safety_on: bool,

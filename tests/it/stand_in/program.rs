@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use mavlink::dialects::ardupilotmega::{COMMAND_LONG_DATA, MavCmd, MavMessage, PARAM_SET_DATA};
 use sortie::geo::LatLon;
-use sortie::sim::{Airframe, PortId, STEP, Start, World, WorldConfig};
+use sortie::sim::{Airframe, BootPace, PortId, STEP, Start, World, WorldConfig};
 use sortie::wire::{Encoder, GROUND_STATION_COMPONENT, GROUND_STATION_SYSTEM};
 
 use super::{Behaviour, CRASH_FILE, LIFE, MEMORY_FILE};
@@ -110,7 +110,11 @@ impl Program {
     fn world(&self) -> World {
         let mut world = World::new(&WorldConfig {
             airframes: self.airframe.clone().map(Arc::new).into_iter().collect(),
-            realistic_boot: self.behaviour == Behaviour::BootsSlowly,
+            boot: if self.behaviour == Behaviour::BootsSlowly {
+                BootPace::Realistic
+            } else {
+                BootPace::Quick
+            },
             ..WorldConfig::row(1, self.start)
         });
         let port = world.connect(0);

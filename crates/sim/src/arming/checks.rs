@@ -210,6 +210,11 @@ impl ArmingChecks<'_> {
         reasons
     }
 
+    /// Whether the parameters of the remote control are those of a calibrated one, or that is not checked.
+    pub(crate) fn radio_is_calibrated(&self) -> bool {
+        !self.rules.has(Check::Radio) || self.rules.values.sticks.is_empty()
+    }
+
     fn calibration_obstacle(&self) -> Option<Reason> {
         self.radio_calibrates.then(|| "RC calibrating".into())
     }

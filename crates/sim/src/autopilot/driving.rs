@@ -4,8 +4,10 @@ use glam::DVec3;
 use mavlink::dialects::ardupilotmega::{MISSION_ITEM_REACHED_DATA, MavMessage, MavSeverity};
 
 use super::Autopilot;
+use crate::arming::ArmingMethod;
 use crate::mode::rover::REFUSAL;
 use crate::mode::{Mode, ModeEntry, ModeId};
+use crate::output_test::{OutputTest, SUSPENDED, TestRequest};
 use crate::reaction::FailsafeAction;
 use crate::task::{Drive, DriveNews, Loiter, Task, on_surface};
 
@@ -75,7 +77,7 @@ impl Autopilot {
     pub(super) fn drive(&mut self) {
         let vehicle = &mut self.vehicle;
         vehicle.keep_offset();
-        match vehicle.drive() {
+        match vehicle.drive(self.workbench.output_test.as_ref()) {
             Some(DriveNews::Reached) => {
                 let reached = MISSION_ITEM_REACHED_DATA { seq: 0 };
                 vehicle
@@ -85,6 +87,57 @@ impl Autopilot {
             Some(DriveNews::Say(severity, text)) => vehicle.say(severity, text),
             None => {}
         }
+        self.watch_output_test();
+    }
+
+    /// Begins a motor test, or goes on with another one; returns whether it was possible.
+    pub(crate) fn test_output(&mut self, request: TestRequest) -> bool {
+        let now = self.vehicle.uptime();
+        if let Some(test) = &mut self.workbench.output_test {
+            test.replace(request, now);
+            return true;
+        }
+        if let Some(text) = self.output_test_obstacle(&request) {
+            self.vehicle.say(MavSeverity::MAV_SEVERITY_CRITICAL, &text);
+            return false;
+        }
+        if !self.arm(ArmingMethod::Command) {
+            return false;
+        }
+        let parameters = &mut self.vehicle.parameters;
+        let suspended = SUSPENDED.map(|name| {
+            let before = parameters.value(name) as f32;
+            parameters.set(name, 0.0);
+            before
+        });
+        self.vehicle.retune();
+        self.workbench.output_test = Some(OutputTest::new(request, now, suspended));
+        true
+    }
+
+    fn output_test_obstacle(&self, request: &TestRequest) -> Option<String> {
+        if self.vehicle.boot.is_initialising() {
+            Some("Motor Test: Board initialising".to_owned())
+        } else if request.needs_radio() && !self.arming_checks().radio_is_calibrated() {
+            Some("Motor Test: RC not calibrated".to_owned())
+        } else if self.workbench.safety_on {
+            Some("Motor Test: Safety switch".to_owned())
+        } else {
+            request.fault()
+        }
+    }
+
+    /// Ends a motor test whose time is over: the vehicle disarms, and the failsafes are as before.
+    fn watch_output_test(&mut self) {
+        let now = self.vehicle.uptime();
+        let Some(test) = self.workbench.output_test.take_if(|it| it.is_over(now)) else {
+            return;
+        };
+        self.disarm();
+        for (name, before) in SUSPENDED.iter().zip(test.suspended) {
+            self.vehicle.parameters.set(name, before);
+        }
+        self.vehicle.retune();
     }
 
     /// Carries out the action of a failsafe or of the fence: a mode that cannot be entered is followed by a simpler one.

@@ -8,6 +8,7 @@ use crate::autopilot::Autopilot;
 use crate::guided;
 use crate::link::Link;
 use crate::mode::{self, ModeId};
+use crate::output_test::TestRequest;
 
 /// Changes the speed of the drive under way, until the mode changes.
 pub(super) fn change_speed(
@@ -35,6 +36,21 @@ pub(super) fn reposition(autopilot: &mut Autopilot, _: &mut Link, command: &Comm
     let goal_m = autopilot.vehicle.datum.point_of(place);
     autopilot.drive_to(goal_m);
     MavResult::MAV_RESULT_ACCEPTED
+}
+
+/// Drives one output by hand. A vehicle that is disarmed arms for it, and all disarm afterwards.
+pub(super) fn motor_test(autopilot: &mut Autopilot, _: &mut Link, command: &Command) -> MavResult {
+    let (Some(output), Some(kind), Some(value)) =
+        (command.whole(0), command.whole(1), command.whole(2))
+    else {
+        return MavResult::MAV_RESULT_DENIED;
+    };
+    done(autopilot.test_output(TestRequest {
+        output,
+        kind,
+        value,
+        lasts_s: command.p[3],
+    }))
 }
 
 /// Drives along a heading at a speed, in GUIDED, as a setpoint does.

@@ -12,6 +12,7 @@ use mavlink::dialects::ardupilotmega::MavSeverity;
 
 pub(crate) use self::circle::{CirclePlace, DriveCircle};
 pub(crate) use self::heading::DriveHeading;
+pub(crate) use self::sticks::of as stick_outputs;
 use super::{Cockpit, Route, Task};
 use crate::control::FlatMotion;
 use crate::helm::{Course, HelmRules, PIVOT_WITHIN_DEG, bearing_deg};

@@ -11,7 +11,7 @@ const ARM: MavCmd = MavCmd::MAV_CMD_COMPONENT_ARM_DISARM;
 
 fn booting() -> Ground {
     Ground::in_world(&WorldConfig {
-        realistic_boot: true,
+        boot: BootPace::Realistic,
         ..WorldConfig::row(1, start())
     })
 }
@@ -183,7 +183,7 @@ fn the_origin_comes_unasked_and_text_stands_between_the_frames() {
 #[test]
 fn without_a_client_or_a_gps_the_boot_waits() {
     let mut world = World::new(&WorldConfig {
-        realistic_boot: true,
+        boot: BootPace::Realistic,
         ..WorldConfig::row(1, start())
     });
     for _ in 0..1000 {
@@ -218,4 +218,18 @@ fn a_vehicle_asked_for_another_pace_tells_the_world() {
     assert_eq!(ground.world.wanted_speedup(), None);
     ground.set("SIM_SPEEDUP", 5.0);
     assert_eq!(ground.world.wanted_speedup(), Some(5.0));
+}
+
+#[test]
+fn vehicles_that_were_switched_on_long_ago_are_ready_and_quiet() {
+    let mut ground = Ground::in_world(&WorldConfig {
+        boot: BootPace::Over,
+        ..WorldConfig::row(1, start())
+    });
+    ground.run(0.05);
+    assert!(ground.texts().is_empty(), "{:?}", ground.texts());
+    assert!(ground.world.slots[0].autopilot.vehicle.is_ready());
+    let guided = ground.long(MavCmd::MAV_CMD_DO_SET_MODE, [1.0, 4.0]);
+    assert_eq!(guided, MavResult::MAV_RESULT_ACCEPTED);
+    ground.arm();
 }

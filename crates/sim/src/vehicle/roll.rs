@@ -5,12 +5,13 @@ use super::plant::Plant;
 use crate::airframe::Airframe;
 use crate::helm::Course;
 use crate::kind::Chassis;
-use crate::task::DriveNews;
+use crate::output_test::OutputTest;
+use crate::task::{DriveNews, stick_outputs};
 use crate::wheels::{Handling, Outputs};
 
 impl Vehicle {
-    /// Lets the task drive the body of a rover for one step; returns what happened.
-    pub(crate) fn drive(&mut self) -> Option<DriveNews> {
+    /// Lets the task drive the body of a rover for one step, or a test one of its outputs; returns what happened.
+    pub(crate) fn drive(&mut self, test: Option<&OutputTest>) -> Option<DriveNews> {
         let chassis = self.kind.chassis()?;
         let (course, news) = if self.safety.armed && !self.is_stopped() {
             self.with_cockpit(|task, cockpit| {
@@ -20,10 +21,16 @@ impl Vehicle {
         } else {
             (Course::Off, None)
         };
+        let test = test.map(|test| (test, self.with_cockpit(|_, cockpit| stick_outputs(cockpit))));
         let rules = self.tuning.flight.helm.as_deref()?;
         let believed = self.estimator.belief(&self.plant.body);
         let helm = self.flight.helm.as_mut()?;
-        let outputs = helm.step(course, believed, chassis, rules);
+        let kept = helm.outputs;
+        let mut outputs = helm.step(course, believed, chassis, rules);
+        if let Some((test, sticks)) = test {
+            outputs = test.outputs(chassis, kept, sticks);
+            helm.outputs = outputs;
+        }
         let (handling, outputs) = self.handling(chassis, outputs);
         let body = &mut self.plant.body;
         let speed_m_s = body.velocity_m_s.truncate().dot(body.heading());

@@ -73,6 +73,7 @@ impl Reflight {
         if !own.is_empty() {
             config.airframes = own;
         }
+        config.boot = inputs.head.world().boot;
         let world = World::new(config);
         let systems = (1..=SystemId::MAX).take(world.vehicles());
         Ok(Self {

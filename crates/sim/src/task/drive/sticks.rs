@@ -7,7 +7,7 @@ use crate::helm::{Course, HelmRules, bearing_deg};
 use crate::wheels::Outputs;
 
 /// The steering and the throttle of a pilot's sticks.
-pub(super) fn of(cockpit: &Cockpit<'_>) -> Outputs {
+pub(crate) fn of(cockpit: &Cockpit<'_>) -> Outputs {
     let [steering, _, throttle, _] = &cockpit.tuning.radio.sticks;
     let channels = &cockpit.sticks.channels_us;
     Outputs {
