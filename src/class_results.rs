@@ -17,8 +17,10 @@ use crate::mission::record::Head;
 use crate::scoring::{MissionFile, ObjectiveReport, Report};
 use crate::text::{Text, rounded};
 
+mod found;
 mod missing;
 
+pub use found::{BesideFlight, FoundFlights};
 pub use missing::TryWithoutRecord;
 
 /// A trainee's flight of a mission, from its record.
@@ -178,28 +180,6 @@ pub fn add_flight(trainees: &mut Vec<ClassTrainee>, user: &str, flight: ClassFli
     if let Err(place) = flights.binary_search_by(|it| it.record.cmp(&flight.record)) {
         flights.insert(place, flight);
     }
-}
-
-/// A flight that was handed in, to be replayed.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct FoundFlights {
-    /// The names of the trainee: that of the user, and that of the profile.
-    pub trainee: String,
-    /// The name of the record.
-    pub record: String,
-    /// The file with its frames.
-    pub frames: String,
-    /// Another flight of the mission, to be shown beside it.
-    pub beside: Option<BesideFlight>,
-}
-
-/// A flight that is shown beside a replay.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct BesideFlight {
-    /// The names of the trainee.
-    pub trainee: String,
-    /// The file with the record of the mission.
-    pub run: String,
 }
 
 /// The results of a class on a day.

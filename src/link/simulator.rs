@@ -17,13 +17,13 @@ use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
 
 use super::connect::resolve;
-use crate::geo::LatLon;
 use crate::record::InputsHead;
 use crate::sim::{STEP, World};
 use crate::text::Text;
 
 mod inputs;
 mod listen;
+mod places;
 #[cfg(test)]
 mod tests;
 mod transport;
@@ -31,6 +31,8 @@ mod transport;
 pub use inputs::InputSink;
 use inputs::WorldRecord;
 use listen::open_servers;
+use places::PlaceFeed;
+pub use places::{TruePlace, TruePlaces};
 use transport::{PipeTransport, Transports, UdpTransport};
 
 /// At this many simulated vehicle seconds per second or more, steps are distributed over threads. Below that, one core
@@ -43,8 +45,6 @@ const CATCH_UP: Duration = Duration::from_millis(50);
 const SPEEDUP_MAX: f64 = 1000.0;
 /// At high speed, ground stations are served after this many steps.
 const STEPS_PER_ROUND: usize = 10;
-/// True places are published after this many steps.
-const STEPS_PER_PLACE: u64 = 25;
 
 /// How ground stations reach the vehicles.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -158,17 +158,6 @@ impl From<f64> for PaceFeed {
     }
 }
 
-/// Where a simulated vehicle is in truth, whatever its telemetry says.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TruePlace {
-    pub at: LatLon,
-    /// Metres above its start.
-    pub height_m: f64,
-}
-
-/// The true places of the vehicles, in their order. They are published only while somebody has subscribed.
-pub type TruePlaces = watch::Sender<Arc<[TruePlace]>>;
-
 /// The server of the embedded simulator.
 #[derive(Debug)]
 pub struct Simulator;
@@ -244,8 +233,7 @@ impl Simulator {
             transports,
             count,
             passed,
-            places: places.clone(),
-            placed_at: None,
+            places: PlaceFeed::new(places.clone()),
             record,
         };
         let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
@@ -359,9 +347,7 @@ struct SteppedWorld {
     transports: Transports,
     count: watch::Sender<usize>,
     passed: watch::Sender<u64>,
-    places: TruePlaces,
-    /// The step at which true places were last published.
-    placed_at: Option<u64>,
+    places: PlaceFeed,
     threads: usize,
     record: Option<WorldRecord>,
 }
@@ -424,27 +410,8 @@ impl SteppedWorld {
             record.publish();
         }
         self.passed.send_replace(self.world.steps());
-        self.publish_places();
+        self.places.publish(&self.world);
         self.transports.write(&mut self.world);
-    }
-
-    fn publish_places(&mut self) {
-        let steps = self.world.steps();
-        let is_due = self
-            .placed_at
-            .is_none_or(|at| steps >= at + STEPS_PER_PLACE);
-        if !is_due || self.places.receiver_count() == 0 {
-            return;
-        }
-        self.placed_at = Some(steps);
-        let places = (0..self.world.vehicles()).map(|vehicle| {
-            let truth = self.world.truth(vehicle);
-            TruePlace {
-                at: truth.at,
-                height_m: -truth.position_ned_m[2],
-            }
-        });
-        self.places.send_replace(places.collect());
     }
 
     fn end(&mut self) {

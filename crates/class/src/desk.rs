@@ -4,8 +4,8 @@ use std::time::Duration;
 
 use super::protocol::{Denial, Hello, SeatMessage, VERSION};
 use super::{
-    Attention, Deed, Exam, Need, OrderId, Piece, Presence, SeatRecord, SeatReport, Submission,
-    TryHead, Watching, Words,
+    Attention, Deed, Exam, Insight, Need, OrderId, PicturePart, Piece, Presence, SeatRecord,
+    SeatReport, Submission, TryHead, Watching, Words,
 };
 
 /// The maximum number of seats.
@@ -118,14 +118,8 @@ impl Desk {
                 let new = seat.journal.receive(batch);
                 seat.hear(&new);
             }
-            SeatMessage::Screen(part) if self.watching.screen() == Some(index) => {
-                self.seats[index].see(&part, now);
-            }
-            SeatMessage::Insight(insight) if self.watching.seats().contains(&index) => {
-                self.seats[index].insight = Some(insight.bounded());
-            }
-            // It was on its way when the desk stopped watching.
-            SeatMessage::Screen(_) | SeatMessage::Insight(_) => {}
+            SeatMessage::Screen(part) => self.see(index, &part, now),
+            SeatMessage::Insight(insight) => self.see_behind(index, *insight),
             SeatMessage::Submit(submission) => return Ok(DeskHeard::Submission(submission)),
             SeatMessage::Piece(piece) => return Ok(DeskHeard::Piece(piece)),
             SeatMessage::Head(head) => {
@@ -135,6 +129,20 @@ impl Desk {
             }
         }
         Ok(DeskHeard::Known)
+    }
+
+    /// Takes in a part of a screen, unless it was on its way when the desk stopped watching.
+    fn see(&mut self, index: usize, part: &PicturePart, now: Duration) {
+        if self.watching.screen() == Some(index) {
+            self.seats[index].see(part, now);
+        }
+    }
+
+    /// Takes in what is behind a screen, unless it was on its way when the desk stopped watching.
+    fn see_behind(&mut self, index: usize, insight: Insight) {
+        if self.watching.seats().contains(&index) {
+            self.seats[index].insight = Some(insight.bounded());
+        }
     }
 
     fn report(&mut self, index: usize, report: SeatReport, now: Duration) {

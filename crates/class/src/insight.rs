@@ -1,7 +1,7 @@
 //! What an instructor sees of a watched flight beside its screen: how the mission stands, and where the vehicles are in
 //! truth.
 //!
-//! It is sent only while the desk watches, at most once a second, and on average at most [`BYTES_PER_S`]: a long one is
+//! It is sent only while the desk watches, at most once a second, and on average at most 2 kB/s: a long one is
 //! followed by a longer pause.
 
 use std::time::Duration;
@@ -15,18 +15,18 @@ const INSIGHT_EVERY: Duration = Duration::from_secs(1);
 /// An insight that has not changed is sent again after this time: the desk may have forgotten it.
 const UNCHANGED_EVERY: Duration = Duration::from_secs(5);
 /// The most that insights may take, in bytes per second on average.
-pub const BYTES_PER_S: usize = 2_000;
+const BYTES_PER_S: usize = 2_000;
 
 /// How much of each kind an insight has at most, so that its size has a bound.
-pub const MOST_OBJECTIVES: usize = 12;
+const MOST_OBJECTIVES: usize = 12;
 /// The maximum number of alerts.
-pub const MOST_ALERTS: usize = 8;
+const MOST_ALERTS: usize = 8;
 /// The maximum number of vehicles.
-pub const MOST_VEHICLES: usize = 64;
+const MOST_VEHICLES: usize = 64;
 /// The maximum number of corners of all fences.
-pub const MOST_CORNERS: usize = 64;
+const MOST_CORNERS: usize = 64;
 /// The maximum number of targets.
-pub const MOST_TARGETS: usize = 64;
+const MOST_TARGETS: usize = 64;
 
 /// A place in decimetres east and north of the mission's origin.
 pub type InsightPlace = [i32; 2];

@@ -119,15 +119,8 @@ impl SeatLine {
         if let Some(head) = self.next_head(source, now) {
             return Some(SeatMessage::Head(head));
         }
-        if let Some(screen) = &mut self.screen
-            && let Some(part) = screen.next(|| source.picture(), now)
-        {
-            return Some(SeatMessage::Screen(part));
-        }
-        if let Some(known) = &mut self.insight
-            && let Some(insight) = known.next(|| source.insight(), now)
-        {
-            return Some(SeatMessage::Insight(Box::new(insight)));
+        if let Some(watched) = self.next_watched(source, now) {
+            return Some(watched);
         }
         if let Some(next) = self.next_entry
             && let Some(batch) = seat.journal().from(next)
@@ -136,6 +129,17 @@ impl SeatLine {
             return Some(SeatMessage::Entries(batch));
         }
         self.hand_in(seat, source, now)
+    }
+
+    /// What the desk that watches has not seen yet: of the screen, and of what is behind it.
+    fn next_watched(&mut self, source: &impl SeatSource, now: Duration) -> Option<SeatMessage> {
+        if let Some(screen) = &mut self.screen
+            && let Some(part) = screen.next(|| source.picture(), now)
+        {
+            return Some(SeatMessage::Screen(part));
+        }
+        let insight = self.insight.as_mut()?.next(|| source.insight(), now)?;
+        Some(SeatMessage::Insight(Box::new(insight)))
     }
 
     /// The head of an exam's record, if one is due: at once after the flight, before the record is handed in.

@@ -421,11 +421,12 @@ fn newest<'a>(
     trainee.flights.iter().rev().find(|flight| is_meant(flight))
 }
 
-/// The names of the trainee of a flight: that of the user, and that of the profile.
+/// The names of the trainee of a flight, and when it began: two flights may be of one trainee.
 fn names_of(user: &str, flight: &ClassFlight) -> String {
+    let when = flight.when.get(..16).unwrap_or_default().replace('T', " ");
     match flight.profile.as_deref().filter(|it| *it != user) {
-        Some(profile) => format!("{user} ({profile})"),
-        None => user.to_owned(),
+        Some(profile) => format!("{user} ({profile}) {when}"),
+        None => format!("{user} {when}"),
     }
 }
 

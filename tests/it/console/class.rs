@@ -22,7 +22,7 @@ mod injects;
 mod lessons;
 mod watch;
 
-pub use desk::{desk, flight, join, report, say};
+pub use desk::{deeds, desk, flight, join, report, say};
 pub use grading::grading;
 pub use injects::flight_with_injects;
 pub use lessons::{begin, carry_out, first_lesson};

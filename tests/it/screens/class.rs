@@ -15,6 +15,7 @@ use crate::harness::Console;
 mod exams;
 mod grading;
 mod lessons;
+mod replay;
 mod results;
 
 /// A seat in each state.

@@ -178,9 +178,12 @@ pub fn show_tiles(state: &mut State) -> bool {
         return false;
     };
     let room = &state.rooms.class;
-    let is_meant = |seat: &usize| match room.marked.is_empty() {
-        true => desk.seats()[*seat].is_here(),
-        false => room.marked.contains(seat),
+    let is_meant = |seat: &usize| {
+        if room.marked.is_empty() {
+            desk.seats()[*seat].is_here()
+        } else {
+            room.marked.contains(seat)
+        }
     };
     let seats: Vec<usize> = desk.board().into_iter().filter(is_meant).collect();
     let seats: Vec<usize> = seats.into_iter().take(WATCHED).collect();

@@ -194,12 +194,9 @@ fn elsewhere_m(vehicle: &VehicleInsight) -> Option<f64> {
 /// The map of the truth: fences, targets, the vehicles where they are, and where the trainee sees those that are
 /// elsewhere.
 fn map(insight: &Insight) -> PlainMap {
+    let fence = |corners: &Vec<InsightPlace>| corners.iter().copied().map(place).collect();
     let mut map = PlainMap {
-        fences: insight
-            .fences
-            .iter()
-            .map(|fence| fence.iter().copied().map(place).collect())
-            .collect(),
+        fences: insight.fences.iter().map(fence).collect(),
         ..PlainMap::default()
     };
     for target in &insight.targets {
@@ -211,19 +208,24 @@ fn map(insight: &Insight) -> PlainMap {
         map.signs.push(MapSign::text(place(target.at), text, role));
     }
     for vehicle in &insight.vehicles {
-        let Some(here) = vehicle.place() else {
-            continue;
-        };
-        if let Some(shown) = vehicle.shown.filter(|_| elsewhere_m(vehicle).is_some()) {
-            let way = vec![place(here.at), place(shown.at)];
-            map.ways.push((Stroke::dotted(Role::Warning), way));
-            let seen = format!("?{}", vehicle.id);
-            map.signs
-                .push(MapSign::text(place(shown.at), &seen, Role::Warning));
-        }
-        map.signs.push(MapSign::vehicle(place(here.at), vehicle.id));
+        add_vehicle(vehicle, &mut map);
     }
     map
+}
+
+fn add_vehicle(vehicle: &VehicleInsight, map: &mut PlainMap) {
+    let Some(here) = vehicle.place() else {
+        return;
+    };
+    let here = place(here.at);
+    if let Some(shown) = vehicle.shown.filter(|_| elsewhere_m(vehicle).is_some()) {
+        let shown = place(shown.at);
+        let seen = format!("?{}", vehicle.id);
+        map.ways
+            .push((Stroke::dotted(Role::Warning), vec![here, shown]));
+        map.signs.push(MapSign::text(shown, &seen, Role::Warning));
+    }
+    map.signs.push(MapSign::vehicle(here, vehicle.id));
 }
 
 fn place([east, north]: InsightPlace) -> LatLon {

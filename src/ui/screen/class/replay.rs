@@ -95,6 +95,7 @@ impl FlightAtTime<'_> {
         let fences = areas.filter(|area| area.kind == AreaKind::Geofence);
         let mut map = PlainMap {
             fences: fences.map(|area| area.outline.corners()).collect(),
+            wires: self.wires(),
             others,
             ..PlainMap::default()
         };
@@ -107,6 +108,12 @@ impl FlightAtTime<'_> {
             .map(|(vehicle, point)| MapSign::vehicle(point.place, vehicle))
             .collect();
         map
+    }
+
+    fn wires(&self) -> Vec<Vec<LatLon>> {
+        let mission = self.state.flown_mission();
+        let wires = mission.iter().flat_map(|mission| &mission.wires);
+        wires.map(|wire| wire.pylons.clone()).collect()
     }
 
     /// The figures, the bookmarks so far with the newest first, and the objectives.

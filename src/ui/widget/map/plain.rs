@@ -4,7 +4,7 @@ use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 
 use super::canvas::{Canvas, Stroke};
-use super::ground::outline;
+use super::ground::{WIRE, outline};
 use super::labels::stamp;
 use super::legend::draw_scale;
 use crate::geo::{Extent, GridSize, LatLon, Viewport};
@@ -24,6 +24,8 @@ const SCALE_FROM: u16 = 24;
 pub struct PlainMap {
     /// Fences, by their corners.
     pub fences: Vec<Vec<LatLon>>,
+    /// Power lines, by their pylons.
+    pub wires: Vec<Vec<LatLon>>,
     pub ways: Vec<(Stroke, Vec<LatLon>)>,
     /// Short texts at places; the vehicles are drawn over the others.
     pub signs: Vec<MapSign>,
@@ -84,6 +86,9 @@ impl PlainMap {
         let mut canvas = Canvas::new(size, panel.look.symbols);
         for fence in &self.fences {
             outline(fence, &view, &mut canvas, FENCE);
+        }
+        for pair in self.wires.iter().flat_map(|pylons| pylons.windows(2)) {
+            canvas.line(view.dot(pair[0]), view.dot(pair[1]), WIRE);
         }
         for (stroke, way) in &self.ways {
             for pair in way.windows(2) {

@@ -91,7 +91,7 @@ fn given(console: &Console) -> Vec<(String, Deed, OrderState)> {
 }
 
 /// The orders so far, each with its seat.
-pub(super) fn deeds(console: &Console) -> Vec<(String, Deed)> {
+pub fn deeds(console: &Console) -> Vec<(String, Deed)> {
     given(console)
         .into_iter()
         .map(|(name, deed, _)| (name, deed))

@@ -3,17 +3,18 @@
 use std::time::Duration;
 
 use sortie::app::event::{ClassEvent, TerminalEvent};
+use sortie::app::state::{Activity, Room};
 use sortie::campaign::Stake;
 use sortie::class::protocol::{DeskMessage, SeatMessage};
 use sortie::class::{
-    CellStyle, ConnectionId, Deed, Insight, ObjectiveInsight, ObjectiveStanding, Picture,
-    PictureCell, PictureSender, TargetInsight, VehicleInsight, VehiclePlace, Watching,
+    CellStyle, ConnectionId, Deed, Insight, ObjectiveInsight, ObjectiveStanding, Outcome, Picture,
+    PictureCell, PictureSender, Refusal, TargetInsight, VehicleInsight, VehiclePlace, Watching,
 };
 use sortie::text::Language;
 
 use super::desk::{deeds, desk, join, report, say};
 use super::injects::flight_with_injects;
-use super::{flying_mission, pass, welcome};
+use super::{flying_mission, joined, order, outcomes, pass, place, welcome};
 use crate::harness::Console;
 
 /// A picture with a number in each row, and one that shows where the columns are.
@@ -263,4 +264,58 @@ fn the_header_of_a_seat_says_that_its_screen_is_watched() {
     console.hear(ClassEvent::Lost);
     welcome(&mut console);
     assert!(!console.screen(120, 40).contains(watching));
+}
+
+#[test]
+fn a_trainee_looks_on_only_when_no_flight_is_under_way() {
+    for (stake, refusal) in [
+        (Stake::Graded, Refusal::Flying),
+        (Stake::Exam, Refusal::Exam),
+    ] {
+        let mut console = flying_mission(stake);
+        order(&mut console, 1, Deed::LookOn);
+        let refused = Outcome::Refused(refusal);
+        assert_eq!(outcomes(&console), [(1, refused)]);
+        assert!(!place(&console).seat().looks_on());
+    }
+    let mut console = joined();
+    order(&mut console, 1, Deed::LookOn);
+    pass(&mut console, 1);
+    assert_eq!(outcomes(&console), [(1, Outcome::Done)]);
+    assert_eq!(console.state().room(), Room::Class);
+    let mut sender = PictureSender::default();
+    let shown = picture(100, 30);
+    while let Some(part) = sender.next(|| Some(shown.clone()), Duration::ZERO) {
+        console.hear(ClassEvent::Said(DeskMessage::Show(part)));
+    }
+    console.hear(TerminalEvent::Resize {
+        columns: 80,
+        rows: 24,
+    });
+    let screen = console.screen(80, 24);
+    assert!(
+        screen.contains("petro shows") && screen.contains("row 20"),
+        "{screen}"
+    );
+    console.press("end");
+    assert!(console.screen(80, 24).contains("row 29"));
+    console.press("esc");
+    assert!(!place(&console).seat().looks_on());
+    assert_eq!(console.state().room(), Room::Home);
+    // The desk ends it, its connection breaks, or a flight begins.
+    for ending in 0..3 {
+        order(&mut console, 2 + ending, Deed::LookOn);
+        assert!(place(&console).seat().looks_on());
+        match ending {
+            0 => drop(console.hear(ClassEvent::Said(DeskMessage::Hide))),
+            1 => {
+                console.hear(ClassEvent::Lost);
+                welcome(&mut console);
+            }
+            _ => drop(console.start(Activity::Free)),
+        }
+        pass(&mut console, 1);
+        assert!(!place(&console).seat().looks_on(), "{ending}");
+        assert_ne!(console.state().room(), Room::Class, "{ending}");
+    }
 }
