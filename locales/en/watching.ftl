@@ -29,7 +29,7 @@ class-flight-elsewhere = seen { $metres } m away
 class-alert-of = vehicle { $vehicle }: { $cause }
 
 # The class debrief
-class-replay-title = { $trainee }: score { $score }
+class-replay-title = score { $score }  { $trainee }
 class-replay-reading = The flights are being read.
 class-replay-none-beside = { $user } has handed in no other flight of { $mission }
 class-replay-before = this flight has not begun yet

@@ -30,7 +30,7 @@ class-flight-elsewhere = на екрані за { $metres } м звідси
 class-alert-of = апарат { $vehicle }: { $cause }
 
 # Розбір з усім класом
-class-replay-title = { $trainee }: бали { $score }
+class-replay-title = бали { $score }  { $trainee }
 class-replay-reading = Польоти зчитуються.
 class-replay-none-beside = { $user } не має іншого зданого польоту завдання { $mission }
 class-replay-before = цей політ ще не почався

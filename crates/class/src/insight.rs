@@ -126,7 +126,8 @@ impl VehicleInsight {
     pub fn error_m(&self) -> Option<f64> {
         let (shown, truth) = (self.shown?, self.truth?);
         let off = |axis: usize| f64::from(shown.at[axis]) - f64::from(truth.at[axis]);
-        Some(off(0).hypot(off(1)) / 10.0)
+        let (east, north) = (off(0), off(1));
+        Some((east * east + north * north).sqrt() / 10.0)
     }
 }
 

@@ -5,8 +5,10 @@ use std::sync::{Arc, OnceLock};
 use tokio::sync::watch;
 
 use super::RunningSession;
+use super::mission_run::MissionRun;
 use crate::app::state::{FlightTruth, TrueVehicle};
 use crate::link::{TruePlace, TruePlaces};
+use crate::mission::Flight;
 use crate::vehicle::VehicleId;
 
 /// The true places of simulated vehicles. The simulator publishes them from the first time on that they are asked for.
@@ -40,14 +42,14 @@ impl SimulatedTruth {
 impl RunningSession {
     /// The truth of the flight, as far as this program knows it.
     pub fn truth(&self) -> FlightTruth {
-        let flight = self.mission_run.as_ref().map(|run| run.flight());
+        let flight = self.mission_run.as_ref().map(MissionRun::flight);
         FlightTruth {
             origin: flight.map(|flight| flight.mission().origin()),
             vehicles: self
                 .truth
                 .as_ref()
                 .map_or_else(Vec::new, SimulatedTruth::vehicles),
-            report: flight.map(|flight| flight.truth_report()),
+            report: flight.map(Flight::truth_report),
         }
     }
 }

@@ -6,7 +6,7 @@ use super::desk::{connected, instruct};
 use super::tell;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect};
-use crate::app::room::class::{DeskPage, ReplayedFlights, show_page};
+use crate::app::room::class::{DeskPage, GradingPage, ReplayedFlights, show_page};
 use crate::app::state::{Consequence, Room};
 use crate::class::{Deed, Desk, Refusal, SeatRecord};
 use crate::class_results::FoundFlights;
@@ -25,7 +25,7 @@ pub(super) fn replay(state: &mut State, trainees: ReplayedTrainees) -> Result<Ef
     let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     let ReplayedTrainees { trainee, beside } = trainees;
     let room = &state.rooms.class;
-    let graded = room.grading().map(|page| page.flight());
+    let graded = room.grading().map(GradingPage::flight);
     let graded = graded.filter(|it| trainee.as_ref().is_none_or(|user| it.user == *user));
     let under_cursor = || {
         let seat = desk.seats().get(room.cursor()?)?;

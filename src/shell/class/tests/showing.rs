@@ -29,18 +29,18 @@ async fn four_seats_tell_what_is_behind_their_screens_while_they_have_a_tile() {
     for _ in 0..5 {
         seats.push(Box::pin(flying(folder.path(), WITH_INJECTS)).await);
     }
-    let [a, b, c, d, e] = &mut seats[..] else {
+    let [one, two, three, four, five] = &mut seats[..] else {
         unreachable!("there are five");
     };
-    run(&mut [&mut desk, a, b, c, d, e], 4).await;
-    for seat in [&mut *a, b, c, d, e] {
+    run(&mut [&mut desk, one, two, three, four, five], 4).await;
+    for seat in [&mut *one, two, three, four, five] {
         seat.console.feed(key(KeyCode::Enter)).await;
     }
-    run(&mut [&mut desk, a, b, c, d, e], 2).await;
+    run(&mut [&mut desk, one, two, three, four, five], 2).await;
     assert!(desk.seats().iter().all(|seat| seat.insight().is_none()));
 
     desk.console.feed(key(KeyCode::Char('w'))).await;
-    run(&mut [&mut desk, a, b, c, d, e], 3).await;
+    run(&mut [&mut desk, one, two, three, four, five], 3).await;
     let role = desk.console.app.state().class_role();
     let watching = role.desk().expect("a desk").watching();
     assert!(matches!(watching, Watching::Tiles(seats) if seats.len() == 4));
@@ -56,7 +56,7 @@ async fn four_seats_tell_what_is_behind_their_screens_while_they_have_a_tile() {
     assert!(desk.seats().iter().all(|seat| seat.picture().is_none()));
 
     desk.console.feed(key(KeyCode::Enter)).await;
-    run(&mut [&mut desk, a, b, c, d, e], 1).await;
+    run(&mut [&mut desk, one, two, three, four, five], 1).await;
     let pictures = desk.seats().iter().filter_map(|it| it.picture());
     assert_eq!(pictures.count(), 1);
 }
