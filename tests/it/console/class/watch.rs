@@ -307,12 +307,14 @@ fn a_trainee_looks_on_only_when_no_flight_is_under_way() {
         order(&mut console, 2 + ending, Deed::LookOn);
         assert!(place(&console).seat().looks_on());
         match ending {
-            0 => drop(console.hear(ClassEvent::Said(DeskMessage::Hide))),
+            0 => {
+                console.hear(ClassEvent::Said(DeskMessage::Hide));
+            }
             1 => {
                 console.hear(ClassEvent::Lost);
                 welcome(&mut console);
             }
-            _ => drop(console.start(Activity::Free)),
+            _ => console.start(Activity::Free),
         }
         pass(&mut console, 1);
         assert!(!place(&console).seat().looks_on(), "{ending}");
