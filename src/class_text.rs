@@ -76,6 +76,7 @@ pub fn deed_text(deed: &Deed) -> Text {
             tries = opened.tries
         ),
         Deed::Start => text!("class-deed-start"),
+        Deed::LookOn => text!("class-deed-look-on"),
         Deed::Step(step) => step_text(step),
     }
 }

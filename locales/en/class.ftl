@@ -6,14 +6,14 @@ action-mark-seat = mark the seat, or remove its mark
 action-mark-all-seats = mark all seats
 verb-class = show the class, or give orders to its seats
 words-class = instructor desk seats trainees lesson
-argument-seat = @seat or @all; by default the marked seats
+argument-seat = @seat or @all; by default the watched, the marked or the seat under the cursor
 argument-hold = the trainee waits in the brief until `class start`
 argument-class-vehicles = vehicles of the seat, such as 1-4,7; all by default
 argument-condition = a condition as in mission files
 
 # Keys on the last line
 class-key-watch = watch
-class-key-board = back to the board
+class-key-board = board
 class-key-mark = mark seat
 class-key-message = message
 class-key-hint = hint

@@ -1,19 +1,19 @@
-# Клас: пульт інструктора і місця учнів
+# Клас: пульт інструктора і місця курсантів
 
 room-class = клас
 action-class = показати клас
 action-mark-seat = позначити місце або зняти позначку
 action-mark-all-seats = позначити всі місця
 verb-class = показати клас або дати вказівки його місцям
-words-class = інструктор пульт місця учні урок
-argument-seat = @місце або @all; без нього — позначені місця
-argument-hold = учень чекає в інструктажі до `class start`
+words-class = інструктор пульт місця курсанти урок
+argument-seat = @місце або @all; без нього — те, за яким спостерігають, позначені або під курсором
+argument-hold = курсант чекає в інструктажі до `class start`
 argument-class-vehicles = апарати місця, наприклад 1-4,7; без них — усі
 argument-condition = умова, як у файлах завдань
 
 # Клавіші в останньому рядку
 class-key-watch = екран
-class-key-board = до таблиці
+class-key-board = таблиця
 class-key-mark = позначити
 class-key-message = повідомлення
 class-key-hint = підказка
@@ -90,7 +90,7 @@ class-watch-title = екран: { $seat }
 class-watch-none = очікується перше зображення
 class-watch-cut = обрізано: стовпці { $left }–{ $right } із { $columns }, рядки { $top }–{ $bottom } із { $rows } (рухати стрілками)
 class-watch-stale = застаріло: нічого не надходить { $time }
-class-watch-gone = застаріло: учень від'єднався
+class-watch-gone = застаріло: курсант від'єднався
 
 # Вказівки
 class-deed-message = повідомлення «{ $text }»
@@ -142,7 +142,7 @@ class-refusal-too-many-situations = для польоту вже збереже�
 class-refusal-no-situation = такої ситуації в цьому польоті не збережено
 class-refusal-no-vehicle = у польоті немає такого апарата
 class-refusal-real-vehicle = апарати можуть бути справжні, а налаштування місця (class.take_over) цього не дозволяють
-class-refusal-not-taken = керує учень: спершу переберіть керування (class take)
+class-refusal-not-taken = керує курсант: спершу переберіть керування (class take)
 class-refusal-line = місце не може прочитати рядок, або це не команда апаратам
 class-refusal-vehicle = апарат цього не виконує
 class-line-long = рядок довший за 200 символів
@@ -160,9 +160,9 @@ class-no-desk = ця консоль не є пультом класу: відк�
 class-unknown-seat = у класі немає місця з такою назвою після `@`
 class-no-seat = немає місця на зв'язку: перейдіть до нього курсором, позначте кілька або назвіть одне, наприклад @anna
 class-ask-end = ЗАВЕРШИТИ ЗАВДАННЯ: { $seats }
-class-ask-end-reason = польоти цих учнів завершаться зараз і будуть оцінені
+class-ask-end-reason = польоти цих курсантів завершаться зараз і будуть оцінені
 
-# На місці учня
+# На місці курсанта
 header-watched = пульт: { $instructor }
 header-watched-short = пульт
 header-screen-watched = { $instructor } бачить цей екран
@@ -211,9 +211,9 @@ class-submission-different = пульт зберігає під цією наз�
 class-no-records = до класу { $class } ще не здано жодного запису
 class-no-records-known = до класу { $class } ще не здано жодного запису; є записи класів: { $known }
 class-report-title = Клас { $class }: { $count } { $count ->
-        [one] учень
-        [few] учні
-       *[other] учнів
+        [one] курсант
+        [few] курсанти
+       *[other] курсантів
     }
 class-report-none = Ще жоден політ не зараховано: тренування і польоти скрипту не є результатами.
 class-report-missions = Найкращі бали і спроби за завданнями (✓ пройдено)
@@ -222,7 +222,7 @@ class-report-spread = Найкращі бали класу
 class-report-objectives = Цілі, спершу найменш засвоєні (найкращий політ кожного)
 class-report-skill-spread = Навички, спершу найменш засвоєні
 class-report-practice = тренувань
-class-report-trainees = учнів
+class-report-trainees = курсантів
 class-report-least = найнижчий
 class-report-median = медіана
 class-report-most = найвищий
@@ -250,7 +250,7 @@ class-report-best = { $mission }: найкращий політ, бали { $sco
 # Сторінка результатів
 class-results-title = клас { $class }, { $number } з { $count }: { $page }
 class-results-by-mission = Найкращі бали і спроби за завданнями
-class-results-none = Жоден учень ще не здав запису: консоль здає його, коли закінчується політ завдання.
+class-results-none = Жоден курсант ще не здав запису: консоль здає його, коли закінчується політ завдання.
 class-results-reading = Записи класу читаються.
 class-results-met = хто досяг
 class-results-spread = найнижчий ─ середина █ ─ найвищий

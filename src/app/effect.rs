@@ -238,6 +238,13 @@ pub enum ClassEffect {
     ReadLesson { name: String, seats: Vec<usize> },
     /// At the desk: read a flight of a trainee, and the grades that it has.
     ReadGraded(GradedRequest),
+    /// At the desk: find a flight of a trainee: the one with this record, otherwise the newest one; and the newest one of
+    /// another trainee in the same mission.
+    FindFlights {
+        user: String,
+        record: Option<String>,
+        beside: Option<String>,
+    },
     /// At the desk: keep the grades of a flight.
     KeepGrades {
         user: String,

@@ -19,7 +19,7 @@ use crate::class::protocol::{DeskMessage, SeatMessage};
 use crate::class::{
     ConnectionId, Exam, OrderId, RecordName, Refusal, Submission, SubmissionRefusal,
 };
-use crate::class_results::ClassResults;
+use crate::class_results::{ClassResults, FoundFlights};
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
@@ -311,8 +311,14 @@ pub enum ClassEvent {
         asked: GradedRequest,
         flight: Result<Box<GradedFlight>, Text>,
     },
-    /// At the desk: grades were not kept, with the reason.
-    GradesLost(Text),
+    /// At the desk: the flights that are to be replayed, or why there are none.
+    FlightsFound(Result<FoundFlights, Text>),
+    /// At the desk: the grades of so many flights are not written yet. They are kept in memory, and written later.
+    GradesWait {
+        count: usize,
+        /// Why the last ones could not be written; `None` if all have been written now.
+        fault: Option<Text>,
+    },
     /// At the desk: what happened to its exam.
     Exam(ExamEvent),
     /// At the desk: the results of the class have changed.

@@ -49,6 +49,7 @@ mod hangar;
 mod heights;
 mod help;
 mod history;
+mod insight;
 mod links;
 mod mission_fence;
 mod names;
@@ -91,6 +92,7 @@ pub use hangar::{Hangar, Instance, SitlStage};
 pub use heights::Heights;
 pub use help::{HelpLine, HelpPage, HelpScene, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
+pub use insight::{FlightTruth, TrueVehicle};
 pub use links::{Connections, ForwardSummary, LinkCounters, LinkSummary};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{

@@ -22,6 +22,7 @@ fn hello() -> SeatMessage {
     SeatMessage::Hello(Hello {
         protocol: VERSION,
         sitting: 5,
+        name: None,
     })
 }
 
@@ -202,6 +203,7 @@ async fn who_does_not_read_fills_only_the_queue_of_its_own_connection() {
     let message = DeskMessage::Welcome {
         protocol: VERSION,
         class: text,
+        name: "anna".into(),
     };
     let mut sent = 0;
     while to_silent.has_room() {

@@ -6,6 +6,7 @@
 
 use std::io;
 use std::net::SocketAddr;
+use std::sync::Arc;
 use std::time::Duration;
 
 use tokio::io::DuplexStream;
@@ -22,6 +23,7 @@ use crate::text::Text;
 
 mod inputs;
 mod listen;
+mod places;
 #[cfg(test)]
 mod tests;
 mod transport;
@@ -29,6 +31,8 @@ mod transport;
 pub use inputs::InputSink;
 use inputs::WorldRecord;
 use listen::open_servers;
+use places::PlaceFeed;
+pub use places::{TruePlace, TruePlaces};
 use transport::{PipeTransport, Transports, UdpTransport};
 
 /// At this many simulated vehicle seconds per second or more, steps are distributed over threads. Below that, one core
@@ -201,6 +205,8 @@ pub struct StartedSimulator {
     pub steps: watch::Receiver<u64>,
     /// Copies and replaces the world.
     pub world: WorldHandle,
+    /// Where the vehicles are in truth.
+    pub places: TruePlaces,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,
 }
@@ -252,6 +258,7 @@ impl Simulator {
         let (count, connections) = watch::channel(world.connections());
         let (passed, steps) = watch::channel(world.steps());
         let (handle, requests) = mpsc::channel(1);
+        let places = watch::Sender::new(Arc::default());
         let running = SteppedWorld {
             requests,
             threads: threads(world.vehicles(), speedup),
@@ -259,6 +266,7 @@ impl Simulator {
             transports,
             count,
             passed,
+            places: PlaceFeed::new(places.clone()),
             record,
         };
         let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
@@ -269,6 +277,7 @@ impl Simulator {
             connections,
             steps,
             world: WorldHandle(handle),
+            places,
             task,
         })
     }
@@ -372,6 +381,7 @@ struct SteppedWorld {
     transports: Transports,
     count: watch::Sender<usize>,
     passed: watch::Sender<u64>,
+    places: PlaceFeed,
     threads: usize,
     record: Option<WorldRecord>,
     requests: mpsc::Receiver<WorldRequest>,
@@ -450,6 +460,7 @@ impl SteppedWorld {
             record.publish();
         }
         self.passed.send_replace(self.world.steps());
+        self.places.publish(&self.world);
         self.transports.write(&mut self.world);
     }
 

@@ -5,6 +5,7 @@
 //!   without blocking the screen.
 //! - In flight: `mission_run` steps the mission and its clock, `orders` hands orders to vehicles, mission and
 //!   manoeuvres, `rehearsals` flies plans in the background.
+//! - What only an instructor sees: `truth`.
 //! - What is shown: `links`, `forwards`, and `inspection`, which examines the links for the doctor and the messages
 //!   room.
 //! - What is kept: `recorder` (frames and journal), `logbook` (the record of the mission).
@@ -42,6 +43,7 @@ mod recorder;
 mod rehearsals;
 mod situation;
 mod start;
+mod truth;
 
 use forwards::SessionForwards;
 use hangar::Processes;
@@ -54,6 +56,7 @@ use recorder::FlightRecorder;
 use rehearsals::Rehearsals;
 pub(super) use situation::SessionSituation;
 pub(super) use start::{SessionBackend, SessionPlan};
+use truth::SimulatedTruth;
 
 /// The maximum number of fleet events per tick, so that a flood of notices cannot block the screen.
 const EVENTS_PER_TICK: usize = 2000;
@@ -84,6 +87,8 @@ pub(super) struct RunningSession {
     vehicle_time: PacedClock,
     processes: Option<Processes>,
     recorder: Option<FlightRecorder>,
+    /// Where simulated vehicles are in truth; `None` for processes and for vehicles of others.
+    truth: Option<SimulatedTruth>,
     cancel: CancellationToken,
 }
 

@@ -105,6 +105,8 @@ pub enum Deed {
     Examine(ExamTry),
     /// Let the time of a mission begin whose brief is still shown.
     Start,
+    /// Let the trainee look on at what the desk shows to the class.
+    LookOn,
     /// Note which step of a lesson the seat is at, and report when its condition holds.
     Step(NotedStep),
 }

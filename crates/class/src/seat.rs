@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use super::watch::{Picture, PicturePart, PictureReceiver};
 use super::{HandIn, Happening, Journal, Order, OrderId, Outcome, Words};
 
 /// How many orders a seat remembers, so that it does not carry one out twice.
@@ -25,7 +26,11 @@ pub struct Seat {
     consent: Consent,
     instructor: Option<String>,
     class: Option<Words>,
+    /// The name that the desk has given to the seat; a new connection asks for it again.
+    name: Option<Words>,
     is_screen_watched: bool,
+    /// What the desk shows to the class; `None` while the trainee does not look on.
+    shown: Option<PictureReceiver>,
     journal: Journal,
     seen: VecDeque<OrderId>,
     hand_in: HandIn,
@@ -39,7 +44,9 @@ impl Seat {
             consent,
             instructor: None,
             class: None,
+            name: None,
             is_screen_watched: false,
+            shown: None,
             journal: Journal::default(),
             seen: VecDeque::new(),
             hand_in: HandIn::default(),
@@ -71,8 +78,9 @@ impl Seat {
     }
 
     /// The desk has taken the seat into its class.
-    pub fn enter(&mut self, class: Words) {
+    pub fn enter(&mut self, class: Words, name: Words) {
         self.class = Some(class);
+        self.name = Some(name).filter(|name| !name.is_empty());
         self.hand_in.retry();
     }
 
@@ -81,6 +89,34 @@ impl Seat {
         self.instructor = None;
         self.class = None;
         self.is_screen_watched = false;
+        self.shown = None;
+    }
+
+    /// The name that the desk has given to the seat.
+    pub fn name(&self) -> Option<&Words> {
+        self.name.as_ref()
+    }
+
+    /// The trainee looks on at what the desk shows to the class, or no longer does.
+    pub fn look_on(&mut self, on: bool) {
+        self.shown = on.then(PictureReceiver::default);
+    }
+
+    /// Whether the trainee looks on.
+    pub fn looks_on(&self) -> bool {
+        self.shown.is_some()
+    }
+
+    /// Takes in a part of what the desk shows.
+    pub fn see(&mut self, part: &PicturePart) {
+        if let Some(shown) = &mut self.shown {
+            shown.receive(part);
+        }
+    }
+
+    /// What the desk shows, once a picture has come.
+    pub fn shown(&self) -> Option<&Picture> {
+        self.shown.as_ref()?.picture()
     }
 
     /// The desk begins or ends to watch the screen.

@@ -6,8 +6,8 @@ use std::time::Duration;
 use super::order::ANSWERED_WITHIN;
 use super::watch::{Picture, PicturePart, PictureReceiver};
 use super::{
-    Attention, ConnectionId, Deed, Entry, Happening, JournalCopy, LessonPosition, Order, OrderId,
-    Outcome, SeatReport, Words,
+    Attention, ConnectionId, Deed, Entry, Happening, Insight, JournalCopy, LessonPosition, Order,
+    OrderId, Outcome, SeatReport, Words,
 };
 
 /// The maximum number of orders to one seat that a desk remembers.
@@ -68,6 +68,8 @@ pub struct SeatRecord {
     pub(super) screen: PictureReceiver,
     /// When something of its screen last came.
     pub(super) seen_at: Option<Duration>,
+    /// What is behind the screen, while the desk watches it.
+    pub(super) insight: Option<Insight>,
     orders: VecDeque<GivenOrder>,
     /// Where it is in a lesson; `None` without one.
     pub lesson: Option<LessonPosition>,
@@ -96,6 +98,7 @@ impl SeatRecord {
             attention: Attention::new(now),
             screen: PictureReceiver::default(),
             seen_at: None,
+            insight: None,
             orders: VecDeque::new(),
             lesson: None,
             lesson_found_at: None,
@@ -118,6 +121,7 @@ impl SeatRecord {
         self.presence = Presence::Here(connection);
         self.heard_at = now;
         self.forget_screen();
+        self.insight = None;
     }
 
     pub(super) fn forget_screen(&mut self) {
@@ -134,6 +138,16 @@ impl SeatRecord {
     /// The screen of the seat, while the desk watches it and a picture has come.
     pub fn picture(&self) -> Option<&Picture> {
         self.screen.picture()
+    }
+
+    /// What is behind the screen, while the desk watches the seat and it flies.
+    pub fn insight(&self) -> Option<&Insight> {
+        self.insight.as_ref()
+    }
+
+    /// Whether the trainee sees what the desk shows to the class.
+    pub fn looks_on(&self) -> bool {
+        self.is_here() && self.report.as_ref().is_some_and(|it| it.looks_on)
     }
 
     /// For how long nothing of the watched screen has come; `None` before the first picture.

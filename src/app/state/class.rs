@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use super::State;
+use super::{Room, State};
 use crate::class::{
     Consent, Danger, Deed, Desk, Happening, NotedStep, OrderId, Seat, TryName, Words,
 };
@@ -50,6 +50,8 @@ pub struct SeatPlace {
     pub(in crate::app) has_passed: bool,
     /// The entries of the ledger that the desk has caused, which are no commands of the trainee.
     pub(in crate::app) desk_entries: BTreeSet<EntryId>,
+    /// The room that was shown before the trainee looked on at what the desk shows.
+    pub(in crate::app) looked_from: Option<Room>,
     /// Whether the desk has frozen the flight.
     pub(in crate::app) is_frozen: bool,
     /// The person at the desk, once that person has taken over vehicles of this flight.
@@ -167,6 +169,7 @@ impl SeatPlace {
             flights: 0,
             has_passed: false,
             desk_entries: BTreeSet::new(),
+            looked_from: None,
             is_frozen: false,
             desk_pilot: None,
             held: None,
@@ -212,6 +215,8 @@ impl SeatPlace {
                 self.is_frozen = false;
                 self.desk_pilot = None;
                 self.situations.clear();
+                // A flight is never hidden by what the desk shows.
+                self.seat.look_on(false);
                 self.flights += 1;
                 // The flight of the try could not be begun, and this is another one.
                 let is_other = |it: &OpenTry| mission.as_ref() != Some(&it.name.mission);

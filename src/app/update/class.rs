@@ -3,6 +3,7 @@
 //! # How the parts fit
 //! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
 //! - After a flight: `hand_in`, the records that a seat hands in.
+//! - What the desk shows to the class: `showing`, at the desk and at a seat.
 //! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan; `exams` holds an
 //!   exam; `grading` is the instructor's judgement of a flight.
 
@@ -24,10 +25,13 @@ mod grading;
 mod hand_in;
 mod lessons;
 mod orders;
+mod showing;
 mod witness;
 
 pub use desk::instruct;
+pub use exams::end_at_desk as end_exam;
 pub use orders::recalled;
+pub use showing::look_away;
 pub use witness::witnessed;
 
 /// The interval between searches for dangers, in milliseconds.
@@ -82,14 +86,9 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
             seats,
         } => lessons::read(state, &name, lesson, &seats),
         ClassEvent::Graded { asked, flight } => grading::read(state, &asked, flight),
-        ClassEvent::GradesLost(fault) => {
-            tell(
-                state,
-                Severity::Warning,
-                text!("grading-lost", fault = fault),
-            );
-        }
+        ClassEvent::GradesWait { count, fault } => grading::wait(state, count, fault),
         ClassEvent::Exam(event) => return exams::happened(state, event),
+        ClassEvent::FlightsFound(found) => return showing::found(state, found),
         ClassEvent::Results(results) => state.rooms.class.results = Some(results),
     }
     Effects::none()
@@ -104,6 +103,7 @@ fn found(state: &mut State, instructor: &str) {
 fn lost(state: &mut State) {
     let was_watched = state.class.watcher().is_some();
     let was_frozen = state.class.is_frozen() && state.session.is_paused();
+    showing::look_away(state);
     if let Some(place) = state.class.seat_mut() {
         place.seat.lose();
     }
@@ -123,11 +123,11 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
         place.heard_at = wall;
     }
     match message {
-        DeskMessage::Welcome { class, .. } => {
+        DeskMessage::Welcome { class, name, .. } => {
             let Some(place) = state.class.seat_mut() else {
                 return Effects::none();
             };
-            place.seat.enter(class.clone());
+            place.seat.enter(class.clone(), name);
             let instructor = place.seat.instructor().unwrap_or_default().to_owned();
             let text = text!(
                 "class-joined",
@@ -141,11 +141,17 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
             tell(state, Severity::Warning, text);
         }
         DeskMessage::Order(given) => return orders::given(state, given),
-        DeskMessage::Watch { on } => {
+        DeskMessage::Watch { on, insight } => {
             if let Some(place) = state.class.seat_mut() {
-                place.seat.let_watch(on);
+                place.seat.let_watch(on || insight);
             }
         }
+        DeskMessage::Show(part) => {
+            if let Some(place) = state.class.seat_mut() {
+                place.seat.see(&part);
+            }
+        }
+        DeskMessage::Hide => showing::look_away(state),
         DeskMessage::Settled { record, end } => return hand_in::settled(state, record, end),
         // What is to be sent is a matter of the connection.
         DeskMessage::Ask { .. }
@@ -170,6 +176,7 @@ pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: 
     match &state.class {
         ClassRole::Desk(_) if is_tick => {
             desk::tick(state);
+            effects.extend(showing::tick(state));
             effects.extend(lessons::tick(state));
             effects.extend(exams::tick(state));
             return;
@@ -283,6 +290,11 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         ClassLine::Grading(line) => grading::carry_out(state, line),
         ClassLine::Watch(choice) => desk::watch(state, &choice),
         ClassLine::Unwatch => desk::unwatch(state),
+        ClassLine::Tiles => desk::show_tiles(state),
+        ClassLine::State => desk::show_state(state),
+        ClassLine::Replay(trainees) => showing::replay(state, trainees),
+        ClassLine::Show(seats) => showing::show_class(state, &seats),
+        ClassLine::StopShow => showing::stop(state),
     }
 }
 

@@ -8,7 +8,7 @@ use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
 use crate::app::room::{Room, files, parameters};
 use crate::app::state::{Confirm, Consequence, Overlay};
-use crate::class::{self, Desk, Words};
+use crate::class::{self, Words};
 use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ClassLine, ConsoleLine, Meaning, SeatChoice, Statement, words};
@@ -67,8 +67,8 @@ fn for_watched_seat(
     line: &str,
     statement: &Statement,
 ) -> Result<Option<ConsoleLine>, Diagnostic> {
-    let watched = state.class.desk().and_then(Desk::watched);
-    if watched.is_none() || !matches!(statement.meaning, Meaning::Act(_)) {
+    let is_watching = state.rooms.class.page().seat().is_some();
+    if !is_watching || !matches!(statement.meaning, Meaning::Act(_)) {
         return Ok(None);
     }
     let line = Words::whole(line)

@@ -4,7 +4,9 @@ use super::{Built, Problem, console};
 use crate::class::{Deed, LessonDirection, Words};
 use crate::language::VehicleChoice;
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
-use crate::language::console::{ClassLine, ConsoleLine, GradingLine, Rating, Report, SeatChoice};
+use crate::language::console::{
+    ClassLine, ConsoleLine, GradingLine, Rating, ReplayedTrainees, Report, SeatChoice,
+};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
@@ -32,6 +34,11 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class say @anna 3 takeoff 20",
         "class give",
         "class watch @anna",
+        "class tiles",
+        "class state",
+        "class replay anna with bohdan",
+        "class show",
+        "class show stop",
         "class results",
         "class fly @all 00 hold",
         "class start @all",
@@ -86,6 +93,24 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         }),
         Form::new(&[Argument::flag("unwatch", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Unwatch))
+        }),
+        Form::new(&[Argument::flag("tiles", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::Tiles))
+        }),
+        Form::new(&[Argument::flag("state", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::State))
+        }),
+        Form::new(&[Argument::flag("replay", ""), TRAINEE, BESIDE], |given| {
+            let [trainee, beside] =
+                ["trainee", "beside"].map(|name| given.word(name).map(str::to_owned));
+            let trainees = ReplayedTrainees { trainee, beside };
+            console(ConsoleLine::Class(ClassLine::Replay(trainees)))
+        }),
+        Form::new(&[SHOW, Argument::flag("stop", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::StopShow))
+        }),
+        Form::new(&[SHOW, SEAT], |given| {
+            console(ConsoleLine::Class(ClassLine::Show(seats(given))))
         }),
         Form::new(&[Argument::flag("results", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Results))
@@ -216,6 +241,14 @@ const LESSON_NAME: Argument =
 
 const TRAINEE: Argument =
     Argument::value("trainee", Kind::Name(NameList::Trainee), "argument-trainee").optional();
+const BESIDE: Argument = Argument::keyed(
+    "with",
+    "beside",
+    Kind::Name(NameList::Trainee),
+    "argument-beside",
+)
+.optional();
+const SHOW: Argument = Argument::flag("show", "");
 const RUBRIC: Argument = Argument::keyed(
     "with",
     "rubric",

@@ -20,6 +20,7 @@ mod exams;
 mod lessons;
 mod pilots;
 mod records;
+mod showing;
 mod situations;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");

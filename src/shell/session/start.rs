@@ -16,6 +16,7 @@ use super::links::SessionLinks;
 use super::mission_run::MissionRun;
 use super::recorder::FlightRecorder;
 use super::rehearsals::Rehearsals;
+use super::truth::SimulatedTruth;
 use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::exercise::PacedClock;
@@ -184,6 +185,7 @@ impl RunningSession {
             vehicle_time: PacedClock::new(backend.speedup, Duration::ZERO),
             processes: None,
             recorder,
+            truth: None,
             cancel,
         }
     }
@@ -311,6 +313,7 @@ impl RunningSession {
         let pace = self.pace.subscribe();
         let simulator = Simulator::start_recorded(world, pace, &endpoints, record, cancel).await?;
         self.world = Some(simulator.world);
+        self.truth = Some(SimulatedTruth::new(simulator.places));
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }

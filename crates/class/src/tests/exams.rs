@@ -320,6 +320,17 @@ fn a_seat_that_flies_on_after_its_time_is_asked_to_end_and_nothing_is_opened_aft
 }
 
 #[test]
+fn an_exam_ends_by_itself_after_its_end_time_once_nobody_flies() {
+    let mut hall = Hall::flying();
+    hall.until(1015);
+    let is_stopped = |hall: &Hall| hall.desk.exam().expect("an exam").is_stopped();
+    assert!(!is_stopped(&hall), "anna still flies");
+    hall.report(None);
+    hall.until(1030);
+    assert!(is_stopped(&hall));
+}
+
+#[test]
 fn a_seat_that_cannot_open_a_try_is_asked_again_and_one_that_flew_it_is_not() {
     let mut hall = Hall::new();
     hall.until(12);

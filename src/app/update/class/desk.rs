@@ -3,7 +3,9 @@
 use super::super::show::show;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
-use crate::app::room::class;
+use crate::app::room::class::{
+    self, BesideScreen, BoardDetail, DeskPage, ResultsPage, ResultsView,
+};
 use crate::app::state::{Consequence, Room};
 use crate::class::protocol::{Denial, SeatMessage};
 use crate::class::{ConnectionId, Deed, Desk, DeskHeard, GivenOrder, OrderState, SeatRecord};
@@ -23,12 +25,14 @@ pub fn heard(
     message: SeatMessage,
 ) -> Effects {
     let wall = state.wall;
+    let watched = state.rooms.class.page().seat();
     let Some(desk) = state.class.desk_mut() else {
         return Effects::none();
     };
-    let before = watched_order(desk);
+    let before = newest_order(desk, watched);
     let outcome = desk.hear(connection, user, message, wall);
-    let ended = watched_order(desk).filter(|now| before.as_ref().is_some_and(|it| it != now));
+    let ended =
+        newest_order(desk, watched).filter(|now| before.as_ref().is_some_and(|it| it != now));
     if let Some(GivenOrder {
         order,
         state: OrderState::Ended(outcome),
@@ -61,9 +65,9 @@ pub fn heard(
     }
 }
 
-/// The newest order to the seat whose screen is watched: its outcome is not below the board then.
-fn watched_order(desk: &Desk) -> Option<GivenOrder> {
-    let seat = desk.seats().get(desk.watched()?)?;
+/// The newest order to the watched seat: its outcome is not below the board then.
+fn newest_order(desk: &Desk, watched: Option<usize>) -> Option<GivenOrder> {
+    let seat = desk.seats().get(watched?)?;
     seat.orders().next_back().cloned()
 }
 
@@ -93,11 +97,9 @@ pub fn left(state: &mut State, connection: ConnectionId) {
 /// Gives up waiting for answers to old orders, and ends watching a screen that is not shown any more.
 pub fn tick(state: &mut State) {
     let wall = state.wall;
-    if state.room != Room::Class
-        && let Some(desk) = state.class.desk_mut()
-        && desk.watched().is_some()
-    {
-        desk.watch(None);
+    let is_watching = state.rooms.class.page().seat().is_some();
+    if state.room != Room::Class && is_watching {
+        class::show_page(state, DeskPage::Board);
     }
     if state.class.desk_mut().is_some_and(|desk| desk.expire(wall)) {
         state.touch();
@@ -194,7 +196,7 @@ pub fn watch(state: &mut State, choice: &SeatChoice) -> Result<Effects, Text> {
         return Err(text!("class-no-seat"));
     }
     show(state, Room::Class);
-    class::watch(state, seat);
+    class::show_screen(state, seat);
     Ok(Effects::none())
 }
 
@@ -203,21 +205,60 @@ pub fn watch(state: &mut State, choice: &SeatChoice) -> Result<Effects, Text> {
 /// # Errors
 /// This console is no desk.
 pub fn unwatch(state: &mut State) -> Result<Effects, Text> {
-    let desk = state.class.desk_mut();
-    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
+    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    class::show_page(state, DeskPage::Board);
     Ok(Effects::none())
 }
 
-/// Shows the injects of the seat under the cursor instead of what happened there.
+/// Shows what is behind the screens of the marked seats; without marks, of the first ones of the board.
+///
+/// # Errors
+/// This console is no desk, or no seat is connected.
+pub fn show_tiles(state: &mut State) -> Result<Effects, Text> {
+    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    show(state, Room::Class);
+    if class::show_tiles(state) {
+        Ok(Effects::none())
+    } else {
+        Err(text!("class-no-seat"))
+    }
+}
+
+/// Shows the state of the flight instead of the watched screen, or the screen again; without a watched screen, that of
+/// the seat under the cursor.
+///
+/// # Errors
+/// This console is no desk, or no connected seat is meant.
+pub fn show_state(state: &mut State) -> Result<Effects, Text> {
+    let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    if state.rooms.class.screen_mut().is_none() {
+        let seat = connected(state, desk, &SeatChoice::Addressed)?[0];
+        show(state, Room::Class);
+        class::show_screen(state, seat);
+    }
+    if let Some(page) = state.rooms.class.screen_mut() {
+        page.beside = match page.beside() {
+            BesideScreen::Flight => BesideScreen::IfRoom,
+            BesideScreen::IfRoom | BesideScreen::Injects => BesideScreen::Flight,
+        };
+    }
+    state.touch();
+    Ok(Effects::none())
+}
+
+/// Shows the injects of the seat under the cursor instead of what happened there, or beside its screen.
 ///
 /// # Errors
 /// This console is no desk.
 pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
     state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
-    state.rooms.class.close_grading();
-    state.rooms.class.shows_injects = true;
-    state.rooms.class.lessons.is_shown = false;
+    if let Some(page) = state.rooms.class.screen_mut() {
+        page.beside = BesideScreen::Injects;
+        return Ok(Effects::none());
+    }
+    class::show_page(state, DeskPage::Board);
+    state.rooms.class.detail = BoardDetail::Injects;
     Ok(Effects::none())
 }
 
@@ -226,10 +267,13 @@ pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
 /// # Errors
 /// This console is no desk.
 pub fn show_results(state: &mut State) -> Result<Effects, Text> {
-    let desk = state.class.desk_mut();
-    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
+    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
-    state.rooms.class.show_results();
+    let view = match state.rooms.class.page() {
+        DeskPage::Results(view) => view.next(),
+        _ => ResultsView::of(ResultsPage::Objectives),
+    };
+    class::show_page(state, DeskPage::Results(view));
     Ok(Effects::none())
 }
 

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::super::order::{self, Given};
-use super::{clock_s, tell};
+use super::{clock_s, showing, tell};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect, TerminalEffect};
 use crate::app::state::{Activity, HeldBrief, OrderTrace, PendingOrder};
@@ -147,6 +147,10 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, OrderFault>
         }
         Deed::Examine(opened) => flights::examine(state, opened)?,
         Deed::Start => flights::start(state)?,
+        Deed::LookOn => {
+            showing::look_on(state)?;
+            BegunOrder::default()
+        }
         // It is noted without being carried out.
         Deed::Step(_) => BegunOrder::default(),
     };
@@ -290,9 +294,11 @@ fn awaits_freeze(pending: &[PendingOrder]) -> bool {
 fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
     let session = &state.session;
     let is_done = match &pending.deed {
-        Deed::Message { .. } | Deed::TakeOver { .. } | Deed::HandBack { .. } | Deed::Step(_) => {
-            true
-        }
+        Deed::Message { .. }
+        | Deed::TakeOver { .. }
+        | Deed::HandBack { .. }
+        | Deed::Step(_)
+        | Deed::LookOn => true,
         // The shell reports it, or what begins the flight, or the ledger.
         Deed::Mark { .. }
         | Deed::Command { .. }

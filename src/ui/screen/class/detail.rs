@@ -18,22 +18,22 @@ const ORDERS: usize = 3;
 
 pub fn draw(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&title(seat), buffer);
-    let orders = seat.orders().rev().take(ORDERS).map(order);
-    let missing = seat.journal.missing();
-    let missing = (missing > 0).then(|| (text!("class-missing", count = missing), Role::Warning));
-    let journal = seat
-        .journal
-        .entries()
-        .rev()
-        .filter_map(|it| entry(it, seat));
     let lines = taken(seat)
         .into_iter()
         .chain(situations(seat))
         .chain(armed(seat))
-        .chain(orders)
-        .chain(missing)
-        .chain(journal);
+        .chain(events(seat, ORDERS));
     draw_lines(lines, panel.at(inner), buffer);
+}
+
+/// The newest orders, at most so many, and what happened at the seat, the newest first.
+pub(super) fn events(seat: &SeatRecord, orders: usize) -> impl Iterator<Item = (Text, Role)> {
+    let orders = seat.orders().rev().take(orders).map(order);
+    let missing = seat.journal.missing();
+    let missing = (missing > 0).then(|| (text!("class-missing", count = missing), Role::Warning));
+    let journal = seat.journal.entries().rev();
+    let journal = journal.filter_map(|it| entry(it, seat));
+    orders.chain(missing).chain(journal)
 }
 
 /// The injects that the seat's mission permits, after those that are armed.
@@ -73,7 +73,11 @@ pub(super) fn title(seat: &SeatRecord) -> String {
     }
 }
 
-fn draw_lines(lines: impl Iterator<Item = (Text, Role)>, panel: Panel<'_>, buffer: &mut Buffer) {
+pub(super) fn draw_lines(
+    lines: impl Iterator<Item = (Text, Role)>,
+    panel: Panel<'_>,
+    buffer: &mut Buffer,
+) {
     let columns = usize::from(panel.area.width);
     for (row, (text, role)) in (0..panel.area.height).zip(lines) {
         let line = clip(&panel.text(&text), columns);
@@ -108,7 +112,7 @@ fn situations(seat: &SeatRecord) -> Option<(Text, Role)> {
 }
 
 /// The injects that wait for their conditions.
-fn armed(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
+pub(super) fn armed(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
     let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
     let armed = flight.map_or(&[][..], |it| &it.armed).iter();
     armed.map(|it| {
