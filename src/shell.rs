@@ -178,7 +178,7 @@ struct Console {
     /// The situations of this session, by their places.
     situations: BTreeMap<usize, Situation>,
     /// A situation that is being captured or recalled.
-    situation_work: Option<SituationWork>,
+    situation_work: VecDeque<SituationWork>,
     /// Whether time is stopped until the trainee leaves the brief.
     awaits_reader: bool,
     /// The outcome of a program's line, until the program is answered.
@@ -252,7 +252,7 @@ impl Console {
             careers: None,
             next_look: LOOK_EVERY,
             situations: BTreeMap::new(),
-            situation_work: None,
+            situation_work: VecDeque::new(),
             awaits_reader: false,
             ending: SessionEnding::default(),
             program_answer: None,
@@ -355,7 +355,7 @@ impl Console {
             self.settle(finished);
         }
         self.take_in().await;
-        self.finish_situation().await;
+        self.finish_situations().await;
         self.take_in().await;
     }
 

@@ -154,6 +154,7 @@ impl VehicleTask {
             ToVehicle::Recall(session) => {
                 self.session = *session;
                 self.backlog.clear();
+                self.route.0.hush(self.session.is_cut());
             }
             ToVehicle::NewVehicle(system) => self.session.hear_new_vehicle(system, now),
             ToVehicle::StationHeard => self.session.station_heard(now),

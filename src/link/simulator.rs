@@ -442,6 +442,8 @@ impl SteppedWorld {
                 self.end();
                 self.record = None;
                 self.world = *world;
+                self.places.start_again();
+                self.places.publish(&self.world);
                 self.passed.send_replace(self.world.steps());
                 let _ = answer.send(());
             }

@@ -135,6 +135,11 @@ impl End {
     }
 }
 
+/// Whether a line ends a record because an earlier situation of the flight was recalled, which makes it practice.
+pub fn is_recall(line: &[u8]) -> bool {
+    matches!(serde_json::from_slice(line), Ok(RecordLine::Recall))
+}
+
 /// The mission time of a line of a record; `None` if it has none.
 pub fn time_of_line(line: &[u8]) -> Option<Duration> {
     let line: RecordLine = serde_json::from_slice(line).ok()?;

@@ -45,25 +45,26 @@ impl Console {
             }
             SituationWork::Recall { .. } => self.pause(),
         }
-        self.situation_work = Some(work);
+        self.situation_work.push_back(work);
     }
 
-    /// Does what was begun.
-    pub(super) async fn finish_situation(&mut self) {
-        match self.situation_work.take() {
-            Some(SituationWork::Capture { id, slot }) => {
-                let refusal = self.capture(slot).await.err();
-                if !self.app.state().session().is_paused() {
-                    self.clock.go_on();
-                    self.running.iter().for_each(|running| running.hold(false));
+    /// Does what was begun, in its order.
+    pub(super) async fn finish_situations(&mut self) {
+        let mut was_recalled = false;
+        while let Some(work) = self.situation_work.pop_front() {
+            let (id, refusal) = match work {
+                SituationWork::Capture { id, slot } => (id, self.capture(slot).await.err()),
+                SituationWork::Recall { id, slot, line } => {
+                    was_recalled = true;
+                    (id, self.recall(slot, line).await.err())
                 }
-                self.post(ClassEvent::Begun { id, refusal });
+            };
+            self.post(ClassEvent::Begun { id, refusal });
+            let is_last = self.situation_work.is_empty();
+            if is_last && !was_recalled && !self.app.state().session().is_paused() {
+                self.clock.go_on();
+                self.running.iter().for_each(|running| running.hold(false));
             }
-            Some(SituationWork::Recall { id, slot, line }) => {
-                let refusal = self.recall(slot, line).await.err();
-                self.post(ClassEvent::Begun { id, refusal });
-            }
-            None => {}
         }
     }
 

@@ -99,7 +99,12 @@ impl Seat {
 
     /// The trainee looks on at what the desk shows to the class, or no longer does.
     pub fn look_on(&mut self, on: bool) {
-        self.shown = on.then(PictureReceiver::default);
+        if on {
+            // A trainee who looks on already keeps the picture: the desk goes on with what has changed.
+            self.shown.get_or_insert_default();
+        } else {
+            self.shown = None;
+        }
     }
 
     /// Whether the trainee looks on.

@@ -279,6 +279,11 @@ fn a_trainee_looks_on_at_what_the_desk_shows_until_either_ends_it() {
     rig.desk.give(0, Deed::LookOn, rig.now);
     run(&mut rig, 10);
     assert_eq!(rig.seat.shown(), Some(&Picture::blank(4, 1)));
+    // Another order for those who came late leaves the picture to those who look on.
+    rig.desk.give(0, Deed::LookOn, rig.now);
+    run(&mut rig, 2);
+    assert!(rig.seat.shown().is_some());
+    run(&mut rig, 10);
     rig.seat.look_on(false);
     run(&mut rig, 10);
     assert!(!rig.desk.seats()[0].looks_on());

@@ -224,7 +224,13 @@ impl SeatPlace {
                     self.exam = None;
                 }
                 let is_same = |it: &HeldBrief| mission.as_ref() == Some(&it.mission);
-                self.held = self.held.take().filter(is_same);
+                // A trainee who has left the brief and opens it again still waits.
+                let flight = self.flights;
+                self.held = self
+                    .held
+                    .take()
+                    .filter(is_same)
+                    .map(|it| HeldBrief { flight, ..it });
                 self.has_passed = false;
                 self.desk_entries.clear();
                 self.danger = None;

@@ -14,7 +14,7 @@ use crate::app::state::{ClassRole, Consequence};
 use crate::class::protocol::DeskMessage;
 use crate::class::{Consent, Happening};
 use crate::language::ClassLine;
-use crate::notice::Notice;
+use crate::notice::{Notice, NoticeSource};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -119,7 +119,10 @@ fn lost(state: &mut State) {
 
 fn said(state: &mut State, message: DeskMessage) -> Effects {
     let wall = state.wall;
-    if let Some(place) = state.class.seat_mut() {
+    // A desk that denies the seat has nothing to say about its flight.
+    if let Some(place) = state.class.seat_mut()
+        && !matches!(message, DeskMessage::Denied(_))
+    {
         place.heard_at = wall;
     }
     match message {
@@ -164,9 +167,10 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
 
 /// Shows a text on the last line, and keeps it among the notices.
 fn tell(state: &mut State, severity: Severity, text: Text) {
-    state
-        .notices
-        .push(Notice::general(state.now, severity, text.clone()));
+    state.notices.push(Notice {
+        source: NoticeSource::Class,
+        ..Notice::general(state.now, severity, text.clone())
+    });
     state.say(severity, text);
 }
 

@@ -178,7 +178,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
 }
 
 /// The reason to ask before an order is sent, beyond the danger of its verb; `None` without one.
-fn hazard(state: &State, order: &Order) -> Option<Text> {
+pub fn hazard(state: &State, order: &Order) -> Option<Text> {
     let doubt = || parameters::order_doubt(state, order);
     let price = || hint_price(state, order);
     own_fence::hazard(state, order)

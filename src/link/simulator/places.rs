@@ -36,6 +36,11 @@ impl PlaceFeed {
         }
     }
 
+    /// Forgets when the places were published last, because another world takes the place of the present one.
+    pub fn start_again(&mut self) {
+        self.published = None;
+    }
+
     /// Publishes the places if they are due and somebody wants them.
     pub fn publish(&mut self, world: &World) {
         let steps = world.steps();

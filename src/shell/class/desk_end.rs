@@ -96,6 +96,9 @@ impl DeskEnd {
             files.give(DeskTask::WriteAgain);
         }
         let Self { open, shown, .. } = self;
+        if !desk.is_showing() {
+            *shown = ShownPicture::default();
+        }
         let now = state.wall();
         for (&connection, DeskConnection { open, .. }) in open {
             while open.outbox.has_room() {

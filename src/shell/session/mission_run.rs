@@ -125,7 +125,10 @@ impl MissionRun {
     /// Ends the record because the flight continues from an earlier situation.
     pub fn leave_record(&mut self) {
         let flight = self.driver.flight_mut();
-        flight.record_recall();
+        // A record that is complete stays as it is.
+        if !flight.is_over() {
+            flight.record_recall();
+        }
         if let Some(logbook) = self.logbook.take() {
             logbook.finish(flight);
         }

@@ -20,6 +20,7 @@ pub(in crate::shell) struct SessionSituation {
     operator: Operator,
     paths: Vec<Path>,
     vehicle_time: PacedClock,
+    speedup: f64,
 }
 
 struct VehicleSession {
@@ -44,6 +45,7 @@ impl RunningSession {
             operator: self.operator.clone(),
             paths: self.paths.clone(),
             vehicle_time: self.vehicle_time,
+            speedup: self.speedup(),
         })
     }
 
@@ -73,6 +75,8 @@ impl RunningSession {
         self.operator = situation.operator.clone();
         self.paths.clone_from(&situation.paths);
         self.vehicle_time = situation.vehicle_time;
+        self.pace
+            .send_modify(|pace| pace.speedup = situation.speedup);
         let run = self.mission_run.as_mut()?;
         let notice = run.recall(situation.mission.as_ref()?)?;
         Some(Notice { at: now, ..notice })

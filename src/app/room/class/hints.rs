@@ -88,11 +88,11 @@ const SCREEN: &[KeyHint] = &[
     hint_words("class state", "class-key-state"),
     hint_words("class message ", "class-key-message"),
     hint_words("class freeze", "class-key-freeze"),
-    hint_words("class take ", "class-key-take"),
-    hint_words("class give ", "class-key-give"),
     hint_words("class resume", "class-key-resume"),
-    hint_words("class mark ", "class-key-bookmark"),
+    hint_words("class take ", "class-key-take"),
     hint_words("class inject ", "class-key-inject"),
+    hint_words("class mark ", "class-key-bookmark"),
+    hint_words("class give ", "class-key-give"),
     hint_words("class injects", "class-key-injects"),
 ];
 

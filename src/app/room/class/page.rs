@@ -128,6 +128,11 @@ impl DeskPage {
         }
     }
 
+    /// Whether seats can be seen, to which an order without seats can go.
+    pub fn is_about_seats(&self) -> bool {
+        matches!(self, Self::Board | Self::Screen(_) | Self::Tiles(_))
+    }
+
     /// The seat that orders without seats go to, and lines about one seat are about; `None` on pages that are not about
     /// a seat.
     pub fn seat(&self) -> Option<usize> {

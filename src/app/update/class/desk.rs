@@ -15,7 +15,7 @@ use crate::mission::check_condition;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
-use crate::verb::Danger;
+use crate::verb::{Danger, Verb};
 
 /// Takes in a line of a seat.
 pub fn heard(
@@ -118,6 +118,9 @@ pub fn give(state: &mut State, choice: &SeatChoice, deed: Deed) -> Result<Effect
     {
         check_condition(when.as_str()).map_err(|fault| fault.message)?;
     }
+    if *choice == SeatChoice::Addressed && !state.rooms.class.page().is_about_seats() {
+        return Err(text!("class-no-seat"));
+    }
     let here = connected(state, desk, choice)?;
     if let Some((question, reason)) = question(state, &here, &deed)? {
         let then = Consequence::Instruct { seats: here, deed };
@@ -141,20 +144,26 @@ fn question(state: &State, seats: &[usize], deed: &Deed) -> Result<Option<(Text,
     let Deed::Command { line } = deed else {
         return Ok(None);
     };
+    let ask = |verb: &Verb| {
+        let question = text!(
+            "class-ask-command",
+            line = line.as_str().to_uppercase(),
+            seats = names()
+        );
+        let reason = Text::new(format!("verb-{}", verb.name), Vec::new());
+        (verb.danger == Danger::Confirm).then_some((question, reason))
+    };
     // Names that only the seat knows are for the seat to judge.
     let Ok(read) = state.with_context(|context| language::parse(line.as_str(), context)) else {
-        return Ok(None);
+        let words = language::words(line.as_str()).into_iter();
+        return Ok(words
+            .filter_map(|word| language::verb(word.text))
+            .find_map(ask));
     };
     if !read.verb.counts_as.is_for_vehicles() || !matches!(read.meaning, Meaning::Act(_)) {
         return Err(text!("class-say-vehicles"));
     }
-    let question = text!(
-        "class-ask-command",
-        line = line.as_str().to_uppercase(),
-        seats = names()
-    );
-    let reason = Text::new(format!("verb-{}", read.verb.name), Vec::new());
-    Ok((read.verb.danger == Danger::Confirm).then_some((question, reason)))
+    Ok(ask(read.verb))
 }
 
 /// The connected seats that are meant.

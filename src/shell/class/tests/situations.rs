@@ -75,3 +75,21 @@ async fn a_recalled_flight_goes_on_from_where_it_was_captured() {
     let landed = height(&anna);
     assert!(landed < 0.5, "{landed}");
 }
+
+#[tokio::test(start_paused = true)]
+async fn two_orders_at_once_are_carried_out_in_their_order() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut desk = Box::pin(self::desk(folder.path())).await;
+    let mut anna = Box::pin(seat(folder.path())).await;
+    run(&mut [&mut desk, &mut anna], 4).await;
+    anna.console.feed(key(KeyCode::Enter)).await;
+    run(&mut [&mut desk, &mut anna], 5).await;
+    desk.say("class capture early").await;
+    desk.say("class capture again").await;
+    run(&mut [&mut desk, &mut anna], 2).await;
+    let ends: Vec<OrderState> = desk.seats()[0].orders().map(|it| it.state).collect();
+    assert_eq!(ends, [OrderState::Ended(Outcome::Done); 2]);
+    let then = clock(&anna);
+    run(&mut [&mut desk, &mut anna], 5).await;
+    assert!(clock(&anna) > then, "its time goes on");
+}

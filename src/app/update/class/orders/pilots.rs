@@ -70,6 +70,13 @@ pub(super) fn command(state: &mut State, line: &str) -> Result<BegunOrder, Order
     }
     match order::read_for(state, line, &flown) {
         Ok(Given::Order(asked)) if asked.verb.counts_as.is_for_vehicles() => {
+            // The trainee would be asked; the desk cannot know of it.
+            if let Some(hazard) = order::hazard(state, &asked) {
+                return Err(OrderFault {
+                    refusal: Refusal::Line,
+                    why: Some(state.locale.text(&hazard).as_str().into()),
+                });
+            }
             let by = Some(person);
             let sent = order::send(state, Order { by, ..asked });
             Ok(BegunOrder {

@@ -28,6 +28,16 @@ fn check(state: &State) -> Result<(), Refusal> {
     if session.activity.is_none() || state.replay.is_some() || session.is_reading() {
         return Err(Refusal::NotFlying);
     }
+    // Also after its end: the record of a try is not to be changed.
+    if matches!(
+        session.activity,
+        Some(Activity::Mission {
+            stake: Stake::Exam,
+            ..
+        })
+    ) {
+        return Err(Refusal::Exam);
+    }
     let is_connected = matches!(session.activity, Some(Activity::Connected { .. }));
     if is_connected || session.hangar.is_some() {
         return Err(Refusal::CannotFreeze);
@@ -113,4 +123,12 @@ pub fn recalled(state: &mut State, flight: FlightSnapshot) {
         state.room = Room::Fly;
     }
     state.overlay = None;
+    let next = state.session.ledger().next();
+    if let Some(place) = state.class.seat_mut() {
+        // The entries of the ledger are numbered as before the situation, and its condition is no longer expected.
+        place.desk_entries.retain(|entry| *entry < next);
+        if let Some(step) = &mut place.step {
+            step.asked = None;
+        }
+    }
 }
