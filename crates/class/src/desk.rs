@@ -8,6 +8,8 @@ use super::{
     SeatReport, Submission, TryHead, Watching, Words,
 };
 
+/// The number of empty seats of a user from which one of them is used, whatever name a console claims.
+const EMPTY_SEATS: usize = 16;
 /// The maximum number of seats.
 pub const SEATS: usize = 512;
 
@@ -167,7 +169,7 @@ impl Desk {
         if hello.protocol != VERSION {
             return Err(Denial::Version { desk: VERSION });
         }
-        let mut own = self
+        let own = self
             .seats
             .iter()
             .enumerate()
@@ -177,9 +179,12 @@ impl Desk {
         // A desk that was opened again gives a console the name that it had: consoles come back in any order.
         let claimed = hello.name.as_ref().map(Words::as_str);
         let claimed = claimed.filter(|name| is_name_for(name, user));
+        let mut empty = own.clone().filter(|(_, it)| !it.is_here());
         let free = before.or_else(|| {
             let is_wanted = |name: &str| claimed.is_none_or(|claimed| claimed == name);
-            own.find(|(_, it)| !it.is_here() && is_wanted(&it.name))
+            // One user's claims do not fill the class.
+            let has_many = empty.clone().count() >= EMPTY_SEATS;
+            empty.find(|(_, it)| has_many || is_wanted(&it.name))
         });
         let index = match free {
             Some((index, _)) => index,

@@ -1,10 +1,10 @@
 //! Situations of a flight that the desk captures and recalls. The shell keeps them, each in a place; here are their names.
 
-use super::{BegunOrder, instructor};
+use super::{BegunOrder, injects, instructor};
 use crate::app::State;
-use crate::app::effect::SessionEffect;
+use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::snapshot::{FlightSnapshot, restore};
-use crate::app::state::{Activity, Room, SeatSituation, TimeFlow};
+use crate::app::state::{Activity, OrderTrace, Room, SeatSituation, TimeFlow};
 use crate::class::{Order, OrderId, Outcome, Refusal, Words};
 use crate::mission::Stake;
 use crate::record::DeskRecord;
@@ -100,13 +100,23 @@ pub(super) fn recall(
         outcome: Outcome::Done,
         why: None,
     };
+    let kept = all[slot].armed.clone();
+    let mut effects = injects::recalled(state, &kept);
     if let Some(place) = state.class.seat_mut() {
         place.is_frozen = true;
         place.has_passed = false;
-        place.armed = place.situations[slot].armed.clone();
+        place.armed = kept;
     }
     let id = order.id;
-    Ok(SessionEffect::Recall { id, slot, line }.into())
+    effects.extend(Effects::from(Effect::Session(SessionEffect::Recall {
+        id,
+        slot,
+        line,
+    })));
+    Ok(BegunOrder {
+        effects,
+        trace: OrderTrace::State,
+    })
 }
 
 /// The flight continues from an earlier state: frozen, and as practice. Who flies which vehicle stays as it is.
