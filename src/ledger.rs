@@ -54,7 +54,7 @@ pub enum RowState {
     TimedOut,
     /// A later command took its place.
     Superseded,
-    /// Another source took control: another ground station, a failsafe, a pilot's stick. The vehicle's mode and arming
+    /// Another source has control: another ground station, a failsafe, a pilot's stick, another person at this flight. The vehicle's mode and arming
     /// show it ([`Claim`](crate::commands::Claim)); a takeover that changes neither is not detected.
     Overtaken,
 }

@@ -345,7 +345,8 @@ fn barred(
         let row = Dispatch::Row(RowUpdate {
             entry,
             vehicle,
-            state: RowState::Refused,
+            // Another person is in control: the refusal is no mistake that would cost points.
+            state: RowState::Overtaken,
             tries: 0,
             at: scene.now,
             explanation: Some(reason),

@@ -46,3 +46,4 @@ class-show-stopped = the class no longer sees the replay
 class-show-over = the class no longer sees the replay: it has ended, or an exam is under way
 class-shown-title = { $instructor } shows
 class-shown-over = the desk no longer shows the replay
+class-shown-closed = the replay is closed here; the desk still shows it to the class

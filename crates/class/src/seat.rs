@@ -25,6 +25,7 @@ pub struct Seat {
     sitting: u64,
     consent: Consent,
     instructor: Option<String>,
+    last_instructor: Option<String>,
     class: Option<Words>,
     /// The name that the desk has given to the seat; a new connection asks for it again.
     name: Option<Words>,
@@ -43,6 +44,7 @@ impl Seat {
             sitting,
             consent,
             instructor: None,
+            last_instructor: None,
             class: None,
             name: None,
             is_screen_watched: false,
@@ -75,6 +77,7 @@ impl Seat {
     /// A desk was found, which belongs to this user of the machine.
     pub fn find(&mut self, instructor: &str) {
         self.instructor = Some(instructor.to_owned());
+        self.last_instructor.clone_from(&self.instructor);
     }
 
     /// The desk has taken the seat into its class.
@@ -137,6 +140,11 @@ impl Seat {
     /// Whose desk there is; `None` while there is none.
     pub fn instructor(&self) -> Option<&str> {
         self.instructor.as_deref()
+    }
+
+    /// Whose desk there is, or was last.
+    pub fn last_instructor(&self) -> Option<&str> {
+        self.last_instructor.as_deref()
     }
 
     /// The class, while its desk watches this seat.

@@ -300,13 +300,13 @@ impl<R> State<R> {
     /// Whether the flight is a try of an exam that is not over: the trainee can neither restart it nor leave the class.
     pub fn has_open_try(&self) -> bool {
         let open = self.class.seat().and_then(SeatPlace::open_try);
-        open.is_some() && !self.session.task.over
+        open.is_some() && self.session.activity.is_some() && !self.session.task.over
     }
 
     /// Why the trainee cannot start the mission whose brief is shown: the desk does.
     pub fn holds_brief(&self) -> Option<Text> {
         let place = self.class.seat()?;
-        let instructor = place.seat.instructor().unwrap_or_default();
+        let instructor = place.seat.last_instructor().unwrap_or_default();
         let is_held = place.is_held() && place.hears_desk(self.wall);
         let is_held = is_held && self.session.is_reading();
         is_held.then(|| text!("class-brief-held", instructor = instructor))
@@ -322,7 +322,7 @@ impl<R> State<R> {
     /// The try of an exam that is flown and not over.
     pub fn shown_try(&self) -> Option<ShownTry<'_>> {
         let open = self.class.seat()?.open_try()?;
-        (!self.session.task.over).then(|| ShownTry {
+        self.has_open_try().then(|| ShownTry {
             name: &open.name,
             tries: open.tries,
             left: open.until.saturating_sub(self.wall),

@@ -9,6 +9,7 @@ use crate::app::action::Action;
 use crate::app::effect::Effects;
 use crate::app::room::{self, RoomRequest, fly, standing};
 use crate::app::state::{HelpPage, Log, Overlay};
+use crate::text;
 
 pub fn act(state: &mut State, action: Action) -> Effects {
     if let Some(requests) = room::act(state, action) {
@@ -77,7 +78,7 @@ fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Effects {
                 Effects::none()
             }
             RoomRequest::LookAway => {
-                class::look_away(state);
+                class::look_away(state, text!("class-shown-closed"));
                 Effects::none()
             }
             RoomRequest::Leave => leave(state),

@@ -103,7 +103,7 @@ fn found(state: &mut State, instructor: &str) {
 fn lost(state: &mut State) {
     let was_watched = state.class.watcher().is_some();
     let was_frozen = state.class.is_frozen() && state.session.is_paused();
-    showing::look_away(state);
+    showing::look_away(state, text!("class-shown-over"));
     if let Some(place) = state.class.seat_mut() {
         place.seat.lose();
     }
@@ -154,7 +154,7 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
                 place.seat.see(&part);
             }
         }
-        DeskMessage::Hide => showing::look_away(state),
+        DeskMessage::Hide => showing::look_away(state, text!("class-shown-over")),
         DeskMessage::Settled { record, end } => return hand_in::settled(state, record, end),
         // What is to be sent is a matter of the connection.
         DeskMessage::Ask { .. }

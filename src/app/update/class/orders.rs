@@ -171,7 +171,7 @@ fn is_exam(state: &State) -> bool {
 
 fn instructor(state: &State) -> String {
     let place = state.class.seat();
-    let instructor = place.and_then(|place| place.seat.instructor());
+    let instructor = place.and_then(|place| place.seat.last_instructor());
     instructor.unwrap_or_default().to_owned()
 }
 

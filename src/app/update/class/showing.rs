@@ -175,7 +175,7 @@ pub(super) fn look_on(state: &mut State) -> Result<(), Refusal> {
 }
 
 /// At a seat: what the desk showed is closed, and the room from before is shown.
-pub fn look_away(state: &mut State) {
+pub fn look_away(state: &mut State, text: Text) {
     let Some(place) = state.class.seat_mut().filter(|place| place.seat.looks_on()) else {
         return;
     };
@@ -184,5 +184,5 @@ pub fn look_away(state: &mut State) {
     if state.room == Room::Class {
         show(state, back.unwrap_or(Room::Home));
     }
-    tell(state, Severity::Notice, text!("class-shown-over"));
+    tell(state, Severity::Notice, text);
 }
