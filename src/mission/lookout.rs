@@ -1,9 +1,10 @@
 //! The detectors of a flying fleet.
 //!
-//! A look with detection probability `p` is an exposure of `-ln(1 - p)`. An object is found when the exposure reaches a
-//! random threshold with the exponential distribution. A pass therefore detects with probability `p`, and a dwell of
-//! `t` with `1 - (1 - p)^(t / look)`; a longer or closer look never finds less. Passes within 2 s count as one. Every
-//! vehicle, sensor and object has its own random stream, so nothing depends on the order of the vehicles.
+//! A look with detection probability `p` is an exposure of `-ln(1 - p)`. An object is found when the sum of the exposures
+//! reaches a random threshold with the exponential distribution. A pass therefore detects with probability `p` (its best
+//! one), and a dwell of `t` with `1 - (1 - p)^(t / look)`; a longer, closer or additional look never finds less. Passes
+//! within 2 s count as one. Every vehicle, sensor and object has its own random stream, so nothing depends on the order
+//! of the vehicles, and little on small differences of their ways.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -52,6 +53,8 @@ struct Glance {
     chance: Chance,
     last: Duration,
     blind: bool,
+    /// The greatest exposure of this pass so far.
+    pass_exposure: f64,
     /// Whether this pass has detected the object.
     found: bool,
 }
@@ -225,6 +228,7 @@ impl DetectorWatch<'_> {
             chance: Chance::new(self.random(&[&object.concat()])),
             last: self.now,
             blind: look.taken_for == FindKind::Mine && kind.random::<f64>() < NEVER_SEEN,
+            pass_exposure: 0.0,
             found: false,
         }
     }
@@ -267,10 +271,12 @@ impl Glance {
             self.chance.expose(exposure * TICK.as_secs_f64() / every_s)
         } else {
             if away > ONE_PASS {
-                self.chance.again();
+                self.pass_exposure = 0.0;
                 self.found = false;
             }
-            let is_new = !self.found && exposure >= self.chance.until;
+            let best = exposure.max(self.pass_exposure);
+            let gain = best - std::mem::replace(&mut self.pass_exposure, best);
+            let is_new = !self.found && self.chance.expose(gain);
             self.found |= is_new;
             is_new
         };

@@ -28,13 +28,19 @@ fn world(objects: Vec<Object>, light: Light) -> World {
     World::of_objects(weather, objects)
 }
 
-/// Flies over the origin, from 10 m before it to 10 m beyond it; returns the number of sightings.
-fn pass(lookout: &mut Lookout, craft: &mut Craft, world: &World, now: &mut Duration) -> usize {
+/// Flies past the origin, this far east of it, from 10 m before it to 10 m beyond it; returns the number of sightings.
+fn pass(
+    lookout: &mut Lookout,
+    craft: &mut Craft,
+    world: &World,
+    east_m: f64,
+    now: &mut Duration,
+) -> usize {
     let mut seen = 0;
     let steps = (20.0 / (craft.speed_m_s * TICK.as_secs_f64())) as u32;
     for step in 0..steps {
         let way_m = f64::from(step) * craft.speed_m_s * TICK.as_secs_f64();
-        craft.at = Some([0.0, way_m - 10.0]);
+        craft.at = Some([east_m, way_m - 10.0]);
         *now += TICK;
         seen += lookout
             .step(craft, world, &[], *now)
@@ -53,7 +59,7 @@ fn share(passes: u32, sensor: &str, class: ObjectClass, height_m: f64, speed_m_s
         let mut craft = craft(1, sensor, height_m, speed_m_s);
         let mut now = Duration::ZERO;
         (0..passes)
-            .map(|_| pass(&mut lookout, &mut craft, &world, &mut now))
+            .map(|_| pass(&mut lookout, &mut craft, &world, 0.0, &mut now))
             .sum::<usize>()
             > 0
     });
@@ -83,6 +89,27 @@ fn passes_over_a_mine_add_up_to_one_minus_the_product_of_misses() {
             "{passes} passes: {found}, not {all}"
         );
     }
+}
+
+#[test]
+fn a_pass_beside_a_mine_hides_nothing_from_the_pass_after_it() {
+    let world = world(
+        vec![Object::new(ObjectClass::MinimumMetalMine, [0.0; 2])],
+        Light::Day,
+    );
+    // The strip is 2 m wide: the first pass sees the mine at its edge only.
+    let finds = |seed: u64, ways: &[f64]| {
+        let mut lookout = Lookout::new(seed);
+        let mut craft = craft(1, "s_mag", 1.0, 2.0);
+        let mut now = Duration::ZERO;
+        let passes = ways
+            .iter()
+            .map(|&east| pass(&mut lookout, &mut craft, &world, east, &mut now));
+        passes.sum::<usize>()
+    };
+    let hidden =
+        (0..SEEDS).filter(|&seed| finds(seed, &[0.0]) > 0 && finds(seed, &[0.98, 0.0]) == 0);
+    assert_eq!(hidden.count(), 0);
 }
 
 #[test]
