@@ -12,13 +12,19 @@ use std::sync::{Arc, LazyLock};
 use std::time::Duration;
 
 use sortie::api::Call;
+use sortie::campaign::{MissionCourse, Offer};
+use sortie::class::protocol::{self, DeskMessage, SeatMessage};
+use sortie::class::{ConnectionId, Desk, SeatLine};
 use sortie::dataflash::{JoinedLog, LoggedFlight};
+use sortie::exam_plan::ExamFile;
 use sortie::exercise::Exercise;
 use sortie::geo::LatLon;
+use sortie::grading::Rubric;
 use sortie::hangar::service::{self, ServiceBounds, ServiceSetup};
 use sortie::hangar::{Hangar, HangarLimits, HangarSetup, HangarToken, Restart};
 use sortie::inspector::{self, FieldReading};
 use sortie::language::{Context, Script, parse};
+use sortie::lesson_plan::{Lesson, LessonMissions, LessonSetting};
 use sortie::link::{TlogPiece, TlogReader, TlogSalvage};
 use sortie::metadata::{EventDocuments, general, unpacked};
 use sortie::mission::Mission;
@@ -44,7 +50,7 @@ pub struct Target {
     pub run: fn(&[u8]),
 }
 
-pub const TARGETS: [Target; 11] = [
+pub const TARGETS: [Target; 13] = [
     Target {
         name: "frames",
         run: frames,
@@ -84,6 +90,14 @@ pub const TARGETS: [Target; 11] = [
     Target {
         name: "documentation",
         run: documentation,
+    },
+    Target {
+        name: "teaching",
+        run: teaching,
+    },
+    Target {
+        name: "class",
+        run: class,
     },
     Target {
         name: "http",
@@ -320,6 +334,52 @@ pub fn line(bytes: &[u8]) {
     if let Err(faults) = Script::parse(&text, &context) {
         assert!(!faults.is_empty(), "a refusal has a reason");
     }
+}
+
+/// What an instructor writes: a lesson plan, an exam, a rubric.
+pub fn teaching(bytes: &[u8]) {
+    let source = String::from_utf8_lossy(bytes);
+    let setting = LessonSetting {
+        missions: &LESSON_MISSIONS,
+        locale: &Locale::default(),
+    };
+    let results = [
+        Lesson::parse("lesson", &source, &setting).map(drop),
+        ExamFile::parse("exam", &source, &COURSE).map(drop),
+        Rubric::parse("rubric", &source).map(drop),
+    ];
+    for faults in results.into_iter().filter_map(Result::err) {
+        assert!(!faults.is_empty(), "a refusal has a reason");
+        for fault in faults {
+            drop(fault.one_line("file", &source));
+        }
+    }
+}
+
+/// A mission that lessons and exams may name.
+const FIRST_FLIGHT: &str = include_str!("../missions/00-first-flight.toml");
+static LESSON_MISSIONS: LazyLock<LessonMissions> =
+    LazyLock::new(|| LessonMissions::of([FIRST_FLIGHT]));
+static COURSE: LazyLock<MissionCourse> = LazyLock::new(|| {
+    let mission = Mission::parse(FIRST_FLIGHT).expect("a mission that ships");
+    MissionCourse::new([Offer::of(&mission)])
+});
+
+/// Lines of a class: those of a seat that is not to be trusted, which the desk takes in, and those of a false desk.
+pub fn class(bytes: &[u8]) {
+    let mut desk = Desk::new(1, "class".into());
+    for (line, second) in bytes.split(|&byte| byte == b'\n').zip(0..) {
+        if let Ok(message) = protocol::read::<SeatMessage>(line) {
+            let now = Duration::from_secs(second);
+            drop(desk.hear(ConnectionId(1), "anna", message, now));
+            black_box(desk.board());
+        }
+        if let Ok(message) = protocol::read::<DeskMessage>(line) {
+            let mut connection = SeatLine::default();
+            connection.hear(&message);
+        }
+    }
+    assert!(desk.seats().len() <= 1, "a connection has one seat");
 }
 
 /// A client's bytes on a connection to the hangar's service: requests, or anything else. The service answers with HTTP

@@ -76,7 +76,7 @@ fn damaged(seed: &[u8], other: &[u8], random: &mut ChaCha8Rng) -> Vec<u8> {
 
 fn mutations() -> usize {
     let asked = std::env::var("SORTIE_MUTATIONS").ok();
-    asked.and_then(|asked| asked.parse().ok()).unwrap_or(100)
+    asked.and_then(|asked| asked.parse().ok()).unwrap_or(300)
 }
 
 /// Runs a target with its seeds and with damaged ones; fails with the input that made it panic.
@@ -115,14 +115,34 @@ fn every_target_has_a_binary_for_libfuzzer() {
 }
 
 macro_rules! damaged_seeds {
-    ($($name:ident),+) => {$(
+    ($($name:ident),+) => {
         #[test]
-        fn $name() {
-            survives(stringify!($name));
+        fn every_target_is_run_with_damaged_seeds() {
+            let names = TARGETS.map(|target| target.name);
+            assert_eq!(names, [$(stringify!($name)),+]);
         }
-    )+};
+
+        $(
+            #[test]
+            fn $name() {
+                survives(stringify!($name));
+            }
+        )+
+    };
 }
 
 damaged_seeds!(
-    frames, vehicle, simulator, tlog, dataflash, plan, mission, journal, line, http
+    frames,
+    vehicle,
+    simulator,
+    tlog,
+    dataflash,
+    plan,
+    mission,
+    journal,
+    line,
+    documentation,
+    teaching,
+    class,
+    http
 );
