@@ -31,7 +31,7 @@ class-title = клас { $class }: на зв'язку { $here } із { $count } 
         [0] {""}
        *[other] , позначено { $marked }
     }
-class-empty = Ще ніхто не приєднався. Для цього є `sortie --class { $class }`.
+class-empty = Ще ніхто не приєднався. На одній машині для цього є `sortie --class { $class }`, на кількох — `sortie join` з рядком запрошення.
 class-column-seat = місце
 class-column-state = стан
 class-column-mission = завдання
@@ -229,3 +229,32 @@ class-in-use = на { $socket } вже відкрито пульт: вибері
 class-not-open = не вдалося відкрити { $socket }: { $error }
 class-folder = { $folder } належить іншому користувачеві або може бути змінена іншими: виберіть іншу назву
 class-stranger = не приєднано: пульт на { $socket } належить користувачеві { $user }, а не { $instructor }
+
+# Кілька машин
+class-not-built = у цій збірці sortie є лише класи на одній машині; для кількох зберіть її командою `cargo build --release --features zenoh`
+class-file = не вдалося скористатися { $file }: { $error }
+class-exposed = { $file } містить таємний ключ, а його можуть читати інші користувачі: виконайте `chmod 600 { $file }`; якщо хтось міг його прочитати, створіть новий клас
+class-join-file = у { $file } немає рядка запрошення: { $reason }
+class-join-line = це не рядок запрошення: { $reason }
+class-join-prefix = він не починається з `sortie-join/1/`
+class-join-incomplete = бракує його частини; скопіюйте рядок повністю або візьміть файл
+class-join-damaged = його частину пошкоджено; скопіюйте рядок ще раз або візьміть файл
+class-no-keys = { $file } не є файлом пульта або пошкоджений ({ $reason }): створіть новий клас командою `sortie class new`
+class-no-class = у { $folder } немає класу для кількох машин: створіть його командою `sortie class new`
+class-exists = { $folder } уже існує: виберіть іншу назву або видаліть теку, якщо клас завершено
+class-name = `{ $name }` не може бути назвою класу на кількох машинах: візьміть до 64 латинських літер, цифр, `-` і `_`
+class-address = `{ $address }` не є адресою: напишіть ХОСТ:ПОРТ, наприклад 192.168.1.5:7447
+class-no-address = ця машина не має адреси в мережі: вкажіть, де буде пульт, наприклад `--address 192.168.1.5:7447`
+class-not-listening = не вдалося відкрити пульт за адресою { $address }: { $reason }
+class-not-started = не вдалося відкрити пульт за адресою { $address }: Zenoh не запускається; спробуйте інший порт
+class-not-the-desk = не приєднано: { $address } відповідає, але не як пульт цього класу: запитайте інструктора, чи правильні ще адреса й рядок запрошення
+class-unknown = не приєднано: пульт класу { $class } не відповідає місцю { $seat }: рядок запрошення відкликано, він від іншого класу з такою назвою або ним уже користуються чотири консолі
+class-crypto = не вдалося створити або використати ключі: { $reason }
+class-made = Клас { $class }, { $seats } { $seats ->
+        [one] місце
+        [few] місця
+       *[other] місць
+    }, у теці { $folder }.
+class-made-lines = Файли в { $folder } є рядками запрошення: дайте кожному учневі один. Хто його має, той може зайняти це місце.
+class-made-desk = Пульт: `sortie class open { $class } --listen { $listen }`
+class-made-seat = Учень: `sortie join { $file }`

@@ -1,0 +1,236 @@
+//! The desk's end.
+
+use std::collections::BTreeMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use ring::signature::Ed25519KeyPair;
+use sortie_class::{ConnectionId, SEATS};
+use tokio::net::TcpListener;
+use tokio::sync::mpsc;
+use tokio::task::JoinSet;
+use zenoh::pubsub::Subscriber;
+use zenoh::sample::Sample;
+
+use super::config::CONSOLES_OF_A_SEAT;
+use super::conversation::{Conversation, INBOX, Inbox, Parties};
+use super::folder::NetworkDesk;
+use super::frame::{Frame, FrameKind, signer};
+use super::{Channel, OpenSession, config};
+use crate::fault::{ClassFault, NetworkFault};
+use crate::host::own_user_name;
+use crate::ports::{CarrierPeer, DeskArrival, DeskPort, Outbox};
+
+/// The maximum number of arrivals, from all connections together, that wait for the console.
+const ARRIVALS: usize = 64;
+/// The maximum number of greetings that wait to be answered. Seats repeat theirs.
+const GREETINGS: usize = 64;
+/// How long the end of the desk waits for all its connections to say goodbye.
+const GOODBYE: Duration = Duration::from_millis(500);
+
+/// Opens the desk of a class on several machines.
+///
+/// # Errors
+/// Its address cannot be listened at.
+pub(crate) async fn open(desk: &NetworkDesk) -> Result<DeskPort, ClassFault> {
+    let settings = config::of_desk(desk)?;
+    let address = || desk.listen.clone();
+    // Zenoh's own words for a failure may contain its settings, and so the key.
+    let not_open = |_| NetworkFault::NotStarted(address());
+    let free = TcpListener::bind(&desk.listen).await;
+    drop(free.map_err(|error| NetworkFault::NotOpen {
+        address: address(),
+        error,
+    })?);
+    let signer = Arc::new(signer(&desk.keys.key.0)?);
+    let session = OpenSession::open(settings).await.map_err(not_open)?;
+    let (greeted, greetings) = mpsc::channel(GREETINGS);
+    let switch = Arc::new(Switch::default());
+    let heard = hear_seats(&session, desk, &switch, &greeted).await;
+    let subscribers = heard.map_err(not_open)?;
+    let (arrived, arrivals) = mpsc::channel(ARRIVALS);
+    let reception = Reception {
+        desk: desk.clone(),
+        session,
+        signer,
+        switch,
+    };
+    let task = tokio::spawn(async move {
+        reception.admit(greetings, &arrived).await;
+        drop(subscribers);
+        reception.session.close().await;
+    });
+    Ok(DeskPort { arrivals, task })
+}
+
+/// Which seat has which connection open.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+struct Caller {
+    seat: String,
+    /// The random number of the connection.
+    number: String,
+}
+
+/// Passes frames to their connections.
+#[derive(Default)]
+struct Switch(Mutex<BTreeMap<Caller, mpsc::Sender<Vec<u8>>>>);
+
+impl Switch {
+    fn open(&self) -> MutexGuard<'_, BTreeMap<Caller, mpsc::Sender<Vec<u8>>>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Takes a frame in, without waiting: it is called by the thread that reads for all seats.
+    fn pass(&self, seat: &str, sample: &Sample, greeted: &mpsc::Sender<(Caller, Vec<u8>)>) {
+        let Some(number) = sample.key_expr().as_str().rsplit('/').nth(1) else {
+            return;
+        };
+        let caller = Caller {
+            seat: seat.to_owned(),
+            number: number.to_owned(),
+        };
+        let bytes = sample.payload().to_bytes().into_owned();
+        let mut open = self.open();
+        match open.get(&caller) {
+            // A greeting is repeated until it is answered.
+            Some(_) if Frame::may_be_hello(&bytes) => {}
+            Some(inbox) => {
+                let has_room = inbox.try_send(bytes).is_ok();
+                // Nobody who keeps to the window fills it.
+                if !has_room {
+                    open.remove(&caller);
+                }
+            }
+            None if Frame::may_be_hello(&bytes) => drop(greeted.try_send((caller, bytes))),
+            None => {}
+        }
+    }
+
+    /// Opens a connection; `None` if the seat or the class has too many.
+    fn connect(&self, caller: &Caller) -> Option<Inbox> {
+        let mut open = self.open();
+        let of_seat = open.keys().filter(|it| it.seat == caller.seat).count();
+        if open.contains_key(caller) || of_seat >= CONSOLES_OF_A_SEAT || open.len() >= SEATS {
+            return None;
+        }
+        let (sender, inbox) = mpsc::channel(INBOX);
+        open.insert(caller.clone(), sender);
+        Some(inbox)
+    }
+}
+
+/// Listens to all seats of the class, each on its own keys: one wildcard for all would be told to the seats, whose
+/// rights do not include it.
+async fn hear_seats(
+    session: &OpenSession,
+    desk: &NetworkDesk,
+    switch: &Arc<Switch>,
+    greeted: &mpsc::Sender<(Caller, Vec<u8>)>,
+) -> zenoh::Result<Vec<Subscriber<()>>> {
+    let mut subscribers = Vec::new();
+    for seat in desk.keys.seats.keys() {
+        let key = Channel::of_seat(&desk.keys.class, seat).up;
+        let (switch, greeted, seat) = (Arc::clone(switch), greeted.clone(), seat.clone());
+        let pass = move |sample: Sample| switch.pass(&seat, &sample, &greeted);
+        subscribers.push(
+            session
+                .get()?
+                .declare_subscriber(key)
+                .callback(pass)
+                .await?,
+        );
+    }
+    Ok(subscribers)
+}
+
+/// Answers greetings.
+struct Reception {
+    desk: NetworkDesk,
+    session: OpenSession,
+    signer: Arc<Ed25519KeyPair>,
+    switch: Arc<Switch>,
+}
+
+impl Reception {
+    /// Serves seats until the console is gone.
+    async fn admit(
+        &self,
+        mut greetings: mpsc::Receiver<(Caller, Vec<u8>)>,
+        arrived: &mpsc::Sender<DeskArrival>,
+    ) {
+        let mut connections = JoinSet::new();
+        let mut number = 0;
+        loop {
+            let greeting = tokio::select! {
+                greeting = greetings.recv() => greeting,
+                () = arrived.closed() => break,
+            };
+            let Some((caller, bytes)) = greeting else {
+                break;
+            };
+            while connections.try_join_next().is_some() {}
+            number += 1;
+            if let Ok(Some(opened)) = self.greet(&caller, &bytes).await {
+                let (arrived, switch) = (arrived.clone(), Arc::clone(&self.switch));
+                connections.spawn(async move {
+                    serve(opened, ConnectionId(number), &caller, &arrived).await;
+                    switch.open().remove(&caller);
+                });
+            }
+        }
+        let goodbye = async { while connections.join_next().await.is_some() {} };
+        drop(tokio::time::timeout(GOODBYE, goodbye).await);
+    }
+
+    /// Opens the connection of a seat; `None` if it may not have one.
+    async fn greet(
+        &self,
+        caller: &Caller,
+        bytes: &[u8],
+    ) -> zenoh::Result<Option<(Conversation, Inbox)>> {
+        let Some(seat) = self.desk.keys.seats.get(&caller.seat) else {
+            return Ok(None);
+        };
+        let Channel { up, down } =
+            Channel::new(&self.desk.keys.class, &caller.seat, &caller.number);
+        let parties = Parties {
+            signer: Arc::clone(&self.signer),
+            own_key: down,
+            other: seat.0.clone(),
+            other_key: up,
+        };
+        let mut conversation = Conversation::new(self.session.get()?, parties).await?;
+        let hello = conversation.hear(bytes);
+        if hello.is_none_or(|it| it.kind != FrameKind::Hello) {
+            return Ok(None);
+        }
+        let inbox = self.switch.connect(caller);
+        Ok(inbox.map(|inbox| (conversation, inbox)))
+    }
+}
+
+async fn serve(
+    (mut conversation, inbox): (Conversation, Inbox),
+    connection: ConnectionId,
+    caller: &Caller,
+    arrived: &mpsc::Sender<DeskArrival>,
+) {
+    let (outbox, lines) = Outbox::new();
+    let user = caller.seat.clone();
+    let opened = DeskArrival::Opened {
+        connection,
+        peer: CarrierPeer { user },
+        outbox,
+    };
+    if arrived.send(opened).await.is_err() {
+        return;
+    }
+    let instructor = own_user_name().into_bytes();
+    conversation.say(FrameKind::Open, instructor).await;
+    let line = |line| DeskArrival::Line {
+        from: connection,
+        line,
+    };
+    conversation.pass(inbox, lines, arrived, line).await;
+    drop(arrived.send(DeskArrival::Closed(connection)).await);
+}
