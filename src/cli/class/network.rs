@@ -10,7 +10,7 @@ use crate::cli::Failure;
 use crate::cli::seat::refused;
 use crate::cli::settings::CliSettings;
 use crate::text;
-use crate::text::Locale;
+use crate::text::{Locale, Text};
 
 /// All addresses of the machine.
 const EVERY_ADDRESS: &str = "0.0.0.0";
@@ -58,36 +58,40 @@ pub(super) fn new(arguments: &NewArguments, settings: &CliSettings) -> Result<Ex
         addresses: &addresses,
     };
     let seats = make_class(&class, &folder).map_err(refused)?;
-    let first = seats.first().map_or(folder.as_path(), PathBuf::as_path);
-    let shown = |path: &Path| path.display().to_string();
     let named = match &arguments.output {
-        Some(folder) if shown(folder).contains('/') => shown(folder),
-        Some(folder) => format!("./{}", shown(folder)),
+        Some(_) if shown(&folder).contains('/') => shown(&folder),
+        Some(_) => format!("./{}", shown(&folder)),
         None => name.to_owned(),
     };
-    let port = addresses[0].rsplit(':').next().unwrap_or_default();
-    let listen = format!("{EVERY_ADDRESS}:{port}");
-    let lines = [
-        text!(
-            "class-made",
-            class = name,
-            seats = u32::from(arguments.seats),
-            folder = shown(&folder)
-        ),
-        text!(
-            "class-made-lines",
-            folder = shown(first.parent().unwrap_or(&folder))
-        ),
-        text!("class-made-desk", class = named, listen = listen),
-        text!(
-            "class-made-seat",
-            file = first.file_name().unwrap_or_default().display().to_string()
-        ),
-    ];
-    for line in &lines {
-        say!("{}", locale.text(line))?;
+    for line in made(&class, &named, &seats) {
+        say!("{}", locale.text(&line))?;
     }
     Ok(ExitCode::SUCCESS)
+}
+
+fn shown(path: &Path) -> String {
+    path.display().to_string()
+}
+
+/// What was made, and what to do with it. The desk finds the class by `named`.
+fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
+    let first = seats.first().map_or(Path::new(""), PathBuf::as_path);
+    let lines = first.parent().unwrap_or(first);
+    let folder = lines.parent().unwrap_or(lines);
+    let port = class.addresses.first().and_then(|it| it.rsplit(':').next());
+    let listen = format!("{EVERY_ADDRESS}:{}", port.unwrap_or_default());
+    let file = first.file_name().unwrap_or_default().display().to_string();
+    vec![
+        text!(
+            "class-made",
+            class = class.name,
+            seats = u32::from(class.seats),
+            folder = shown(folder)
+        ),
+        text!("class-made-lines", folder = shown(lines)),
+        text!("class-made-desk", class = named, listen = listen),
+        text!("class-made-seat", file = file),
+    ]
 }
 
 /// The desk of a class on several machines, by name or by the path of its folder.

@@ -1,12 +1,13 @@
 //! The desk's end.
 
 use std::collections::BTreeMap;
+use std::io;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use ring::signature::Ed25519KeyPair;
 use sortie_class::{ConnectionId, SEATS};
-use tokio::net::TcpListener;
+use tokio::net::{TcpSocket, lookup_host};
 use tokio::sync::mpsc;
 use tokio::task::JoinSet;
 use zenoh::pubsub::Subscriber;
@@ -37,11 +38,11 @@ pub(crate) async fn open(desk: &NetworkDesk) -> Result<DeskPort, ClassFault> {
     let address = || desk.listen.clone();
     // Zenoh's own words for a failure may contain its settings, and so the key.
     let not_open = |_| NetworkFault::NotStarted(address());
-    let free = TcpListener::bind(&desk.listen).await;
-    drop(free.map_err(|error| NetworkFault::NotOpen {
+    let free = find_free(&desk.listen).await;
+    free.map_err(|error| NetworkFault::NotOpen {
         address: address(),
         error,
-    })?);
+    })?;
     let signer = Arc::new(signer(&desk.keys.key.0)?);
     let session = OpenSession::open(settings).await.map_err(not_open)?;
     let (greeted, greetings) = mpsc::channel(GREETINGS);
@@ -61,6 +62,20 @@ pub(crate) async fn open(desk: &NetworkDesk) -> Result<DeskPort, ClassFault> {
         reception.session.close().await;
     });
     Ok(DeskPort { arrivals, task })
+}
+
+/// Checks that an address can be listened at, without listening: seats would take that for a desk.
+async fn find_free(listen: &str) -> io::Result<()> {
+    for address in lookup_host(listen).await? {
+        let socket = if address.is_ipv4() {
+            TcpSocket::new_v4()?
+        } else {
+            TcpSocket::new_v6()?
+        };
+        socket.set_reuseaddr(true)?;
+        socket.bind(address)?;
+    }
+    Ok(())
 }
 
 /// Which seat has which connection open.

@@ -37,6 +37,7 @@ pub(crate) fn join(line: JoinLine) -> SeatPort {
 async fn keep_connected(line: &JoinLine, arrived: &mpsc::Sender<SeatArrival>) {
     let mut wait = *RETRY.start();
     let mut told = None;
+    let mut last = None;
     while !arrived.is_closed() {
         let called = tokio::select! {
             called = call(line) => called,
@@ -44,15 +45,18 @@ async fn keep_connected(line: &JoinLine, arrived: &mpsc::Sender<SeatArrival>) {
         };
         match called {
             Ok(Some(call)) => {
-                (wait, told) = (*RETRY.start(), None);
+                (wait, told, last) = (*RETRY.start(), None, None);
                 converse(call, arrived).await;
             }
             // There is no desk, which is no fault: it may open later.
-            Ok(None) => {}
+            Ok(None) => last = None,
             Err(fault) => {
-                let found = fault.to_string();
-                if told.as_ref() != Some(&found) {
-                    told = Some(found);
+                let found = Some(fault.to_string());
+                // A desk that is being opened or closed answers once, but not twice in a row.
+                let is_lasting = last == found;
+                last.clone_from(&found);
+                if is_lasting && told != found {
+                    told = found;
                     let refused = SeatArrival::Refused(ClassFault::Network(fault));
                     drop(arrived.send(refused).await);
                 }
