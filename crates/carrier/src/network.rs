@@ -15,10 +15,10 @@
 //!   its greeting before the desk has signed an answer to its random number.
 //!
 //! # How lines flow
-//! A connection is a numbered stream, so whatever Zenoh drops is noticed. Each side sends at most [`flow::WINDOW`] lines
-//! that the other has not taken yet, so a seat that does not read fills only its own queue. Zenoh blocks a thread of this
-//! connection while a queue is full, never that of a console. Whoever says nothing for a second says that it is still
-//! there, and after [`conversation::SILENCE`] without a word a connection has ended.
+//! A connection is a numbered stream, so whatever Zenoh drops is noticed. Nothing has to be dropped: each side sends at
+//! most [`flow::WINDOW`] lines that the other has not taken yet, which fit into the queue of a link. So a seat that does not
+//! read holds up nobody else, and nothing blocks. Whoever says nothing for a second says that it is still there, and after
+//! [`conversation::SILENCE`] without a word a connection has ended.
 //!
 //! # How the parts fit
 //! - `folder` is the class on disk, and `certificates` makes keys and certificates.

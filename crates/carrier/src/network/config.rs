@@ -91,10 +91,7 @@ fn transport(sessions: usize, tls: &Value) -> Value {
             "tx": {
                 "lease": LEASE_MS,
                 "keep_alive": KEEP_ALIVE,
-                "queue": {
-                    "size": { "data": BATCHES },
-                    "congestion_control": { "block": { "wait_before_close": 1000 * LEASE_MS } },
-                },
+                "queue": { "size": { "data": BATCHES } },
             },
             "rx": { "max_message_size": 2 * LONGEST_FRAME },
             "tls": tls,

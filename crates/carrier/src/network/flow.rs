@@ -2,9 +2,9 @@
 
 use super::frame::{Frame, FrameKind};
 
-/// The maximum number of lines that are sent before the other side has taken the first of them. These fit into the queue
-/// of a link, which has room for 16 messages of Zenoh: a line takes at most two, and frames without lines need some, too.
-pub(super) const WINDOW: u64 = 5;
+/// The maximum number of lines that are sent before the other side has taken the first of them. With lines of the
+/// maximum length, each in two batches of Zenoh, these fit into the queue of a link.
+pub(super) const WINDOW: u64 = 6;
 
 /// One side's counters.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]

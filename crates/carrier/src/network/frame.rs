@@ -2,6 +2,7 @@
 
 use ring::rand::{SecureRandom as _, SystemRandom};
 use ring::signature::{ED25519, Ed25519KeyPair, UnparsedPublicKey};
+use sortie_class::protocol::LONGEST_LINE;
 
 use crate::fault::NetworkFault;
 
@@ -11,10 +12,8 @@ const SIGNATURE: usize = 64;
 const COUNTER: usize = 8;
 /// The number of bytes of a frame without its body.
 const HEAD: usize = SIGNATURE + 1 + 2 * COUNTER;
-/// The maximum length of a body: a line of the maximum length takes two.
-pub(super) const LONGEST_BODY: usize = 33_000;
-/// The maximum length of a frame.
-pub(super) const LONGEST_FRAME: usize = HEAD + LONGEST_BODY;
+/// The maximum length of a frame, with room for a line that is too long, so that it can be called that.
+pub(super) const LONGEST_FRAME: usize = LONGEST_LINE + 1024;
 /// What separates these signatures from all others that the same key makes.
 const PURPOSE: &[u8] = b"sortie class frame 1\0";
 
@@ -25,24 +24,18 @@ pub(super) enum FrameKind {
     Hello = 1,
     /// The answer of the desk, with the name of the instructor.
     Open = 2,
-    /// A line of the protocol, or what is left of it after its parts.
+    /// A line of the protocol.
     Line = 3,
     /// Nothing but the sender's counters.
     Beat = 4,
     /// The sender ends the connection.
     Bye = 5,
-    /// A part of a line; more follows.
-    Part = 6,
 }
 
 impl FrameKind {
     fn read(byte: u8) -> Option<Self> {
-        let parts = [Self::Part, Self::Line];
-        let others = [Self::Hello, Self::Open, Self::Beat, Self::Bye];
-        parts
-            .into_iter()
-            .chain(others)
-            .find(|kind| *kind as u8 == byte)
+        let all = [Self::Hello, Self::Open, Self::Line, Self::Beat, Self::Bye];
+        all.into_iter().find(|kind| *kind as u8 == byte)
     }
 }
 
