@@ -15,10 +15,14 @@
 //!   its greeting before the desk has signed an answer to its random number.
 //!
 //! # How lines flow
-//! A connection is a numbered stream, so whatever Zenoh drops is noticed. Nothing has to be dropped: each side sends at
-//! most [`flow::WINDOW`] lines that the other has not taken yet, which fit into the queue of a link. So a seat that does not
-//! read holds up nobody else, and nothing blocks. Whoever says nothing for a second says that it is still there, and after
-//! [`conversation::SILENCE`] without a word a connection has ended.
+//! A connection is a numbered stream. Zenoh drops frames for which its queue has no room, and when a link breaks and it
+//! makes another one; the next frame that arrives then has the wrong number, and ends the connection. On a link that lasts,
+//! nothing has to be dropped: each side sends at most [`flow::WINDOW`] lines that the other has not taken yet, which fit
+//! into the queue. So a seat that does not read holds up nobody else, and nothing blocks. Whoever says nothing for a second
+//! says that it is still there, and after [`conversation::SILENCE`] without a word a connection has ended.
+//!
+//! The TLS link of Zenoh 1.10.2 is replaced by `third-party/zenoh-link-tls`: with the published one, links break by
+//! themselves when both sides send much at the same time.
 //!
 //! # How the parts fit
 //! - `folder` is the class on disk, and `certificates` makes keys and certificates.

@@ -221,8 +221,8 @@ async fn long_lines_arrive_all_and_in_order(tried: Tried) {
     let mut seat = tried.seats[0].join();
     let to_desk = found(&mut seat).await;
     let (_, _, to_seat) = opened(&mut desk).await;
-    // The longest lines that the two sides send have 45 kB.
-    let padding = "x".repeat(45_000);
+    // About as long as a line may be.
+    let padding = "x".repeat(LONGEST_LINE - 100);
     // Unknown fields are ignored.
     let long = |from: u64| serde_json::json!({ "ask": { "from": from, "padding": padding } });
     let of_seat = |sitting: u64| {
