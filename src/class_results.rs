@@ -17,8 +17,10 @@ use crate::mission::record::Head;
 use crate::scoring::{MissionFile, ObjectiveReport, Report};
 use crate::text::{Text, rounded};
 
+mod found;
 mod missing;
 
+pub use found::{BesideFlight, FoundFlights};
 pub use missing::TryWithoutRecord;
 
 /// A trainee's flight of a mission, from its record.

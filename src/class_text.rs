@@ -1,8 +1,9 @@
 //! The orders of an instructor's desk and their outcomes, as text.
 
-use crate::class::{Consent, Deed, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal};
+use crate::class::{Consent, Deed, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal, Words};
 use crate::text;
 use crate::text::Text;
+use crate::vehicle_id::ranges;
 
 /// What an order asks for.
 pub fn deed_text(deed: &Deed) -> Text {
@@ -24,14 +25,49 @@ pub fn deed_text(deed: &Deed) -> Text {
         ),
         Deed::Disarm { name: None } => text!("class-deed-disarm-all"),
         Deed::Disarm { name: Some(name) } => text!("class-deed-disarm", name = name.as_str()),
+        Deed::Capture { name } if name.is_empty() => text!("class-deed-capture"),
+        Deed::Capture { name } => text!("class-deed-capture-name", name = name.as_str()),
+        Deed::Recall { situation } => {
+            text!("class-deed-recall", situation = situation.as_str())
+        }
         Deed::End => text!("class-deed-end"),
+        Deed::TakeOver { vehicles } if vehicles.is_empty() => text!("class-deed-take-all"),
+        Deed::TakeOver { vehicles } => {
+            text!(
+                "class-deed-take",
+                vehicles = ranges(vehicles.iter().copied())
+            )
+        }
+        Deed::HandBack { vehicles } if vehicles.is_empty() => text!("class-deed-give-all"),
+        Deed::HandBack { vehicles } => {
+            text!(
+                "class-deed-give",
+                vehicles = ranges(vehicles.iter().copied())
+            )
+        }
+        Deed::Command { line } => text!("class-deed-command", line = line.as_str()),
+        Deed::Fly {
+            mission,
+            exam,
+            hold: true,
+        } => {
+            let (mission, exam, hold) = (mission.clone(), *exam, false);
+            let open = Deed::Fly {
+                mission,
+                exam,
+                hold,
+            };
+            text!("class-deed-hold", deed = deed_text(&open))
+        }
         Deed::Fly {
             mission,
             exam: false,
+            ..
         } => text!("class-deed-fly", mission = mission.as_str()),
         Deed::Fly {
             mission,
             exam: true,
+            ..
         } => text!("class-deed-exam", mission = mission.as_str()),
         Deed::Examine(opened) => text!(
             "class-deed-try",
@@ -40,6 +76,7 @@ pub fn deed_text(deed: &Deed) -> Text {
             tries = opened.tries
         ),
         Deed::Start => text!("class-deed-start"),
+        Deed::LookOn => text!("class-deed-look-on"),
         Deed::Step(step) => step_text(step),
     }
 }
@@ -59,12 +96,24 @@ fn step_text(noted: &NotedStep) -> Text {
     }
 }
 
+/// How an order ended, with what the seat has said about it.
+pub fn ended_text(outcome: Outcome, why: Option<&Words>) -> Text {
+    let Some(why) = why.map(|why| Text::verbatim(why.as_str())) else {
+        return outcome_text(outcome);
+    };
+    match outcome {
+        Outcome::Refused(_) => text!("class-refused", reason = why),
+        other => Text::joined(": ", vec![outcome_text(other), why]),
+    }
+}
+
 /// How an order ended.
 pub fn outcome_text(outcome: Outcome) -> Text {
     match outcome {
         Outcome::Done => text!("class-done"),
         Outcome::NoEffect => text!("class-no-effect"),
         Outcome::Armed => text!("class-armed"),
+        Outcome::UnderWay => text!("class-under-way"),
         Outcome::Disarmed => text!("class-disarmed"),
         Outcome::Refused(refusal) => text!("class-refused", reason = refusal_text(refusal)),
     }
@@ -87,6 +136,13 @@ fn refusal_text(refusal: Refusal) -> Text {
         Refusal::Locked => text!("class-refusal-locked"),
         Refusal::Flown => text!("class-refusal-flown"),
         Refusal::Practice => text!("class-refusal-practice"),
+        Refusal::TooManySituations => text!("class-refusal-too-many-situations"),
+        Refusal::NoSituation => text!("class-refusal-no-situation"),
+        Refusal::NoVehicle => text!("class-refusal-no-vehicle"),
+        Refusal::RealVehicle => text!("class-refusal-real-vehicle"),
+        Refusal::NotTaken => text!("class-refusal-not-taken"),
+        Refusal::Line => text!("class-refusal-line"),
+        Refusal::Vehicle => text!("class-refusal-vehicle"),
     }
 }
 

@@ -123,6 +123,13 @@ impl ComparedFlight {
         })
     }
 
+    /// Whether each objective had been reached by a mission time, in the mission's order.
+    pub fn reached_by(&self, time: Duration) -> impl Iterator<Item = bool> {
+        self.reached
+            .iter()
+            .map(move |at| at.is_some_and(|at| at <= time))
+    }
+
     /// The height of the highest vehicle at a mission time, in metres above home; `None` without
     /// data for that time.
     pub fn height_m(&self, time: Duration) -> Option<f64> {

@@ -76,6 +76,8 @@ pub struct ClassConfig {
     pub join: Option<String>,
     /// The user name of its instructor; by default that of the owner of the class's folder.
     pub instructor: Option<String>,
+    /// Whether the instructor may take over vehicles that the console does not simulate itself: they may be real.
+    pub take_over: bool,
 }
 
 /// The parameters of vehicles.

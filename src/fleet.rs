@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use tokio::sync::{mpsc, watch};
+use tokio::sync::{mpsc, oneshot, watch};
 use tokio_util::sync::CancellationToken;
 
 use crate::forward::ForwardSpec;
@@ -17,7 +17,8 @@ use crate::metadata::EventDocuments;
 use crate::notice::Notice;
 use crate::parameters::ParameterSnapshot;
 use crate::session::{
-    FileDesk, LogKeeper, PlanShelf, Report, Steering, Stream, VehicleCommand, WANTED_STREAMS, Want,
+    FileDesk, LogKeeper, PlanShelf, Report, Session, Steering, Stream, VehicleCommand,
+    WANTED_STREAMS, Want,
 };
 use crate::text;
 use crate::text::Text;
@@ -68,6 +69,8 @@ enum FleetRequest {
     FetchParameters(VehicleId),
     Sticks(VehicleId, Option<HeldChannels>),
     Restarted(VehicleId),
+    Copy(VehicleId, oneshot::Sender<Session>),
+    Recall(VehicleId, Box<Session>),
     Want(VehicleId, Want),
     Forget(VehicleId),
 }
@@ -213,6 +216,21 @@ impl Fleet {
         held: Option<HeldChannels>,
     ) -> Result<(), Unreachable> {
         self.ask(FleetRequest::Sticks(vehicle, held))
+    }
+
+    /// A copy of the conversation with a vehicle; `None` if there is none, or if its task cannot keep up.
+    pub async fn copy(&self, vehicle: VehicleId) -> Option<Session> {
+        let (answer, copied) = oneshot::channel();
+        self.ask(FleetRequest::Copy(vehicle, answer)).ok()?;
+        copied.await.ok()
+    }
+
+    /// Continues an earlier conversation with a vehicle, which then must be as it was.
+    ///
+    /// # Errors
+    /// The hub has ended or cannot keep up; nothing was sent.
+    pub fn recall(&self, vehicle: VehicleId, session: Session) -> Result<(), Unreachable> {
+        self.ask(FleetRequest::Recall(vehicle, Box::new(session)))
     }
 
     /// Records that a vehicle's autopilot was restarted: its earlier state is void.

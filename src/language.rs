@@ -60,7 +60,7 @@ pub use complete::{
 pub use console::{
     AlertLine, ClassLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource,
     GradingLine, LineNeeds, LoopTarget, MessagesLine, ParametersLine, ProcessDeed, RadioChoice,
-    Rating, ReplayLine, Report, ReviewLine, SeatChoice, SeekTarget, TableLine,
+    Rating, ReplayLine, ReplayedTrainees, Report, ReviewLine, SeatChoice, SeekTarget, TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};
@@ -158,6 +158,7 @@ impl Statement {
             verb: self.verb,
             targets,
             act,
+            by: None,
         })
     }
 }

@@ -8,6 +8,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 use strum::IntoStaticStr;
 
+use crate::pilot_in_command::Person;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
@@ -53,7 +54,7 @@ pub enum RowState {
     TimedOut,
     /// A later command took its place.
     Superseded,
-    /// Another source took control: another ground station, a failsafe, a pilot's stick. The vehicle's mode and arming
+    /// Another source has control: another ground station, a failsafe, a pilot's stick, another person at this flight. The vehicle's mode and arming
     /// show it ([`Claim`](crate::commands::Claim)); a takeover that changes neither is not detected.
     Overtaken,
 }
@@ -201,6 +202,8 @@ pub struct Given<'a> {
     pub line: &'a str,
     pub verb: &'static Verb,
     pub risk: Risk,
+    /// Who gave it; `None` for the user of the console.
+    pub by: Option<&'a Person>,
 }
 
 /// A command with its rows.
@@ -213,11 +216,21 @@ pub struct LedgerEntry {
     pub line: String,
     pub verb: &'static Verb,
     pub risk: Risk,
+    /// Who gave it; `None` for the user of the console.
+    pub by: Option<Person>,
     /// A row per target, in the order of the targets.
     pub rows: Vec<LedgerRow>,
 }
 
 impl LedgerEntry {
+    /// The line; that of another person begins with the name, as those of other stations do.
+    pub fn said(&self) -> Text {
+        match &self.by {
+            Some(person) => text!("ledger-by", person = person.name(), line = &self.line),
+            None => self.line.as_str().into(),
+        }
+    }
+
     /// The state of one of the entry's rows in a few words. A rehearsal without an effect counts as
     /// failed; a raw command is only known to be accepted, because no effect of it is watched.
     pub fn state_of(&self, row: &LedgerRow) -> Text {
@@ -277,6 +290,7 @@ impl Ledger {
             line: given.line.to_owned(),
             verb: given.verb,
             risk: given.risk,
+            by: given.by.cloned(),
             rows,
         });
         if self.entries.len() > ENTRIES_KEPT {
@@ -373,7 +387,13 @@ impl Ledger {
         }
     }
 
-    /// The operator's own entries, oldest first.
+    /// The commands of the console's user, oldest first: those that are judged. Commands that other persons gave at
+    /// this console are not among them.
+    pub fn own_entries(&self) -> impl DoubleEndedIterator<Item = &LedgerEntry> {
+        self.entries.iter().filter(|entry| entry.by.is_none())
+    }
+
+    /// The commands that were given at this console, oldest first.
     pub fn entries(&self) -> impl DoubleEndedIterator<Item = &LedgerEntry> + ExactSizeIterator {
         self.entries.iter()
     }

@@ -59,6 +59,7 @@
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
 //! | | [`class_text`] | the orders of an instructor's desk, as text |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
+//! | | [`pilot_in_command`] | who flies a vehicle, and whose commands it therefore refuses |
 //! | | [`vehicle_id`] | the numbers of vehicles, and sets of them (`1-4,7`) |
 //! | | [`hash`] | a hash that never changes |
 //! | libraries | [`class`] | a class: what seats report to the instructor's desk, its orders, and what survives a broken connection |
@@ -140,6 +141,7 @@ pub mod moment;
 pub mod notice;
 pub mod operator;
 pub mod parameters;
+pub mod pilot_in_command;
 pub mod preflight;
 pub mod record;
 pub mod replay;

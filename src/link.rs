@@ -65,8 +65,8 @@ pub use rehearsal_tape::RehearsalTape;
 pub use relay::{ForwardCounts, Relay, StationNews};
 pub use signer::{SignedLink, Signer, signing_clock};
 pub use simulator::{
-    Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator,
-    step_on_threads,
+    Endpoint, InputSink, Simulator, SimulatorError, SimulatorPace, StartedSimulator, TruePlace,
+    TruePlaces, WorldHandle, step_on_threads,
 };
 pub use sink::{FrameSink, WaitingFrames};
 pub use tap::Tap;

@@ -213,6 +213,11 @@ impl Mission {
         file::read(source)
     }
 
+    /// The point from which places are counted in metres.
+    pub fn origin(&self) -> LatLon {
+        self.site.origin.at
+    }
+
     /// The start positions, in the order of the vehicles' system ids.
     pub fn starts(&self) -> Vec<Start> {
         let pad = |&point: &Point| Start {

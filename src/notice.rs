@@ -30,6 +30,8 @@ pub enum NoticeSource {
     Program,
     /// The notice repeats a vehicle's STATUSTEXT.
     Vehicle,
+    /// The notice is about the class or from its desk: a person may wait for the answer.
+    Class,
 }
 
 impl Notice {

@@ -16,6 +16,7 @@ use crate::language::{self, Context, Statement};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::Flight;
 use crate::notice::Notice;
+use crate::pilot_in_command::PilotsInCommand;
 use crate::plan::ListKind;
 use crate::plan::generate::Idle;
 use crate::preflight::idle_words;
@@ -25,6 +26,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
 use crate::vehicle_id::ranges;
+use crate::verb::CountsAs;
 
 mod rehearsing;
 #[cfg(test)]
@@ -63,6 +65,8 @@ pub struct OperatorScene<'a> {
     pub vehicles: &'a Vehicles,
     /// The mission, if one is flown.
     pub flight: Option<&'a mut Flight>,
+    /// Who flies the vehicles.
+    pub pilots: &'a PilotsInCommand,
 }
 
 /// Carries out orders to vehicles and to the mission, and joint manoeuvres.
@@ -137,8 +141,30 @@ impl Operator {
         }
     }
 
-    /// The work that follows from an order with an open entry in the ledger.
+    /// The work that follows from an order with an open entry in the ledger. Vehicles of which somebody else is the
+    /// pilot in command do not take part.
     pub fn carry_out(
+        &mut self,
+        entry: EntryId,
+        order: &Order,
+        scene: OperatorScene<'_>,
+    ) -> Vec<Dispatch> {
+        let (barred, mut work) = barred(entry, order, &scene);
+        if barred.is_empty() {
+            return self.carry_out_whole(entry, order, scene);
+        }
+        let is_own = |vehicle: &VehicleId| !barred.contains(vehicle);
+        let own = Order {
+            targets: order.targets.iter().copied().filter(is_own).collect(),
+            ..order.clone()
+        };
+        if !own.targets.is_empty() {
+            work.extend(self.carry_out_whole(entry, &own, scene));
+        }
+        work
+    }
+
+    fn carry_out_whole(
         &mut self,
         entry: EntryId,
         order: &Order,
@@ -300,6 +326,34 @@ impl Operator {
     pub fn paths(&self) -> Vec<Path> {
         self.conductor.paths()
     }
+}
+
+/// The vehicles that do not get the order, because its giver does not fly them, with the rows that say so. Questions,
+/// rehearsals, and what is said to the mission, change no vehicle.
+fn barred(
+    entry: EntryId,
+    order: &Order,
+    scene: &OperatorScene<'_>,
+) -> (Vec<VehicleId>, Vec<Dispatch>) {
+    let changes_vehicles = matches!(
+        order.verb.counts_as,
+        CountsAs::Task | CountsAs::Setting | CountsAs::PlanChange
+    );
+    let targets = order.targets.iter().filter(|_| changes_vehicles);
+    let refusal = |&vehicle: &VehicleId| {
+        let reason = scene.pilots.refusal(vehicle, order.by.as_ref())?;
+        let row = Dispatch::Row(RowUpdate {
+            entry,
+            vehicle,
+            // Another person is in control: the refusal is no mistake that would cost points.
+            state: RowState::Overtaken,
+            tries: 0,
+            at: scene.now,
+            explanation: Some(reason),
+        });
+        Some((vehicle, row))
+    };
+    targets.filter_map(refusal).unzip()
 }
 
 fn plan_command(deed: PlanDeed) -> Command {

@@ -15,7 +15,7 @@
 //!   recording that `replay rehearsal` plays).
 //! - `drive` runs the console without terminal and user, for measurements.
 
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
 use std::io;
 use std::sync::Arc;
 use std::time::Duration;
@@ -57,6 +57,7 @@ mod replaying;
 mod session;
 mod sight;
 mod signals;
+mod situations;
 mod trials;
 
 pub use api::ApiOptions;
@@ -74,6 +75,7 @@ use pace::Pace;
 use session::{RunningSession, SessionEnding, SessionPlan};
 use sight::Sight;
 use signals::Signals;
+use situations::{Situation, SituationWork};
 
 /// The time between checks for changes by other consoles and commands.
 const LOOK_EVERY: Duration = Duration::from_secs(2);
@@ -175,6 +177,10 @@ struct Console {
     careers: Option<Careers>,
     /// When to check for changes by other consoles and commands.
     next_look: Duration,
+    /// The situations of this session, by their places.
+    situations: BTreeMap<usize, Situation>,
+    /// A situation that is being captured or recalled.
+    situation_work: VecDeque<SituationWork>,
     /// Whether time is stopped until the trainee leaves the brief.
     awaits_reader: bool,
     /// The outcome of a program's line, until the program is answered.
@@ -247,6 +253,8 @@ impl Console {
             attempt: Attempt::practice(None),
             careers: None,
             next_look: LOOK_EVERY,
+            situations: BTreeMap::new(),
+            situation_work: VecDeque::new(),
             awaits_reader: false,
             ending: SessionEnding::default(),
             program_answer: None,
@@ -348,6 +356,8 @@ impl Console {
         {
             self.settle(finished);
         }
+        self.take_in().await;
+        self.finish_situations().await;
         self.take_in().await;
     }
 

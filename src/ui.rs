@@ -9,7 +9,7 @@
 //!   colours and signs.
 //! - How it reaches cells: `panel` divides an area and writes into it, `hits` records what a click means, `ascii`
 //!   replaces characters that the terminal lacks, `picture` makes of a screen what an instructor sees elsewhere,
-//!   `window` sets the title of the terminal's window.
+//!   `shown` draws what a desk shows to its class, `window` sets the title of the terminal's window.
 
 use ratatui::Frame;
 
@@ -24,6 +24,7 @@ mod look;
 mod panel;
 mod picture;
 mod screen;
+mod shown;
 mod theme;
 mod underline;
 mod widget;
@@ -32,6 +33,7 @@ mod window;
 pub use hits::Hits;
 pub use look::{Badge, Look};
 pub use picture::picture;
+pub use shown::shown_to_class;
 pub use theme::{ColourDepth, Role, Theme, ThemeError, ThemeFile, Themes};
 pub use window::window_title;
 

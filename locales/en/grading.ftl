@@ -47,7 +47,15 @@ grading-reading = another flight is being read: wait until it is shown
 grading-oldest = there is no older flight
 grading-newest = there is no newer flight
 grading-foreign = they belong to another grader or rubric
-grading-lost = grades were not kept: { $fault }
+grading-waits = the grades of { $count ->
+    [one] { $count } flight
+   *[other] { $count } flights
+} are not written yet; the desk keeps them and tries again every minute: { $fault }
+grading-written = all grades are written now
+grading-ask-quit-reason = the grades of { $count ->
+    [one] { $count } flight
+   *[other] { $count } flights
+} could not be written and are lost
 grading-title = { $user }: { $mission }, { $score } points, { $when }  ({ $number }/{ $flights })
 grading-rubric = { $rubric }, graded by { $grader }
 grading-open = { $count ->
@@ -64,10 +72,9 @@ grading-remark = remark: { $text }
 grading-cited = bookmarks: { $numbers }
 grading-bookmark = ◆{ $number } { $time } { $text }
 class-key-grade = grade
-class-key-rate = rate (1 to 5, 0)
-class-key-remark = write remark
-class-key-cite = cite bookmark
-class-key-older = show older flight
+class-key-rate = rate 1–5, 0
+class-key-remark = remark
+class-key-cite = cite
 argument-trainee = a trainee's user name
 argument-rubric = the name of a rubric
 argument-rating = 1 to 5, `unobserved`, or `clear`

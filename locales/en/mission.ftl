@@ -170,6 +170,7 @@ mission-goal-attention-result = { $count } of { $all } late
 mission-goal-score = { $points } points or more
 mission-goal-score-result = { $points } points
 # A pause.
+mission-recalled = a situation was recalled: from here on, the flight is practice, and not recorded
 mission-paused = paused for { $time }
 # The whole program was stopped (Ctrl-Z) while the embedded simulator flew.
 session-stopped = the console and the flight were suspended for { $time }
@@ -217,6 +218,9 @@ mission-prediction-is = { $points } predicted
 mission-goal = your goal
 mission-goal-none = { $key } sets one for `score`, `time`, `battery`, `safety`, `commands` or `attention`, as in `goal time 200s`
 mission-reading = clock
+mission-exam = exam
+mission-exam-is = { $exam }, try { $number } of { $tries }, { $time } left
+mission-reading-held = the instructor starts it
 mission-reading-first = it starts when you leave the brief
 mission-brief-left = the mission's clock runs now; { $key } pauses it
 mission-reading-is = running; { $key } pauses it while you read

@@ -1,17 +1,19 @@
-# Клас: пульт інструктора і місця учнів
+# Клас: пульт інструктора і місця курсантів
 
 room-class = клас
 action-class = показати клас
 action-mark-seat = позначити місце або зняти позначку
 action-mark-all-seats = позначити всі місця
 verb-class = показати клас або дати вказівки його місцям
-words-class = інструктор пульт місця учні урок
-argument-seat = @місце або @all; без нього — позначені місця
+words-class = інструктор пульт місця курсанти урок
+argument-seat = @місце або @all; без нього — те, за яким спостерігають, позначені або під курсором
+argument-hold = курсант чекає в інструктажі до `class start`
+argument-class-vehicles = апарати місця, наприклад 1-4,7; без них — усі
 argument-condition = умова, як у файлах завдань
 
 # Клавіші в останньому рядку
 class-key-watch = екран
-class-key-board = до таблиці
+class-key-board = таблиця
 class-key-mark = позначити
 class-key-message = повідомлення
 class-key-hint = підказка
@@ -19,6 +21,8 @@ class-key-freeze = зупинити час
 class-key-resume = продовжити
 class-key-bookmark = закладка
 class-key-inject = подія
+class-key-take = керувати
+class-key-give = повернути
 class-key-end = завершити
 class-key-results = результати
 class-key-next-page = наступна сторінка
@@ -74,6 +78,8 @@ class-failed = { $line }: апарат { $vehicle } не виконав
 class-objective = досягнуто мету: { $title }
 class-passed = завдання виконано, бали: { $score }
 class-not-passed = завдання не виконано, бали: { $score }
+class-situations = ситуації: { $all }
+class-taken = ви керуєте: { $vehicles }
 class-armed-inject = підготовлено: { $name } за умови { $when }
 class-injects-title = { $seat }: події
 class-inject = { $name }: { $title }
@@ -84,7 +90,7 @@ class-watch-title = екран: { $seat }
 class-watch-none = очікується перше зображення
 class-watch-cut = обрізано: стовпці { $left }–{ $right } із { $columns }, рядки { $top }–{ $bottom } із { $rows } (рухати стрілками)
 class-watch-stale = застаріло: нічого не надходить { $time }
-class-watch-gone = застаріло: учень від'єднався
+class-watch-gone = застаріло: курсант від'єднався
 
 # Вказівки
 class-deed-message = повідомлення «{ $text }»
@@ -98,8 +104,17 @@ class-deed-inject-when = подія { $name } за умови { $when }
 class-deed-disarm = скасування події { $name }
 class-deed-disarm-all = скасування всіх підготовлених подій
 class-deed-end = завершення завдання
+class-deed-capture = збереження ситуації
+class-deed-capture-name = збереження ситуації «{ $name }»
+class-deed-recall = повернення до ситуації «{ $situation }»
+class-deed-take = перейняття керування { $vehicles }
+class-deed-take-all = перейняття керування всіма апаратами
+class-deed-give = повернення керування { $vehicles }
+class-deed-give-all = повернення керування всіма апаратами
+class-deed-command = { $line }
 class-deed-fly = політ { $mission }
 class-deed-exam = іспит { $mission }
+class-deed-hold = { $deed }, з очікуванням початку
 class-deed-start = початок завдання
 class-deed-step = заняття { $lesson }, крок { $step }
 class-deed-step-when = заняття { $lesson }, крок { $step } за умови { $when }
@@ -107,6 +122,7 @@ class-deed-lesson-end = заняття { $lesson } закінчено
 class-done = виконано
 class-no-effect = результату не видно
 class-armed = чекає на умову
+class-under-way = виконується
 class-disarmed = скасовано
 class-refused = відхилено: { $reason }
 class-refusal-exam = на іспиті це заборонено
@@ -122,6 +138,17 @@ class-refusal-condition = умова називає те, чого в завда
 class-refusal-not-armed = такої підготовленої події немає
 class-refusal-flying = триває інший політ
 class-refusal-locked = у профілі цього місця завдання ще закрите, тож іспиту не буде
+class-refusal-too-many-situations = для польоту вже збережено 10 ситуацій: замініть одну за її назвою
+class-refusal-no-situation = такої ситуації в цьому польоті не збережено
+class-refusal-no-vehicle = у польоті немає такого апарата
+class-refusal-real-vehicle = апарати можуть бути справжні, а налаштування місця (class.take_over) цього не дозволяють
+class-refusal-not-taken = керує курсант: спершу перейміть керування (class take)
+class-refusal-line = місце не може прочитати рядок, або це не команда апаратам
+class-refusal-vehicle = апарат цього не виконує
+class-line-long = рядок довший за 200 символів
+class-which-vehicles = вкажіть номери, наприклад 1-4,7, або all
+class-say-vehicles = місцю надсилаються лише команди апаратам
+class-ask-command = { $line }: { $seats }
 class-desk-line = { $instructor }: { $deed }: { $outcome }
 class-given = { $deed }: надіслано { $seats }
 class-seats = { $count ->
@@ -133,13 +160,16 @@ class-no-desk = ця консоль не є пультом класу: відк�
 class-unknown-seat = у класі немає місця з такою назвою після `@`
 class-no-seat = немає місця на зв'язку: перейдіть до нього курсором, позначте кілька або назвіть одне, наприклад @anna
 class-ask-end = ЗАВЕРШИТИ ЗАВДАННЯ: { $seats }
-class-ask-end-reason = польоти цих учнів завершаться зараз і будуть оцінені
+class-ask-end-reason = польоти цих курсантів завершаться зараз і будуть оцінені
 
-# На місці учня
+# На місці курсанта
 header-watched = пульт: { $instructor }
 header-watched-short = пульт
 header-screen-watched = { $instructor } бачить цей екран
 header-screen-watched-short = екран видно
+header-pilot = { $pilot } керує { $vehicles }
+header-try = спроба { $number } з { $tries }, лишилося { $time }
+header-try-short = ще { $time }
 header-frozen = ЧАС ЗУПИНЕНО
 class-none = клас не налаштовано: запустіть консоль із `--class` та назвою класу
 class-waits = очікується пульт класу
@@ -150,8 +180,15 @@ class-joined = у класі { $class }: { $instructor } бачить ваш п�
 class-left = не в класі: приєднатися можна командою `class join`
 class-lost-frozen = пульт зник; `continue` продовжить ваш політ
 class-lost = пульт зник; ваш політ триває
+pilot-other = апаратом { $vehicle } керує { $pilot }
+pilot-user = керування апаратом { $vehicle } не перебрано
+pilot-keeps = { $pilot } керує { $vehicles }: зачекайте, доки керування повернуть
+pilot-desk-gone = пульт зник: { $pilot } більше не керує { $vehicles }; керуєте ви
+ledger-by = { $person }: { $line }
 class-message = { $instructor }: { $text }
 class-frozen = { $instructor } зупиняє час польоту: зачекайте, доки його буде продовжено
+class-brief-held = завдання розпочне { $instructor }: зачекайте тут
+class-brief-freed = пульт зник: завдання розпочинаєте ви
 class-denied = до класу не прийнято: { $reason }
 class-denial-version = пульт потребує версії { $desk } протоколу; оновіть sortie
 class-denial-full = у класі немає вільних місць
@@ -174,9 +211,9 @@ class-submission-different = пульт зберігає під цією наз�
 class-no-records = до класу { $class } ще не здано жодного запису
 class-no-records-known = до класу { $class } ще не здано жодного запису; є записи класів: { $known }
 class-report-title = Клас { $class }: { $count } { $count ->
-        [one] учень
-        [few] учні
-       *[other] учнів
+        [one] курсант
+        [few] курсанти
+       *[other] курсантів
     }
 class-report-none = Ще жоден політ не зараховано: тренування і польоти скрипту не є результатами.
 class-report-missions = Найкращі бали і спроби за завданнями (✓ пройдено)
@@ -185,7 +222,7 @@ class-report-spread = Найкращі бали класу
 class-report-objectives = Цілі, спершу найменш засвоєні (найкращий політ кожного)
 class-report-skill-spread = Навички, спершу найменш засвоєні
 class-report-practice = тренувань
-class-report-trainees = учнів
+class-report-trainees = курсантів
 class-report-least = найнижчий
 class-report-median = медіана
 class-report-most = найвищий
@@ -213,7 +250,7 @@ class-report-best = { $mission }: найкращий політ, бали { $sco
 # Сторінка результатів
 class-results-title = клас { $class }, { $number } з { $count }: { $page }
 class-results-by-mission = Найкращі бали і спроби за завданнями
-class-results-none = Жоден учень ще не здав запису: консоль здає його, коли закінчується політ завдання.
+class-results-none = Жоден курсант ще не здав запису: консоль здає його, коли закінчується політ завдання.
 class-results-reading = Записи класу читаються.
 class-results-met = хто досяг
 class-results-spread = найнижчий ─ середина █ ─ найвищий

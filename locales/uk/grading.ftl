@@ -49,7 +49,15 @@ grading-reading = інший політ ще читається: зачекай�
 grading-oldest = давнішого польоту немає
 grading-newest = новішого польоту немає
 grading-foreign = вони належать іншому інструкторові або іншій рубриці
-grading-lost = оцінки не збережено: { $fault }
+grading-waits = оцінки { $count ->
+    [one] { $count } польоту
+   *[other] { $count } польотів
+} ще не записано; пульт тримає їх і пробує знову щохвилини: { $fault }
+grading-written = усі оцінки записано
+grading-ask-quit-reason = оцінки { $count ->
+    [one] { $count } польоту
+   *[other] { $count } польотів
+} не вдалося записати, і вони пропадуть
 grading-title = { $user }: { $mission }, балів: { $score }, { $when }  ({ $number }/{ $flights })
 grading-rubric = { $rubric }; оцінює { $grader }
 grading-open = { $count ->
@@ -58,7 +66,7 @@ grading-open = { $count ->
     [few] не оцінено { $count } елементи
    *[many] не оцінено { $count } елементів
 }
-grading-scale = 1 дуже погано  2 погано  3 прийнятно  4 добре  5 дуже добре  0 не спостерігали
+grading-scale = 1 дуже погано  2 погано  3 прийнятно  4 добре  5 відмінно  0 не видно
 grading-needs-reason = оцінки 1 і 5 потребують примітки (`class remark`) або закладки (`class cite`)
 grading-good = + { $marker }
 grading-poor = - { $marker }
@@ -67,10 +75,9 @@ grading-remark = примітка: { $text }
 grading-cited = закладки: { $numbers }
 grading-bookmark = ◆{ $number } { $time } { $text }
 class-key-grade = оцінити
-class-key-rate = оцінити (1–5, 0)
-class-key-remark = написати примітку
-class-key-cite = послатися на закладку
-class-key-older = показати давніший політ
+class-key-rate = оцінка 1–5, 0
+class-key-remark = примітка
+class-key-cite = закладка
 argument-trainee = ім'я користувача курсанта
 argument-rubric = назва рубрики
 argument-rating = від 1 до 5, `unobserved` або `clear`

@@ -178,6 +178,7 @@ mission-goal-score = набрати від { $points ->
 }
 mission-goal-score-result = балів: { $points }
 # Пауза.
+mission-recalled = повернення до збереженої ситуації: відтепер політ — тренування і не записується
 mission-paused = пауза { $time }
 # Усю програму було зупинено (Ctrl-Z), поки літав вбудований симулятор.
 session-stopped = консоль було призупинено на { $time }; політ на цей час зупинився
@@ -225,6 +226,9 @@ mission-prediction-is = передбачено { $points }
 mission-goal = ваша мета
 mission-goal-none = мету задає { $key }: `score`, `time`, `battery`, `safety`, `commands` або `attention`, наприклад `goal time 200s`
 mission-reading = годинник
+mission-exam = іспит
+mission-exam-is = { $exam }, спроба { $number } з { $tries }, лишилося { $time }
+mission-reading-held = відлік почне інструктор
 mission-reading-first = відлік почнеться, коли ви закриєте інструктаж
 mission-brief-left = відлік часу завдання почався; { $key } — пауза
 mission-reading-is = іде; { $key } — пауза, поки ви читаєте

@@ -238,6 +238,13 @@ pub enum ClassEffect {
     ReadLesson { name: String, seats: Vec<usize> },
     /// At the desk: read a flight of a trainee, and the grades that it has.
     ReadGraded(GradedRequest),
+    /// At the desk: find a flight of a trainee: the one with this record, otherwise the newest one; and the newest one of
+    /// another trainee in the same mission.
+    FindFlights {
+        user: String,
+        record: Option<String>,
+        beside: Option<String>,
+    },
     /// At the desk: keep the grades of a flight.
     KeepGrades {
         user: String,
@@ -309,6 +316,17 @@ pub enum SessionEffect {
     Speedup(PaceChange),
     /// Give the mission up; its report follows as an event.
     Abandon,
+    /// Keep the situation of the flight in this place, in which another one may be.
+    Capture {
+        id: OrderId,
+        slot: usize,
+    },
+    /// Return to the situation in this place; the line is the last one of the record.
+    Recall {
+        id: OrderId,
+        slot: usize,
+        line: DeskRecord,
+    },
     /// End the mission for the instructor, as it stands; its report follows as an event.
     Stop,
     /// Start the same mission again.

@@ -19,7 +19,7 @@ use crate::class::protocol::{DeskMessage, SeatMessage};
 use crate::class::{
     ConnectionId, Exam, OrderId, RecordName, Refusal, Submission, SubmissionRefusal,
 };
-use crate::class_results::ClassResults;
+use crate::class_results::{ClassResults, FoundFlights};
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
@@ -31,6 +31,7 @@ use crate::moment::Moment;
 use crate::notice::Notice;
 use crate::operator::RehearsalFindings;
 use crate::parameters::ParameterSnapshot;
+use crate::pilot_in_command::Person;
 use crate::review::Review;
 use crate::scoring::{Report, TryReport};
 use crate::session::ListedFolder;
@@ -138,6 +139,8 @@ pub enum VehicleEvent {
         verb: &'static Verb,
         /// The risk of the command.
         risk: Risk,
+        /// Who gave the command; `None` for the user of the console.
+        by: Option<Person>,
         /// The vehicles that the command addresses.
         vehicles: Vec<VehicleId>,
     },
@@ -197,6 +200,8 @@ pub enum SessionEvent {
     Mission(Box<Progress>),
     /// The mission is over.
     MissionEnded(Box<Report>),
+    /// The flight continues, frozen, from this earlier state.
+    Recalled(Box<FlightSnapshot>),
     /// Another flight of the mission is ready to show beside this one.
     Ghost(Box<Ghost>),
 }
@@ -306,8 +311,14 @@ pub enum ClassEvent {
         asked: GradedRequest,
         flight: Result<Box<GradedFlight>, Text>,
     },
-    /// At the desk: grades were not kept, with the reason.
-    GradesLost(Text),
+    /// At the desk: the flights that are to be replayed, or why there are none.
+    FlightsFound(Result<FoundFlights, Text>),
+    /// At the desk: the grades of so many flights are not written yet. They are kept in memory, and written later.
+    GradesWait {
+        count: usize,
+        /// Why the last ones could not be written; `None` if all have been written now.
+        fault: Option<Text>,
+    },
     /// At the desk: what happened to its exam.
     Exam(ExamEvent),
     /// At the desk: the results of the class have changed.

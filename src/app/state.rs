@@ -49,6 +49,7 @@ mod hangar;
 mod heights;
 mod help;
 mod history;
+mod insight;
 mod links;
 mod mission_fence;
 mod names;
@@ -77,8 +78,10 @@ pub use alert::{Alert, alert, alerts};
 pub use bell::{BellCall, Due};
 pub use career::Career;
 pub use choice::{Choice, Selection};
-pub(in crate::app) use class::{ArmedOrder, OpenTry, OrderTrace, PendingOrder, WaitingStep};
-pub use class::{ClassRole, SeatPlace};
+pub(in crate::app) use class::{
+    ArmedOrder, HeldBrief, OpenTry, OrderTrace, PendingOrder, SeatSituation, WaitingStep,
+};
+pub use class::{ClassRole, SeatPlace, ShownTry};
 pub use column::SortKey;
 pub use display::{Display, SMALLEST, is_too_small};
 pub use filter::VehicleFilter;
@@ -89,6 +92,7 @@ pub use hangar::{Hangar, Instance, SitlStage};
 pub use heights::Heights;
 pub use help::{HelpLine, HelpPage, HelpScene, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
+pub use insight::{FlightTruth, TrueVehicle};
 pub use links::{Connections, ForwardSummary, LinkCounters, LinkSummary};
 pub use notices::{NoticeLine, NoticeLog};
 pub use overlay::{

@@ -176,13 +176,16 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
             line,
             verb,
             risk,
+            by,
             vehicles,
         } => {
-            let line = line.as_str();
-            state
-                .session
-                .commands
-                .open(at, Given { line, verb, risk }, &vehicles);
+            let given = Given {
+                line: line.as_str(),
+                verb,
+                risk,
+                by: by.as_ref(),
+            };
+            state.session.commands.open(at, given, &vehicles);
             state.rooms.ledger.spoil();
         }
         VehicleEvent::Row(row) => {
@@ -268,6 +271,7 @@ fn session(state: &mut State, event: SessionEvent) {
         SessionEvent::Speedup(change) => pace::changed(state, change),
         SessionEvent::Mission(progress) => telemetry::progress(state, *progress),
         SessionEvent::MissionEnded(report) => telemetry::ended(state, report),
+        SessionEvent::Recalled(flight) => class::recalled(state, *flight),
         SessionEvent::Ghost(other) => ghost::arrived(state, *other),
     }
 }

@@ -17,16 +17,20 @@ pub struct TryWithoutRecord {
     pub number: u32,
     /// The number of tries at the mission.
     pub tries: u32,
+    /// When it was opened, in seconds since 1970.
+    pub opened: u64,
+    /// Whether it may still be flown: it is not over for the desk.
+    pub is_open: bool,
 }
 
 impl TryWithoutRecord {
-    /// The tries of exams that none of the flights is.
-    pub fn of(exams: &[Exam], trainees: &[ClassTrainee]) -> Vec<Self> {
-        let of_exam = |exam| Self::of_exam(exam, trainees);
+    /// The tries of exams that none of the flights is, at a time in seconds since 1970.
+    pub fn of(exams: &[Exam], trainees: &[ClassTrainee], now: u64) -> Vec<Self> {
+        let of_exam = |exam| Self::of_exam(exam, trainees, now);
         exams.iter().flat_map(of_exam).collect()
     }
 
-    fn of_exam(exam: &Exam, trainees: &[ClassTrainee]) -> Vec<Self> {
+    fn of_exam(exam: &Exam, trainees: &[ClassTrainee], now: u64) -> Vec<Self> {
         let mut found = Vec::new();
         for (user, candidate) in exam.candidates() {
             let flown = trainees.iter().filter(|it| it.user == *user);
@@ -44,6 +48,8 @@ impl TryWithoutRecord {
                     mission: missing.name.mission.to_string(),
                     number: missing.name.number,
                     tries: mission.map_or(0, |it| it.tries),
+                    opened: missing.opened.unwrap_or_default(),
+                    is_open: missing.ended.is_none() && now < missing.opening().until,
                 });
             }
         }

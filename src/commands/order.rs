@@ -2,6 +2,7 @@
 
 use super::{Command, Deed, Manoeuvre, PlanCommand, PlanTask};
 use crate::ledger::{Given, Risk};
+use crate::pilot_in_command::Person;
 use crate::text::Text;
 use crate::vehicle::{VehicleId, Vehicles, Wind};
 use crate::verb::Verb;
@@ -15,6 +16,8 @@ pub struct Order {
     /// The vehicles; if their order matters, the leader is first.
     pub targets: Vec<VehicleId>,
     pub act: Act,
+    /// Who gives it; `None` for the user of the console.
+    pub by: Option<Person>,
 }
 
 impl Order {
@@ -24,6 +27,7 @@ impl Order {
             line: &self.line,
             verb: self.verb,
             risk: self.act.risk(),
+            by: self.by.as_ref(),
         }
     }
 }

@@ -284,6 +284,12 @@ pub const SETTINGS: &[Setting] = &[
         "User name of the instructor to whom the desk must belong; by default the owner of the folder of the class.",
     ),
     setting(
+        "class.take_over",
+        SettingKind::Flag,
+        None,
+        "Whether the instructor may take over vehicles that this console is connected to: true or false. Simulated vehicles may always be taken over.",
+    ),
+    setting(
         "macros",
         SettingKind::Lines,
         None,

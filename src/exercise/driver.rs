@@ -18,7 +18,7 @@ pub enum FlightPace {
 }
 
 /// Begins a flight and divides its time into ticks. Its owner steps the flight by each tick.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct FlightDriver {
     flight: Flight,
     pace: FlightPace,

@@ -8,6 +8,7 @@ use crate::diagnostic::Diagnostic;
 use crate::language::{Context, Statement};
 use crate::notice::Notice;
 use crate::operator::{self, Dispatch, OperatorScene};
+use crate::pilot_in_command::PilotsInCommand;
 use crate::record::{EntryLine, Happening, PathLine};
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
@@ -59,6 +60,7 @@ impl<L> Exercise<L> {
             now,
             vehicles: &self.vehicles,
             flight: Some(self.driver.flight_mut()),
+            pilots: &PilotsInCommand::default(),
         };
         for work in self.operator.carry_out(entry, order, scene) {
             self.dispatch(work, now);

@@ -89,6 +89,15 @@ impl FleetClock {
         stood
     }
 
+    /// Sets a stopped clock back to an earlier time, at which it stands.
+    pub fn go_back(&self, to: Duration) {
+        self.stop();
+        let mut pauses = self.pauses();
+        if let Some(since) = pauses.since {
+            pauses.before = since.duration_since(self.start).saturating_sub(to);
+        }
+    }
+
     /// Sets whether time also stands still while the whole program is stopped, as by Ctrl-Z. This
     /// is right if the program itself simulates the vehicles, which are then stopped with it.
     pub fn stand_through_stops(&self, stands: bool) {
@@ -134,6 +143,22 @@ mod tests {
         clock.stop();
         advance(s(1)).await;
         assert_eq!(clock.now(), s(8));
+    }
+
+    #[tokio::test(start_paused = true)]
+    async fn a_clock_that_is_set_back_stands_there_and_goes_on_from_there() {
+        let clock = FleetClock::start();
+        advance(s(5)).await;
+        clock.stop();
+        advance(s(1)).await;
+        clock.go_on();
+        advance(s(20)).await;
+        clock.go_back(s(5));
+        advance(s(3)).await;
+        assert_eq!(clock.now(), s(5));
+        clock.go_on();
+        advance(s(2)).await;
+        assert_eq!(clock.now(), s(7));
     }
 
     #[tokio::test(start_paused = true)]

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
-use tokio::sync::{mpsc, watch};
+use tokio::sync::{mpsc, oneshot, watch};
 use tokio_util::sync::CancellationToken;
 
 use super::keepers::desk_of;
@@ -39,6 +39,10 @@ pub(super) enum ToVehicle {
     Twin,
     /// Its autopilot has been restarted.
     Restarted,
+    /// Send a copy of the conversation.
+    Copy(oneshot::Sender<Session>),
+    /// Continue an earlier conversation.
+    Recall(Box<Session>),
     /// A vehicle with this system id has appeared on its link.
     NewVehicle(SystemId),
     /// Another ground station is heard on its link.
@@ -146,6 +150,12 @@ impl VehicleTask {
             ToVehicle::Sticks(held) => self.session.steer_by_hand(held, now),
             ToVehicle::Twin => self.session.note_twin(now),
             ToVehicle::Restarted => self.session.restarted(now),
+            ToVehicle::Copy(answer) => drop(answer.send(self.session.clone())),
+            ToVehicle::Recall(session) => {
+                self.session = *session;
+                self.backlog.clear();
+                self.route.0.hush(self.session.is_cut());
+            }
             ToVehicle::NewVehicle(system) => self.session.hear_new_vehicle(system, now),
             ToVehicle::StationHeard => self.session.station_heard(now),
             ToVehicle::Want(want) => {

@@ -41,6 +41,8 @@ pub struct RecordBookmark {
 pub struct GradedFlight {
     /// The trainee's user name.
     pub user: String,
+    /// The name of the trainee's profile, if there was one.
+    pub profile: Option<String>,
     /// The name of the record.
     pub record: String,
     /// The title of the mission.

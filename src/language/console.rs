@@ -17,7 +17,7 @@ use crate::vehicle::{RadioTest, VehicleId};
 mod class;
 mod grading;
 
-pub use class::{ClassLine, SeatChoice};
+pub use class::{ClassLine, ReplayedTrainees, SeatChoice};
 pub use grading::{GradingLine, Rating};
 
 /// A line that the console carries out itself, without any vehicle.

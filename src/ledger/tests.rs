@@ -39,6 +39,7 @@ fn given(line: &str) -> Given<'_> {
         line,
         verb: &ARM,
         risk: Risk::None,
+        by: None,
     }
 }
 

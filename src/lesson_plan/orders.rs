@@ -99,10 +99,19 @@ fn deed(
     {
         return Err(whole(text!("lesson-message-long", most = LONGEST_MESSAGE)));
     }
-    if let Deed::Fly { mission, exam } = deed {
+    if let Deed::Fly {
+        mission,
+        exam,
+        hold,
+    } = deed
+    {
         *flight = flown(mission.as_str(), exam, setting).map_err(whole)?;
         let mission = flight.mission_id().unwrap_or_default().into();
-        return Ok(Deed::Fly { mission, exam });
+        return Ok(Deed::Fly {
+            mission,
+            exam,
+            hold,
+        });
     }
     if flight.is_exam && !deed.is_for_exams() {
         let fault = whole(text!("lesson-exam"));

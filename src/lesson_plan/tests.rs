@@ -106,7 +106,11 @@ then = "end"
     assert_eq!(
         brief.deeds,
         [
-            Deed::Fly { mission, exam },
+            Deed::Fly {
+                mission,
+                exam,
+                hold: false
+            },
             Deed::Mark {
                 text: "a text, with a comma".into()
             },

@@ -6,11 +6,12 @@
 
 use std::io;
 use std::net::SocketAddr;
+use std::sync::Arc;
 use std::time::Duration;
 
 use tokio::io::DuplexStream;
 use tokio::net::UdpSocket;
-use tokio::sync::watch;
+use tokio::sync::{mpsc, oneshot, watch};
 use tokio::task::{JoinHandle, coop::unconstrained, yield_now};
 use tokio::time::{Instant, MissedTickBehavior, interval};
 use tokio_util::sync::CancellationToken;
@@ -22,6 +23,7 @@ use crate::text::Text;
 
 mod inputs;
 mod listen;
+mod places;
 #[cfg(test)]
 mod tests;
 mod transport;
@@ -29,6 +31,8 @@ mod transport;
 pub use inputs::InputSink;
 use inputs::WorldRecord;
 use listen::open_servers;
+use places::PlaceFeed;
+pub use places::{TruePlace, TruePlaces};
 use transport::{PipeTransport, Transports, UdpTransport};
 
 /// At this many simulated vehicle seconds per second or more, steps are distributed over threads. Below that, one core
@@ -154,6 +158,35 @@ impl From<f64> for PaceFeed {
     }
 }
 
+/// A request to a running simulator, which it also answers while it is held.
+enum WorldRequest {
+    /// Send a copy of the world.
+    Copy(oneshot::Sender<World>),
+    /// Go on with this world, which is a copy of an earlier time; what waits on the way to or from its ground stations
+    /// is dropped, and inputs are not recorded any more.
+    Replace(Box<World>, oneshot::Sender<()>),
+}
+
+/// The way to copy and replace the world of a running simulator.
+#[derive(Debug, Clone)]
+pub struct WorldHandle(mpsc::Sender<WorldRequest>);
+
+impl WorldHandle {
+    /// A copy of the world as it is; `None` if the simulator has ended.
+    pub async fn copy(&self) -> Option<World> {
+        let (answer, copied) = oneshot::channel();
+        self.0.send(WorldRequest::Copy(answer)).await.ok()?;
+        copied.await.ok()
+    }
+
+    /// Replaces the world by a copy of an earlier time; returns whether the simulator goes on with it.
+    pub async fn replace(&self, world: World) -> bool {
+        let (answer, replaced) = oneshot::channel();
+        let request = WorldRequest::Replace(Box::new(world), answer);
+        self.0.send(request).await.is_ok() && replaced.await.is_ok()
+    }
+}
+
 /// The server of the embedded simulator.
 #[derive(Debug)]
 pub struct Simulator;
@@ -170,6 +203,10 @@ pub struct StartedSimulator {
     pub connections: watch::Receiver<usize>,
     /// The number of steps whose output was sent. It does not change while the program is stopped.
     pub steps: watch::Receiver<u64>,
+    /// Copies and replaces the world.
+    pub world: WorldHandle,
+    /// Where the vehicles are in truth.
+    pub places: TruePlaces,
     /// Ends when the simulator has been cancelled.
     pub task: JoinHandle<()>,
 }
@@ -220,12 +257,16 @@ impl Simulator {
         // vehicles would use it up, and those of later ones would look idle in every round.
         let (count, connections) = watch::channel(world.connections());
         let (passed, steps) = watch::channel(world.steps());
+        let (handle, requests) = mpsc::channel(1);
+        let places = watch::Sender::new(Arc::default());
         let running = SteppedWorld {
+            requests,
             threads: threads(world.vehicles(), speedup),
             world,
             transports,
             count,
             passed,
+            places: PlaceFeed::new(places.clone()),
             record,
         };
         let task = tokio::spawn(unconstrained(running.run(pace, cancel)));
@@ -235,6 +276,8 @@ impl Simulator {
             further_addresses: addresses.iter().map(|[_, one, two]| [*one, *two]).collect(),
             connections,
             steps,
+            world: WorldHandle(handle),
+            places,
             task,
         })
     }
@@ -338,8 +381,10 @@ struct SteppedWorld {
     transports: Transports,
     count: watch::Sender<usize>,
     passed: watch::Sender<u64>,
+    places: PlaceFeed,
     threads: usize,
     record: Option<WorldRecord>,
+    requests: mpsc::Receiver<WorldRequest>,
 }
 
 impl SteppedWorld {
@@ -351,6 +396,7 @@ impl SteppedWorld {
         loop {
             tokio::select! {
                 () = cancel.cancelled() => return self.end(),
+                Some(request) = self.requests.recv() => self.serve(request),
                 _ = wake.tick() => {}
             }
             let now = Instant::now();
@@ -388,6 +434,22 @@ impl SteppedWorld {
         }
     }
 
+    fn serve(&mut self, request: WorldRequest) {
+        match request {
+            WorldRequest::Copy(answer) => drop(answer.send(self.world.copy())),
+            WorldRequest::Replace(world, answer) => {
+                self.transports.drop_traffic(&mut self.world);
+                self.end();
+                self.record = None;
+                self.world = *world;
+                self.places.start_again();
+                self.places.publish(&self.world);
+                self.passed.send_replace(self.world.steps());
+                let _ = answer.send(());
+            }
+        }
+    }
+
     fn step(&mut self) {
         step_on_threads(&mut self.world, self.threads);
         if let Some(record) = &mut self.record {
@@ -400,6 +462,7 @@ impl SteppedWorld {
             record.publish();
         }
         self.passed.send_replace(self.world.steps());
+        self.places.publish(&self.world);
         self.transports.write(&mut self.world);
     }
 

@@ -33,6 +33,7 @@ pub(crate) fn given(line: &str) -> Given<'_> {
         line,
         verb: statement.verb,
         risk: act.risk(),
+        by: None,
     }
 }
 

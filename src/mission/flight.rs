@@ -70,7 +70,7 @@ use threats::Threats;
 use tracks::Tracks;
 
 /// A running mission: a pure function of the mission, the seed and its inputs.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Flight {
     mission: Arc<Mission>,
     seed: u64,
@@ -264,6 +264,24 @@ impl Flight {
         self.journal
             .say(JournalEntry::new(EventKind::Pause, Severity::Notice, text));
         self.journal.take().pop()
+    }
+
+    /// Turns a copy of the flight into one that continues in its place: it is practice, and not recorded. Returns the
+    /// notice, in mission time.
+    pub fn continue_from_situation(&mut self) -> Option<Notice> {
+        self.recorder = None;
+        self.stake = Stake::Practice;
+        let text = text!("mission-recalled");
+        self.journal
+            .say(JournalEntry::new(EventKind::Pause, Severity::Notice, text));
+        self.journal.take().pop()
+    }
+
+    /// Notes in the record that the flight continues from an earlier situation, in another flight: this one is practice.
+    pub fn record_recall(&mut self) {
+        if let Some(recorder) = &mut self.recorder {
+            recorder.recall();
+        }
     }
 
     pub fn outcome(&self) -> FlightOutcome {

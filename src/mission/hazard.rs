@@ -48,8 +48,25 @@ pub(crate) trait Hazard: Debug + Send + Sync {
     }
 }
 
+/// Copies fields whose type is not known; every field with a copy has it.
+pub(crate) trait FieldClone {
+    fn boxed(&self) -> Box<dyn Field>;
+}
+
+impl<T: Field + Clone + 'static> FieldClone for T {
+    fn boxed(&self) -> Box<dyn Field> {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for Box<dyn Field> {
+    fn clone(&self) -> Self {
+        (**self).boxed()
+    }
+}
+
 /// A hazard's truth during one flight.
-pub(crate) trait Field: Debug + Send + Sync {
+pub(crate) trait Field: FieldClone + Debug + Send + Sync {
     /// Advances by a [`TICK`](super::TICK); `now` is the mission time at the end of the tick.
     fn step(&mut self, _now: Duration, _weather: &Weather) {}
 

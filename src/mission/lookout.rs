@@ -31,14 +31,14 @@ const SUREST: f64 = 0.999;
 const ALARMS: [FindKind; 2] = [FindKind::Mine, FindKind::Person];
 
 /// All detectors of a fleet.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Lookout {
     seed: u64,
     eyes: BTreeMap<(VehicleId, &'static str), Eye>,
 }
 
 /// One detector on one vehicle.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 struct Eye {
     glances: BTreeMap<ObjectId, Glance>,
     alarms: BTreeMap<FindKind, Chance>,
@@ -47,7 +47,7 @@ struct Eye {
 }
 
 /// A detector's history of looks at one object.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Glance {
     chance: Chance,
     last: Duration,
@@ -57,7 +57,7 @@ struct Glance {
 }
 
 /// A recurring event, each time after a random exposure.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Chance {
     random: ChaCha8Rng,
     exposure: f64,

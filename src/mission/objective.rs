@@ -131,8 +131,25 @@ pub(crate) trait ObjectiveKind: Debug + Send + Sync {
     fn start(&self, world: &World) -> Box<dyn Tracker>;
 }
 
+/// Copies trackers whose type is not known; every tracker with a copy has it.
+pub(crate) trait TrackerClone {
+    fn boxed(&self) -> Box<dyn Tracker>;
+}
+
+impl<T: Tracker + Clone + 'static> TrackerClone for T {
+    fn boxed(&self) -> Box<dyn Tracker> {
+        Box::new(self.clone())
+    }
+}
+
+impl Clone for Box<dyn Tracker> {
+    fn clone(&self) -> Self {
+        (**self).boxed()
+    }
+}
+
 /// Watches one objective during a flight.
-pub(crate) trait Tracker: Debug + Send + Sync {
+pub(crate) trait Tracker: TrackerClone + Debug + Send + Sync {
     /// Advances by a [`TICK`](super::TICK), for kinds with a memory of their own.
     fn step(&mut self, _scene: &ObjectiveScene<'_>) {}
 

@@ -135,6 +135,11 @@ impl End {
     }
 }
 
+/// Whether a line ends a record because an earlier situation of the flight was recalled, which makes it practice.
+pub fn is_recall(line: &[u8]) -> bool {
+    matches!(serde_json::from_slice(line), Ok(RecordLine::Recall))
+}
+
 /// The mission time of a line of a record; `None` if it has none.
 pub fn time_of_line(line: &[u8]) -> Option<Duration> {
     let line: RecordLine = serde_json::from_slice(line).ok()?;
@@ -146,7 +151,7 @@ fn checksum(lines: RunningHash) -> String {
 }
 
 /// Writes the record of a flight while it is flown.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Recorder {
     written: String,
     sum: RunningHash,
@@ -247,6 +252,10 @@ impl Recorder {
         self.befall(&RecordLine::Abandon);
     }
 
+    pub fn recall(&mut self) {
+        self.befall(&RecordLine::Recall);
+    }
+
     pub fn stop(&mut self) {
         self.befall(&RecordLine::Stop);
     }
@@ -308,6 +317,7 @@ impl Recorder {
                 line: entry.line.clone(),
                 verb: entry.verb,
                 risk: entry.risk,
+                by: entry.by.clone(),
                 vehicles: entry.rows.iter().map(|row| row.vehicle).collect(),
             });
         }

@@ -106,7 +106,7 @@ impl Survey {
 }
 
 /// The surveys of one flight.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Surveys(Vec<Survey>);
 
 impl Surveys {

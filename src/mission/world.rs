@@ -21,7 +21,7 @@ const COLUMN_SLICES: u32 = 8;
 const SMOKE_EXTINCTION_M2_G: f64 = 8.7;
 
 /// The world of one flight.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct World {
     /// The current weather; events change it.
     pub weather: Weather,
@@ -63,7 +63,7 @@ impl World {
     /// A world with these objects, for tests.
     #[cfg(test)]
     pub fn of_objects(weather: Weather, objects: Vec<Object>) -> Self {
-        #[derive(Debug)]
+        #[derive(Debug, Clone)]
         struct Lying(Vec<Object>);
         impl Field for Lying {
             fn objects(&self) -> &[Object] {

@@ -5,6 +5,7 @@ use crate::commands::Setpoint;
 use crate::geo::LatLon;
 use crate::ledger::Ledger;
 use crate::mission::{Flight, Mission, Stake};
+use crate::pilot_in_command::Person;
 use crate::vehicle::Vehicle;
 use std::sync::Arc;
 
@@ -35,6 +36,7 @@ fn said(operator: &mut Operator, line: &str) -> Vec<Dispatch> {
         now: Duration::from_secs(7),
         vehicles: &vehicles(),
         flight: None,
+        pilots: &PilotsInCommand::default(),
     };
     operator.carry_out(entry, &order, scene)
 }
@@ -154,6 +156,7 @@ fn answered(line: &str, stake: Stake, rules: &str) -> Vec<RowState> {
         now: Duration::ZERO,
         vehicles: &vehicles(),
         flight: Some(&mut flight),
+        pilots: &PilotsInCommand::default(),
     };
     let work = Operator::default().carry_out(entry, &order, scene);
     let rows = work.into_iter().filter_map(|work| match work {
@@ -214,4 +217,49 @@ fn a_flight_that_counts_keeps_its_home_and_takes_no_raw_commands() {
         assert_eq!(answered(line, Stake::Practice, ""), [], "{line}");
     }
     assert_eq!(answered("2 param get LAND_SPEED", Stake::Graded, ""), []);
+}
+
+#[test]
+fn a_vehicle_that_somebody_else_flies_takes_no_part_and_says_who_flies_it() {
+    let petro = Person::named("petro");
+    let mut pilots = PilotsInCommand::default();
+    pilots.take_over(&[2], &petro);
+    let carry_out = |line: &str, by: Option<&Person>| {
+        let order = Order {
+            by: by.cloned(),
+            ..read(line).expect("a good line")
+        };
+        let entry = Ledger::new().open(Duration::ZERO, order.given(), &order.targets);
+        let scene = OperatorScene {
+            now: Duration::ZERO,
+            vehicles: &vehicles(),
+            flight: None,
+            pilots: &pilots,
+        };
+        let work = Operator::default().carry_out(entry, &order, scene);
+        let commanded = work.iter().filter_map(|work| match work {
+            Dispatch::Command(vehicle, _) => Some(*vehicle),
+            _ => None,
+        });
+        let commanded: Vec<VehicleId> = commanded.collect();
+        let refused = work.iter().filter_map(|work| match work {
+            Dispatch::Row(row) if row.state == RowState::Overtaken => row.explanation.clone(),
+            _ => None,
+        });
+        let refused: Vec<String> = refused.map(|it| it.to_string()).collect();
+        (commanded, refused.join("; "))
+    };
+    let others: Vec<VehicleId> = FLEET.into_iter().filter(|&id| id != 2).collect();
+    let (commanded, refused) = carry_out("all arm", None);
+    assert_eq!((commanded, refused.as_str()), (others, "petro flies 2"));
+    let (commanded, refused) = carry_out("2 rtl", Some(&petro));
+    assert_eq!((commanded, refused.as_str()), (vec![2], ""));
+    let (commanded, refused) = carry_out("1 rtl", Some(&petro));
+    assert_eq!(
+        (commanded, refused.as_str()),
+        (vec![], "vehicle 1 is not taken over")
+    );
+    // Joint manoeuvres go on without it.
+    let (_, refused) = carry_out("all formation line spacing 10", None);
+    assert!(refused.starts_with("petro flies 2"), "{refused}");
 }

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::class::{Deed, Outcome};
-use crate::class_text::{deed_text, outcome_text};
+use crate::class::{Deed, Outcome, Words};
+use crate::class_text::{deed_text, ended_text};
 use crate::text;
 use crate::text::Text;
 
@@ -16,6 +16,9 @@ pub struct DeskRecord {
     pub deed: Deed,
     /// How the order ended at the seat.
     pub outcome: Outcome,
+    /// More about the outcome.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub why: Option<Words>,
 }
 
 impl DeskRecord {
@@ -25,7 +28,7 @@ impl DeskRecord {
             "class-desk-line",
             instructor = &self.by,
             deed = deed_text(&self.deed),
-            outcome = outcome_text(self.outcome)
+            outcome = ended_text(self.outcome, self.why.as_ref())
         )
     }
 }

@@ -13,6 +13,7 @@ use crate::geo::LatLon;
 use crate::language;
 use crate::ledger::{EntryId, LedgerRow, Risk, RowState, RowUpdate};
 use crate::notice::Notice;
+use crate::pilot_in_command::Person;
 use crate::session::{RadioFault, Want};
 use crate::swarm::Path;
 use crate::text::{StoredText, Text};
@@ -121,6 +122,9 @@ pub struct EntryLine {
     pub verb: &'static Verb,
     #[serde(default, skip_serializing_if = "is_none")]
     pub risk: Risk,
+    /// Who gave the command; `None` for the user of the console.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub by: Option<Person>,
     pub vehicles: Vec<VehicleId>,
 }
 
@@ -133,6 +137,7 @@ impl EntryLine {
             line: given.line.to_owned(),
             verb: given.verb,
             risk: given.risk,
+            by: order.by.clone(),
             vehicles: order.targets.clone(),
         }
     }

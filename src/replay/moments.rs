@@ -93,6 +93,7 @@ impl Lookout {
                     | SessionEvent::Ended
                     | SessionEvent::Paused(_)
                     | SessionEvent::Speedup(_)
+                    | SessionEvent::Recalled(_)
                     | SessionEvent::Ghost(_),
                 )
                 | Event::Terminal(_)

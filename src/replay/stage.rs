@@ -352,6 +352,7 @@ fn opened(entry: &EntryLine, at: Duration) -> Event {
         line: entry.line.clone(),
         verb: entry.verb,
         risk: entry.risk,
+        by: entry.by.clone(),
         vehicles: entry.vehicles.clone(),
     }
     .into()

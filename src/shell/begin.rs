@@ -187,6 +187,8 @@ impl Console {
     /// `ending`.
     pub(super) fn end_session(&mut self) {
         self.go_on();
+        self.situations.clear();
+        self.situation_work.clear();
         self.clock.stand_through_stops(false);
         self.replaying = None;
         // The ghost was meant for the flight that ends.

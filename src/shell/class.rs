@@ -15,12 +15,13 @@ use super::{Console, ConsoleOptions, RunningSession};
 use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
-use crate::app::state::{ClassRole, SeatPlace};
+use crate::app::state::{ClassRole, FlightTruth, SeatPlace};
 use crate::carrier::{ClassFault, ClassPlace, DeskArrival, DeskPlace, Outbox, SeatArrival};
 use crate::class::{Consent, Desk, Picture, RecordHead, Refusal, Seat};
 use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
 use crate::text;
+use crate::ui;
 use desk_end::DeskEnd;
 use desk_files::DeskAnswer;
 use seat_end::SeatEnd;
@@ -104,6 +105,10 @@ struct ClassSight<'a> {
     pub picture: &'a dyn Fn() -> Option<Picture>,
     /// Takes the head of the record of the mission in flight.
     pub head: &'a dyn Fn() -> Option<RecordHead>,
+    /// Takes the truth of the flight.
+    pub truth: &'a dyn Fn() -> FlightTruth,
+    /// At the desk: draws what it shows to the class, if that may be shown now.
+    pub shown: &'a dyn Fn() -> Option<Picture>,
 }
 
 /// What arrives from the other side.
@@ -173,7 +178,7 @@ impl ClassEnd {
             (Self::Seat(end), ClassRole::Seat(place)) => {
                 end.tell(place.seat(), state, sight);
             }
-            (Self::Desk(end), ClassRole::Desk(desk)) => end.tell(desk, state),
+            (Self::Desk(end), ClassRole::Desk(desk)) => end.tell(desk, state, sight),
             _ => {}
         }
     }
@@ -193,11 +198,27 @@ impl Console {
     /// Tells the other side of a class what it does not know yet. `picture` takes the screen, if there is one.
     pub(super) fn tell_class(&self, end: &mut ClassEnd, picture: &dyn Fn() -> Option<Picture>) {
         let head = || self.record_head();
+        let truth = || {
+            let running = self.running.as_ref();
+            running.map_or_else(FlightTruth::default, RunningSession::truth)
+        };
+        let shown = || self.shown_to_class();
         let sight = ClassSight {
             picture,
             head: &head,
+            truth: &truth,
+            shown: &shown,
         };
         end.tell(self.app.state(), &sight);
+    }
+
+    /// What the desk shows to the class, drawn so that it fits the terminals of all seats that look on.
+    fn shown_to_class(&self) -> Option<Picture> {
+        let state = self.app.state();
+        let [columns, rows] = state.class_role().desk()?.shown_size();
+        let own = state.display().size();
+        let size = (columns.min(own.0), rows.min(own.1));
+        ui::shown_to_class(state, &self.sight.look, size)
     }
 
     /// Takes in what has arrived from the other side of a class.
@@ -279,11 +300,16 @@ impl Console {
                 let flight = Err(text!("career-nowhere"));
                 self.post(ClassEvent::Graded { asked, flight });
             }
+            ClassEffect::FindFlights { .. } if self.options.preferences.data.is_none() => {
+                let fault = Err(text!("career-nowhere"));
+                self.post(ClassEvent::FlightsFound(fault));
+            }
             ClassEffect::ReadExam { name, seats } => self.read_exam(name, seats),
             ClassEffect::HandIn(_)
             | ClassEffect::KeepNotes { .. }
             | ClassEffect::Settle(_)
             | ClassEffect::ReadGraded(_)
+            | ClassEffect::FindFlights { .. }
             | ClassEffect::KeepGrades { .. }
             | ClassEffect::Receive { .. }
             | ClassEffect::Deny { .. } => self.class_work.push(effect),

@@ -3,6 +3,7 @@
 use super::Console;
 use super::begin::parse;
 use super::session::SessionPlan;
+use super::situations::SituationWork;
 use crate::app::effect::{Effect, ForwardChange, SessionEffect, TerminalEffect};
 use crate::app::event::Event;
 use crate::notice::sanitised;
@@ -112,6 +113,14 @@ impl Console {
             }
             SessionEffect::Speedup(change) => {
                 self.set_speedup(change);
+                Ok(())
+            }
+            SessionEffect::Capture { id, slot } => {
+                self.begin_situation(SituationWork::Capture { id, slot });
+                Ok(())
+            }
+            SessionEffect::Recall { id, slot, line } => {
+                self.begin_situation(SituationWork::Recall { id, slot, line });
                 Ok(())
             }
             SessionEffect::Abandon => {

@@ -16,9 +16,9 @@ impl Console {
     pub(super) fn order(&mut self, entry: EntryId, order: &Order) {
         let now = self.clock.now();
         self.note_order(entry, order, now);
-        let vehicles = self.app.state().session().vehicles();
+        let shown = self.app.state().session();
         let events: Vec<Event> = match &mut self.running {
-            Some(running) => running.carry_out(entry, order, vehicles, now),
+            Some(running) => running.carry_out(entry, order, shown, now),
             None => order
                 .targets
                 .iter()

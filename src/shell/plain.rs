@@ -169,7 +169,8 @@ impl Plain {
         self.hold();
         self.beginning.look(self.console.app.state());
         let now = self.console.app.state().now();
-        if now.saturating_sub(self.said_at) >= NEWS_EVERY {
+        let is_urgent = self.report.is_urgent(self.console.app.state());
+        if is_urgent || now.saturating_sub(self.said_at) >= NEWS_EVERY {
             self.said_at = now;
             self.tell_news();
         }

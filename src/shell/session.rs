@@ -5,6 +5,7 @@
 //!   without blocking the screen.
 //! - In flight: `mission_run` steps the mission and its clock, `orders` hands orders to vehicles, mission and
 //!   manoeuvres, `rehearsals` flies plans in the background.
+//! - What only an instructor sees: `truth`.
 //! - What is shown: `links`, `forwards`, and `inspection`, which examines the links for the doctor and the messages
 //!   room.
 //! - What is kept: `recorder` (frames and journal), `logbook` (the record of the mission).
@@ -21,7 +22,7 @@ use crate::app::event::{Event, VehicleEvent};
 use crate::app::room::messages::TrafficRequest;
 use crate::exercise::PacedClock;
 use crate::fleet::{Fleet, FleetEvent};
-use crate::link::SimulatorPace;
+use crate::link::{SimulatorPace, WorldHandle};
 use crate::notice::Notice;
 use crate::operator::Operator;
 use crate::parameters::ParameterSnapshot;
@@ -40,7 +41,9 @@ mod mission_run;
 mod orders;
 mod recorder;
 mod rehearsals;
+mod situation;
 mod start;
+mod truth;
 
 use forwards::SessionForwards;
 use hangar::Processes;
@@ -51,7 +54,9 @@ pub(super) use mission_run::Finished;
 use mission_run::MissionRun;
 use recorder::FlightRecorder;
 use rehearsals::Rehearsals;
+pub(super) use situation::SessionSituation;
 pub(super) use start::{SessionBackend, SessionPlan};
+use truth::SimulatedTruth;
 
 /// The maximum number of fleet events per tick, so that a flood of notices cannot block the screen.
 const EVENTS_PER_TICK: usize = 2000;
@@ -73,6 +78,8 @@ pub(super) struct RunningSession {
     pace: watch::Sender<SimulatorPace>,
     operator: Operator,
     rehearsals: Rehearsals,
+    /// The world of the embedded simulator, if the session has one.
+    world: Option<WorldHandle>,
     /// The airframes of the simulated vehicles; empty for the standard one.
     airframes: Vec<Arc<Airframe>>,
     /// The paths of manoeuvres, as last shown.
@@ -80,6 +87,8 @@ pub(super) struct RunningSession {
     vehicle_time: PacedClock,
     processes: Option<Processes>,
     recorder: Option<FlightRecorder>,
+    /// Where simulated vehicles are in truth; `None` for processes and for vehicles of others.
+    truth: Option<SimulatedTruth>,
     cancel: CancellationToken,
 }
 

@@ -20,7 +20,8 @@ use super::signature::signature_of;
 use super::{StoreError, sharing};
 use crate::campaign::is_practice;
 use crate::class::{RecordHead, RecordName};
-use crate::mission::record::{End, Head};
+use crate::mission::Stake;
+use crate::mission::record::{End, Head, is_recall};
 use crate::scoring::TryReport;
 
 /// The format of a date and time in UTC: `2026-11-20T14:03:22Z`.
@@ -322,8 +323,12 @@ pub(super) fn outline(path: &Path) -> io::Result<(Head, Option<End>)> {
     let file = File::open(path)?;
     let mut first = Vec::new();
     BufReader::new((&file).take(HEAD_LEN)).read_until(b'\n', &mut first)?;
-    let head = serde_json::from_slice(&first)?;
-    Ok((head, End::of_line(&last_line_of(file)?)))
+    let mut head: Head = serde_json::from_slice(&first)?;
+    let last = last_line_of(file)?;
+    if is_recall(&last) {
+        head.stake = Stake::Practice;
+    }
+    Ok((head, End::of_line(&last)))
 }
 
 /// The last line of a file, without its line end.

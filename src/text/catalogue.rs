@@ -63,6 +63,7 @@ catalogue! {
     "telemetry",
     "transport",
     "verbs",
+    "watching",
     "workshop",
 }
 

@@ -116,6 +116,7 @@ impl Talk {
             line: verb.name,
             verb,
             risk: Risk::None,
+            by: None,
         };
         let entry = self.ledger.open(self.now, given, &[1]);
         let order = VehicleCommand::new(entry, verb, command);

@@ -13,8 +13,8 @@ const LIBRARIES: &[&[&str]] = &[&["class", "geo", "plan", "wire", "sim", "rehear
 /// Pure modules of the program, lowest first: each may use those before it (and those of its own line).
 const PURE: &[&[&str]] = &[
     &["hash", "text", "verb"],
-    &["class_text"],
     &["vehicle_id"],
+    &["class_text", "pilot_in_command"],
     &["diagnostic", "alert", "config"],
     &["preflight", "draft"],
     &["parameters", "workshop"],

@@ -27,7 +27,7 @@ const NAMES: &[&str] = &[
     "AHRS ASCII failsafe ArduCopter ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON Linux MAVFTP MAVLink PX4 NAT RC RTK RX SITL SQLite TOML DataFlash TCP TX UDP USB UTC UTF Zenoh",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok root setgid",
     // A key of exams with its values, and an option.
-    "layout own same public key",
+    "layout own same public key take_over",
     // Keys.
     "Ctrl Enter Esc Tab WASD R1 g1 w3 w3/12 p3",
     // Parameters of rovers and planes.

@@ -79,6 +79,7 @@ fn hello(sitting: u64) -> SeatMessage {
     SeatMessage::Hello(Hello {
         protocol: VERSION,
         sitting,
+        name: None,
     })
 }
 
@@ -199,7 +200,11 @@ async fn fill(outbox: &Outbox) -> bool {
         if outbox.has_room() {
             let class = "x".repeat(150).as_str().into();
             let protocol = VERSION;
-            outbox.send(&DeskMessage::Welcome { protocol, class });
+            outbox.send(&DeskMessage::Welcome {
+                protocol,
+                class,
+                name: "seat".into(),
+            });
             return true;
         }
         tokio::time::sleep(std::time::Duration::from_millis(2)).await;

@@ -4,12 +4,18 @@ use std::time::Duration;
 
 use super::protocol::{Denial, Hello, SeatMessage, VERSION};
 use super::{
-    Attention, Deed, Exam, Need, OrderId, Piece, Presence, SeatRecord, SeatReport, Submission,
-    TryHead, Words,
+    Attention, Deed, Exam, Insight, Need, OrderId, PicturePart, Piece, Presence, SeatRecord,
+    SeatReport, Submission, TryHead, Watching, Words,
 };
 
+/// The number of empty seats of a user from which one of them is used, whatever name a console claims.
+const EMPTY_SEATS: usize = 16;
 /// The maximum number of seats.
 pub const SEATS: usize = 512;
+
+/// The least size of what the desk shows, and the rows that seats need for other things.
+const SHOWN_LEAST: [u16; 2] = [80, 21];
+const SHOWN_ROWS: u16 = 3;
 
 /// The number of a connection to a seat. No number is used twice.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -35,8 +41,9 @@ pub struct Desk {
     class: Words,
     pub(super) seats: Vec<SeatRecord>,
     orders: u32,
-    /// The seat whose screen is watched.
-    watched: Option<usize>,
+    watching: Watching,
+    /// Whether the desk shows something to the class.
+    is_showing: bool,
     pub(super) exam: Option<Exam>,
 }
 
@@ -48,7 +55,8 @@ impl Desk {
             class,
             seats: Vec::new(),
             orders: 0,
-            watched: None,
+            watching: Watching::Nothing,
+            is_showing: false,
             exam: None,
         }
     }
@@ -112,11 +120,8 @@ impl Desk {
                 let new = seat.journal.receive(batch);
                 seat.hear(&new);
             }
-            SeatMessage::Screen(part) if self.watched == Some(index) => {
-                self.seats[index].see(&part, now);
-            }
-            // It was on its way when the desk stopped watching.
-            SeatMessage::Screen(_) => {}
+            SeatMessage::Screen(part) => self.see(index, &part, now),
+            SeatMessage::Insight(insight) => self.see_behind(index, *insight),
             SeatMessage::Submit(submission) => return Ok(DeskHeard::Submission(submission)),
             SeatMessage::Piece(piece) => return Ok(DeskHeard::Piece(piece)),
             SeatMessage::Head(head) => {
@@ -128,10 +133,27 @@ impl Desk {
         Ok(DeskHeard::Known)
     }
 
+    /// Takes in a part of a screen, unless it was on its way when the desk stopped watching.
+    fn see(&mut self, index: usize, part: &PicturePart, now: Duration) {
+        if self.watching.screen() == Some(index) {
+            self.seats[index].see(part, now);
+        }
+    }
+
+    /// Takes in what is behind a screen, unless it was on its way when the desk stopped watching.
+    fn see_behind(&mut self, index: usize, insight: Insight) {
+        if self.watching.seats().contains(&index) {
+            self.seats[index].insight = Some(insight.bounded());
+        }
+    }
+
     fn report(&mut self, index: usize, report: SeatReport, now: Duration) {
         let seat = &mut self.seats[index];
         seat.attention
             .observe(Need::of(report.flight.as_ref()), now);
+        if report.flight.is_none() {
+            seat.insight = None;
+        }
         seat.report = Some(report);
         seat.heard_at = now;
     }
@@ -147,19 +169,28 @@ impl Desk {
         if hello.protocol != VERSION {
             return Err(Denial::Version { desk: VERSION });
         }
-        let mut own = self
+        let own = self
             .seats
             .iter()
             .enumerate()
             .filter(|(_, it)| it.user == user);
         // The connection before may still count as open: its console is the same, and has left it.
         let before = own.clone().find(|(_, it)| it.sitting == hello.sitting);
-        let free = before.or_else(|| own.find(|(_, it)| !it.is_here()));
+        // A desk that was opened again gives a console the name that it had: consoles come back in any order.
+        let claimed = hello.name.as_ref().map(Words::as_str);
+        let claimed = claimed.filter(|name| is_name_for(name, user));
+        let mut empty = own.clone().filter(|(_, it)| !it.is_here());
+        let free = before.or_else(|| {
+            let is_wanted = |name: &str| claimed.is_none_or(|claimed| claimed == name);
+            // One user's claims do not fill the class.
+            let has_many = empty.clone().count() >= EMPTY_SEATS;
+            empty.find(|(_, it)| has_many || is_wanted(&it.name))
+        });
         let index = match free {
             Some((index, _)) => index,
             None if self.seats.len() >= SEATS => return Err(Denial::Full),
             None => {
-                let name = self.name_for(user);
+                let name = self.name_for(user, claimed);
                 self.seats
                     .push(SeatRecord::new(name, user, connection, now));
                 self.seats.len() - 1
@@ -169,12 +200,13 @@ impl Desk {
         Ok(())
     }
 
-    fn name_for(&self, user: &str) -> String {
-        let count = self.seats.iter().filter(|it| it.user == user).count();
-        match count {
-            0 => user.to_owned(),
-            some => format!("{user}-{}", some + 1),
-        }
+    /// A name that no seat has: the claimed one, otherwise that of the user, with a number if it is taken.
+    fn name_for(&self, user: &str, claimed: Option<&str>) -> String {
+        let is_free = |name: &String| self.seats.iter().all(|seat| seat.name != *name);
+        let numbered = (2..).map(|number| format!("{user}-{number}"));
+        let own = std::iter::once(user.to_owned()).chain(numbered);
+        let mut names = claimed.map(str::to_owned).into_iter().chain(own);
+        names.find(is_free).unwrap_or_default()
     }
 
     /// A connection has ended.
@@ -186,17 +218,50 @@ impl Desk {
         }
     }
 
-    /// Watches the screen of a seat, instead of another one; `None` watches none.
-    pub fn watch(&mut self, seat: Option<usize>) {
-        self.watched = seat.filter(|&it| it < self.seats.len());
-        if let Some(seat) = seat.and_then(|it| self.seats.get_mut(it)) {
-            seat.forget_screen();
+    /// Watches these seats instead of others.
+    pub fn watch(&mut self, watching: Watching) {
+        let watching = watching.among(self.seats.len());
+        if self.watching == watching {
+            return;
         }
+        for (index, seat) in self.seats.iter_mut().enumerate() {
+            let (before, now) = (self.watching.parts_of(index), watching.parts_of(index));
+            if before.screen != now.screen {
+                seat.forget_screen();
+            }
+            if !now.insight {
+                seat.insight = None;
+            }
+        }
+        self.watching = watching;
     }
 
-    /// The seat whose screen is watched.
-    pub fn watched(&self) -> Option<usize> {
-        self.watched
+    /// What is watched.
+    pub fn watching(&self) -> &Watching {
+        &self.watching
+    }
+
+    /// Shows something to the seats whose trainees look on, or no longer does.
+    pub fn show(&mut self, on: bool) {
+        self.is_showing = on;
+    }
+
+    /// The columns and rows of what the desk shows: as large as fits the terminals of all seats that look on, which need
+    /// three rows for other things.
+    pub fn shown_size(&self) -> [u16; 2] {
+        let here = self.seats.iter().filter(|seat| seat.looks_on());
+        let sizes = here.filter_map(|seat| seat.report.as_ref()?.screen);
+        let least = sizes.reduce(|a, b| [a[0].min(b[0]), a[1].min(b[1])]);
+        let [columns, rows] = least.unwrap_or(SHOWN_LEAST);
+        [
+            columns.max(SHOWN_LEAST[0]),
+            rows.saturating_sub(SHOWN_ROWS).max(SHOWN_LEAST[1]),
+        ]
+    }
+
+    /// Whether the desk shows something to the class.
+    pub fn is_showing(&self) -> bool {
+        self.is_showing
     }
 
     /// Gives an order to a seat.
@@ -222,6 +287,15 @@ impl Desk {
         let late = self.seats.iter_mut().map(|seat| seat.expire(now));
         late.fold(false, |any, one| any | one)
     }
+}
+
+/// Whether a seat of this user may have this name: no user can speak for another.
+fn is_name_for(name: &str, user: &str) -> bool {
+    let Some(rest) = name.strip_prefix(user) else {
+        return false;
+    };
+    let number = rest.strip_prefix('-').and_then(|it| it.parse().ok());
+    rest.is_empty() || number.is_some_and(|it: usize| (2..=SEATS).contains(&it))
 }
 
 /// The key by which names are sorted: `anna-2` before `anna-10`.

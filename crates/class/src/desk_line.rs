@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::protocol::{DeskMessage, VERSION};
+use super::watch::{Picture, PictureSender};
+use super::watching::WatchedParts;
 use super::{ConnectionId, Desk, Order, OrderState, SeatRecord};
 
 /// How long the desk waits for entries or the outcome of an order before it asks again.
@@ -13,6 +15,8 @@ const ASK_AGAIN: Duration = Duration::from_secs(2);
 const SAY_EVERY: Duration = Duration::from_secs(2);
 /// How long the desk waits for a whole picture before it asks for one again.
 const WATCH_AGAIN: Duration = Duration::from_millis(500);
+/// How long the desk waits before it tells a seat again that nothing is shown any more.
+const HIDE_AGAIN: Duration = Duration::from_secs(1);
 
 /// A desk's half of one connection. A new connection needs a new one.
 #[derive(Debug, Clone, Default)]
@@ -21,10 +25,20 @@ pub struct DeskLine {
     /// When the last line was said.
     said_at: Duration,
     asked: Option<Asked>,
-    /// When the seat was asked for its screen, while the desk watches it.
-    watched: Option<Duration>,
+    /// What the seat was asked for while it is watched, and when.
+    watched: Option<AskedParts>,
+    /// What the seat has seen of what the desk shows to the class.
+    shown: Option<PictureSender>,
+    /// When the seat was last told that nothing is shown any more.
+    hidden_at: Option<Duration>,
     /// When each order without an outcome was sent, by its number.
     ordered: BTreeMap<u32, Duration>,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct AskedParts {
+    at: Duration,
+    parts: WatchedParts,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -56,6 +70,7 @@ impl DeskLine {
             return Some(DeskMessage::Welcome {
                 protocol: VERSION,
                 class: desk.class().clone(),
+                name: seat.name.as_str().into(),
             });
         }
         if self.has_to_ask(seat, now) {
@@ -63,33 +78,64 @@ impl DeskLine {
                 from: seat.journal.next_number(),
             });
         }
-        if let Some(on) = self.has_to_watch(desk, connection, now) {
-            return Some(DeskMessage::Watch { on });
+        if let Some(WatchedParts { screen, insight }) = self.has_to_watch(desk, connection, now) {
+            return Some(DeskMessage::Watch {
+                on: screen,
+                insight,
+            });
         }
         let order = self.next_order(seat, now).map(DeskMessage::Order);
         order.or_else(|| (now >= self.said_at + SAY_EVERY).then_some(DeskMessage::Here))
     }
 
-    /// Whether the seat has to begin, to begin again or to end sending its screen.
+    /// What the seat has to begin, to begin again or to end sending of its screen and what is behind it.
     fn has_to_watch(
         &mut self,
         desk: &Desk,
         connection: ConnectionId,
         now: Duration,
-    ) -> Option<bool> {
-        let wanted = desk
-            .watched()
-            .filter(|&it| desk.index_of(connection) == Some(it));
-        let Some(seat) = wanted.and_then(|index| desk.seats().get(index)) else {
-            return self.watched.take().map(|_| false);
-        };
+    ) -> Option<WatchedParts> {
+        let index = desk.index_of(connection)?;
+        let parts = desk.watching().parts_of(index);
         let is_due = match self.watched {
-            None => true,
-            Some(at) => seat.screen.is_lost() && now.saturating_sub(at) >= WATCH_AGAIN,
+            None => parts.is_any(),
+            Some(asked) if asked.parts != parts => true,
+            Some(asked) => {
+                let is_lost = parts.screen && desk.seats()[index].screen.is_lost();
+                is_lost && now.saturating_sub(asked.at) >= WATCH_AGAIN
+            }
         };
+        if !is_due {
+            return None;
+        }
+        self.watched = parts.is_any().then_some(AskedParts { at: now, parts });
+        Some(parts)
+    }
+
+    /// The next line about what the desk shows to the class, after everything else. The picture is taken only when one
+    /// is due.
+    pub fn next_shown(
+        &mut self,
+        desk: &Desk,
+        connection: ConnectionId,
+        picture: impl FnOnce() -> Option<Picture>,
+        now: Duration,
+    ) -> Option<DeskMessage> {
+        let looks_on = desk.seat_of(connection).is_some_and(SeatRecord::looks_on);
+        if !looks_on {
+            self.shown = None;
+            return None;
+        }
+        if desk.is_showing() {
+            let sender = self.shown.get_or_insert_default();
+            return sender.next(picture, now).map(DeskMessage::Show);
+        }
+        self.shown = None;
+        // The seat says with its next report whether it has looked away.
+        let is_due = self.hidden_at.is_none_or(|at| now >= at + HIDE_AGAIN);
         is_due.then(|| {
-            self.watched = Some(now);
-            true
+            self.hidden_at = Some(now);
+            DeskMessage::Hide
         })
     }
 

@@ -63,6 +63,9 @@ pub enum Happening {
         deed: Deed,
         /// How the order ended at the seat.
         outcome: Outcome,
+        /// More about the outcome, such as the reason that a vehicle gave; in the language of the seat.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        why: Option<Words>,
     },
 }
 

@@ -9,7 +9,8 @@
 //!
 //! # How the parts fit
 //! - What is said: `report`, `journal`, `order`; `words` is text from the other side, cleaned.
-//! - What is seen: `watch`, the screen of a seat.
+//! - What is seen: `watch`, a screen as pictures; `insight`, what is behind it; `watching`, which seats a desk watches.
+//! - What is shown to seats: a replay at the desk, as pictures in the other direction.
 //! - What remains: `submission`, the record of a flight in pieces; `hand_in`, the records that wait at a seat;
 //!   `reception`, how the desk takes them in.
 //! - What is planned: `lesson`, the steps of a lesson and where a seat is in them; `conduct`, what the desk does for
@@ -30,6 +31,7 @@ mod desk;
 mod desk_line;
 mod exam;
 mod hand_in;
+mod insight;
 mod journal;
 mod lesson;
 mod need;
@@ -42,6 +44,7 @@ mod seat_line;
 mod seat_record;
 mod submission;
 mod watch;
+mod watching;
 mod words;
 
 #[cfg(test)]
@@ -56,6 +59,10 @@ pub use exam::{
     TryName, TryOpening, Witness, WrittenRecord,
 };
 pub use hand_in::{HandIn, HandInOutcome};
+pub use insight::{
+    Insight, InsightPlace, ObjectiveInsight, ObjectiveStanding, TargetInsight, VehicleInsight,
+    VehiclePlace,
+};
 pub use journal::{BATCH, Entry, Happening, Journal, JournalBatch, JournalCopy, KEPT};
 pub use lesson::{
     FlightMoment, HoldReason, LessonPlan, LessonPosition, LessonStep, LessonWait, StepLimit,
@@ -79,4 +86,5 @@ pub use submission::{
 pub use watch::{
     CellStyle, Picture, PictureCell, PicturePart, PictureReceiver, PictureSender, STALE_AFTER,
 };
+pub use watching::{WATCHED, Watching};
 pub use words::Words;

@@ -61,8 +61,35 @@ pub enum Deed {
         /// Only those with this name; all without one.
         name: Option<Words>,
     },
+    /// Keep the situation of the flight, to return to it later.
+    Capture {
+        /// What it is called.
+        name: Words,
+    },
+    /// Return to a situation that was captured in this flight, which is frozen then.
+    Recall {
+        /// The name of the situation, or its number, counted from 1.
+        situation: Words,
+    },
     /// End the mission: the flight is scored as it stands.
     End,
+    /// Make the instructor the pilot in command of vehicles.
+    TakeOver {
+        /// Their numbers; empty for all.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        vehicles: Vec<u16>,
+    },
+    /// Hand vehicles back to the trainee.
+    HandBack {
+        /// Their numbers; empty for all.
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        vehicles: Vec<u16>,
+    },
+    /// Carry out a command of the instructor to vehicles that the instructor flies.
+    Command {
+        /// The line in the language of the command line.
+        line: Words,
+    },
     /// Begin the flight of a mission, with its brief.
     Fly {
         /// The id of the mission.
@@ -70,11 +97,16 @@ pub enum Deed {
         /// Whether the flight is an exam.
         #[serde(default, skip_serializing_if = "is_false")]
         exam: bool,
+        /// Whether the trainee stays in the brief until the desk starts the mission.
+        #[serde(default, skip_serializing_if = "is_false")]
+        hold: bool,
     },
     /// Open a try of an exam, with the brief of its mission.
     Examine(ExamTry),
     /// Let the time of a mission begin whose brief is still shown.
     Start,
+    /// Let the trainee look on at what the desk shows to the class.
+    LookOn,
     /// Note which step of a lesson the seat is at, and report when its condition holds.
     Step(NotedStep),
 }
@@ -161,6 +193,8 @@ pub enum Outcome {
     NoEffect,
     /// It waits for its condition. Another outcome follows.
     Armed,
+    /// It is being carried out. Another outcome follows.
+    UnderWay,
     /// It no longer waits: the desk has disarmed it, or the flight has ended.
     Disarmed,
     /// It was not carried out.
@@ -201,4 +235,18 @@ pub enum Refusal {
     Flown,
     /// At this seat, the flight would be practice: the console has a mission or airframes of its own, or slow motion.
     Practice,
+    /// The seat keeps as many situations as it can.
+    TooManySituations,
+    /// No such situation was captured in this flight.
+    NoSituation,
+    /// The flight has no such vehicle.
+    NoVehicle,
+    /// The vehicles may be real, and the trainee's configuration does not permit others to fly them.
+    RealVehicle,
+    /// The trainee flies the vehicle: the instructor has not taken it over.
+    NotTaken,
+    /// The line cannot be read, or is no command to vehicles.
+    Line,
+    /// A vehicle refused the command, or it does not suit the vehicle.
+    Vehicle,
 }

@@ -9,8 +9,8 @@ use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::{
-    JournalBatch, Order, PicturePart, Piece, PieceRequest, RecordName, SeatReport, Submission,
-    SubmissionEnd, TryHead, Words,
+    Insight, JournalBatch, Order, PicturePart, Piece, PieceRequest, RecordName, SeatReport,
+    Submission, SubmissionEnd, TryHead, Words,
 };
 
 /// The version of the protocol; it increases with every change that is not an addition.
@@ -35,6 +35,8 @@ pub enum SeatMessage {
     Entries(JournalBatch),
     /// The screen, while the desk watches it.
     Screen(PicturePart),
+    /// What is behind the screen, while the desk watches it; boxed like the report.
+    Insight(Box<Insight>),
     /// The record of a flight, which the seat hands in. It is repeated until the desk answers.
     Submit(Submission),
     /// A piece of a record, as the desk has asked for it.
@@ -50,6 +52,9 @@ pub struct Hello {
     pub protocol: u32,
     /// A number that this run of the console has chosen: a journal belongs to one run.
     pub sitting: u64,
+    /// The name that a desk of this class has given to the seat before.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<Words>,
 }
 
 /// A line of the desk.
@@ -62,6 +67,9 @@ pub enum DeskMessage {
         protocol: u32,
         /// The name of the class.
         class: Words,
+        /// The name of the seat.
+        #[serde(default, skip_serializing_if = "Words::is_empty")]
+        name: Words,
     },
     /// The seat cannot join; the connection ends.
     Denied(Denial),
@@ -74,7 +82,14 @@ pub enum DeskMessage {
     Watch {
         /// Whether it is to be sent.
         on: bool,
+        /// Whether what is behind it is to be sent.
+        #[serde(default)]
+        insight: bool,
     },
+    /// A picture of what the desk shows to the class, for seats that look on.
+    Show(PicturePart),
+    /// The desk no longer shows anything.
+    Hide,
     /// Carry out an order, unless it was carried out before.
     Order(Order),
     /// Send the next piece of a record that was handed in.
@@ -155,6 +170,7 @@ mod tests {
         let hello = SeatMessage::Hello(Hello {
             protocol: VERSION,
             sitting: 7,
+            name: None,
         });
         assert_eq!(line(&hello), "{\"hello\":{\"protocol\":1,\"sitting\":7}}\n");
         let order = DeskMessage::Order(Order {

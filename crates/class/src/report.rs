@@ -11,6 +11,12 @@ pub struct SeatReport {
     pub trainee: Words,
     /// The flight; `None` while the trainee flies nothing.
     pub flight: Option<FlightReport>,
+    /// Whether the trainee sees what the desk shows to the class.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub looks_on: bool,
+    /// The columns and rows of the trainee's terminal.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub screen: Option<[u16; 2]>,
 }
 
 /// The state of a seat's flight. Ages are in seconds of the seat's clock, so the clocks of the machines do not matter.
@@ -61,6 +67,12 @@ pub struct FlightReport {
     /// The injects that wait for their conditions.
     #[serde(default)]
     pub armed: Vec<ArmedInject>,
+    /// The situations that were captured, in the order of their numbers.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub situations: Vec<Words>,
+    /// The vehicles that the instructor flies.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub taken: Vec<u16>,
 }
 
 /// An inject that a mission permits.

@@ -2,6 +2,7 @@
 
 use std::collections::VecDeque;
 
+use super::watch::{Picture, PicturePart, PictureReceiver};
 use super::{HandIn, Happening, Journal, Order, OrderId, Outcome, Words};
 
 /// How many orders a seat remembers, so that it does not carry one out twice.
@@ -24,8 +25,13 @@ pub struct Seat {
     sitting: u64,
     consent: Consent,
     instructor: Option<String>,
+    last_instructor: Option<String>,
     class: Option<Words>,
+    /// The name that the desk has given to the seat; a new connection asks for it again.
+    name: Option<Words>,
     is_screen_watched: bool,
+    /// What the desk shows to the class; `None` while the trainee does not look on.
+    shown: Option<PictureReceiver>,
     journal: Journal,
     seen: VecDeque<OrderId>,
     hand_in: HandIn,
@@ -38,8 +44,11 @@ impl Seat {
             sitting,
             consent,
             instructor: None,
+            last_instructor: None,
             class: None,
+            name: None,
             is_screen_watched: false,
+            shown: None,
             journal: Journal::default(),
             seen: VecDeque::new(),
             hand_in: HandIn::default(),
@@ -68,11 +77,13 @@ impl Seat {
     /// A desk was found, which belongs to this user of the machine.
     pub fn find(&mut self, instructor: &str) {
         self.instructor = Some(instructor.to_owned());
+        self.last_instructor.clone_from(&self.instructor);
     }
 
     /// The desk has taken the seat into its class.
-    pub fn enter(&mut self, class: Words) {
+    pub fn enter(&mut self, class: Words, name: Words) {
         self.class = Some(class);
+        self.name = Some(name).filter(|name| !name.is_empty());
         self.hand_in.retry();
     }
 
@@ -81,6 +92,39 @@ impl Seat {
         self.instructor = None;
         self.class = None;
         self.is_screen_watched = false;
+        self.shown = None;
+    }
+
+    /// The name that the desk has given to the seat.
+    pub fn name(&self) -> Option<&Words> {
+        self.name.as_ref()
+    }
+
+    /// The trainee looks on at what the desk shows to the class, or no longer does.
+    pub fn look_on(&mut self, on: bool) {
+        if on {
+            // A trainee who looks on already keeps the picture: the desk goes on with what has changed.
+            self.shown.get_or_insert_default();
+        } else {
+            self.shown = None;
+        }
+    }
+
+    /// Whether the trainee looks on.
+    pub fn looks_on(&self) -> bool {
+        self.shown.is_some()
+    }
+
+    /// Takes in a part of what the desk shows.
+    pub fn see(&mut self, part: &PicturePart) {
+        if let Some(shown) = &mut self.shown {
+            shown.receive(part);
+        }
+    }
+
+    /// What the desk shows, once a picture has come.
+    pub fn shown(&self) -> Option<&Picture> {
+        self.shown.as_ref()?.picture()
     }
 
     /// The desk begins or ends to watch the screen.
@@ -96,6 +140,11 @@ impl Seat {
     /// Whose desk there is; `None` while there is none.
     pub fn instructor(&self) -> Option<&str> {
         self.instructor.as_deref()
+    }
+
+    /// Whose desk there is, or was last.
+    pub fn last_instructor(&self) -> Option<&str> {
+        self.last_instructor.as_deref()
     }
 
     /// The class, while its desk watches this seat.
@@ -120,10 +169,22 @@ impl Seat {
         self.journal.note(clock_s, what);
     }
 
-    /// Notes how an order ended.
-    pub fn settle(&mut self, clock_s: Option<f64>, order: Order, outcome: Outcome) {
+    /// Notes how an order ended, and why, if there is more to say.
+    pub fn settle(
+        &mut self,
+        clock_s: Option<f64>,
+        order: Order,
+        outcome: Outcome,
+        why: Option<Words>,
+    ) {
         let Order { id, deed } = order;
-        self.note(clock_s, Happening::Order { id, deed, outcome });
+        let ended = Happening::Order {
+            id,
+            deed,
+            outcome,
+            why,
+        };
+        self.note(clock_s, ended);
     }
 
     /// The records that the desk has not acknowledged.

@@ -2,9 +2,12 @@
 
 use std::time::Duration;
 
+use super::insight::InsightSender;
 use super::protocol::{DeskMessage, Hello, SeatMessage, VERSION};
 use super::watch::{Picture, PictureSender};
-use super::{Consent, Piece, PieceRequest, RecordName, Seat, SeatReport, TryHead, TryName};
+use super::{
+    Consent, Insight, Piece, PieceRequest, RecordName, Seat, SeatReport, TryHead, TryName,
+};
 
 /// The time between two reports.
 pub const REPORT_EVERY: Duration = Duration::from_millis(500);
@@ -22,6 +25,8 @@ pub trait SeatSource {
     fn report(&self) -> SeatReport;
     /// The screen as the trainee sees it; `None` without one.
     fn picture(&self) -> Option<Picture>;
+    /// What is behind the screen; `None` without a flight.
+    fn insight(&self) -> Option<Insight>;
     /// A piece of a record; `None` until it is read.
     fn piece(&self, request: &PieceRequest) -> Option<Piece>;
     /// How far the record of an exam's try has grown; `None` if none is flown.
@@ -42,6 +47,8 @@ pub struct SeatLine {
     end_sent: Option<TryName>,
     /// What the desk has seen of the screen, while it watches.
     screen: Option<PictureSender>,
+    /// What the desk knows of what is behind the screen, while it watches.
+    insight: Option<InsightSender>,
     /// The record that is being handed in.
     submitted: Option<Submitted>,
 }
@@ -61,7 +68,10 @@ impl SeatLine {
     pub fn hear(&mut self, message: &DeskMessage) {
         match message {
             DeskMessage::Ask { from } => self.next_entry = Some(*from),
-            DeskMessage::Watch { on } => self.screen = on.then(PictureSender::default),
+            DeskMessage::Watch { on, insight } => {
+                self.screen = on.then(PictureSender::default);
+                self.insight = insight.then(InsightSender::default);
+            }
             DeskMessage::Fetch(request) => {
                 if let Some(submitted) = &mut self.submitted
                     && submitted.record == request.record
@@ -74,6 +84,8 @@ impl SeatLine {
             DeskMessage::Welcome { .. }
             | DeskMessage::Denied(_)
             | DeskMessage::Order(_)
+            | DeskMessage::Show(_)
+            | DeskMessage::Hide
             | DeskMessage::Here => {}
         }
     }
@@ -93,6 +105,7 @@ impl SeatLine {
             return Some(SeatMessage::Hello(Hello {
                 protocol: VERSION,
                 sitting: seat.sitting(),
+                name: seat.name().cloned(),
             }));
         }
         seat.class()?;
@@ -106,10 +119,8 @@ impl SeatLine {
         if let Some(head) = self.next_head(source, now) {
             return Some(SeatMessage::Head(head));
         }
-        if let Some(screen) = &mut self.screen
-            && let Some(part) = screen.next(|| source.picture(), now)
-        {
-            return Some(SeatMessage::Screen(part));
+        if let Some(watched) = self.next_watched(source, now) {
+            return Some(watched);
         }
         if let Some(next) = self.next_entry
             && let Some(batch) = seat.journal().from(next)
@@ -118,6 +129,17 @@ impl SeatLine {
             return Some(SeatMessage::Entries(batch));
         }
         self.hand_in(seat, source, now)
+    }
+
+    /// What the desk that watches has not seen yet: of the screen, and of what is behind it.
+    fn next_watched(&mut self, source: &impl SeatSource, now: Duration) -> Option<SeatMessage> {
+        if let Some(screen) = &mut self.screen
+            && let Some(part) = screen.next(|| source.picture(), now)
+        {
+            return Some(SeatMessage::Screen(part));
+        }
+        let insight = self.insight.as_mut()?.next(|| source.insight(), now)?;
+        Some(SeatMessage::Insight(Box::new(insight)))
     }
 
     /// The head of an exam's record, if one is due: at once after the flight, before the record is handed in.

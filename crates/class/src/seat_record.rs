@@ -6,8 +6,8 @@ use std::time::Duration;
 use super::order::ANSWERED_WITHIN;
 use super::watch::{Picture, PicturePart, PictureReceiver};
 use super::{
-    Attention, ConnectionId, Deed, Entry, Happening, JournalCopy, LessonPosition, Order, OrderId,
-    Outcome, SeatReport,
+    Attention, ConnectionId, Deed, Entry, Happening, Insight, JournalCopy, LessonPosition, Order,
+    OrderId, Outcome, SeatReport, Words,
 };
 
 /// The maximum number of orders to one seat that a desk remembers.
@@ -42,6 +42,8 @@ pub struct GivenOrder {
     pub at: Duration,
     /// How far it is.
     pub state: OrderState,
+    /// What the seat has said about the outcome.
+    pub why: Option<Words>,
 }
 
 /// A seat as its desk knows it.
@@ -66,6 +68,8 @@ pub struct SeatRecord {
     pub(super) screen: PictureReceiver,
     /// When something of its screen last came.
     pub(super) seen_at: Option<Duration>,
+    /// What is behind the screen, while the desk watches it.
+    pub(super) insight: Option<Insight>,
     orders: VecDeque<GivenOrder>,
     /// Where it is in a lesson; `None` without one.
     pub lesson: Option<LessonPosition>,
@@ -94,6 +98,7 @@ impl SeatRecord {
             attention: Attention::new(now),
             screen: PictureReceiver::default(),
             seen_at: None,
+            insight: None,
             orders: VecDeque::new(),
             lesson: None,
             lesson_found_at: None,
@@ -116,6 +121,7 @@ impl SeatRecord {
         self.presence = Presence::Here(connection);
         self.heard_at = now;
         self.forget_screen();
+        self.insight = None;
     }
 
     pub(super) fn forget_screen(&mut self) {
@@ -132,6 +138,16 @@ impl SeatRecord {
     /// The screen of the seat, while the desk watches it and a picture has come.
     pub fn picture(&self) -> Option<&Picture> {
         self.screen.picture()
+    }
+
+    /// What is behind the screen, while the desk watches the seat and it flies.
+    pub fn insight(&self) -> Option<&Insight> {
+        self.insight.as_ref()
+    }
+
+    /// Whether the trainee sees what the desk shows to the class.
+    pub fn looks_on(&self) -> bool {
+        self.is_here() && self.report.as_ref().is_some_and(|it| it.looks_on)
     }
 
     /// For how long nothing of the watched screen has come; `None` before the first picture.
@@ -154,6 +170,7 @@ impl SeatRecord {
             order: Order { id, deed },
             at: now,
             state: OrderState::Waiting,
+            why: None,
         });
         if self.orders.len() > REMEMBERED {
             self.orders.pop_front();
@@ -163,12 +180,17 @@ impl SeatRecord {
     /// Notes the outcomes of orders in new entries.
     pub(super) fn hear(&mut self, entries: &[Entry]) {
         for entry in entries {
-            let Happening::Order { id, outcome, .. } = entry.what else {
+            let Happening::Order {
+                id, outcome, why, ..
+            } = &entry.what
+            else {
                 continue;
             };
+            let (id, outcome) = (*id, *outcome);
             let given = self.orders.iter_mut().find(|it| it.order.id == id);
             if let Some(given) = given {
                 given.state = OrderState::Ended(outcome);
+                given.why.clone_from(why);
             }
             if let Some(lesson) = &mut self.lesson {
                 lesson.hear(id, outcome);

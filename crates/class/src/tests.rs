@@ -19,6 +19,7 @@ fn hello(sitting: u64) -> SeatMessage {
     SeatMessage::Hello(Hello {
         protocol: VERSION,
         sitting,
+        name: None,
     })
 }
 
@@ -31,7 +32,11 @@ fn seconds(count: u64) -> Duration {
 }
 
 /// A seat without a flight.
-struct Idle;
+#[derive(Default, Clone, Copy)]
+struct Idle {
+    looks_on: bool,
+    is_flying: bool,
+}
 
 /// The content of the record that a seat hands in: three pieces and a half.
 fn content() -> Vec<u8> {
@@ -40,7 +45,15 @@ fn content() -> Vec<u8> {
 
 impl SeatSource for Idle {
     fn report(&self) -> SeatReport {
-        SeatReport::default()
+        SeatReport {
+            looks_on: self.looks_on,
+            flight: self.is_flying.then(FlightReport::default),
+            ..SeatReport::default()
+        }
+    }
+
+    fn insight(&self) -> Option<Insight> {
+        Some(Insight::default())
     }
 
     fn picture(&self) -> Option<Picture> {
@@ -124,6 +137,7 @@ fn who_does_not_say_hello_or_speaks_another_version_is_denied() {
     let old = SeatMessage::Hello(Hello {
         protocol: 0,
         sitting: 1,
+        name: None,
     });
     let said = desk.hear(at, "anna", old, Duration::ZERO);
     assert_eq!(said, Err(Denial::Version { desk: VERSION }));
@@ -189,14 +203,14 @@ fn an_order_to_a_seat_that_is_gone_is_not_sent_after_ten_seconds() {
 fn nothing_is_said_before_the_trainee_agrees() {
     let mut seat = Seat::new(1, Consent::Unasked);
     let mut line = SeatLine::default();
-    assert_eq!(line.next(&seat, &Idle, seconds(1)), None);
+    assert_eq!(line.next(&seat, &Idle::default(), seconds(1)), None);
     seat.decide(false);
-    assert_eq!(line.next(&seat, &Idle, seconds(1)), None);
+    assert_eq!(line.next(&seat, &Idle::default(), seconds(1)), None);
     seat.decide(true);
-    let said = line.next(&seat, &Idle, seconds(1));
+    let said = line.next(&seat, &Idle::default(), seconds(1));
     assert_eq!(said, Some(hello(1)));
     // And nothing but the hello before the desk has welcomed the seat.
-    assert_eq!(line.next(&seat, &Idle, seconds(1)), None);
+    assert_eq!(line.next(&seat, &Idle::default(), seconds(1)), None);
 }
 
 #[test]
@@ -205,7 +219,7 @@ fn a_seat_sends_its_screen_only_while_it_is_watched_and_again_after_a_break() {
     let run = |rig: &mut Rig, steps: u32| (0..steps).for_each(|_| rig.step());
     run(&mut rig, 5);
     assert_eq!(rig.desk.seats()[0].picture(), None);
-    rig.desk.watch(Some(0));
+    rig.desk.watch(Watching::Screen(0));
     run(&mut rig, 3);
     assert!(rig.seat.is_screen_watched());
     assert_eq!(rig.desk.seats()[0].picture(), Some(&Picture::blank(3, 2)));
@@ -213,18 +227,113 @@ fn a_seat_sends_its_screen_only_while_it_is_watched_and_again_after_a_break() {
     assert!(!rig.seat.is_screen_watched());
     run(&mut rig, 5);
     assert_eq!(rig.desk.seats()[0].picture(), Some(&Picture::blank(3, 2)));
-    rig.desk.watch(None);
+    rig.desk.watch(Watching::Nothing);
     run(&mut rig, 3);
     assert!(!rig.seat.is_screen_watched());
-    assert!(rig.desk.seats()[0].unseen_for(rig.now) >= Some(STEP * 2));
+    assert_eq!(rig.desk.seats()[0].picture(), None);
     // Watched again before the seat has heard that it was not.
-    rig.desk.watch(Some(0));
+    rig.desk.watch(Watching::Screen(0));
     run(&mut rig, 3);
-    rig.desk.watch(None);
-    rig.desk.watch(Some(0));
+    rig.desk.watch(Watching::Nothing);
+    rig.desk.watch(Watching::Screen(0));
     assert_eq!(rig.desk.seats()[0].picture(), None);
     run(&mut rig, 20);
     assert_eq!(rig.desk.seats()[0].picture(), Some(&Picture::blank(3, 2)));
+}
+
+#[test]
+fn tiles_ask_for_what_is_behind_the_screens_of_four_seats_without_the_screens() {
+    let mut rig = Rig::new(Vec::new());
+    let run = |rig: &mut Rig, steps: u32| (0..steps).for_each(|_| rig.step());
+    run(&mut rig, 5);
+    for number in 2..7 {
+        joined(&mut rig.desk, 100 + number, "bohdan", number);
+    }
+    rig.desk.watch(Watching::Tiles(vec![0, 0, 1, 2, 9, 3, 4]));
+    assert_eq!(rig.desk.watching().seats(), [0, 1, 2, 3]);
+    rig.fly();
+    run(&mut rig, 12);
+    assert!(rig.seat.is_screen_watched());
+    assert_eq!(rig.desk.seats()[0].picture(), None);
+    assert!(rig.desk.seats()[0].insight().is_some());
+    // A tile is watched whole.
+    rig.desk.watch(Watching::Screen(0));
+    assert!(rig.desk.seats()[0].insight().is_some());
+    run(&mut rig, 3);
+    assert_eq!(rig.desk.seats()[0].picture(), Some(&Picture::blank(3, 2)));
+    rig.desk.watch(Watching::Nothing);
+    run(&mut rig, 3);
+    assert_eq!(rig.desk.seats()[0].insight(), None);
+    assert!(!rig.seat.is_screen_watched());
+}
+
+#[test]
+fn a_trainee_looks_on_at_what_the_desk_shows_until_either_ends_it() {
+    let mut rig = Rig::new(Vec::new());
+    let run = |rig: &mut Rig, steps: u32| (0..steps).for_each(|_| rig.step());
+    run(&mut rig, 10);
+    rig.desk.show(true);
+    run(&mut rig, 10);
+    // Nothing comes before the seat has carried out the order.
+    assert_eq!(rig.seat.shown(), None);
+    rig.desk.give(0, Deed::LookOn, rig.now);
+    run(&mut rig, 10);
+    assert_eq!(rig.seat.shown(), Some(&Picture::blank(4, 1)));
+    // Another order for those who came late leaves the picture to those who look on.
+    rig.desk.give(0, Deed::LookOn, rig.now);
+    run(&mut rig, 2);
+    assert!(rig.seat.shown().is_some());
+    run(&mut rig, 10);
+    rig.seat.look_on(false);
+    run(&mut rig, 10);
+    assert!(!rig.desk.seats()[0].looks_on());
+    rig.desk.give(0, Deed::LookOn, rig.now);
+    run(&mut rig, 10);
+    assert!(rig.seat.shown().is_some());
+    rig.desk.show(false);
+    run(&mut rig, 10);
+    assert!(!rig.seat.looks_on());
+    // A new connection begins without a picture, and with the same name.
+    rig.seat.look_on(true);
+    rig.reconnect();
+    assert!(!rig.seat.looks_on());
+}
+
+#[test]
+fn consoles_of_one_user_keep_their_names_when_the_desk_is_opened_again() {
+    let mut desk = desk();
+    let claims = |sitting, name: &str| {
+        SeatMessage::Hello(Hello {
+            protocol: VERSION,
+            sitting,
+            name: Some(name.into()),
+        })
+    };
+    let hellos = [
+        ("anna", claims(3, "anna-3")),
+        ("anna", hello(4)),
+        ("anna", claims(2, "anna-2")),
+        // Names of others, and those that no seat gets.
+        ("eve", claims(5, "anna")),
+        ("eve", claims(6, "eve-0")),
+        ("eve", claims(7, "eve-x")),
+    ];
+    for (connection, (user, hello)) in (1..).zip(hellos) {
+        let heard = desk.hear(ConnectionId(connection), user, hello, Duration::ZERO);
+        assert_eq!(heard, Ok(DeskHeard::Known));
+    }
+    let names: Vec<&str> = desk.seats().iter().map(|it| it.name.as_str()).collect();
+    assert_eq!(names, ["anna-3", "anna", "anna-2", "eve", "eve-2", "eve-3"]);
+    // A console that was started anew takes a free seat; one with a name waits for its own.
+    desk.leave(ConnectionId(2), seconds(1));
+    let heard = desk.hear(ConnectionId(8), "anna", claims(8, "anna-4"), seconds(2));
+    assert_eq!(heard, Ok(DeskHeard::Known));
+    joined(&mut desk, 9, "anna", 9);
+    assert_eq!(
+        desk.seat_of(ConnectionId(8)).expect("it sits").name,
+        "anna-4"
+    );
+    assert_eq!(desk.seat_of(ConnectionId(9)).expect("it sits").name, "anna");
 }
 
 #[test]

@@ -28,6 +28,11 @@ impl From<&str> for Words {
 }
 
 impl Words {
+    /// The text, if it is short enough to stay whole.
+    pub fn whole(text: &str) -> Option<Self> {
+        (text.trim().chars().count() <= LONGEST).then(|| text.into())
+    }
+
     /// The text, without control characters.
     pub fn as_str(&self) -> &str {
         &self.0

@@ -144,6 +144,9 @@ impl Autopilot {
     }
 
     fn reboot(&mut self) {
+        if let Some(test) = self.workbench.output_test.take() {
+            self.resume_failsafes(&test);
+        }
         let before = &mut self.vehicle;
         let mut parameters = if self.workbench.erased {
             factory_parameters(before.kind, before.system, &before.plant.airframe)

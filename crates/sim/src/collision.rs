@@ -86,7 +86,7 @@ impl Ball {
 }
 
 /// What stays the same about a vehicle: kept here, so that the check after each step reads only its moving body.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct VehicleFrame {
     start: Start,
     /// The start, relative to the first vehicle's.
@@ -96,7 +96,7 @@ struct VehicleFrame {
 }
 
 /// The collisions of a world.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Collisions {
     obstacles: Obstacles,
     frames: Vec<VehicleFrame>,

@@ -181,7 +181,7 @@ impl PortId {
 }
 
 /// Vehicles, and the ground stations connected to them.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct World {
     slots: Vec<VehicleSlot>,
     next_port: u64,
@@ -373,6 +373,15 @@ impl World {
         let slot = self.slots.get_mut(port.vehicle);
         if slot.is_some_and(|slot| slot.disconnect(port.number)) {
             self.connections -= 1;
+        }
+    }
+
+    /// A copy with its ground stations, which keeps no inputs. With the same inputs, it flies as this world does.
+    #[must_use]
+    pub fn copy(&self) -> Self {
+        Self {
+            inputs: None,
+            ..self.clone()
         }
     }
 

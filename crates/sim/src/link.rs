@@ -14,7 +14,7 @@ use super::schedule::Schedule;
 pub(super) struct LinkNumber(pub(super) u32);
 
 /// The state of one serial port, and the answers to the frame that is being handled.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Link {
     pub(super) serial: Serial,
     pub(super) schedule: Schedule,

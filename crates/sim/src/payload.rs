@@ -7,7 +7,7 @@ use sortie_wire::Content;
 const LONGEST: usize = 255;
 
 /// A received payload; bytes beyond its end read as zero.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Payload([u8; LONGEST]);
 
 impl Payload {
@@ -59,7 +59,7 @@ impl Payload {
 }
 
 /// A payload that is being written.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Writer(Vec<u8>);
 
 impl Writer {

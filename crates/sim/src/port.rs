@@ -32,7 +32,7 @@ const PAUSE_STEPS: u32 = 50;
 const PARAMETERS_PER_STEP: u16 = 23;
 
 /// The serial ports of one vehicle.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Serials {
     pub(super) links: [Link; Serial::ALL.len()],
     pub(super) signing: Signing,
@@ -59,7 +59,7 @@ impl Serials {
 }
 
 /// One ground station on a serial port.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Port {
     pub(super) serial: Serial,
     pub(super) open: bool,

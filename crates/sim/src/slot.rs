@@ -10,7 +10,7 @@ use super::port::{Port, Serials};
 use super::signing::Signing;
 
 /// A vehicle and its connections.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct VehicleSlot {
     pub(super) autopilot: Autopilot,
     pub(super) serials: Serials,

@@ -5,6 +5,7 @@ mod answers;
 mod arming;
 mod batteries;
 mod booting;
+mod copies;
 mod driven;
 mod driving;
 mod failsafes;

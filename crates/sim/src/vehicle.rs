@@ -43,7 +43,7 @@ use super::{STEP, Start, texts};
 const ROVER_FULL_CURRENT_A: f64 = 50.0;
 
 /// The properties that survive a reboot.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Build {
     pub(super) kind: VehicleKind,
     pub(super) system: u8,

@@ -42,7 +42,7 @@ pub struct Counters {
 }
 
 /// Finds frames in a byte stream. A false start costs one byte, never an intact frame behind it.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub struct Decoder {
     buffer: Vec<u8>,
     /// The position in the buffer at which the search continues.

@@ -9,6 +9,7 @@ use crate::app::room::page::{PageLine, Tone};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest, footer_keys};
 use crate::mission::{Listing, Progress};
 use crate::text::Text;
+use crate::vehicle::Severity;
 
 mod page;
 
@@ -126,6 +127,10 @@ impl RoomModel for Mission {
     }
 
     fn submit(state: &mut State) -> Answer {
+        if let Some(reason) = state.holds_brief() {
+            state.say(Severity::Notice, reason);
+            return Some(Vec::new());
+        }
         if state.session.activity.is_some() {
             return Some(vec![RoomRequest::Show(Room::Fly)]);
         }

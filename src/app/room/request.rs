@@ -20,6 +20,8 @@ pub enum RoomRequest {
     /// Carry out this line, after a question if it needs one.
     Give(String),
     Show(Room),
+    /// At a seat of a class: close what the desk shows.
+    LookAway,
     Leave,
     Quit,
 }

@@ -3,13 +3,15 @@
 use std::collections::BTreeSet;
 use std::time::Duration;
 
-use super::State;
+use super::{Room, State};
 use crate::class::{
     Consent, Danger, Deed, Desk, Happening, NotedStep, OrderId, Seat, TryName, Words,
 };
 use crate::ledger::EntryId;
+use crate::pilot_in_command::Person;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle_id::ranges;
 
 /// The time without a line of the desk, which says something every 2 s, after which it no longer holds a flight.
 const DESK_SILENT: Duration = Duration::from_secs(10);
@@ -34,6 +36,8 @@ pub struct SeatPlace {
     pub(in crate::app) pending: Vec<PendingOrder>,
     /// The injects of the desk that wait for their conditions.
     pub(in crate::app) armed: Vec<ArmedOrder>,
+    /// The situations that were captured in this flight.
+    pub(in crate::app) situations: Vec<SeatSituation>,
     /// The step of a lesson that waits for its condition.
     pub(in crate::app) step: Option<WaitingStep>,
     /// The try of an exam that the desk has opened last.
@@ -46,8 +50,14 @@ pub struct SeatPlace {
     pub(in crate::app) has_passed: bool,
     /// The entries of the ledger that the desk has caused, which are no commands of the trainee.
     pub(in crate::app) desk_entries: BTreeSet<EntryId>,
+    /// The room that was shown before the trainee looked on at what the desk shows.
+    pub(in crate::app) looked_from: Option<Room>,
     /// Whether the desk has frozen the flight.
     pub(in crate::app) is_frozen: bool,
+    /// The person at the desk, once that person has taken over vehicles of this flight.
+    pub(in crate::app) desk_pilot: Option<Person>,
+    /// The flight whose brief is held until the desk starts the mission.
+    pub(in crate::app) held: Option<HeldBrief>,
     /// When the desk last said something, by the wall clock.
     pub(in crate::app) heard_at: Duration,
     /// When dangers were last looked for, on the console's clock.
@@ -95,6 +105,14 @@ pub(in crate::app) struct ArmedOrder {
     pub before: usize,
 }
 
+/// A situation that was captured, as far as the class knows it.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct SeatSituation {
+    pub name: Words,
+    /// The injects that waited for their conditions.
+    pub armed: Vec<ArmedOrder>,
+}
+
 /// A step of a lesson that waits for its condition.
 #[derive(Debug, Clone)]
 pub(in crate::app) struct WaitingStep {
@@ -108,12 +126,33 @@ pub(in crate::app) struct WaitingStep {
 #[derive(Debug, Clone)]
 pub(in crate::app) struct OpenTry {
     pub name: TryName,
+    /// The number of tries at its mission.
+    pub tries: u32,
     /// The flight by its number, which may be the next one.
     pub flight: u32,
     /// When it must end, by the wall clock.
     pub until: Duration,
     /// Whether it was ended because its time is up; once is enough.
     pub is_ended: bool,
+}
+
+/// A flight whose brief is held until the desk starts the mission.
+#[derive(Debug, Clone)]
+pub(in crate::app) struct HeldBrief {
+    /// The flight by its number, which may be the next one.
+    pub flight: u32,
+    pub mission: Words,
+}
+
+/// The try of an exam, for the trainee.
+#[derive(Debug, Clone, Copy)]
+pub struct ShownTry<'a> {
+    /// Which try it is.
+    pub name: &'a TryName,
+    /// The number of tries at its mission.
+    pub tries: u32,
+    /// The time that is left for it.
+    pub left: Duration,
 }
 
 impl SeatPlace {
@@ -123,13 +162,17 @@ impl SeatPlace {
             seat,
             pending: Vec::new(),
             armed: Vec::new(),
+            situations: Vec::new(),
             step: None,
             exam: None,
             tries: BTreeSet::new(),
             flights: 0,
             has_passed: false,
             desk_entries: BTreeSet::new(),
+            looked_from: None,
             is_frozen: false,
+            desk_pilot: None,
+            held: None,
             heard_at: Duration::ZERO,
             looked_at: Duration::ZERO,
             danger: None,
@@ -141,6 +184,18 @@ impl SeatPlace {
     /// The seat's journal and connection.
     pub fn seat(&self) -> &Seat {
         &self.seat
+    }
+
+    /// Whether the desk has said something lately: one that has not holds neither the flight nor its vehicles.
+    pub(in crate::app) fn hears_desk(&self, wall: Duration) -> bool {
+        wall < self.heard_at + DESK_SILENT
+    }
+
+    /// Whether the desk wants to start the present flight.
+    pub(in crate::app) fn is_held(&self) -> bool {
+        self.held
+            .as_ref()
+            .is_some_and(|it| it.flight == self.flights)
     }
 
     /// The try of an exam that is the present flight.
@@ -158,12 +213,24 @@ impl SeatPlace {
         match what {
             Happening::Started { ref mission } => {
                 self.is_frozen = false;
+                self.desk_pilot = None;
+                self.situations.clear();
+                // A flight is never hidden by what the desk shows.
+                self.seat.look_on(false);
                 self.flights += 1;
                 // The flight of the try could not be begun, and this is another one.
                 let is_other = |it: &OpenTry| mission.as_ref() != Some(&it.name.mission);
                 if self.open_try().is_some_and(is_other) {
                     self.exam = None;
                 }
+                let is_same = |it: &HeldBrief| mission.as_ref() == Some(&it.mission);
+                // A trainee who has left the brief and opens it again still waits.
+                let flight = self.flights;
+                self.held = self
+                    .held
+                    .take()
+                    .filter(is_same)
+                    .map(|it| HeldBrief { flight, ..it });
                 self.has_passed = false;
                 self.desk_entries.clear();
                 self.danger = None;
@@ -233,7 +300,45 @@ impl<R> State<R> {
     /// Whether the flight is a try of an exam that is not over: the trainee can neither restart it nor leave the class.
     pub fn has_open_try(&self) -> bool {
         let open = self.class.seat().and_then(SeatPlace::open_try);
-        open.is_some() && !self.session.task.over
+        open.is_some() && self.session.activity.is_some() && !self.session.task.over
+    }
+
+    /// Why the trainee cannot start the mission whose brief is shown: the desk does.
+    pub fn holds_brief(&self) -> Option<Text> {
+        let place = self.class.seat()?;
+        let instructor = place.seat.last_instructor().unwrap_or_default();
+        let is_held = place.is_held() && place.hears_desk(self.wall);
+        let is_held = is_held && self.session.is_reading();
+        is_held.then(|| text!("class-brief-held", instructor = instructor))
+    }
+
+    /// Starts the mission if it is waiting for the user to leave the brief, and the desk does not hold it.
+    pub(in crate::app) fn leave_brief(&mut self) {
+        if self.holds_brief().is_none() {
+            self.session.leave_brief();
+        }
+    }
+
+    /// The try of an exam that is flown and not over.
+    pub fn shown_try(&self) -> Option<ShownTry<'_>> {
+        let open = self.class.seat()?.open_try()?;
+        self.has_open_try().then(|| ShownTry {
+            name: &open.name,
+            tries: open.tries,
+            left: open.until.saturating_sub(self.wall),
+        })
+    }
+
+    /// Why the trainee cannot leave the class while the instructor flies vehicles; they go back without the desk.
+    pub fn keeps_vehicles(&self) -> Option<Text> {
+        let place = self.class.seat()?;
+        let pilot = place.desk_pilot.as_ref()?;
+        let vehicles = self.session.pilots.flown_by(pilot);
+        let is_held = !vehicles.is_empty() && place.hears_desk(self.wall);
+        is_held.then(|| {
+            let vehicles = ranges(vehicles);
+            text!("pilot-keeps", pilot = pilot.name(), vehicles = vehicles)
+        })
     }
 
     /// Why the trainee cannot resume a flight that the desk has frozen. Without the desk, or if it is silent, the trainee
@@ -241,7 +346,7 @@ impl<R> State<R> {
     pub fn keeps_frozen(&self) -> Option<Text> {
         let place = self.class.seat()?;
         let instructor = self.class.watcher()?;
-        let is_held = place.is_frozen && self.wall < place.heard_at + DESK_SILENT;
+        let is_held = place.is_frozen && place.hears_desk(self.wall);
         is_held.then(|| text!("class-frozen", instructor = instructor))
     }
 }

@@ -16,6 +16,7 @@ use crate::geo::LatLon;
 use crate::ledger::{LedgerEntry, LedgerRow};
 use crate::mission::Stake;
 use crate::operator::RehearsalFindings;
+use crate::pilot_in_command::PilotsInCommand;
 use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
@@ -46,6 +47,8 @@ pub struct FlightView {
     pub(in crate::app) places: BTreeMap<String, LatLon>,
     pub(in crate::app) choice: Choice,
     pub(in crate::app) commands: SessionLedger,
+    /// Who flies the vehicles.
+    pub(in crate::app) pilots: PilotsInCommand,
     pub(in crate::app) connections: Connections,
     /// The processes that simulate the vehicles, if any.
     pub(in crate::app) hangar: Option<Hangar>,
@@ -84,6 +87,11 @@ impl FlightView {
     /// Other aircraft, the most urgent first.
     pub fn traffic(&self) -> &TrafficPicture {
         &self.traffic
+    }
+
+    /// Who flies the vehicles.
+    pub fn pilots(&self) -> &PilotsInCommand {
+        &self.pilots
     }
 
     /// The planned paths of vehicles in a joint manoeuvre.

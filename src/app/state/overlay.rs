@@ -194,6 +194,8 @@ impl Confirm {
             | Consequence::Parameters(_)
             | Consequence::Design(_)
             | Consequence::JoinClass
+            | Consequence::EndExam
+            | Consequence::EndExamAndQuit
             | Consequence::Instruct { .. }
             | Consequence::CloseDraft => self.answer.as_str().into(),
         }
@@ -216,6 +218,10 @@ pub enum Consequence {
     Design(Design),
     /// Asks whether the trainee joins the class.
     JoinClass,
+    /// End the exam of the class.
+    EndExam,
+    /// End the exam of the class, and the program.
+    EndExamAndQuit,
     /// Give an order to these seats of the class.
     Instruct {
         seats: Vec<usize>,

@@ -187,6 +187,7 @@ mod tests {
             verb: statement.verb,
             targets: vec![1],
             act,
+            by: None,
         }
     }
 

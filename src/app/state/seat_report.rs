@@ -9,6 +9,7 @@ use crate::class::{
 use crate::ledger::LedgerEntry;
 use crate::mission::{ObjectiveState, Progress, Stake};
 use crate::scoring::utilisation;
+use crate::text::Locale;
 
 impl<R> State<R> {
     /// The state of this seat, for the desk of its class.
@@ -19,6 +20,8 @@ impl<R> State<R> {
         let is_flown = session.activity.is_some() && self.replay.is_none();
         SeatReport {
             trainee: trainee.unwrap_or_default().into(),
+            looks_on: self.class.seat().is_some_and(|it| it.seat.looks_on()),
+            screen: Some(self.display.size().into()),
             flight: is_flown.then(|| FlightReport {
                 by_script,
                 ..self.flight_report()
@@ -79,8 +82,15 @@ impl<R> State<R> {
                 age_s: seconds(self.now.saturating_sub(entry.at)),
             }),
             by_script: false,
-            injects: progress.map_or_else(Vec::new, offered),
+            injects: progress.map_or_else(Vec::new, |it| offered(it, self.locale())),
             armed: place.map_or_else(Vec::new, armed),
+            situations: place.map_or_else(Vec::new, |place| {
+                let names = place.situations.iter().map(|it| it.name.clone());
+                names.collect()
+            }),
+            taken: place
+                .and_then(|place| place.desk_pilot.as_ref())
+                .map_or_else(Vec::new, |pilot| session.pilots.flown_by(pilot)),
         }
     }
 
@@ -115,10 +125,10 @@ impl<R> State<R> {
     }
 }
 
-fn offered(progress: &Progress) -> Vec<OfferedInject> {
+fn offered(progress: &Progress, locale: &Locale) -> Vec<OfferedInject> {
     let injects = progress.injects.iter().map(|inject| OfferedInject {
         name: inject.name.as_str().into(),
-        title: inject.title.to_string().into(),
+        title: locale.text(&inject.title).into(),
     });
     injects.collect()
 }

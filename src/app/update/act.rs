@@ -3,12 +3,13 @@
 use super::ending::{guarded, leave, quit};
 use super::selection;
 use super::show::{brief, look_back, show};
-use super::{mission, pace, palette, profiles, replay, sticks, vehicle_files};
+use super::{class, mission, pace, palette, profiles, replay, sticks, vehicle_files};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::Effects;
 use crate::app::room::{self, RoomRequest, fly, standing};
 use crate::app::state::{HelpPage, Log, Overlay};
+use crate::text;
 
 pub fn act(state: &mut State, action: Action) -> Effects {
     if let Some(requests) = room::act(state, action) {
@@ -74,6 +75,10 @@ fn requested(state: &mut State, requests: Vec<RoomRequest>) -> Effects {
             RoomRequest::Give(line) => vehicle_files::give(state, &line),
             RoomRequest::Show(room) => {
                 show(state, room);
+                Effects::none()
+            }
+            RoomRequest::LookAway => {
+                class::look_away(state, text!("class-shown-closed"));
                 Effects::none()
             }
             RoomRequest::Leave => leave(state),

@@ -3,6 +3,7 @@
 //! # How the parts fit
 //! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
 //! - After a flight: `hand_in`, the records that a seat hands in.
+//! - What the desk shows to the class: `showing`, at the desk and at a seat.
 //! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan; `exams` holds an
 //!   exam; `grading` is the instructor's judgement of a flight.
 
@@ -13,7 +14,7 @@ use crate::app::state::{ClassRole, Consequence};
 use crate::class::protocol::DeskMessage;
 use crate::class::{Consent, Happening};
 use crate::language::ClassLine;
-use crate::notice::Notice;
+use crate::notice::{Notice, NoticeSource};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
@@ -24,9 +25,13 @@ mod grading;
 mod hand_in;
 mod lessons;
 mod orders;
+mod showing;
 mod witness;
 
 pub use desk::instruct;
+pub use exams::end_at_desk as end_exam;
+pub use orders::recalled;
+pub use showing::look_away;
 pub use witness::witnessed;
 
 /// The interval between searches for dangers, in milliseconds.
@@ -81,14 +86,9 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
             seats,
         } => lessons::read(state, &name, lesson, &seats),
         ClassEvent::Graded { asked, flight } => grading::read(state, &asked, flight),
-        ClassEvent::GradesLost(fault) => {
-            tell(
-                state,
-                Severity::Warning,
-                text!("grading-lost", fault = fault),
-            );
-        }
+        ClassEvent::GradesWait { count, fault } => grading::wait(state, count, fault),
         ClassEvent::Exam(event) => return exams::happened(state, event),
+        ClassEvent::FlightsFound(found) => return showing::found(state, found),
         ClassEvent::Results(results) => state.rooms.class.results = Some(results),
     }
     Effects::none()
@@ -103,6 +103,7 @@ fn found(state: &mut State, instructor: &str) {
 fn lost(state: &mut State) {
     let was_watched = state.class.watcher().is_some();
     let was_frozen = state.class.is_frozen() && state.session.is_paused();
+    showing::look_away(state, text!("class-shown-over"));
     if let Some(place) = state.class.seat_mut() {
         place.seat.lose();
     }
@@ -118,15 +119,18 @@ fn lost(state: &mut State) {
 
 fn said(state: &mut State, message: DeskMessage) -> Effects {
     let wall = state.wall;
-    if let Some(place) = state.class.seat_mut() {
+    // A desk that denies the seat has nothing to say about its flight.
+    if let Some(place) = state.class.seat_mut()
+        && !matches!(message, DeskMessage::Denied(_))
+    {
         place.heard_at = wall;
     }
     match message {
-        DeskMessage::Welcome { class, .. } => {
+        DeskMessage::Welcome { class, name, .. } => {
             let Some(place) = state.class.seat_mut() else {
                 return Effects::none();
             };
-            place.seat.enter(class.clone());
+            place.seat.enter(class.clone(), name);
             let instructor = place.seat.instructor().unwrap_or_default().to_owned();
             let text = text!(
                 "class-joined",
@@ -140,11 +144,17 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
             tell(state, Severity::Warning, text);
         }
         DeskMessage::Order(given) => return orders::given(state, given),
-        DeskMessage::Watch { on } => {
+        DeskMessage::Watch { on, insight } => {
             if let Some(place) = state.class.seat_mut() {
-                place.seat.let_watch(on);
+                place.seat.let_watch(on || insight);
             }
         }
+        DeskMessage::Show(part) => {
+            if let Some(place) = state.class.seat_mut() {
+                place.seat.see(&part);
+            }
+        }
+        DeskMessage::Hide => showing::look_away(state, text!("class-shown-over")),
         DeskMessage::Settled { record, end } => return hand_in::settled(state, record, end),
         // What is to be sent is a matter of the connection.
         DeskMessage::Ask { .. }
@@ -157,9 +167,10 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
 
 /// Shows a text on the last line, and keeps it among the notices.
 fn tell(state: &mut State, severity: Severity, text: Text) {
-    state
-        .notices
-        .push(Notice::general(state.now, severity, text.clone()));
+    state.notices.push(Notice {
+        source: NoticeSource::Class,
+        ..Notice::general(state.now, severity, text.clone())
+    });
     state.say(severity, text);
 }
 
@@ -169,6 +180,7 @@ pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: 
     match &state.class {
         ClassRole::Desk(_) if is_tick => {
             desk::tick(state);
+            effects.extend(showing::tick(state));
             effects.extend(lessons::tick(state));
             effects.extend(exams::tick(state));
             return;
@@ -282,6 +294,11 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         ClassLine::Grading(line) => grading::carry_out(state, line),
         ClassLine::Watch(choice) => desk::watch(state, &choice),
         ClassLine::Unwatch => desk::unwatch(state),
+        ClassLine::Tiles => desk::show_tiles(state),
+        ClassLine::State => desk::show_state(state),
+        ClassLine::Replay(trainees) => showing::replay(state, trainees),
+        ClassLine::Show(seats) => showing::show_class(state, &seats),
+        ClassLine::StopShow => showing::stop(state),
     }
 }
 
@@ -293,7 +310,11 @@ fn may_leave(state: &State) -> Result<(), Text> {
     if state.has_open_try() {
         return Err(text!("class-exam-no-leave"));
     }
-    state.keeps_frozen().map_or(Ok(()), Err)
+    let kept = state
+        .keeps_frozen()
+        .or_else(|| state.keeps_vehicles())
+        .or_else(|| state.holds_brief());
+    kept.map_or(Ok(()), Err)
 }
 
 /// The trainee joins the class.

@@ -27,6 +27,12 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
             class::join(state);
             Effects::none()
         }
+        Consequence::EndExam => class::end_exam(state),
+        Consequence::EndExamAndQuit => {
+            let mut effects = class::end_exam(state);
+            effects.extend(Effects::from(Effect::Quit));
+            effects
+        }
         Consequence::Instruct { seats, deed } => {
             class::instruct(state, &seats, &deed);
             Effects::none()
@@ -63,6 +69,8 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Bookmark(_)
         | SessionEffect::Ghost(_)
         | SessionEffect::Abandon
+        | SessionEffect::Capture { .. }
+        | SessionEffect::Recall { .. }
         | SessionEffect::Stop => {}
     }
 }

@@ -75,6 +75,9 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         }
         ConsoleLine::Inject(_) if state.session.is_paused() => return Err(text!("pause-refuses")),
         ConsoleLine::Inject(name) => {
+            if let Some(reason) = state.holds_brief() {
+                return Err(reason);
+            }
             state.session.leave_brief();
             return Ok(Effects::from(Effect::Session(SessionEffect::Inject(name))));
         }

@@ -18,6 +18,16 @@ pub fn quit(state: &mut State) -> Effects {
         let reason = Text::joined("; ", reasons);
         return ask(state, text!("ask-quit"), reason, Effect::Quit);
     }
+    let ungraded = state.rooms.class.unwritten_grades;
+    if ungraded > 0 {
+        let reason = text!("grading-ask-quit-reason", count = ungraded);
+        return ask(state, text!("ask-quit"), reason, Effect::Quit);
+    }
+    if let Some(exam) = open_exam(state) {
+        let reason = text!("class-exam-ask-quit-reason", exam = exam);
+        state.ask(text!("ask-quit"), reason, Consequence::EndExamAndQuit);
+        return Effects::none();
+    }
     if loss(state).is_none() && !room::workshop::is_saved(state) {
         let name = state.rooms.workshop.bench.design().name.clone();
         let reason = text!("bench-ask-quit-reason", name = name);
@@ -28,6 +38,13 @@ pub fn quit(state: &mut State) -> Effects {
         return ask(state, text!("ask-quit"), reason, Effect::Quit);
     }
     guarded(state, text!("ask-quit"), Effect::Quit)
+}
+
+/// The name of the exam that the desk holds, if it has not ended.
+fn open_exam(state: &State) -> Option<String> {
+    let exam = state.class.desk()?.exam()?;
+    let is_open = exam.has_begun() && !exam.is_stopped();
+    is_open.then(|| exam.plan().name.to_string())
 }
 
 /// Carries out an effect that ends the session; asks first if something would be lost.

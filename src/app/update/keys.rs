@@ -159,7 +159,7 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
         }
         Some(Meaning::Give(line)) => {
             let line = addressed(state, &line);
-            palette::give(state, &line)
+            palette::give_by_key(state, &line)
         }
         Some(Meaning::Type) => {
             if let KeyCode::Char(c) = key.code {

@@ -9,7 +9,7 @@ use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
-use crate::app::state::{Activity, TimeFlow};
+use crate::app::state::{Activity, SeatPlace, TimeFlow};
 use crate::campaign::Stake;
 use crate::doctor::Way;
 use crate::text;
@@ -19,6 +19,9 @@ use crate::vehicle::Severity;
 /// Begins a mission when its brief is left for another room.
 pub fn leave_brief(state: &mut State) {
     if state.room == Room::Mission || state.session.is_starting() {
+        return;
+    }
+    if state.holds_brief().is_some() {
         return;
     }
     // In Fly, the clock itself shows that it runs.
@@ -163,11 +166,13 @@ pub fn restart(state: &mut State, alike: bool) -> Effects {
         state.say(Severity::Notice, text!("restart-not-replay"));
         return Effects::none();
     }
-    if let Some(reason) = state.keeps_frozen() {
+    if let Some(reason) = state.keeps_frozen().or_else(|| state.holds_brief()) {
         state.say(Severity::Warning, reason);
         return Effects::none();
     }
-    if state.has_open_try() {
+    // Also after its end: the desk opens the tries of an exam.
+    let is_try = |place: &SeatPlace| place.flown_try().is_some();
+    if state.class.seat().is_some_and(is_try) {
         let reason = text!("class-exam-no-restart");
         state.say(Severity::Warning, reason);
         return Effects::none();

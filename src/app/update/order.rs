@@ -8,9 +8,10 @@ use crate::app::effect::{Effect, Effects};
 use crate::app::keymap::Place;
 use crate::app::room::{Room, files, parameters};
 use crate::app::state::{Confirm, Consequence, Overlay};
+use crate::class::{self, Words};
 use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed};
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, ConsoleLine, Meaning, Statement, words};
+use crate::language::{self, ClassLine, ConsoleLine, Meaning, SeatChoice, Statement, words};
 use crate::ledger::EntryId;
 use crate::operator::{first_word, order_of};
 use crate::text;
@@ -47,11 +48,35 @@ pub fn read_for(state: &State, line: &str, selection: &[VehicleId]) -> Result<Gi
         if let Meaning::Console(own) = statement.meaning {
             return Ok(Given::Own(own));
         }
+        if let Some(own) = for_watched_seat(state, line, &statement)? {
+            return Ok(Given::Own(own));
+        }
         permit(state, line, &statement)?;
         let order = order_of(statement, line, context, selection)?;
         check_file(&order, line)?;
         Ok(Given::Order(order))
     })
+}
+
+/// At the desk, while it watches the screen of a seat: a command to vehicles goes to those of the seat.
+///
+/// # Errors
+/// The line is too long to be sent.
+fn for_watched_seat(
+    state: &State,
+    line: &str,
+    statement: &Statement,
+) -> Result<Option<ConsoleLine>, Diagnostic> {
+    let is_watching = state.rooms.class.page().seat().is_some();
+    if !is_watching || !matches!(statement.meaning, Meaning::Act(_)) {
+        return Ok(None);
+    }
+    let line = Words::whole(line)
+        .ok_or_else(|| Diagnostic::new(first_word(line), text!("class-line-long")))?;
+    Ok(Some(ConsoleLine::Class(ClassLine::Give {
+        seats: SeatChoice::Addressed,
+        deed: class::Deed::Command { line },
+    })))
 }
 
 /// Refuses a download from several vehicles into one file, because each would need a file of its
@@ -97,6 +122,11 @@ fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagno
                 key = state.key(Action::Show(Room::Hangar))
             ),
         ));
+    }
+    if let Some(reason) = state.holds_brief()
+        && !moves_nothing(state, statement)
+    {
+        return Err(Diagnostic::new(first_word(line), reason));
     }
     if state.session.is_paused() && !moves_nothing(state, statement) {
         if let Some(reason) = state.keeps_frozen() {
@@ -148,7 +178,7 @@ pub fn announced(state: &State, order: &Order) -> Text {
 }
 
 /// The reason to ask before an order is sent, beyond the danger of its verb; `None` without one.
-fn hazard(state: &State, order: &Order) -> Option<Text> {
+pub fn hazard(state: &State, order: &Order) -> Option<Text> {
     let doubt = || parameters::order_doubt(state, order);
     let price = || hint_price(state, order);
     own_fence::hazard(state, order)
@@ -229,7 +259,7 @@ pub struct SentOrder {
 pub fn send(state: &mut State, order: Order) -> SentOrder {
     let now = state.now;
     if !order.verb.counts_as.is_said_to_mission() {
-        state.session.leave_brief();
+        state.leave_brief();
     }
     let entry = state
         .session

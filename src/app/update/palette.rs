@@ -101,7 +101,10 @@ pub fn edited(state: &mut State, mut palette: Palette) {
         let typed = line.get(completion.replaces.clone()).unwrap_or_default();
         let command = language::row(&completion.text).is_some();
         let is_typed = completion.text.eq_ignore_ascii_case(typed);
-        (!is_typed, !completion.text.starts_with(typed), !command)
+        // A line may leave out the group or the seat, but not what follows.
+        let may_be_left_out = completion.text.starts_with('@');
+        let is_begun = completion.text.starts_with(typed);
+        (!is_typed, !is_begun, !command, may_be_left_out)
     });
     // In the middle of a command, other commands are not useful.
     let has_verb = line.trim_start().contains(char::is_whitespace) && palette.hint.is_some();
@@ -264,6 +267,21 @@ pub fn give(state: &mut State, line: &str) -> Effects {
         ..Palette::default()
     };
     submit(state, palette)
+}
+
+/// Runs the line of a key. If it is refused although it can be read, there is nothing to correct: the last line says why,
+/// and the next key is not taken for a letter.
+pub fn give_by_key(state: &mut State, line: &str) -> Effects {
+    let effects = give(state, line);
+    let Some(Overlay::Palette(palette)) = &state.overlay else {
+        return effects;
+    };
+    let refusal = palette.fault.as_ref().map(|fault| fault.message.clone());
+    if let Some(refusal) = refusal.filter(|_| order::read(state, line).is_ok()) {
+        state.overlay = None;
+        state.say(Severity::Warning, refusal);
+    }
+    effects
 }
 
 fn submit(state: &mut State, mut palette: Palette) -> Effects {

@@ -39,14 +39,17 @@ fn obstacle(state: &State) -> Option<Text> {
     {
         return Some(text!("refused-protected-sticks"));
     }
+    let by_pilot = |id| state.session.pilots.refusal(id, None);
     let vehicle = state.session.choice.cursor;
     let vehicle = vehicle.and_then(|id| state.session.vehicles.get(&id));
     match vehicle {
         None => Some(text!("sticks-none")),
-        Some(vehicle) => vehicle.not_in_control().or_else(|| {
-            let known = state.rooms.parameters.lists.get(&vehicle.id)?;
-            stick_obstacle(vehicle, &known.list)
-        }),
+        Some(vehicle) => by_pilot(vehicle.id)
+            .or_else(|| vehicle.not_in_control())
+            .or_else(|| {
+                let known = state.rooms.parameters.lists.get(&vehicle.id)?;
+                stick_obstacle(vehicle, &known.list)
+            }),
     }
 }
 

@@ -52,10 +52,11 @@ fn a_try_that_was_opened_and_has_no_record_is_named() {
         name: name(1),
     };
     let exam = exam(vec![asked(1), opened, asked(2)]);
-    let missing = TryWithoutRecord::of(&[exam], &[]);
+    let missing = TryWithoutRecord::of(&[exam], &[], 5);
     let found: Vec<(&str, u32, u32)> = missing
         .iter()
         .map(|it| (it.user.as_str(), it.number, it.tries))
         .collect();
     assert_eq!(found, [("anna", 1, 2)]);
+    assert!(missing[0].is_open);
 }

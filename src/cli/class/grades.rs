@@ -61,6 +61,8 @@ struct GradesDocument<'a> {
 #[derive(Serialize)]
 struct SheetDocument<'a> {
     user: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    profile: Option<&'a str>,
     record: &'a str,
     #[serde(flatten)]
     sheet: &'a GradeSheet,
@@ -103,6 +105,7 @@ impl ReadGrades {
         let titled = categories.map(|it| (it.title.clone(), Side::Right));
         let columns: Vec<(Text, Side)> = [
             (text!("progress-trainee"), Side::Left),
+            (text!("class-report-profile"), Side::Left),
             (text!("class-report-record"), Side::Left),
             (text!("grades-grader"), Side::Left),
         ]
@@ -113,6 +116,7 @@ impl ReadGrades {
         let mut table = TextTable::new(locale, &columns);
         for KeptSheet {
             user,
+            profile,
             record,
             sheet,
         } in self
@@ -124,7 +128,8 @@ impl ReadGrades {
                 let mean = sheet.mean(&category.elements);
                 mean.map_or_else(|| "-".to_owned(), |it| figure(it, 1))
             });
-            let head = [user.clone(), record.clone(), sheet.grader.clone()];
+            let profile = profile.clone().unwrap_or_default();
+            let head = [user.clone(), profile, record.clone(), sheet.grader.clone()];
             let open = sheet.open(rubric).count().to_string();
             table.push(head.into_iter().chain(means).chain([open]).collect());
         }
@@ -163,6 +168,7 @@ pub(super) fn rows(grades: &ReadGrades, locale: &Locale) -> TextTable {
         locale,
         &[
             (text!("progress-trainee"), Side::Left),
+            (text!("class-report-profile"), Side::Left),
             (text!("class-report-record"), Side::Left),
             (text!("grades-grader"), Side::Left),
             (text!("grades-rubric"), Side::Left),
@@ -182,6 +188,7 @@ pub(super) fn rows(grades: &ReadGrades, locale: &Locale) -> TextTable {
             let bookmarks: Vec<String> = grade.bookmarks_ms.iter().map(seconds).collect();
             table.push(vec![
                 kept.user.clone(),
+                kept.profile.clone().unwrap_or_default(),
                 kept.record.clone(),
                 kept.sheet.grader.clone(),
                 kept.sheet.rubric.clone(),
@@ -219,6 +226,7 @@ pub(super) fn grades(
     if arguments.json {
         let sheets = grades.sheets.iter().map(|kept| SheetDocument {
             user: &kept.user,
+            profile: kept.profile.as_deref(),
             record: &kept.record,
             sheet: &kept.sheet,
         });

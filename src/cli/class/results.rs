@@ -1,6 +1,6 @@
 //! The results of a class from the records of the instructor's data folder.
 
-use std::time::SystemTime;
+use std::time::{SystemTime, UNIX_EPOCH};
 
 use crate::campaign::MissionCourse;
 use crate::carrier::own_user_name;
@@ -61,6 +61,12 @@ pub(super) fn records_of(
     Ok((name.to_owned(), records))
 }
 
+/// The present time, in seconds since 1970.
+fn since_1970() -> u64 {
+    let since = SystemTime::now().duration_since(UNIX_EPOCH);
+    since.unwrap_or_default().as_secs()
+}
+
 impl ReadClass {
     /// Reads the records of the class with this name, by default the user's own; names those that cannot be read.
     ///
@@ -77,7 +83,7 @@ impl ReadClass {
         }
         Ok(Self {
             name,
-            missing: TryWithoutRecord::of(&exams, &trainees),
+            missing: TryWithoutRecord::of(&exams, &trainees, since_1970()),
             trainees,
             course,
             day: day_of(SystemTime::now()),

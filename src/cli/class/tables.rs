@@ -9,7 +9,7 @@ use crate::cli::progress::answer;
 use crate::cli::table::{Side, TextTable};
 use crate::exam_seal::{SealCheck, witness_text};
 use crate::text;
-use crate::text::{Locale, Text, figure};
+use crate::text::{Locale, Text, figure, utc_minute_of};
 
 /// The cell of a figure that there is not.
 const NONE: &str = "-";
@@ -158,6 +158,7 @@ pub(super) fn exams(
     let columns = [
         (text!("progress-trainee"), Side::Left),
         (text!("class-report-exam"), Side::Left),
+        (text!("class-report-began"), Side::Left),
         (text!("progress-mission"), Side::Left),
         (text!("class-report-try"), Side::Right),
         (text!("class-report-score"), Side::Right),
@@ -173,13 +174,19 @@ pub(super) fn exams(
         }
     }
     for it in missing {
+        let record = if it.is_open {
+            text!("class-report-try-open")
+        } else {
+            text!("class-report-no-record")
+        };
         let cells = [
             it.user.clone(),
             it.exam.clone(),
+            utc_minute_of(it.opened * 1_000_000),
             it.mission.clone(),
             format!("{}/{}", it.number, it.tries),
             NONE.to_owned(),
-            locale.text(&text!("class-report-no-record")),
+            locale.text(&record),
             NONE.to_owned(),
         ];
         table.push(cells.into());
@@ -187,12 +194,18 @@ pub(super) fn exams(
     table
 }
 
-fn try_cells(user: &str, flight: &ClassFlight, check: &SealCheck, locale: &Locale) -> [String; 7] {
+/// A time in UTC to the minute: `2026-11-20T14:03:22Z` becomes `2026-11-20 14:03`.
+fn minute(when: &str) -> String {
+    when.get(..16).unwrap_or(when).replace('T', " ")
+}
+
+fn try_cells(user: &str, flight: &ClassFlight, check: &SealCheck, locale: &Locale) -> [String; 8] {
     let seal = check.seal.as_ref();
     let said = |text: Option<String>| text.unwrap_or_else(|| NONE.to_owned());
     [
         user.to_owned(),
         said(seal.map(|it| it.exam.clone())),
+        minute(&flight.when),
         flight.flight.mission.clone(),
         said(seal.map(|it| format!("{}/{}", it.number, it.tries))),
         flight.flight.score.to_string(),

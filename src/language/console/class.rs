@@ -20,6 +20,16 @@ pub enum ClassLine {
     Watch(SeatChoice),
     /// At the desk: show the board again.
     Unwatch,
+    /// At the desk: show what is behind the screens of several seats.
+    Tiles,
+    /// At the desk: show the state of the flight instead of the watched screen, or the screen again.
+    State,
+    /// At the desk: replay a flight that was handed in, or two of them beside each other.
+    Replay(ReplayedTrainees),
+    /// At the desk: let seats look on at the replay; without seats, the marked ones, otherwise all.
+    Show(SeatChoice),
+    /// At the desk: no longer show anything to seats.
+    StopShow,
     /// At the desk: show the lesson of the seat under the cursor, or all lessons.
     Lessons,
     /// At the desk: begin a lesson, given by its name or its file, with seats.
@@ -35,6 +45,15 @@ pub enum ClassLine {
     StopExam,
     /// At the desk: give an order to seats.
     Give { seats: SeatChoice, deed: Deed },
+}
+
+/// The trainees whose flights are replayed, by their user names.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct ReplayedTrainees {
+    /// The trainee; without one, that of the seat under the cursor.
+    pub trainee: Option<String>,
+    /// Another trainee, whose flight of the same mission is shown beside it.
+    pub beside: Option<String>,
 }
 
 /// The seats that an order is for.

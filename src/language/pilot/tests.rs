@@ -59,6 +59,7 @@ fn given<'a>(line: &'a str, verb: &'a str) -> Given<'a> {
         line,
         verb: crate::language::verb(verb).expect(verb),
         risk: Risk::None,
+        by: None,
     }
 }
 

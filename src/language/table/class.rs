@@ -1,12 +1,16 @@
 //! The verb for a class.
 
 use super::{Built, Problem, console};
-use crate::class::{Deed, LessonDirection};
+use crate::class::{Deed, LessonDirection, Words};
+use crate::language::VehicleChoice;
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
-use crate::language::console::{ClassLine, ConsoleLine, GradingLine, Rating, Report, SeatChoice};
+use crate::language::console::{
+    ClassLine, ConsoleLine, GradingLine, Rating, ReplayedTrainees, Report, SeatChoice,
+};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
+use crate::vehicle_id::VehicleId;
 use crate::verb::Verb;
 
 /// The word for all seats.
@@ -24,9 +28,19 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class inject gust when t > 60",
         "class injects",
         "class disarm",
+        "class capture before the turn",
+        "class recall 1",
+        "class take @anna 3",
+        "class say @anna 3 takeoff 20",
+        "class give",
         "class watch @anna",
+        "class tiles",
+        "class state",
+        "class replay anna with bohdan",
+        "class show",
+        "class show stop",
         "class results",
-        "class fly @all 00",
+        "class fly @all 00 hold",
         "class start @all",
         "class lesson @all first-lesson",
         "class lesson next",
@@ -80,6 +94,24 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         Form::new(&[Argument::flag("unwatch", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Unwatch))
         }),
+        Form::new(&[Argument::flag("tiles", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::Tiles))
+        }),
+        Form::new(&[Argument::flag("state", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::State))
+        }),
+        Form::new(&[Argument::flag("replay", ""), TRAINEE, BESIDE], |given| {
+            let [trainee, beside] =
+                ["trainee", "beside"].map(|name| given.word(name).map(str::to_owned));
+            let trainees = ReplayedTrainees { trainee, beside };
+            console(ConsoleLine::Class(ClassLine::Replay(trainees)))
+        }),
+        Form::new(&[SHOW, Argument::flag("stop", "")], |_| {
+            console(ConsoleLine::Class(ClassLine::StopShow))
+        }),
+        Form::new(&[SHOW, SEAT], |given| {
+            console(ConsoleLine::Class(ClassLine::Show(seats(given))))
+        }),
         Form::new(&[Argument::flag("results", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Results))
         }),
@@ -101,11 +133,21 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         Form::new(&[Argument::flag("cite", ""), BOOKMARK], |given| {
             grade(GradingLine::Cite(given.required("bookmark")? as usize))
         }),
-        Form::new(&[Argument::flag("fly", ""), SEAT, MISSION, EXAM], |given| {
-            let mission = given.required_word("mission")?.into();
-            let exam = given.flag("exam");
-            instruct(given, Deed::Fly { mission, exam })
-        }),
+        Form::new(
+            &[Argument::flag("fly", ""), SEAT, MISSION, EXAM, HOLD],
+            |given| {
+                let mission = given.required_word("mission")?.into();
+                let [exam, hold] = ["exam", "hold"].map(|word| given.flag(word));
+                instruct(
+                    given,
+                    Deed::Fly {
+                        mission,
+                        exam,
+                        hold,
+                    },
+                )
+            },
+        ),
         Form::new(&[Argument::flag("start", ""), SEAT], |given| {
             give(given, |_| Deed::Start)
         }),
@@ -140,6 +182,36 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         Form::new(&[Argument::flag("end", ""), SEAT], |given| {
             give(given, |_| Deed::End)
         }),
+        Form::new(
+            &[Argument::flag("capture", ""), SEAT, TEXT.optional()],
+            |given| give(given, |text| Deed::Capture { name: text.into() }),
+        ),
+        Form::new(&[Argument::flag("recall", ""), SEAT, TEXT], |given| {
+            give(given, |text| Deed::Recall {
+                situation: text.into(),
+            })
+        }),
+        Form::new(
+            &[Argument::flag("take", ""), SEAT, VEHICLES.optional()],
+            |given| {
+                let vehicles = flown(given)?;
+                instruct(given, Deed::TakeOver { vehicles })
+            },
+        ),
+        Form::new(
+            &[Argument::flag("give", ""), SEAT, VEHICLES.optional()],
+            |given| {
+                let vehicles = flown(given)?;
+                instruct(given, Deed::HandBack { vehicles })
+            },
+        ),
+        Form::new(&[Argument::flag("say", ""), SEAT, TEXT], |given| {
+            let text = given.required_word("text")?;
+            let line =
+                Words::whole(text).ok_or_else(|| Problem::new("text", text!("class-line-long")))?;
+            check_seat(given, text)?;
+            instruct(given, Deed::Command { line })
+        }),
         Form::new(&[Argument::flag("join", "")], |_| {
             console(ConsoleLine::Class(ClassLine::Join))
         }),
@@ -152,12 +224,14 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
 const SEAT: Argument =
     Argument::value("@seat", Kind::Name(NameList::Seat), "argument-seat").optional();
 const TEXT: Argument = Argument::value("text", Kind::Rest, "");
+const VEHICLES: Argument = Argument::value("vehicles", Kind::Vehicles, "argument-class-vehicles");
 const INJECT: Argument = Argument::value("name", Kind::Name(NameList::SeatInject), "");
 const CONDITION: Argument =
     Argument::keyed("when", "condition", Kind::Rest, "argument-condition").optional();
 
 const MISSION: Argument = Argument::value("mission", Kind::Name(NameList::Mission), "");
 const EXAM: Argument = Argument::flag("exam", "argument-exam").optional();
+const HOLD: Argument = Argument::flag("hold", "argument-hold").optional();
 const EXAM_WORD: Argument = Argument::flag("exam", "");
 const EXAM_NAME: Argument =
     Argument::value("name", Kind::Name(NameList::Exam), "argument-exam-name");
@@ -167,6 +241,14 @@ const LESSON_NAME: Argument =
 
 const TRAINEE: Argument =
     Argument::value("trainee", Kind::Name(NameList::Trainee), "argument-trainee").optional();
+const BESIDE: Argument = Argument::keyed(
+    "with",
+    "beside",
+    Kind::Name(NameList::Trainee),
+    "argument-beside",
+)
+.optional();
+const SHOW: Argument = Argument::flag("show", "");
 const RUBRIC: Argument = Argument::keyed(
     "with",
     "rubric",
@@ -192,11 +274,28 @@ fn direct(given: &Arguments, direction: LessonDirection) -> Built {
 
 fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
     let text = given.word("text").unwrap_or_default();
-    // A name that no seat has must not become part of a text to another seat.
+    check_seat(given, text)?;
+    instruct(given, deed(text))
+}
+
+/// Checks that a name that no seat has does not become part of a text to another seat.
+fn check_seat(given: &Arguments, text: &str) -> Result<(), Problem> {
     if given.word("@seat").is_none() && text.starts_with('@') {
         return Err(Problem::new("text", text!("class-unknown-seat")));
     }
-    instruct(given, deed(text))
+    Ok(())
+}
+
+/// The vehicles of a seat; empty for all.
+fn flown(given: &Arguments) -> Result<Vec<VehicleId>, Problem> {
+    match given.vehicles("vehicles") {
+        None | Some(VehicleChoice::All) => Ok(Vec::new()),
+        Some(VehicleChoice::Ids(vehicles)) => Ok(vehicles),
+        Some(VehicleChoice::Group(_)) => Err(Problem::new("vehicles", text!("class-unknown-seat"))),
+        Some(VehicleChoice::None | VehicleChoice::Filter | VehicleChoice::Invert) => {
+            Err(Problem::new("vehicles", text!("class-which-vehicles")))
+        }
+    }
 }
 
 fn instruct(given: &Arguments, deed: Deed) -> Built {

@@ -57,6 +57,14 @@ impl Transports {
         }
     }
 
+    /// Drops what waits on the way to the world, and from it to pipes.
+    pub(super) fn drop_traffic(&mut self, world: &mut World) {
+        self.read(world);
+        for pipe in &mut self.pipes {
+            pipe.0.output.clear();
+        }
+    }
+
     /// Sends as much of the world's output as there is room for.
     pub(super) fn write(&mut self, world: &mut World) {
         self.pipes.retain_mut(|pipe| pipe.write(world));

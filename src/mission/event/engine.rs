@@ -56,7 +56,7 @@ pub(crate) enum EngineNews {
 }
 
 /// The threats of one flight.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Engine {
     /// The mission's zones at the positions drawn from the seed.
     zones: Vec<Zone>,

@@ -80,7 +80,7 @@ pub(crate) struct Broken {
 }
 
 /// The faults that vehicles have now.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Breakdowns(Vec<Broken>);
 
 impl Breakdowns {

@@ -20,7 +20,7 @@ const LENGTH_M: f64 = 100.0;
 const DRIFT_MIN_M_S: f64 = 5.0;
 
 /// The gusts of one flight.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Gusts {
     random: ChaCha8Rng,
     /// Along and across the mean wind, in standard deviations.

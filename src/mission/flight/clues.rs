@@ -12,7 +12,7 @@ use crate::text::Text;
 use crate::vehicle::Severity;
 
 /// The hints given so far.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct CluesGiven {
     /// The number of this trainee's attempt, from 1.
     attempt: u32,

@@ -16,7 +16,7 @@ pub struct Expected {
 }
 
 /// A condition that is watched in one flight. It changes nothing in the flight, so it is not in the record.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Expectation {
     condition: Expression,
     state: Expected,

@@ -10,7 +10,7 @@ use crate::text;
 use crate::vehicle::Severity;
 
 /// The trackers of the objectives, in the order of the file.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Goals {
     trackers: Vec<Box<dyn Tracker>>,
     /// Which objectives were met at the last report.

@@ -128,7 +128,7 @@ pub struct Injected {
 }
 
 /// How far the injects of one flight are.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Injects {
     armed: Vec<ArmedInject>,
     /// Those whose conditions hold, and that are triggered at the end of the step.
@@ -138,7 +138,7 @@ pub(super) struct Injects {
     done: Vec<Injected>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct ArmedInject {
     inject: Injected,
     condition: Expression,

@@ -11,7 +11,7 @@ use crate::text::{Text, rounded};
 use crate::vehicle::{Severity, VehicleId};
 
 /// The events, broken rules, feedback and notices of one flight.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct FlightJournal {
     now: Duration,
     events: Vec<JournalEvent>,
@@ -21,7 +21,7 @@ pub(super) struct FlightJournal {
 }
 
 /// A notice, an event for the report, or both.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct JournalEntry {
     pub kind: EventKind,
     pub severity: Severity,
@@ -39,7 +39,7 @@ pub(super) enum JournalSubject {
     Command(EntryId),
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct JournalEvent {
     at: Duration,
     entry: JournalEntry,

@@ -90,7 +90,7 @@ impl CraftLoads {
 }
 
 /// The loads on board, in the order of the vehicles, and the releases.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Loads {
     holds: Vec<CraftLoads>,
     releases: Vec<Release>,

@@ -9,7 +9,7 @@ use crate::text;
 use crate::vehicle::{Severity, Vehicles};
 
 /// The tally of a flight's commands.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct OrderCount {
     log: CommandLog,
     /// The revision of the ledger at the last count.

@@ -15,7 +15,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 /// The search of one flight.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Search {
     lookout: Lookout,
     contacts: Contacts,

@@ -12,7 +12,7 @@ use crate::vehicle::VehicleId;
 use crate::verb::Movement;
 
 /// The account of the vehicles' use and of the operator's commands.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct SwarmAccount {
     /// Each vehicle's use of time, in the order of the vehicles.
     usage: Vec<VehicleUsage>,
@@ -22,7 +22,7 @@ pub(super) struct SwarmAccount {
     latest: BTreeMap<VehicleId, EntryId>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct NewestOrder {
     id: EntryId,
     targets: Vec<VehicleId>,
@@ -93,7 +93,7 @@ impl SwarmAccount {
     /// Records new commands; returns the vehicles that they addressed.
     fn note_orders(&mut self, ledger: &Ledger, now: Duration) -> Vec<VehicleId> {
         let newest = self.newest.as_ref().map(|order| order.id);
-        let entries = ledger.entries().rev();
+        let entries = ledger.own_entries().rev();
         let mut new: Vec<&LedgerEntry> = entries
             .take_while(|entry| Some(entry.id) > newest)
             .collect();

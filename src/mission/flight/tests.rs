@@ -121,6 +121,7 @@ fn who_holds_a_place_is_at_work_and_who_was_dismissed_is_idle() {
             line: verb,
             verb: language::verb(verb).expect(verb),
             risk: Risk::None,
+            by: None,
         };
         pilot.ledger.open(pilot.now, given, &[1]);
         pilot.wait(60.0);
@@ -252,6 +253,20 @@ fn a_landed_vehicle_is_not_called_home() {
     pilot.wait(1.0);
     let down = hint(&pilot).expect("a hint");
     assert!(down.starts_with("Landed."), "{down}");
+}
+
+/// "hint: all drones return…" was once shown in exams, which have no hints.
+#[test]
+fn an_exam_shows_no_advice_by_itself() {
+    let mut pilot = Pilot::new(1);
+    pilot.take_off(10.0);
+    pilot.flight.set_stake(Stake::Exam);
+    assert_eq!(pilot.flight.progress().hint, None, "of the mission");
+    pilot.set_mode("RTL");
+    pilot.wait(1.0);
+    assert_eq!(pilot.flight.progress().hint, None, "about the return");
+    pilot.flight.set_stake(Stake::Graded);
+    assert!(pilot.flight.progress().hint.is_some());
 }
 
 #[test]

@@ -13,7 +13,7 @@ use crate::text;
 use crate::vehicle::Severity;
 
 /// The threats of one flight.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Threats {
     pub engine: Engine,
     pub injects: Injects,

@@ -11,7 +11,7 @@ const TRACK_STEP_M: f64 = 5.0;
 const TRACK_POINTS: usize = 2000;
 
 /// The tracks of one flight.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Tracks {
     /// Each vehicle's track, in the order of the vehicles.
     tracks: Vec<Vec<Point>>,

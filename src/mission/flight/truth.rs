@@ -1,4 +1,4 @@
-//! The truth that the debrief reveals.
+//! The truth that the debrief reveals, and that an instructor sees before.
 
 use super::Flight;
 use crate::mission::Point;
@@ -17,8 +17,8 @@ const UNASKED_WITHIN_M: f64 = 15.0;
 /// The strength of burnt ground, beside 1 for burning ground.
 const BURNT: f64 = 0.4;
 impl Flight {
-    /// The truth at the current mission time.
-    pub(super) fn truth_report(&self) -> TruthReport {
+    /// The truth at the current mission time. Before the debrief, only an instructor may see it.
+    pub fn truth_report(&self) -> TruthReport {
         let mut truth = TruthReport {
             pads: self
                 .mission

@@ -10,7 +10,7 @@ use crate::mission::sensor::Probe;
 use crate::mission::survey::Survey;
 use crate::mission::{
     Area, Cell, Ground, LessonStep, MovingThing, NEXT_CELL, ObjectiveProgress, ObjectiveState,
-    Phase, Progress, Reading,
+    Phase, Progress, Reading, Stake,
 };
 use crate::scoring::{SafetyEvent, points_so_far, score};
 use crate::text;
@@ -119,7 +119,7 @@ impl Flight {
     }
 
     fn lesson(&self) -> Option<LessonStep> {
-        if self.grounding().is_some() {
+        if self.grounding().is_some() || self.stake == Stake::Exam {
             return None;
         }
         let step = self.mission.advice.lesson.get(self.lesson_step?)?;
@@ -127,9 +127,9 @@ impl Flight {
     }
 
     /// The advice for the moment: about the end of the flight if it is near, otherwise the first hint of the mission's
-    /// file that applies.
+    /// file that applies; `None` in an exam.
     pub(super) fn hint(&self, standings: &[ObjectiveStanding]) -> Option<Text> {
-        if self.is_over() {
+        if self.is_over() || self.stake == Stake::Exam {
             return None;
         }
         let phase = self.phase(standings);

@@ -49,7 +49,7 @@ struct Ignition {
     radius_m: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct FireHazard {
     grid: FireGrid,
     ignitions: Vec<Ignition>,
@@ -63,7 +63,7 @@ struct Blaze {
 }
 
 /// The fire of one flight.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct Fire {
     blaze: Blaze,
     /// The same fire without intervention.

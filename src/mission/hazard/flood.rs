@@ -20,7 +20,7 @@ use crate::text;
 
 const MOST_HOUSES: u32 = 500;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Flood {
     shape: Shape,
     houses: usize,

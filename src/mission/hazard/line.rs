@@ -20,7 +20,7 @@ const MOST_DEFECTS: u32 = 200;
 /// The spacing of the points on the wire to which distances are measured.
 const STEP_M: f64 = 1.0;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct PowerLine {
     wire: Wire,
     defects: usize,
@@ -36,7 +36,7 @@ struct Wire {
     parameter_m: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Strung {
     objects: Vec<Object>,
     points: Vec<(Point, f64)>,

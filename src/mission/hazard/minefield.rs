@@ -14,14 +14,14 @@ use crate::text;
 /// The maximum number of objects; more would slow a step down.
 const MOST_OBJECTS: f64 = 2000.0;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Minefield {
     shape: Shape,
     counts: [(ObjectClass, u32); 4],
     gap_m: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Laid {
     objects: Vec<Object>,
     /// The number of mines that ground robots have cleared.

@@ -15,7 +15,7 @@ const KIT_WITHIN_M: f64 = 8.0;
 const NODE_WITHIN_M: f64 = 6.0;
 
 /// The objects of a hazard with people: the people, the animals among them, and the places for nodes.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct People {
     /// The people first, in the order of the fates; then the other objects.
     pub objects: Vec<Object>,

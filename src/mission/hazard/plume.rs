@@ -33,7 +33,7 @@ const SHADES_OUT: i32 = 25;
 const DECADES: f64 = 3.0;
 const FAINTEST: f64 = 0.1;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct PlumeHazard {
     leak: LeakPlan,
     /// The standard deviation of the axis's direction, in degrees.
@@ -42,7 +42,7 @@ struct PlumeHazard {
     intermittency: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct PlumeField {
     leak: Leak,
     /// The wind at the site, east and north, before meandering.

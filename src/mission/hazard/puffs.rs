@@ -22,7 +22,7 @@ const FIRST_SPREAD_M: f64 = 0.5;
 /// A puff is ignored at more than this many spreads from its centre.
 const FELT_SPREADS: f64 = 5.0;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct PuffsHazard {
     leak: LeakPlan,
     every_s: f64,
@@ -37,7 +37,7 @@ struct Puff {
     spread_m: (f64, f64),
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct PuffsField {
     leak: Leak,
     every_s: f64,

@@ -54,7 +54,7 @@ struct Wall {
     passes: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct RadiationHazard {
     sources: Vec<GammaSource>,
     walls: Vec<Wall>,
@@ -62,7 +62,7 @@ struct RadiationHazard {
     jitter_m: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct RadiationField {
     sources: Vec<GammaSource>,
     walls: Vec<Wall>,

@@ -40,7 +40,7 @@ impl Substance {
 }
 
 /// A leak, before the seed has varied it.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct LeakPlan {
     source: Plume,
     substance: Substance,
@@ -143,7 +143,7 @@ impl Jitter {
 }
 
 /// A leak of one flight.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Leak {
     pub source: Plume,
     substance: Substance,

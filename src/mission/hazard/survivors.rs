@@ -18,7 +18,7 @@ use crate::mission::zone::Shape;
 
 const MOST_PEOPLE: u32 = 100;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Survivors {
     shape: Shape,
     count: usize,

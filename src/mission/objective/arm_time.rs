@@ -11,12 +11,12 @@ use crate::mission::skill::Skill;
 use crate::mission::world::World;
 use crate::text;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct ArmTime {
     within_s: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct ArmTracker {
     within_s: f64,
     vehicles: Vec<Arming>,

@@ -56,7 +56,7 @@ struct SlowMoment {
     is_used: bool,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct CheckedTracker {
     plan: Checked,
     steps: u32,

@@ -27,7 +27,7 @@ mod gaps;
 const MUCH_COVERAGE: f64 = 0.5;
 const MOST_CELLS: f64 = 40_000.0;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Coverage {
     zone: Zone,
     grid: CoverageGrid,
@@ -48,7 +48,7 @@ struct CoverageGrid {
     cells: Vec<Option<bool>>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Sweep {
     grid: CoverageGrid,
     sensors: Vec<&'static Sensor>,

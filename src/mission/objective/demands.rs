@@ -12,7 +12,7 @@ use crate::text;
 use crate::text::Text;
 
 /// The demands of one objective. Fields are named after the keys of the file, so that a fault can be reported there.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Demands<'o> {
     /// Equipment that some vehicle must carry.
     pub equipment: Option<DemandedEquipment>,
@@ -63,7 +63,7 @@ pub(crate) enum Equipment {
 }
 
 /// Places listed under a key of the mission file.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(crate) struct DemandedPlaces<'o> {
     pub key: &'static str,
     pub all: &'o [NamedPlace],

@@ -16,12 +16,12 @@ use crate::vehicle::VehicleId;
 /// The multiple of the limit at which the objective earns nothing.
 const WORTHLESS: f64 = 2.0;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Dose {
     limit_usv: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct DoseTracker {
     limit_usv: f64,
     gathered_usv: BTreeMap<VehicleId, f64>,

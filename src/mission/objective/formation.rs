@@ -11,7 +11,7 @@ use crate::mission::world::World;
 use crate::mission::{Point, TICK};
 use crate::text;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct FormationObjective {
     id: String,
     route: GateRoute,
@@ -24,7 +24,7 @@ struct Keep {
     target: ObjectiveTarget,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct FormationTracker {
     gates: Vec<[f64; 3]>,
     radius_m: f64,

@@ -23,7 +23,7 @@ struct Hover {
     place: Option<NamedPlace>,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct HoverTracker {
     plan: Hover,
     holds: Vec<HoverHold>,

@@ -78,7 +78,7 @@ impl ObjectiveKind for LinkObjective {
     }
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct LinkTracker {
     link: LinkObjective,
     /// The total time of all vehicles in the zone, and the part of it with a good link.

@@ -39,7 +39,7 @@ struct LocateTarget {
     kind: FindKind,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct LocateTracker {
     plan: Locate,
     wanted: Vec<LocateTarget>,

@@ -19,14 +19,14 @@ const POINTS_PER_SIDE: u32 = 5;
 /// The error at which the quality is zero.
 const WORTHLESS: f64 = 0.5;
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct MapError {
     of: SurveyPlan,
     height_m: f64,
     target: ObjectiveTarget,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct MapTracker {
     of: String,
     height_m: f64,

@@ -30,7 +30,7 @@ struct Perimeter {
     target: ObjectiveTarget,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct PerimeterTracker {
     plan: Perimeter,
     /// Whether each cell had burnt when last seen.

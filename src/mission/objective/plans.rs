@@ -23,7 +23,7 @@ enum PlanRule {
     Kept,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct PlanStarts {
     rule: PlanRule,
     /// The fault of each vehicle's plan at the start, by seat; empty without such plans.

@@ -27,7 +27,7 @@ struct Visit {
     dwell_s: f64,
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Gates {
     id: String,
     route: GateRoute,
@@ -171,7 +171,7 @@ impl ObjectiveKind for Visit {
     }
 }
 
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 struct Stops {
     places: Vec<Stop>,
     /// How long a vehicle has stayed at each stop, in seconds.

@@ -43,6 +43,8 @@ pub(super) enum RecordLine {
     Pause { seconds: u64 },
     /// The trainee gave up: [`Flight::abandon`](crate::mission::Flight::abandon).
     Abandon,
+    /// The instructor recalled an earlier situation: what followed is not in the record, and the flight is practice.
+    Recall,
     /// The instructor ended the flight: [`Flight::stop`](crate::mission::Flight::stop).
     Stop,
     /// Changes of commands after the last step, and the score.
@@ -79,6 +81,7 @@ impl RecordLine {
             | Self::Inject { .. }
             | Self::Pause { .. }
             | Self::Abandon
+            | Self::Recall
             | Self::Stop
             | Self::End { .. } => None,
         }
@@ -93,6 +96,7 @@ impl RecordLine {
             | Self::Inject { .. }
             | Self::Pause { .. }
             | Self::Abandon
+            | Self::Recall
             | Self::Stop => None,
         }
     }
@@ -107,6 +111,7 @@ impl RecordLine {
             | Self::Inject { .. }
             | Self::Pause { .. }
             | Self::Abandon
+            | Self::Recall
             | Self::Stop => None,
         }
     }
@@ -121,6 +126,7 @@ impl RecordLine {
             | Self::Inject { .. }
             | Self::Pause { .. }
             | Self::Abandon
+            | Self::Recall
             | Self::Stop => None,
         }
     }

@@ -63,7 +63,7 @@ type UnheardLine = (i32, i32, i64);
 type BatteryLine = (Option<i64>, Option<i64>, Option<i64>, Option<u8>);
 
 /// The state of a vehicle as written to the record so far.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct WatchedVehicle {
     /// The latest values written; `None` before the first.
     known: Option<ObservedVehicle>,

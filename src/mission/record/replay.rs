@@ -8,7 +8,7 @@ use super::{End, Head, RecordChange, RecordLine, VERSION, checksum};
 use crate::diagnostic::Diagnostic;
 use crate::hash::RunningHash;
 use crate::ledger::{EntryId, Given, Ledger, RowState, RowUpdate};
-use crate::mission::{Flight, Mission, TICK};
+use crate::mission::{Flight, Mission, Stake, TICK};
 use crate::notice::Notice;
 use crate::scoring::{FlightBackend, Report};
 use crate::session::Want;
@@ -102,6 +102,9 @@ impl Stored {
             let stated = read.checksum();
             stored.is_altered = stated.is_some_and(|stated| stated != checksum(sum));
             sum.add(line.as_bytes());
+            if read == RecordLine::Recall {
+                stored.head.stake = Stake::Practice;
+            }
             lines.push(read);
         }
         stored.lines = Arc::new(lines);
@@ -325,6 +328,8 @@ impl Reenactment {
                 self.said.extend(said);
             }
             RecordLine::Abandon => self.flight.abandon(),
+            // Nothing follows in the record.
+            RecordLine::Recall => {}
             RecordLine::Stop => self.flight.stop(),
             RecordLine::End { t, change, .. } => {
                 let at = Duration::from_millis(*t);
@@ -363,6 +368,7 @@ impl Reenactment {
                 line: &entry.line,
                 verb: entry.verb,
                 risk: entry.risk,
+                by: entry.by.as_ref(),
             };
             let id = self.ledger.open(at, given, &entry.vehicles);
             self.entries.insert(entry.id, id);

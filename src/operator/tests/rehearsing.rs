@@ -59,6 +59,7 @@ fn prepared(line: &str, vehicles: impl IntoIterator<Item = Vehicle>) -> PlanRehe
         now: Duration::ZERO,
         vehicles: &vehicles.map(|it| (it.id, it.into())).collect(),
         flight: None,
+        pilots: &PilotsInCommand::default(),
     };
     let mut ledger = Ledger::new();
     let entry = ledger.open(Duration::ZERO, order.given(), &order.targets);
@@ -286,6 +287,7 @@ fn a_rehearsal_waits_for_plans_that_are_being_read() {
             now: Duration::ZERO,
             vehicles,
             flight: None,
+            pilots: &PilotsInCommand::default(),
         };
         operator.carry_out(EntryId(entry), &order, scene)
     };
@@ -302,6 +304,7 @@ fn a_rehearsal_waits_for_plans_that_are_being_read() {
         now: Duration::ZERO,
         vehicles: &swarm(&unread),
         flight: None,
+        pilots: &PilotsInCommand::default(),
     };
     let _ = operator.carry_out(EntryId(3), &order, scene);
     assert_eq!(told(&operator.conduct(&swarm(&unread), s(59))).1, 0);
@@ -322,6 +325,7 @@ fn a_rehearsal_waits_for_the_end_of_an_upload() {
             now: Duration::ZERO,
             vehicles: &vehicles,
             flight: None,
+            pilots: &PilotsInCommand::default(),
         };
         let order = super::read(line).expect("a good line");
         operator.carry_out(EntryId(entry), &order, scene)
@@ -356,6 +360,7 @@ fn smaller_work_names_the_vehicles_that_keep_an_old_plan() {
             now: Duration::ZERO,
             vehicles: &vehicles,
             flight: None,
+            pilots: &PilotsInCommand::default(),
         };
         let order = super::read(line).expect("a good line");
         operator.carry_out(EntryId(entry), &order, scene)

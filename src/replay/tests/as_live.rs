@@ -37,7 +37,7 @@ fn heard_live(recorded: &Recorded) -> BTreeSet<(String, bool)> {
 fn is_of_vehicle(notice: &Notice) -> bool {
     match notice.source {
         NoticeSource::Vehicle => true,
-        NoticeSource::Program => false,
+        NoticeSource::Program | NoticeSource::Class => false,
     }
 }
 

@@ -146,6 +146,7 @@ pub(super) fn write_journal(frames: &std::path::Path) {
         line: "2 arm".to_owned(),
         verb,
         risk: crate::ledger::Risk::None,
+        by: None,
         vehicles: vec![2],
     };
     let row = |state| {

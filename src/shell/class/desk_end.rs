@@ -5,17 +5,21 @@ use std::time::Duration;
 
 use super::desk_files::{DeskAnswer, DeskTask};
 use super::worker::Worker;
-use super::{ClassArrival, OpenLine, or_never};
+use super::{ClassArrival, ClassSight, OpenLine, or_never};
 use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
 use crate::carrier::{DeskArrival, DeskPort};
 use crate::class::protocol::DeskMessage;
-use crate::class::{ConnectionId, Desk, DeskHeard, DeskLine, SubmissionEnd, SubmissionRefusal};
+use crate::class::{
+    ConnectionId, Desk, DeskHeard, DeskLine, Picture, SubmissionEnd, SubmissionRefusal,
+};
 use crate::shell::Console;
 
 /// The time after which the desk tries again to write what it could not write.
 const WRITE_AGAIN: Duration = Duration::from_secs(60);
+/// The least time between two pictures of what the desk shows.
+const DRAW_EVERY: Duration = Duration::from_millis(100);
 
 /// The connections of a desk.
 pub(in crate::shell) struct DeskEnd {
@@ -23,8 +27,27 @@ pub(in crate::shell) struct DeskEnd {
     open: BTreeMap<ConnectionId, DeskConnection>,
     /// Keeps the records that are handed in; `None` without a data folder.
     files: Option<Worker<DeskTask, DeskAnswer>>,
+    shown: ShownPicture,
     /// When the desk next tries to write what it could not write, by the wall clock.
     writes_again: Duration,
+}
+
+/// What the desk shows to the class. It is drawn once for all seats.
+#[derive(Default)]
+struct ShownPicture {
+    drawn_at: Option<Duration>,
+    picture: Option<Picture>,
+}
+
+impl ShownPicture {
+    /// The picture, not older than a tenth of a second. One that may not be shown leaves the one before.
+    fn at(&mut self, now: Duration, draw: &dyn Fn() -> Option<Picture>) -> Option<Picture> {
+        if self.drawn_at.is_none_or(|at| now >= at + DRAW_EVERY) {
+            self.drawn_at = Some(now);
+            self.picture = draw().or(self.picture.take());
+        }
+        self.picture.clone()
+    }
 }
 
 /// A connection to a seat.
@@ -44,6 +67,7 @@ impl DeskEnd {
             port,
             open: BTreeMap::new(),
             files,
+            shown: ShownPicture::default(),
             writes_again: WRITE_AGAIN,
         }
     }
@@ -63,16 +87,25 @@ impl DeskEnd {
     }
 
     /// Says what the seats do not know yet.
-    pub fn tell(&mut self, desk: &Desk, state: &State) {
+    pub(super) fn tell(&mut self, desk: &Desk, state: &State, sight: &ClassSight<'_>) {
         if let Some(files) = &mut self.files
             && state.wall() >= self.writes_again
         {
             self.writes_again = state.wall() + WRITE_AGAIN;
             files.give(DeskTask::WriteAgain);
         }
-        for (&connection, DeskConnection { open, .. }) in &mut self.open {
+        let Self { open, shown, .. } = self;
+        if !desk.is_showing() {
+            *shown = ShownPicture::default();
+        }
+        let now = state.wall();
+        for (&connection, DeskConnection { open, .. }) in open {
             while open.outbox.has_room() {
-                match open.line.next(desk, connection, state.wall()) {
+                let said = open.line.next(desk, connection, now).or_else(|| {
+                    let picture = || shown.at(now, sight.shown);
+                    open.line.next_shown(desk, connection, picture, now)
+                });
+                match said {
                     Some(message) => open.outbox.send(&message),
                     None => break,
                 }
@@ -93,13 +126,23 @@ impl DeskEnd {
                 user,
                 heard,
             } => match &mut self.files {
-                Some(files) => files.give(DeskTask::Take {
+                // Seats repeat what is not answered.
+                Some(files) => files.offer(DeskTask::Take {
                     connection,
                     user,
                     heard,
                 }),
                 None => self.refuse(connection, &heard),
             },
+            ClassEffect::FindFlights {
+                user,
+                record,
+                beside,
+            } => self.give(DeskTask::FindFlights {
+                user,
+                record,
+                beside,
+            }),
             ClassEffect::ReadGraded(asked) => self.give(DeskTask::ReadGraded(asked)),
             ClassEffect::KeepGrades {
                 user,

@@ -12,15 +12,22 @@ use crate::campaign::MissionCourse;
 use crate::class::protocol::DeskMessage;
 use crate::class::{
     ConnectionId, DeskHeard, Exam, ExamNote, Receipt, ReceiptNews, Reception, RecordHead,
+    RecordName,
 };
-use crate::class_results::{ClassFlight, ClassResults, ClassTrainee, add_flight};
+use crate::class_results::{
+    BesideFlight, ClassFlight, ClassResults, ClassTrainee, FoundFlights, add_flight,
+};
 use crate::grading::{GradeSheet, GradedFlight, GradedRequest};
 use crate::shell::ConsoleOptions;
 use crate::store::{
-    self, ClassRecords, DeskKey, ExamNotes, KeptRecord, SealedTry, SignatureError, check_seal,
-    class_flight, class_trainees, day_of, is_sealed, seal_record,
+    self, ClassRecords, DeskKey, ExamNotes, KeptRecord, RecordFiles, SealedTry, SignatureError,
+    check_seal, class_flight, class_trainees, day_of, is_sealed, seal_record,
 };
+use crate::text;
 use crate::text::Text;
+use grades::{GradesOutcome, UnwrittenGrades};
+
+mod grades;
 
 /// The name of the rubric with which flights are graded unless another one is named.
 const STANDARD_RUBRIC: &str = "notechs";
@@ -43,6 +50,12 @@ pub(in crate::shell) enum DeskTask {
     Leave(ConnectionId),
     /// Read a flight to grade it.
     ReadGraded(GradedRequest),
+    /// Find flights to be replayed.
+    FindFlights {
+        user: String,
+        record: Option<String>,
+        beside: Option<String>,
+    },
     /// Keep the grades of a flight.
     KeepGrades {
         user: String,
@@ -82,6 +95,7 @@ struct DeskFiles {
     notes: ExamNotes,
     /// Notes that still have to be written, oldest first. Until they are, reports of seats are not confirmed.
     unwritten: VecDeque<UnwrittenNotes>,
+    grades: UnwrittenGrades,
     /// Whether something could not be written.
     has_failed: bool,
     /// The exams of the class as their notes on disk say, oldest first.
@@ -100,6 +114,7 @@ impl DeskFiles {
             epoch: epoch(Duration::ZERO),
             notes: ExamNotes::of(&records),
             unwritten: VecDeque::new(),
+            grades: UnwrittenGrades::default(),
             has_failed: false,
             exams: Vec::new(),
             reception: Reception::new(records),
@@ -125,6 +140,7 @@ impl DeskFiles {
             DeskTask::WriteAgain if !std::mem::take(&mut self.has_failed) => Vec::new(),
             DeskTask::WriteAgain => {
                 let mut answers = self.write_notes(true);
+                answers.extend(self.write_grades());
                 answers.extend(self.seal_rest());
                 answers.push(self.results());
                 answers
@@ -142,12 +158,16 @@ impl DeskFiles {
                 record,
                 sheet,
             } => {
-                let shelf = self.reception.shelf();
-                let kept = shelf.keep_sheet(&user, &record, &sheet);
-                let lost = kept.err().map(|error| Text::from(&error));
-                lost.map(|fault| event(ClassEvent::GradesLost(fault)))
-                    .into_iter()
-                    .collect()
+                self.grades.put(user, record, sheet);
+                self.write_grades().into_iter().collect()
+            }
+            DeskTask::FindFlights {
+                user,
+                record,
+                beside,
+            } => {
+                let found = self.find_flights(&user, record.as_deref(), beside.as_deref());
+                vec![event(ClassEvent::FlightsFound(found))]
             }
         }
     }
@@ -311,18 +331,102 @@ impl DeskFiles {
         Ok(())
     }
 
+    /// The flights that are asked for, to be replayed.
+    fn find_flights(
+        &self,
+        user: &str,
+        record: Option<&str>,
+        beside: Option<&str>,
+    ) -> Result<FoundFlights, Text> {
+        let own = newest(&self.trainees, user, |flight| {
+            record.is_none_or(|record| flight.record == record)
+        });
+        let own = own.ok_or_else(|| text!("grading-no-record", user = user))?;
+        let files = self.files_of(user, own)?;
+        let frames = files.frames()?.display().to_string();
+        let beside = beside.map(|other| self.beside(own, other)).transpose()?;
+        Ok(FoundFlights {
+            trainee: names_of(user, own),
+            record: files.stem,
+            frames,
+            beside,
+        })
+    }
+
+    /// The newest flight of another trainee in the same mission; of the same trainee, the one before.
+    fn beside(&self, own: &ClassFlight, user: &str) -> Result<BesideFlight, Text> {
+        let mission = &own.flight.mission;
+        let is_meant =
+            |flight: &ClassFlight| flight.flight.mission == *mission && flight.record != own.record;
+        let other = newest(&self.trainees, user, is_meant);
+        let other = other.ok_or_else(|| {
+            text!(
+                "class-replay-none-beside",
+                user = user,
+                mission = mission.as_str()
+            )
+        })?;
+        let run = self.files_of(user, other)?.run;
+        let run = run.ok_or_else(|| text!("grading-no-record", user = user))?;
+        Ok(BesideFlight {
+            trainee: names_of(user, other),
+            run: run.display().to_string(),
+        })
+    }
+
+    fn files_of(&self, user: &str, flight: &ClassFlight) -> Result<RecordFiles, Text> {
+        let record = RecordName::try_from(flight.record.clone()).ok();
+        let shelf = self.reception.shelf();
+        let kept = record.and_then(|record| shelf.kept_record(user, &record));
+        let kept = kept.ok_or_else(|| text!("grading-no-record", user = user))?;
+        Ok(kept.files)
+    }
+
     /// The flight that is asked for, with the grades that it has.
     fn graded(&self, asked: &GradedRequest) -> Result<GradedFlight, Text> {
         let name = asked.rubric.as_deref().unwrap_or(STANDARD_RUBRIC);
         let rubric = store::rubric(name).map_err(|error| Text::from(&error))?;
         let shelf = self.reception.shelf();
-        shelf.graded(&asked.user, &asked.choice, &Arc::new(rubric), &self.grader)
+        let mut flight =
+            shelf.graded(&asked.user, &asked.choice, &Arc::new(rubric), &self.grader)?;
+        // What is not written yet is newer than the file.
+        if let Some(sheet) = self.grades.of(&flight) {
+            flight.sheet = sheet.clone();
+        }
+        Ok(flight)
+    }
+
+    /// Writes the grades that wait, and says so if something has changed.
+    fn write_grades(&mut self) -> Option<DeskAnswer> {
+        let outcome = self.grades.write(self.reception.shelf())?;
+        self.has_failed |= outcome.fault.is_some();
+        let GradesOutcome { count, fault } = outcome;
+        Some(event(ClassEvent::GradesWait { count, fault }))
     }
 
     fn results(&self) -> DeskAnswer {
         let day = day_of(SystemTime::now());
         let results = ClassResults::of(&self.course, &self.trainees, day);
         event(ClassEvent::Results(Arc::new(results)))
+    }
+}
+
+/// The newest flight of a trainee that is meant.
+fn newest<'a>(
+    trainees: &'a [ClassTrainee],
+    user: &str,
+    is_meant: impl Fn(&ClassFlight) -> bool,
+) -> Option<&'a ClassFlight> {
+    let trainee = trainees.iter().find(|it| it.user == user)?;
+    trainee.flights.iter().rev().find(|flight| is_meant(flight))
+}
+
+/// The names of the trainee of a flight, and when it began: two flights may be of one trainee.
+fn names_of(user: &str, flight: &ClassFlight) -> String {
+    let when = flight.when.get(..16).unwrap_or_default().replace('T', " ");
+    match flight.profile.as_deref().filter(|it| *it != user) {
+        Some(profile) => format!("{user} ({profile}) {when}"),
+        None => format!("{user} {when}"),
     }
 }
 

@@ -11,7 +11,7 @@ use crate::app::event::ClassEvent;
 use crate::carrier::{ClassPlace, SeatArrival, SeatPort};
 use crate::class::protocol::DeskMessage;
 use crate::class::{
-    Consent, Picture, Piece, PieceRequest, Seat, SeatLine, SeatReport, SeatSource, TryHead,
+    Consent, Insight, Picture, Piece, PieceRequest, Seat, SeatLine, SeatReport, SeatSource, TryHead,
 };
 use crate::scoring::FlownBy;
 use crate::shell::{Console, ConsoleOptions};
@@ -164,6 +164,10 @@ impl SeatSource for SeatView<'_> {
 
     fn picture(&self) -> Option<Picture> {
         (self.sight.picture)()
+    }
+
+    fn insight(&self) -> Option<Insight> {
+        self.state.insight(&(self.sight.truth)())
     }
 
     fn head(&self) -> Option<TryHead> {

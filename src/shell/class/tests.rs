@@ -19,7 +19,10 @@ use crate::ui;
 
 mod exams;
 mod lessons;
+mod pilots;
 mod records;
+mod showing;
+mod situations;
 
 const FIRST: &str = include_str!("../../../missions/00-first-flight.toml");
 const WITH_INJECTS: &str = include_str!("../../../missions/12-relay-chain.toml");

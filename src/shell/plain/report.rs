@@ -41,6 +41,11 @@ pub struct PlainReport {
 }
 
 impl PlainReport {
+    /// Whether there is news that should not wait: what the desk of a class has said.
+    pub fn is_urgent(&self, state: &State) -> bool {
+        self.notices.has_word_of_class(state)
+    }
+
     /// The news since the last call.
     pub fn news(&mut self, state: &State) -> Vec<Text> {
         let mut texts: Vec<Text> = self.stages.news(state).into_iter().collect();

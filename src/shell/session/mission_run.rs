@@ -41,6 +41,13 @@ pub(super) struct MissionRun {
     is_record_taken: bool,
 }
 
+/// Everything from which a mission can continue.
+pub(super) struct MissionSituation {
+    driver: FlightDriver,
+    wanted: VecDeque<Demand>,
+    lost: BTreeSet<VehicleId>,
+}
+
 /// A mission that has ended.
 pub(in crate::shell) struct Finished {
     /// The mission that was flown.
@@ -104,6 +111,36 @@ impl MissionRun {
         };
         let logbook = Logbook::begin(runs, self.driver.flight_mut(), occasion, earlier);
         self.logbook = Some(logbook);
+    }
+
+    /// The situation of the mission.
+    pub fn situation(&self) -> MissionSituation {
+        MissionSituation {
+            driver: self.driver.clone(),
+            wanted: self.wanted.clone(),
+            lost: self.lost.clone(),
+        }
+    }
+
+    /// Ends the record because the flight continues from an earlier situation.
+    pub fn leave_record(&mut self) {
+        let flight = self.driver.flight_mut();
+        // A record that is complete stays as it is.
+        if !flight.is_over() {
+            flight.record_recall();
+        }
+        if let Some(logbook) = self.logbook.take() {
+            logbook.finish(flight);
+        }
+    }
+
+    /// Continues from a situation, without a record; returns the notice, in mission time.
+    pub fn recall(&mut self, situation: &MissionSituation) -> Option<Notice> {
+        self.driver = situation.driver.clone();
+        self.wanted.clone_from(&situation.wanted);
+        self.lost.clone_from(&situation.lost);
+        (self.ended, self.finished) = (false, None);
+        self.driver.flight_mut().continue_from_situation()
     }
 
     /// The id of its run, if recorded.

@@ -5,6 +5,7 @@ use std::time::Duration;
 use super::RunningSession;
 use super::mission_run::MissionRun;
 use crate::app::event::{Event, VehicleEvent};
+use crate::app::state::FlightView;
 use crate::commands::Order;
 use crate::ledger::{EntryId, RowState};
 use crate::notice::Notice;
@@ -19,12 +20,13 @@ impl RunningSession {
         &mut self,
         entry: EntryId,
         order: &Order,
-        vehicles: &Vehicles,
+        shown: &FlightView,
         now: Duration,
     ) -> Vec<Event> {
         let scene = OperatorScene {
             now: self.vehicle_time.at(now),
-            vehicles,
+            vehicles: shown.vehicles(),
+            pilots: shown.pilots(),
             flight: self.mission_run.as_mut().map(MissionRun::flight_mut),
         };
         let work = self.operator.carry_out(entry, order, scene);

@@ -16,6 +16,7 @@ use super::links::SessionLinks;
 use super::mission_run::MissionRun;
 use super::recorder::FlightRecorder;
 use super::rehearsals::Rehearsals;
+use super::truth::SimulatedTruth;
 use crate::app::event::Started;
 use crate::app::state::Activity;
 use crate::exercise::PacedClock;
@@ -173,6 +174,7 @@ impl RunningSession {
             dropped: 0,
             mission_run: None,
             rehearsals: Rehearsals::new(backend.records.clone()),
+            world: None,
             airframes: Vec::new(),
             pace: watch::Sender::new(SimulatorPace {
                 speedup: backend.speedup,
@@ -183,6 +185,7 @@ impl RunningSession {
             vehicle_time: PacedClock::new(backend.speedup, Duration::ZERO),
             processes: None,
             recorder,
+            truth: None,
             cancel,
         }
     }
@@ -309,6 +312,8 @@ impl RunningSession {
         let cancel = self.cancel.clone();
         let pace = self.pace.subscribe();
         let simulator = Simulator::start_recorded(world, pace, &endpoints, record, cancel).await?;
+        self.world = Some(simulator.world);
+        self.truth = Some(SimulatedTruth::new(simulator.places));
         for pipe in simulator.pipes {
             self.fleet.connect(Transport::Pipe(pipe))?;
         }

@@ -23,6 +23,8 @@ const ENDING: &str = ".toml";
 pub struct KeptSheet {
     /// The trainee's user name.
     pub user: String,
+    /// The name of the trainee's profile, if there was one.
+    pub profile: Option<String>,
     /// The name of the record.
     pub record: String,
     pub sheet: GradeSheet,
@@ -85,6 +87,7 @@ impl ClassRecords {
         }
         Ok(GradedFlight {
             user: kept.user.clone(),
+            profile: stored.head.profile.clone(),
             record: record.clone(),
             title: report.title.clone(),
             when: stored.head.when.clone(),
@@ -133,6 +136,8 @@ impl ClassRecords {
     pub fn sheets(&self) -> (Vec<KeptSheet>, Vec<Text>) {
         let (mut sheets, mut faults) = (Vec::new(), Vec::new());
         for kept in self.all() {
+            let outline = kept.files.run_outline();
+            let profile = outline.and_then(|(head, _)| head.profile);
             let folder = self.folder.join(safe(&kept.user));
             let prefix = format!("{}{GRADES}", kept.files.stem);
             let mut names = names_in(&folder);
@@ -142,6 +147,7 @@ impl ClassRecords {
                 match read_sheet(&folder.join(name)) {
                     Ok(Some(sheet)) => sheets.push(KeptSheet {
                         user: kept.user.clone(),
+                        profile: profile.clone(),
                         record: kept.files.stem.clone(),
                         sheet,
                     }),

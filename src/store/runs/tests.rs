@@ -26,6 +26,19 @@ fn a_run_that_is_still_flown_is_no_try_yet() {
 }
 
 #[test]
+fn a_flight_in_which_a_situation_was_recalled_is_practice() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let runs = Runs::within(&folder.path().join("data"));
+    let mut run = runs.begin("01-a", "2026-11-20T14:03:22Z").expect("created");
+    let graded = HEAD.replace("\"source\"", "\"stake\":\"graded\",\"source\"");
+    run.append(&graded).expect("written");
+    let stake = |path: &Path| outline(path).expect("readable").0.stake;
+    assert_ne!(stake(run.path()), Stake::Practice);
+    run.append("\"recall\"\n").expect("written");
+    assert_eq!(stake(run.path()), Stake::Practice);
+}
+
+#[test]
 fn the_tries_at_a_mission_are_told_by_first_and_last_lines() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let runs = Runs::within(&folder.path().join("data"));

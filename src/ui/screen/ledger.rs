@@ -215,7 +215,10 @@ fn entry_line(
     let mut line = Line::from(vec![
         Span::raw(mark),
         Span::styled(aligned(&time, TIME_WIDTH, false), muted),
-        Span::raw(aligned(&entry.line, line_width, false)),
+        Span::styled(
+            aligned(&look.text(&entry.said()), line_width, false),
+            look.style(author_role(entry)),
+        ),
         Span::styled(format!(" {}", aligned(&count, COUNT_WIDTH, true)), muted),
         Span::styled(aligned(&answer, ANSWER_WIDTH, true), muted),
         Span::raw("  "),
@@ -224,6 +227,14 @@ fn entry_line(
     let tries = aligned(&tries.to_string(), TRIES_WIDTH, true);
     line.extend([Span::raw(blanks), Span::styled(tries, muted)]);
     line
+}
+
+/// The role of a command's line: the colour of what is not the operator's own is another one.
+fn author_role(entry: &LedgerEntry) -> Role {
+    match entry.by {
+        Some(_) => Role::Accent,
+        None => Role::Text,
+    }
 }
 
 /// A command of another station: its line begins with the station, and is drawn in the colour of
@@ -269,7 +280,7 @@ fn seconds(time_s: f64) -> String {
 /// Draws the outcome of one command for each vehicle, failures first.
 fn draw_rows(state: &State, entry: &LedgerEntry, panel: Panel<'_>, buffer: &mut Buffer) {
     let time = clock(state.session().time(entry.at));
-    let title = format!("{time} {}", entry.line);
+    let title = format!("{time} {}", panel.text(&entry.said()));
     let is_opened = state.rooms().ledger().is_opened();
     let inner = panel.focused(&title, is_opened, buffer);
     let lines = lines(entry, panel.look, usize::from(inner.width));

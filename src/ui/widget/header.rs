@@ -1,5 +1,7 @@
 //! The first line: room, time, vehicles, and links.
 
+use std::time::Duration;
+
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
 use ratatui::style::Modifier;
@@ -14,6 +16,10 @@ use crate::ui::look::Look;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{alert_role, clip, clock, columns, put, replay, upper, width};
+use crate::vehicle_id::ranges;
+
+/// The time left for a try of an exam from which it is shown as a warning.
+const TRY_ENDS_SOON: Duration = Duration::from_secs(60);
 
 /// Draws the header and returns the area between it and the footer.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
@@ -108,6 +114,7 @@ fn figures(state: &State, short: bool) -> Vec<Figure> {
         let vehicles = text!("count-vehicles", count = state.session().vehicles().len());
         let watched = watched(state, short).map(Figure::from);
         return std::iter::once(vehicles.into())
+            .chain(exam_try(state, short))
             .chain(watched)
             .chain([text!("header-reading").into()])
             .collect();
@@ -124,6 +131,8 @@ fn figures(state: &State, short: bool) -> Vec<Figure> {
         pressing_alert(state),
         mission_alert(state),
         plain(vehicles(state, short)),
+        exam_try(state, short),
+        pilots(state),
         plain(watched(state, short)),
         plain(recorded_at(state, short)),
         Some(time.into()),
@@ -193,6 +202,35 @@ fn vehicles(state: &State, short: bool) -> Option<Text> {
     let links = state.replay().is_none().then(|| links(state, short));
     let shown = std::iter::once(count).chain(links).collect();
     Some(Text::joined("   ", shown))
+}
+
+/// The try of an exam, and the time that is left for it.
+fn exam_try(state: &State, short: bool) -> Option<Figure> {
+    let shown = state.shown_try()?;
+    let time = clock(shown.left);
+    let text = if short {
+        text!("header-try-short", time = time)
+    } else {
+        let (number, tries) = (shown.name.number, shown.tries);
+        text!("header-try", number = number, tries = tries, time = time)
+    };
+    let is_short = shown.left < TRY_ENDS_SOON;
+    let role = is_short.then_some(Role::Warning);
+    Some(Figure { text, role })
+}
+
+/// Who else flies vehicles of this console.
+fn pilots(state: &State) -> Option<Figure> {
+    let others = state.session().pilots().others();
+    let parts = others.into_iter().map(|(pilot, vehicles)| {
+        let (pilot, vehicles) = (pilot.name(), ranges(vehicles));
+        text!("header-pilot", pilot = pilot, vehicles = vehicles)
+    });
+    let parts: Vec<Text> = parts.collect();
+    (!parts.is_empty()).then(|| Figure {
+        text: Text::joined(", ", parts),
+        role: Some(Role::Warning),
+    })
 }
 
 /// Who watches this seat of a class.

@@ -102,7 +102,7 @@ fn short_line<'a>(
     let room = width.saturating_sub(time.width() + states.width() + 2);
     Line::from(vec![
         Span::styled(time, look.style(Role::Muted)),
-        Span::raw(format!("{}  ", clip(&entry.line, room))),
+        Span::raw(format!("{}  ", clip(&look.text(&entry.said()), room))),
         Span::styled(states, look.style(entry_role(entry))),
     ])
 }
@@ -160,7 +160,8 @@ fn head_lines<'a>(
         look.style(Role::Muted),
     );
     let room = width.saturating_sub(time.width());
-    let free = room.saturating_sub(Span::raw(&entry.line).width() + 2);
+    let said = look.text(&entry.said());
+    let free = room.saturating_sub(Span::raw(&said).width() + 2);
     let outcome = outcome(entry, look);
     let is_told = outcome.is_some();
     let short = outcome
@@ -169,7 +170,7 @@ fn head_lines<'a>(
     let long = outcome.unwrap_or_else(|| summary(entry, look, true));
     let mut fitting = [long, short.clone()].into_iter();
     if let Some(text) = fitting.find(|text| text.chars().count() <= free) {
-        let mut line = Line::from(vec![time, Span::raw(format!("{}  ", entry.line))]);
+        let mut line = Line::from(vec![time, Span::raw(format!("{said}  "))]);
         if is_told {
             line.push_span(Span::styled(text, style));
         } else {
@@ -181,7 +182,7 @@ fn head_lines<'a>(
         }
         return vec![line];
     }
-    let mut lines = vec![Line::from(vec![time, Span::raw(clip(&entry.line, room))])];
+    let mut lines = vec![Line::from(vec![time, Span::raw(clip(&said, room))])];
     let wrapped = wrap(&short, width.saturating_sub(INDENT));
     lines.extend(wrapped.iter().map(|line| indented(line, style)));
     lines

@@ -5,7 +5,7 @@
 //! - From the bottom up: `swept` (searched ground), `heat` (readings), `fire`; then the lines and words of `ground`
 //!   (areas, homes), `ways` (trails and targets), `traffic` and `finds` (contacts and reports), which `labels`
 //!   places; then `markers` (vehicles, on a `board` of free cells) and `legend` (the scale).
-//! - Other maps: `drafts` (the plans room), `sketch` (a mission before the flight), `truth` (the debrief).
+//! - Other maps: `plain` (places that are given), `drafts` (the plans room), `sketch` (a mission before the flight), `truth` (the debrief).
 
 use ratatui::buffer::Buffer;
 use ratatui::layout::Rect;
@@ -32,6 +32,7 @@ mod heat;
 mod labels;
 mod legend;
 mod markers;
+mod plain;
 mod sketch;
 mod squares;
 mod swept;
@@ -44,6 +45,7 @@ pub use drafts::draw as draw_drafts;
 pub use ground::next_place;
 pub use labels::stamp;
 pub use legend::{draw as draw_legend, length};
+pub use plain::{MapSign, PlainMap};
 pub use sketch::draw as draw_site;
 pub use truth::draw as draw_truth;
 

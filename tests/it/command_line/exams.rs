@@ -145,6 +145,7 @@ fn asked() -> (Vec<ExamNote>, u64) {
     let hello = SeatMessage::Hello(Hello {
         protocol: VERSION,
         sitting: 1,
+        name: None,
     });
     let report = SeatMessage::Report {
         last: 0,

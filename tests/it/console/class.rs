@@ -20,13 +20,16 @@ mod desk;
 mod grading;
 mod injects;
 mod lessons;
+mod pilots;
+mod situations;
+mod start;
 mod watch;
 
-pub use desk::{desk, flight, join, report, say};
+pub use desk::{deeds, desk, flight, join, report, say};
 pub use grading::grading;
 pub use injects::flight_with_injects;
 pub use lessons::{begin, carry_out, first_lesson};
-pub use watch::send_screen;
+pub use watch::{send_insight, send_screen};
 
 /// A console in a class; the desk of petro is found.
 fn seat(consent: Consent) -> Console {
@@ -43,6 +46,7 @@ fn welcome(console: &mut Console) {
     console.hear(ClassEvent::Said(DeskMessage::Welcome {
         protocol: VERSION,
         class: "9-A".into(),
+        name: "anna".into(),
     }));
 }
 

@@ -7,12 +7,15 @@ use sortie::class::{
 };
 use sortie::text::Language;
 
-use crate::console::class::{desk, flight, flight_with_injects, join, report, say, send_screen};
+use crate::console::class::{
+    desk, flight, flight_with_injects, join, report, say, send_insight, send_screen,
+};
 use crate::harness::Console;
 
 mod exams;
 mod grading;
 mod lessons;
+mod replay;
 mod results;
 
 /// A seat in each state.
@@ -122,6 +125,39 @@ fn the_screen_of_a_seat_is_shown_as_it_is() {
         send_screen(&mut console, 1, "anna", (100, 30));
         for (width, height) in [(80, 24), (120, 40)] {
             let name = format!("watch_{}_{width}x{height}", language.code());
+            insta::assert_snapshot!(name, console.screen(width, height));
+        }
+    }
+}
+
+#[test]
+fn the_state_of_a_flight_is_beside_a_watched_screen() {
+    for language in Language::ALL {
+        let mut console = desk(language);
+        report(&mut console, 1, "anna", flight_with_injects());
+        console.press("enter");
+        send_screen(&mut console, 1, "anna", (100, 30));
+        send_insight(&mut console, 1, "anna");
+        let name = format!("watch_beside_{}_200x50", language.code());
+        insta::assert_snapshot!(name, console.screen(200, 50));
+        console.press("s");
+        for (width, height) in [(80, 24), (120, 40)] {
+            let name = format!("watch_state_{}_{width}x{height}", language.code());
+            insta::assert_snapshot!(name, console.screen(width, height));
+        }
+    }
+}
+
+#[test]
+fn four_seats_have_a_tile_each() {
+    for language in Language::ALL {
+        let mut console = busy(language);
+        console.press("esc").press("w");
+        for (connection, user) in [(1, "anna"), (2, "bohdan"), (3, "vira")] {
+            send_insight(&mut console, connection, user);
+        }
+        for (width, height) in [(80, 24), (120, 40), (200, 50)] {
+            let name = format!("tiles_{}_{width}x{height}", language.code());
             insta::assert_snapshot!(name, console.screen(width, height));
         }
     }

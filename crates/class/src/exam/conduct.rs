@@ -126,6 +126,18 @@ impl Exam {
         self.is_stopped
     }
 
+    /// Whether the time of the exam is over, and nobody flies a try any more.
+    pub(super) fn ends_itself(&self, at: u64) -> bool {
+        let is_over = |candidate: &Candidate| {
+            let stage = candidate.stage();
+            matches!(stage, CandidateStage::Done | CandidateStage::Closed)
+        };
+        self.has_begun()
+            && !self.is_stopped
+            && self.plan.is_closed_at(at)
+            && self.candidates.values().all(is_over)
+    }
+
     /// A time of the desk's own clock, in seconds since 1970.
     pub fn at(&self, now: Duration) -> u64 {
         self.epoch.saturating_add(now.as_secs())
@@ -360,7 +372,11 @@ fn ordered(user: &str, name: TryName, state: OrderState) -> Option<ExamMove> {
         // The desk was away meanwhile.
         OrderState::Ended(Outcome::Refused(Refusal::Flown)) => ended(user, name, TryEnd::Left),
         OrderState::Ended(
-            Outcome::Refused(_) | Outcome::NoEffect | Outcome::Armed | Outcome::Disarmed,
+            Outcome::Refused(_)
+            | Outcome::NoEffect
+            | Outcome::Armed
+            | Outcome::UnderWay
+            | Outcome::Disarmed,
         )
         | OrderState::Unanswered => ExamMove::Stage(CandidateStage::Blocked),
     })

@@ -87,6 +87,11 @@ impl Desk {
                 self.make_exam_move(&mut exam, &user, seat, next, now);
             }
         }
+        // Otherwise it would be the exam of the next lesson.
+        if exam.ends_itself(at) {
+            exam.note(at, ExamDeed::Stopped);
+            has_changed = true;
+        }
         self.exam = Some(exam);
         has_changed
     }

@@ -31,6 +31,7 @@ fn notes(journal: &JournalCopy) -> impl Iterator<Item = Note<'_>> {
                 id,
                 deed: Deed::Step(step),
                 outcome,
+                ..
             } => Some(Note {
                 id: *id,
                 outcome: *outcome,
@@ -99,7 +100,9 @@ fn given_in(journal: &JournalCopy, note: &Note<'_>, deeds: &[Deed]) -> Vec<Given
     let ended: Vec<_> = journal
         .entries()
         .filter_map(|entry| match &entry.what {
-            Happening::Order { id, deed, outcome } => Some((*id, deed, *outcome)),
+            Happening::Order {
+                id, deed, outcome, ..
+            } => Some((*id, deed, *outcome)),
             _ => None,
         })
         .collect();

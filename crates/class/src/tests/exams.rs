@@ -137,8 +137,15 @@ impl Hall {
     fn answer(&mut self, outcome: Outcome) {
         let order = self.desk.seats()[0].orders().next_back().expect("an order");
         let Order { id, deed } = order.order.clone();
-        self.journal
-            .note(None, Happening::Order { id, deed, outcome });
+        self.journal.note(
+            None,
+            Happening::Order {
+                id,
+                deed,
+                outcome,
+                why: None,
+            },
+        );
         let batch = self.journal.from(self.journal.last()).expect("an entry");
         self.hear(SeatMessage::Entries(batch));
         self.until(self.at + 1);
@@ -310,6 +317,17 @@ fn a_seat_that_flies_on_after_its_time_is_asked_to_end_and_nothing_is_opened_aft
     hall.report(None);
     hall.until(1015);
     assert_eq!(hall.candidate().stage(), CandidateStage::Closed);
+}
+
+#[test]
+fn an_exam_ends_by_itself_after_its_end_time_once_nobody_flies() {
+    let mut hall = Hall::flying();
+    hall.until(1015);
+    let is_stopped = |hall: &Hall| hall.desk.exam().expect("an exam").is_stopped();
+    assert!(!is_stopped(&hall), "anna still flies");
+    hall.report(None);
+    hall.until(1030);
+    assert!(is_stopped(&hall));
 }
 
 #[test]

@@ -39,7 +39,15 @@ impl Pupil {
         }
         let end = |journal: &mut Journal, order: Order, outcome| {
             let Order { id, deed } = order;
-            journal.note(None, Happening::Order { id, deed, outcome });
+            journal.note(
+                None,
+                Happening::Order {
+                    id,
+                    deed,
+                    outcome,
+                    why: None,
+                },
+            );
         };
         match &order.deed {
             Deed::Step(step) => {
@@ -68,8 +76,15 @@ impl Pupil {
             && let Some(Order { id, deed }) = self.waits.take()
         {
             let outcome = Outcome::Done;
-            self.journal
-                .note(None, Happening::Order { id, deed, outcome });
+            self.journal.note(
+                None,
+                Happening::Order {
+                    id,
+                    deed,
+                    outcome,
+                    why: None,
+                },
+            );
         }
     }
 
@@ -348,7 +363,11 @@ fn a_mission_that_is_not_begun_holds_the_lesson() {
     let mut fly = step("fly", StepStart::AtOnce, StepTarget::End);
     let mission = "00".into();
     let exam = false;
-    fly.deeds = vec![Deed::Fly { mission, exam }];
+    fly.deeds = vec![Deed::Fly {
+        mission,
+        exam,
+        hold: false,
+    }];
     let mut class = Class::new(&["a"]);
     class.seats[0].refuses_to_fly = true;
     class.desk.teach(&plan(vec![fly]), &[0], class.now);

@@ -47,6 +47,7 @@ pub(super) struct Rig {
     pub done: BTreeMap<OrderId, u32>,
     pub reception: Reception<MemoryShelf>,
     pub kept: u32,
+    is_flying: bool,
 }
 
 impl Rig {
@@ -63,6 +64,7 @@ impl Rig {
             done: BTreeMap::new(),
             reception: Reception::new(MemoryShelf::default()),
             kept: 0,
+            is_flying: false,
         }
     }
 
@@ -94,7 +96,7 @@ impl Rig {
 
     pub fn step(&mut self) {
         self.now += STEP;
-        while let Some(message) = self.seat_line.next(&self.seat, &Idle, self.now) {
+        while let Some(message) = self.seat_line.next(&self.seat, &self.source(), self.now) {
             let Some(lines) = self.carry(&line(&message)) else {
                 return self.reconnect();
             };
@@ -117,7 +119,8 @@ impl Rig {
             }
         }
         let at = ConnectionId(self.connection);
-        while let Some(message) = self.desk_line.next(&self.desk, at, self.now) {
+        let shown = Picture::blank(4, 1);
+        while let Some(message) = self.next_of_desk(at, &shown) {
             let Some(lines) = self.carry(&line(&message)) else {
                 return self.reconnect();
             };
@@ -131,6 +134,26 @@ impl Rig {
         if self.seat.class().is_none() && self.now.as_millis().is_multiple_of(2000) {
             self.reconnect();
         }
+    }
+
+    /// From now on, the seat has a flight.
+    pub fn fly(&mut self) {
+        self.is_flying = true;
+    }
+
+    fn source(&self) -> Idle {
+        Idle {
+            looks_on: self.seat.looks_on(),
+            is_flying: self.is_flying,
+        }
+    }
+
+    fn next_of_desk(&mut self, at: ConnectionId, shown: &Picture) -> Option<DeskMessage> {
+        let said = self.desk_line.next(&self.desk, at, self.now);
+        said.or_else(|| {
+            let picture = || Some(shown.clone());
+            self.desk_line.next_shown(&self.desk, at, picture, self.now)
+        })
     }
 
     /// Sends what follows for a record; whether the connection holds.
@@ -150,12 +173,17 @@ impl Rig {
     fn obey(&mut self, message: DeskMessage) {
         self.seat_line.hear(&message);
         match message {
-            DeskMessage::Welcome { class, .. } => self.seat.enter(class),
+            DeskMessage::Welcome { class, name, .. } => self.seat.enter(class, name),
             DeskMessage::Order(order) if self.seat.is_new(&order) => {
                 *self.done.entry(order.id).or_default() += 1;
-                self.seat.settle(None, order.clone(), Outcome::Done);
+                if order.deed == Deed::LookOn {
+                    self.seat.look_on(true);
+                }
+                self.seat.settle(None, order.clone(), Outcome::Done, None);
             }
-            DeskMessage::Watch { on } => self.seat.let_watch(on),
+            DeskMessage::Watch { on, insight } => self.seat.let_watch(on || insight),
+            DeskMessage::Show(part) => self.seat.see(&part),
+            DeskMessage::Hide => self.seat.look_on(false),
             DeskMessage::Settled { record, end } => {
                 let now = self.now;
                 self.seat.hand_in_mut().settle(&record, end, now);

@@ -134,10 +134,15 @@ impl Autopilot {
             return;
         };
         self.disarm();
+        self.resume_failsafes(&test);
+        self.vehicle.retune();
+    }
+
+    /// Sets the failsafes that a motor test has switched off as they were.
+    pub(super) fn resume_failsafes(&mut self, test: &OutputTest) {
         for (name, before) in SUSPENDED.iter().zip(test.suspended) {
             self.vehicle.parameters.set(name, before);
         }
-        self.vehicle.retune();
     }
 
     /// Carries out the action of a failsafe or of the fence: a mode that cannot be entered is followed by a simpler one.

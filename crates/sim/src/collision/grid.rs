@@ -10,7 +10,7 @@ const NONE: u32 = u32::MAX;
 
 /// Cells are chains in a table of at least twice as many slots as bodies. Different cells may share
 /// a slot, so each body stores its cell.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct CollisionGrid {
     heads: Vec<u32>,
     /// Per body: its cell and the next body of the chain.

@@ -81,7 +81,7 @@ enum ObstacleOutline {
 }
 
 /// All obstacles, by the cells of the ground that they cover.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(super) struct Obstacles {
     solids: Vec<Solid>,
     /// Cells of the grid with the solid in each, sorted.

@@ -1,6 +1,6 @@
 //! The page on which a flight is graded.
 
-use super::ClassRoom;
+use super::{ClassRoom, DeskPage};
 use crate::app::action::Step;
 use crate::app::effect::{ClassEffect, Effect};
 use crate::grading::{FlightChoice, Grade, GradeSheet, GradedFlight, GradedRequest, RubricElement};
@@ -64,9 +64,19 @@ impl GradingPage {
 }
 
 impl ClassRoom {
-    /// The flight that is being graded while the board is not shown.
+    /// The flight that is being graded.
     pub fn grading(&self) -> Option<&GradingPage> {
-        self.grading.as_ref()
+        match self.page() {
+            DeskPage::Grading(page) => Some(page),
+            _ => None,
+        }
+    }
+
+    pub(in crate::app) fn grading_mut(&mut self) -> Option<&mut GradingPage> {
+        match &mut self.page {
+            DeskPage::Grading(page) => Some(page),
+            _ => None,
+        }
     }
 
     /// Asks for a flight; until it comes, nothing is graded.
@@ -75,15 +85,9 @@ impl ClassRoom {
         Effect::Class(ClassEffect::ReadGraded(request))
     }
 
-    /// Shows no flight to be graded any more, and none that was asked for.
-    pub(in crate::app) fn close_grading(&mut self) -> bool {
-        self.awaited = None;
-        self.grading.take().is_some()
-    }
-
     /// Moves to another element, or asks for an older or newer flight of the trainee.
     pub(super) fn move_in_grading(&mut self, step: Step) -> Option<Effect> {
-        let page = self.grading.as_mut()?;
+        let page = self.grading_mut()?;
         let flight = &page.flight;
         let record = flight.record.clone();
         let choice = match step {

@@ -3,16 +3,19 @@
 use super::super::show::show;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
-use crate::app::room::class;
+use crate::app::room::class::{
+    self, BesideScreen, BoardDetail, DeskPage, ResultsPage, ResultsView,
+};
 use crate::app::state::{Consequence, Room};
 use crate::class::protocol::{Denial, SeatMessage};
-use crate::class::{ConnectionId, Deed, Desk, DeskHeard, SeatRecord};
-use crate::class_text::deed_text;
-use crate::language::SeatChoice;
+use crate::class::{ConnectionId, Deed, Desk, DeskHeard, GivenOrder, OrderState, SeatRecord};
+use crate::class_text::{deed_text, ended_text};
+use crate::language::{self, Meaning, SeatChoice};
 use crate::mission::check_condition;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
+use crate::verb::{Danger, Verb};
 
 /// Takes in a line of a seat.
 pub fn heard(
@@ -22,10 +25,29 @@ pub fn heard(
     message: SeatMessage,
 ) -> Effects {
     let wall = state.wall;
+    let watched = state.rooms.class.page().seat();
     let Some(desk) = state.class.desk_mut() else {
         return Effects::none();
     };
+    let before = newest_order(desk, watched);
     let outcome = desk.hear(connection, user, message, wall);
+    let ended =
+        newest_order(desk, watched).filter(|now| before.as_ref().is_some_and(|it| it != now));
+    if let Some(GivenOrder {
+        order,
+        state: OrderState::Ended(outcome),
+        why,
+        ..
+    }) = ended
+    {
+        let outcome = ended_text(outcome, why.as_ref());
+        let text = text!(
+            "class-order",
+            deed = deed_text(&order.deed),
+            state = outcome
+        );
+        state.say(Severity::Notice, text);
+    }
     class::keep_cursor(state);
     match outcome {
         Ok(DeskHeard::Known) => Effects::none(),
@@ -41,6 +63,12 @@ pub fn heard(
         }
         Err(denial) => Effects::from(Effect::Class(ClassEffect::Deny { connection, denial })),
     }
+}
+
+/// The newest order to the watched seat: its outcome is not below the board then.
+fn newest_order(desk: &Desk, watched: Option<usize>) -> Option<GivenOrder> {
+    let seat = desk.seats().get(watched?)?;
+    seat.orders().next_back().cloned()
 }
 
 /// The notes that the desk has made, to be kept.
@@ -69,11 +97,9 @@ pub fn left(state: &mut State, connection: ConnectionId) {
 /// Gives up waiting for answers to old orders, and ends watching a screen that is not shown any more.
 pub fn tick(state: &mut State) {
     let wall = state.wall;
-    if state.room != Room::Class
-        && let Some(desk) = state.class.desk_mut()
-        && desk.watched().is_some()
-    {
-        desk.watch(None);
+    let is_watching = state.rooms.class.page().seat().is_some();
+    if state.room != Room::Class && is_watching {
+        class::show_page(state, DeskPage::Board);
     }
     if state.class.desk_mut().is_some_and(|desk| desk.expire(wall)) {
         state.touch();
@@ -92,16 +118,52 @@ pub fn give(state: &mut State, choice: &SeatChoice, deed: Deed) -> Result<Effect
     {
         check_condition(when.as_str()).map_err(|fault| fault.message)?;
     }
+    if *choice == SeatChoice::Addressed && !state.rooms.class.page().is_about_seats() {
+        return Err(text!("class-no-seat"));
+    }
     let here = connected(state, desk, choice)?;
-    if deed.is_final() {
-        let names = names(state, &here);
-        let question = text!("class-ask-end", seats = names);
+    if let Some((question, reason)) = question(state, &here, &deed)? {
         let then = Consequence::Instruct { seats: here, deed };
-        state.ask(question, text!("class-ask-end-reason"), then);
+        state.ask(question, reason, then);
         return Ok(Effects::none());
     }
     instruct(state, &here, &deed);
     Ok(Effects::none())
+}
+
+/// What is asked before an order is given, and why; `None` if nothing is.
+///
+/// # Errors
+/// A line for vehicles is not one.
+fn question(state: &State, seats: &[usize], deed: &Deed) -> Result<Option<(Text, Text)>, Text> {
+    let names = || names(state, seats);
+    if deed.is_final() {
+        let question = text!("class-ask-end", seats = names());
+        return Ok(Some((question, text!("class-ask-end-reason"))));
+    }
+    let Deed::Command { line } = deed else {
+        return Ok(None);
+    };
+    let ask = |verb: &Verb| {
+        let question = text!(
+            "class-ask-command",
+            line = line.as_str().to_uppercase(),
+            seats = names()
+        );
+        let reason = Text::new(format!("verb-{}", verb.name), Vec::new());
+        (verb.danger == Danger::Confirm).then_some((question, reason))
+    };
+    // Names that only the seat knows are for the seat to judge.
+    let Ok(read) = state.with_context(|context| language::parse(line.as_str(), context)) else {
+        let words = language::words(line.as_str()).into_iter();
+        return Ok(words
+            .filter_map(|word| language::verb(word.text))
+            .find_map(ask));
+    };
+    if !read.verb.counts_as.is_for_vehicles() || !matches!(read.meaning, Meaning::Act(_)) {
+        return Err(text!("class-say-vehicles"));
+    }
+    Ok(ask(read.verb))
 }
 
 /// The connected seats that are meant.
@@ -143,7 +205,7 @@ pub fn watch(state: &mut State, choice: &SeatChoice) -> Result<Effects, Text> {
         return Err(text!("class-no-seat"));
     }
     show(state, Room::Class);
-    class::watch(state, seat);
+    class::show_screen(state, seat);
     Ok(Effects::none())
 }
 
@@ -152,21 +214,60 @@ pub fn watch(state: &mut State, choice: &SeatChoice) -> Result<Effects, Text> {
 /// # Errors
 /// This console is no desk.
 pub fn unwatch(state: &mut State) -> Result<Effects, Text> {
-    let desk = state.class.desk_mut();
-    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
+    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    class::show_page(state, DeskPage::Board);
     Ok(Effects::none())
 }
 
-/// Shows the injects of the seat under the cursor instead of what happened there.
+/// Shows what is behind the screens of the marked seats; without marks, of the first ones of the board.
+///
+/// # Errors
+/// This console is no desk, or no seat is connected.
+pub fn show_tiles(state: &mut State) -> Result<Effects, Text> {
+    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    show(state, Room::Class);
+    if class::show_tiles(state) {
+        Ok(Effects::none())
+    } else {
+        Err(text!("class-no-seat"))
+    }
+}
+
+/// Shows the state of the flight instead of the watched screen, or the screen again; without a watched screen, that of
+/// the seat under the cursor.
+///
+/// # Errors
+/// This console is no desk, or no connected seat is meant.
+pub fn show_state(state: &mut State) -> Result<Effects, Text> {
+    let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    if state.rooms.class.screen_mut().is_none() {
+        let seat = connected(state, desk, &SeatChoice::Addressed)?[0];
+        show(state, Room::Class);
+        class::show_screen(state, seat);
+    }
+    if let Some(page) = state.rooms.class.screen_mut() {
+        page.beside = match page.beside() {
+            BesideScreen::Flight => BesideScreen::IfRoom,
+            BesideScreen::IfRoom | BesideScreen::Injects => BesideScreen::Flight,
+        };
+    }
+    state.touch();
+    Ok(Effects::none())
+}
+
+/// Shows the injects of the seat under the cursor instead of what happened there, or beside its screen.
 ///
 /// # Errors
 /// This console is no desk.
 pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
     state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
-    state.rooms.class.close_grading();
-    state.rooms.class.shows_injects = true;
-    state.rooms.class.lessons.is_shown = false;
+    if let Some(page) = state.rooms.class.screen_mut() {
+        page.beside = BesideScreen::Injects;
+        return Ok(Effects::none());
+    }
+    class::show_page(state, DeskPage::Board);
+    state.rooms.class.detail = BoardDetail::Injects;
     Ok(Effects::none())
 }
 
@@ -175,10 +276,13 @@ pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
 /// # Errors
 /// This console is no desk.
 pub fn show_results(state: &mut State) -> Result<Effects, Text> {
-    let desk = state.class.desk_mut();
-    desk.ok_or_else(|| text!("class-no-desk"))?.watch(None);
+    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
-    state.rooms.class.show_results();
+    let view = match state.rooms.class.page() {
+        DeskPage::Results(view) => view.next(),
+        _ => ResultsView::of(ResultsPage::Objectives),
+    };
+    class::show_page(state, DeskPage::Results(view));
     Ok(Effects::none())
 }
 

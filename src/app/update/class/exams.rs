@@ -5,10 +5,11 @@ use super::tell;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::event::ExamEvent;
+use crate::app::state::Consequence;
 use crate::class::{Desk, Exam};
 use crate::language::SeatChoice;
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, utc_minute_of};
 use crate::vehicle::Severity;
 
 /// Handles what happened to the exam.
@@ -114,8 +115,16 @@ fn found(state: &mut State, exam: Exam) {
     let Some(desk) = state.class.desk_mut() else {
         return;
     };
+    let began = utc_minute_of(exam.begun() * 1_000_000);
     if desk.hold(exam) {
-        state.say(Severity::Notice, text!("class-exam-found", exam = name));
+        state.say(
+            Severity::Notice,
+            text!("class-exam-found", exam = name.as_str()),
+        );
+        // It may be that of the last lesson, which nobody has ended.
+        let question = text!("class-exam-ask-end", exam = name, began = began);
+        let reason = text!("class-exam-ask-end-reason");
+        state.ask(question, reason, Consequence::EndExam);
     } else {
         // The instructor was faster than the reading of the notes.
         let held = desk.exam().map(|it| it.plan().name.to_string());
@@ -124,6 +133,11 @@ fn found(state: &mut State, exam: Exam) {
         tell(state, Severity::Warning, text);
     }
     state.touch();
+}
+
+/// Ends the exam that the instructor does not want to go on with.
+pub fn end_at_desk(state: &mut State) -> Effects {
+    stop(state).unwrap_or_else(|_| Effects::none())
 }
 
 /// Ends the exam: no more tries are opened, and flights go on.

@@ -1,9 +1,10 @@
 //! Grades of flights at the desk.
 
 use super::super::show::show;
+use super::tell;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
-use crate::app::room::class::GradingPage;
+use crate::app::room::class::{DeskPage, GradingPage, show_page};
 use crate::app::state::Room;
 use crate::grading::{FlightChoice, GradedFlight, GradedRequest, Mark};
 use crate::language::{GradingLine, Rating};
@@ -58,11 +59,12 @@ fn open(
     rubric: Option<String>,
 ) -> Result<Effects, Text> {
     let user = trainee.or_else(|| under_cursor(state));
-    let desk = state.class.desk_mut();
-    let desk = desk.ok_or_else(|| text!("class-no-desk"))?;
+    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     let user = user.ok_or_else(|| text!("grading-no-trainee"))?;
-    desk.watch(None);
     show(state, Room::Class);
+    if !matches!(state.rooms.class.page(), DeskPage::Grading(_)) {
+        show_page(state, DeskPage::Board);
+    }
     let room = &mut state.rooms.class;
     let request = GradedRequest {
         user,
@@ -88,7 +90,7 @@ fn page(state: &mut State) -> Result<&mut GradingPage, Text> {
     if room.awaited.is_some() {
         return Err(text!("grading-reading"));
     }
-    room.grading.as_mut().ok_or_else(|| text!("grading-none"))
+    room.grading_mut().ok_or_else(|| text!("grading-none"))
 }
 
 fn keep(page: &GradingPage) -> Effects {
@@ -98,6 +100,18 @@ fn keep(page: &GradingPage) -> Effects {
         record: flight.record.clone(),
         sheet: flight.sheet.clone(),
     }))
+}
+
+/// The grades of so many flights are not written yet, with the reason; none of them wait any more without one.
+pub(super) fn wait(state: &mut State, count: usize, fault: Option<Text>) {
+    state.rooms.class.unwritten_grades = count;
+    match fault {
+        Some(fault) => {
+            let text = text!("grading-waits", count = count, fault = fault);
+            tell(state, Severity::Warning, text);
+        }
+        None => tell(state, Severity::Notice, text!("grading-written")),
+    }
 }
 
 /// Shows the flight that was asked for last, or why it cannot be graded.
@@ -114,7 +128,8 @@ pub(super) fn read(
         Ok(flight) => {
             let skipped = flight.skipped.first().cloned();
             room.rubric.clone_from(&asked.rubric);
-            room.grading = Some(GradingPage::new(*flight, room.grading.as_ref()));
+            let page = GradingPage::new(*flight, room.grading());
+            show_page(state, DeskPage::Grading(Box::new(page)));
             if let Some(fault) = skipped {
                 state.say(Severity::Warning, fault);
             }

@@ -6,6 +6,7 @@ use super::super::show::show;
 use super::desk::{connected, names};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
+use crate::app::room::class::{BoardDetail, DeskPage, show_page};
 use crate::app::state::Room;
 use crate::class::{Desk, LessonDirection, LessonFault};
 use crate::language::SeatChoice;
@@ -47,10 +48,8 @@ pub(super) fn tick(state: &mut State) -> Effects {
 pub(super) fn show_lessons(state: &mut State) -> Result<Effects, Text> {
     state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     show(state, Room::Class);
-    let room = &mut state.rooms.class;
-    room.close_grading();
-    room.shows_injects = false;
-    room.lessons.is_shown = true;
+    show_page(state, DeskPage::Board);
+    state.rooms.class.detail = BoardDetail::Lesson;
     Ok(Effect::Class(ClassEffect::ListLessons).into())
 }
 
@@ -98,8 +97,7 @@ pub(super) fn read(
     let text = if seats.is_empty() {
         text!("class-lesson-resumed", lesson = title)
     } else {
-        state.rooms.class.lessons.is_shown = true;
-        state.rooms.class.shows_injects = false;
+        state.rooms.class.detail = BoardDetail::Lesson;
         let seats = names(state, seats);
         text!("class-lesson-begun", lesson = title, seats = seats)
     };

@@ -3,11 +3,11 @@
 use std::time::Duration;
 
 use super::super::order::{self, Given};
-use super::{clock_s, tell};
+use super::{clock_s, showing, tell};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect, TerminalEffect};
-use crate::app::state::{Activity, OrderTrace, PendingOrder};
-use crate::class::{Deed, Order, OrderId, Outcome, Refusal};
+use crate::app::state::{Activity, HeldBrief, OrderTrace, PendingOrder};
+use crate::class::{Deed, Order, OrderId, Outcome, Refusal, Words};
 use crate::ledger::RowState;
 use crate::mission::Stake;
 use crate::record::DeskRecord;
@@ -16,7 +16,11 @@ use crate::vehicle::Severity;
 
 mod flights;
 mod injects;
+mod pilots;
+mod situations;
 mod steps;
+
+pub use situations::recalled;
 
 /// How long the effect of an order may take.
 const SEEN_WITHIN: Duration = Duration::from_secs(5);
@@ -48,7 +52,34 @@ pub fn given(state: &mut State, order: Order) -> Effects {
             }
             begun.effects
         }
-        Err(refusal) => end(state, order.id, order.deed, Outcome::Refused(refusal)),
+        Err(OrderFault { refusal, why }) => {
+            let outcome = Outcome::Refused(refusal);
+            end(state, order.id, order.deed, Ended { outcome, why })
+        }
+    }
+}
+
+/// Why an order is not carried out.
+struct OrderFault {
+    refusal: Refusal,
+    why: Option<Words>,
+}
+
+impl From<Refusal> for OrderFault {
+    fn from(refusal: Refusal) -> Self {
+        Self { refusal, why: None }
+    }
+}
+
+/// How an order has ended, and more about it.
+struct Ended {
+    outcome: Outcome,
+    why: Option<Words>,
+}
+
+impl From<Outcome> for Ended {
+    fn from(outcome: Outcome) -> Self {
+        Self { outcome, why: None }
     }
 }
 
@@ -74,33 +105,56 @@ impl From<SessionEffect> for BegunOrder {
     }
 }
 
-fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, Refusal> {
+fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, OrderFault> {
     if is_exam(state) && !order.deed.is_for_exams() {
-        return Err(Refusal::Exam);
+        return Err(Refusal::Exam.into());
     }
-    match &order.deed {
-        Deed::Message { text } => Ok(message(state, text.as_str())),
-        Deed::Hint => hint(state),
+    let begun = match &order.deed {
+        Deed::Message { text } => message(state, text.as_str()),
+        Deed::Hint => hint(state)?,
         Deed::Mark { text } => {
             if state.session.activity.is_none() || state.replay.is_some() {
-                return Err(Refusal::NotFlying);
+                return Err(Refusal::NotFlying.into());
             }
             let text = format!("{}: {text}", instructor(state));
             let text = text.trim_end_matches([':', ' ']).to_owned();
-            Ok(Effect::Class(ClassEffect::Mark { id: order.id, text }).into())
+            Effect::Class(ClassEffect::Mark { id: order.id, text }).into()
         }
-        Deed::Freeze => freeze(state),
-        Deed::Resume if state.session.is_paused() => Ok(SessionEffect::Continue.into()),
-        Deed::Resume => Err(Refusal::NotFrozen),
-        Deed::Inject { name, when } => injects::inject(state, order.id, name, when.as_ref()),
-        Deed::Disarm { name } => injects::disarm(state, order.id, name.as_ref()),
-        Deed::End => stop(state),
-        Deed::Fly { mission, exam } => flights::fly(state, mission.as_str(), *exam),
-        Deed::Examine(opened) => flights::examine(state, opened),
-        Deed::Start => flights::start(state),
+        Deed::Freeze => freeze(state)?,
+        Deed::Resume if state.session.is_paused() => SessionEffect::Continue.into(),
+        Deed::Resume => return Err(Refusal::NotFrozen.into()),
+        Deed::Inject { name, when } => injects::inject(state, order.id, name, when.as_ref())?,
+        Deed::Disarm { name } => injects::disarm(state, order.id, name.as_ref())?,
+        Deed::Capture { name } => situations::capture(state, order.id, name)?,
+        Deed::Recall { situation } => situations::recall(state, order, situation)?,
+        Deed::End => stop(state)?,
+        Deed::TakeOver { vehicles } => pilots::take_over(state, vehicles)?,
+        Deed::HandBack { vehicles } => pilots::hand_back(state, vehicles)?,
+        Deed::Command { line } => pilots::command(state, line.as_str())?,
+        Deed::Fly {
+            mission,
+            exam,
+            hold,
+        } => {
+            let begun = flights::fly(state, mission.as_str(), *exam)?;
+            if let Some(place) = state.class.seat_mut() {
+                place.held = hold.then(|| HeldBrief {
+                    flight: place.flights + 1,
+                    mission: mission.clone(),
+                });
+            }
+            begun
+        }
+        Deed::Examine(opened) => flights::examine(state, opened)?,
+        Deed::Start => flights::start(state)?,
+        Deed::LookOn => {
+            showing::look_on(state)?;
+            BegunOrder::default()
+        }
         // It is noted without being carried out.
-        Deed::Step(_) => Ok(BegunOrder::default()),
-    }
+        Deed::Step(_) => BegunOrder::default(),
+    };
+    Ok(begun)
 }
 
 fn is_exam(state: &State) -> bool {
@@ -117,7 +171,7 @@ fn is_exam(state: &State) -> bool {
 
 fn instructor(state: &State) -> String {
     let place = state.class.seat();
-    let instructor = place.and_then(|place| place.seat.instructor());
+    let instructor = place.and_then(|place| place.seat.last_instructor());
     instructor.unwrap_or_default().to_owned()
 }
 
@@ -199,17 +253,23 @@ pub fn settle(state: &mut State) -> Effects {
     }
     let pending = std::mem::take(&mut place.pending);
     let mut effects = Effects::none();
-    for one in pending {
+    for mut one in pending {
+        let is_late = state.wall >= one.due;
         let outcome = match (&one.deed, one.trace) {
-            // Vehicles may take minutes to start.
-            (Deed::Start, OrderTrace::Flight(flight)) => flights::begin(state, flight),
+            // Vehicles may take minutes to start, and to carry out a command.
+            (Deed::Start, OrderTrace::Flight(flight)) => {
+                flights::begin(state, flight).map(Ended::from)
+            }
+            (Deed::Command { .. }, _) => pilots::command_end(state, &mut one),
             (Deed::Examine(opened), trace) => flights::try_outcome(state, opened, trace)
-                .or_else(|| (state.wall >= one.due).then_some(Outcome::NoEffect)),
+                .or_else(|| is_late.then_some(Outcome::NoEffect))
+                .map(Ended::from),
             _ => effect_of(state, &one)
-                .or_else(|| (state.wall >= one.due).then_some(Outcome::NoEffect)),
+                .or_else(|| is_late.then_some(Outcome::NoEffect))
+                .map(Ended::from),
         };
         match outcome {
-            Some(outcome) => effects.extend(end(state, one.id, one.deed, outcome)),
+            Some(ended) => effects.extend(end(state, one.id, one.deed, ended)),
             None => {
                 if let Some(place) = state.class.seat_mut() {
                     place.pending.push(one);
@@ -218,22 +278,32 @@ pub fn settle(state: &mut State) -> Effects {
         }
     }
     effects.extend(flights::end_late(state));
+    flights::free_brief(state);
+    effects.extend(pilots::settle(state));
     effects.extend(injects::settle(state));
     effects.extend(steps::settle(state));
     effects
 }
 
 fn awaits_freeze(pending: &[PendingOrder]) -> bool {
-    pending.iter().any(|one| one.deed == Deed::Freeze)
+    let mut deeds = pending.iter().map(|one| &one.deed);
+    deeds.any(|deed| matches!(deed, Deed::Freeze | Deed::Recall { .. }))
 }
 
 /// How an order has ended, if its effect can be seen.
 fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
     let session = &state.session;
     let is_done = match &pending.deed {
-        Deed::Message { .. } | Deed::Step(_) => true,
-        // The shell reports it, or what begins the flight.
+        Deed::Message { .. }
+        | Deed::TakeOver { .. }
+        | Deed::HandBack { .. }
+        | Deed::Step(_)
+        | Deed::LookOn => true,
+        // The shell reports it, or what begins the flight, or the ledger.
         Deed::Mark { .. }
+        | Deed::Command { .. }
+        | Deed::Capture { .. }
+        | Deed::Recall { .. }
         | Deed::Disarm { .. }
         | Deed::Inject { when: Some(_), .. }
         | Deed::Examine(_)
@@ -292,6 +362,10 @@ pub fn begun(state: &mut State, id: OrderId, refusal: Option<Refusal>) -> Effect
             injects::armed(place, &pending, name, when);
             end(state, id, pending.deed, Outcome::Armed)
         }
+        Deed::Capture { name } => {
+            situations::captured(state, name.clone());
+            end(state, id, pending.deed, Outcome::Done)
+        }
         Deed::Disarm { name } => {
             let mut effects = injects::disarmed(state, name.as_ref());
             effects.extend(end(state, id, pending.deed, Outcome::Done));
@@ -313,19 +387,33 @@ pub fn try_refused(state: &mut State, why: Refusal) -> Effects {
 }
 
 /// Notes the end of an order: in the journal for the desk, in the record of the flight, and for the trainee.
-fn end(state: &mut State, id: OrderId, deed: Deed, outcome: Outcome) -> Effects {
+fn end(state: &mut State, id: OrderId, deed: Deed, ended: impl Into<Ended>) -> Effects {
+    let Ended { outcome, why } = ended.into();
     let line = DeskRecord {
         by: instructor(state),
         deed: deed.for_record(),
         outcome,
+        why: why.clone(),
     };
     let clock_s = clock_s(state);
     if let Some(place) = state.class.seat_mut() {
-        place.seat.settle(clock_s, Order { id, deed }, outcome);
+        place.seat.settle(clock_s, Order { id, deed }, outcome, why);
     }
     // The trainee has just read a message.
     if !line.deed.is_hidden() && !matches!(line.deed, Deed::Message { .. }) {
         tell(state, Severity::Notice, line.text());
     }
     Effects::from(Effect::Class(ClassEffect::Note(line)))
+}
+
+/// Tells the desk, and nobody else, that another outcome follows.
+fn note(state: &mut State, pending: &PendingOrder, outcome: Outcome) {
+    let clock_s = clock_s(state);
+    let order = Order {
+        id: pending.id,
+        deed: pending.deed.clone(),
+    };
+    if let Some(place) = state.class.seat_mut() {
+        place.seat.settle(clock_s, order, outcome, None);
+    }
 }

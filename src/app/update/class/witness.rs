@@ -50,7 +50,8 @@ fn met(state: &State, progress: &Progress) -> Vec<Happening> {
 fn failed(state: &State, update: &RowUpdate) -> Option<Happening> {
     let entry = state.session.ledger().entry(update.entry)?;
     let row = entry.rows.iter().find(|it| it.vehicle == update.vehicle)?;
-    let is_new = update.state.is_failure() && !row.state.is_final();
+    let is_own = entry.by.is_none();
+    let is_new = is_own && update.state.is_failure() && !row.state.is_final();
     is_new.then(|| Happening::Failed {
         line: entry.line.as_str().into(),
         vehicle: update.vehicle,

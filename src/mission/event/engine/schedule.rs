@@ -10,7 +10,7 @@ use crate::mission::event::{Event, Trigger};
 use crate::mission::{Mission, TICK};
 
 /// The schedule of one flight's events, by their indices in the file.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Schedule {
     watches: Vec<EventWatch>,
     fired: Vec<bool>,

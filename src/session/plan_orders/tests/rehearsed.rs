@@ -6,6 +6,7 @@ use rand_chacha::ChaCha8Rng;
 use super::*;
 use crate::language::Context;
 use crate::operator::{Dispatch, Operator, OperatorScene, PlanRehearsal, read_order};
+use crate::pilot_in_command::PilotsInCommand;
 use crate::rehearsal::FlightEnding;
 
 /// The wind of the flights; its gusts are not known to the rehearsal.
@@ -87,6 +88,7 @@ fn prepared(rig: &Rig) -> PlanRehearsal {
         now: rig.now,
         vehicles: &[(1, Arc::new(vehicle))].into(),
         flight: None,
+        pilots: &PilotsInCommand::default(),
     };
     let work = Operator::default().carry_out(EntryId(1), &order, scene);
     let mut rehearsals = work.into_iter().filter_map(|work| match work {

@@ -113,6 +113,7 @@ async fn a_lesson_goes_on_by_conditions_keys_and_branches_over_a_kill_of_the_des
     let fly = Deed::Fly {
         mission: "00-first-flight".into(),
         exam: false,
+        hold: false,
     };
     let mark = Deed::Mark {
         text: "guided".into(),

@@ -47,6 +47,13 @@ impl Member {
         Some(room.results()?.trainees.len())
     }
 
+    /// The number of flights that the desk knows.
+    pub(super) fn flights(&self) -> usize {
+        let room = self.console.app.state().rooms().class();
+        let trainees = room.results().map_or(&[][..], |it| &it.trainees);
+        trainees.iter().map(|it| it.tries + it.practice).sum()
+    }
+
     /// Whether the desk shows a flight to be graded.
     fn is_grading(&self) -> bool {
         let room = self.console.app.state().rooms().class();

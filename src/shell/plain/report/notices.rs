@@ -5,7 +5,7 @@ use std::time::Duration;
 use super::{LISTED, clock, severity_word};
 use crate::app::State;
 use crate::app::state::{FlightView, NoticeLine};
-use crate::notice::Notice;
+use crate::notice::{Notice, NoticeSource};
 use crate::text::{Text, text};
 use crate::vehicle_id::ranges;
 
@@ -20,6 +20,14 @@ pub(super) struct PrintedNotices {
 }
 
 impl PrintedNotices {
+    /// Whether a notice of the class is new.
+    pub fn has_word_of_class(&self, state: &State) -> bool {
+        let said = self.newest.as_ref().map(|(notice, _)| notice);
+        let all = state.notices().lines().rev();
+        let mut new = all.take_while(|line| said.is_none_or(|said| *said != line.notice));
+        new.any(|line| line.notice.source == NoticeSource::Class)
+    }
+
     /// The lines of the notices since the last call, and of the last printed notice if it was
     /// repeated.
     pub fn news(&mut self, state: &State) -> Vec<Text> {

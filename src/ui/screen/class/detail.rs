@@ -5,28 +5,35 @@ use ratatui::text::{Line, Span};
 
 use super::seconds;
 use crate::class::{Entry, GivenOrder, Happening, OrderState, Outcome, SeatRecord};
-use crate::class_text::{deed_text, outcome_text};
+use crate::class_text::{deed_text, ended_text};
 use crate::text;
 use crate::text::{Text, clock};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put};
+use crate::vehicle_id::ranges;
 
 /// The maximum number of orders shown.
 const ORDERS: usize = 3;
 
 pub fn draw(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&title(seat), buffer);
-    let orders = seat.orders().rev().take(ORDERS).map(order);
+    let lines = taken(seat)
+        .into_iter()
+        .chain(situations(seat))
+        .chain(armed(seat))
+        .chain(events(seat, ORDERS));
+    draw_lines(lines, panel.at(inner), buffer);
+}
+
+/// The newest orders, at most so many, and what happened at the seat, the newest first.
+pub(super) fn events(seat: &SeatRecord, orders: usize) -> impl Iterator<Item = (Text, Role)> {
+    let orders = seat.orders().rev().take(orders).map(order);
     let missing = seat.journal.missing();
     let missing = (missing > 0).then(|| (text!("class-missing", count = missing), Role::Warning));
-    let journal = seat
-        .journal
-        .entries()
-        .rev()
-        .filter_map(|it| entry(it, seat));
-    let lines = armed(seat).chain(orders).chain(missing).chain(journal);
-    draw_lines(lines, panel.at(inner), buffer);
+    let journal = seat.journal.entries().rev();
+    let journal = journal.filter_map(|it| entry(it, seat));
+    orders.chain(missing).chain(journal)
 }
 
 /// The injects that the seat's mission permits, after those that are armed.
@@ -66,7 +73,11 @@ pub(super) fn title(seat: &SeatRecord) -> String {
     }
 }
 
-fn draw_lines(lines: impl Iterator<Item = (Text, Role)>, panel: Panel<'_>, buffer: &mut Buffer) {
+pub(super) fn draw_lines(
+    lines: impl Iterator<Item = (Text, Role)>,
+    panel: Panel<'_>,
+    buffer: &mut Buffer,
+) {
     let columns = usize::from(panel.area.width);
     for (row, (text, role)) in (0..panel.area.height).zip(lines) {
         let line = clip(&panel.text(&text), columns);
@@ -79,8 +90,29 @@ fn draw_lines(lines: impl Iterator<Item = (Text, Role)>, panel: Panel<'_>, buffe
     }
 }
 
+/// The vehicles that the instructor flies.
+fn taken(seat: &SeatRecord) -> Option<(Text, Role)> {
+    let taken = &seat.report.as_ref()?.flight.as_ref()?.taken;
+    let vehicles = ranges(taken.iter().copied());
+    (!taken.is_empty()).then(|| (text!("class-taken", vehicles = vehicles), Role::Warning))
+}
+
+/// The situations that were captured, with their numbers.
+fn situations(seat: &SeatRecord) -> Option<(Text, Role)> {
+    let situations = &seat.report.as_ref()?.flight.as_ref()?.situations;
+    let numbered = (1..).zip(situations).map(|(number, name)| {
+        if name.as_str() == number.to_string() {
+            number.to_string()
+        } else {
+            format!("{number} {name}")
+        }
+    });
+    let all = numbered.collect::<Vec<_>>().join(", ");
+    (!situations.is_empty()).then(|| (text!("class-situations", all = all), Role::Accent))
+}
+
 /// The injects that wait for their conditions.
-fn armed(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
+pub(super) fn armed(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
     let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
     let armed = flight.map_or(&[][..], |it| &it.armed).iter();
     armed.map(|it| {
@@ -96,9 +128,14 @@ fn armed(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
 fn order(given: &GivenOrder) -> (Text, Role) {
     let (state, role) = match given.state {
         OrderState::Waiting => (text!("class-waiting"), Role::Accent),
-        OrderState::Ended(Outcome::Done) => (outcome_text(Outcome::Done), Role::Ok),
-        OrderState::Ended(Outcome::Armed) => (outcome_text(Outcome::Armed), Role::Accent),
-        OrderState::Ended(outcome) => (outcome_text(outcome), Role::Warning),
+        OrderState::Ended(outcome) => {
+            let role = match outcome {
+                Outcome::Done => Role::Ok,
+                Outcome::Armed | Outcome::UnderWay => Role::Accent,
+                Outcome::NoEffect | Outcome::Disarmed | Outcome::Refused(_) => Role::Warning,
+            };
+            (ended_text(outcome, given.why.as_ref()), role)
+        }
         OrderState::Unanswered => (text!("class-unanswered"), Role::Warning),
     };
     let deed = deed_text(&given.order.deed);
@@ -133,8 +170,10 @@ fn entry(entry: &Entry, seat: &SeatRecord) -> Option<(Text, Role)> {
             passed: false,
         } => (text!("class-not-passed", score = *score), Role::Warning),
         Happening::Order { id, .. } if seat.orders().any(|it| it.order.id == *id) => return None,
-        Happening::Order { deed, outcome, .. } => {
-            let (deed, state) = (deed_text(deed), outcome_text(*outcome));
+        Happening::Order {
+            deed, outcome, why, ..
+        } => {
+            let (deed, state) = (deed_text(deed), ended_text(*outcome, why.as_ref()));
             (
                 text!("class-order", deed = deed, state = state),
                 Role::Muted,

@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use super::{BoardColumn, SeatLineView};
+use super::columns::BoardColumn;
+use super::seat_view::SeatLineView;
 use crate::class::{CandidateStage, Desk};
 use crate::class_results::number_of_mission;
 use crate::text;

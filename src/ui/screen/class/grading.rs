@@ -5,7 +5,7 @@ use ratatui::style::Style;
 use ratatui::text::Line;
 
 use crate::app::room::class::GradingPage;
-use crate::grading::{Grade, Mark, RubricCategory, RubricElement};
+use crate::grading::{Grade, GradedFlight, Mark, RubricCategory, RubricElement};
 use crate::text;
 use crate::text::{Text, figure};
 use crate::ui::look::Look;
@@ -30,7 +30,7 @@ pub(super) fn draw(page: &GradingPage, panel: Panel<'_>, buffer: &mut Buffer) {
     let flight = page.flight();
     let title = text!(
         "grading-title",
-        user = flight.user.as_str(),
+        user = trainee(flight),
         mission = flight.title.clone(),
         score = flight.score,
         when = started(&flight.when),
@@ -59,6 +59,14 @@ pub(super) fn draw(page: &GradingPage, panel: Panel<'_>, buffer: &mut Buffer) {
     draw_list(page, panel.at(columns(body, 0, list)), buffer);
     let detail = columns(body, list + 1, body.width.saturating_sub(list + 1));
     draw_detail(page, panel.at(detail), buffer);
+}
+
+/// The name of the user, and that of the profile.
+fn trainee(flight: &GradedFlight) -> String {
+    match flight.profile.as_deref().filter(|it| *it != flight.user) {
+        Some(profile) => format!("{} ({profile})", flight.user),
+        None => flight.user.clone(),
+    }
 }
 
 /// The date and the time of a start, to the minute.

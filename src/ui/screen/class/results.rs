@@ -5,7 +5,7 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::room::class::ResultsPage;
+use crate::app::room::class::{ResultsPage, ResultsView};
 use crate::campaign::Skill;
 use crate::class::Desk;
 use crate::class_results::{
@@ -28,8 +28,8 @@ const LEAST_BAR: usize = 10;
 const LITTLE: f64 = 0.5;
 const WELL: f64 = 0.8;
 
-pub fn draw(state: &State, desk: &Desk, page: ResultsPage, panel: Panel<'_>, buffer: &mut Buffer) {
-    let room = state.rooms().class();
+pub fn draw(state: &State, desk: &Desk, view: ResultsView, panel: Panel<'_>, buffer: &mut Buffer) {
+    let (room, page) = (state.rooms().class(), view.page());
     let title = text!(
         "class-results-title",
         class = desk.class().as_str(),
@@ -56,7 +56,7 @@ pub fn draw(state: &State, desk: &Desk, page: ResultsPage, panel: Panel<'_>, buf
     );
     let inner = below(inner, 1);
     let height = usize::from(inner.height);
-    let first = room.results_row().min(lines.len().saturating_sub(height));
+    let first = view.row().min(lines.len().saturating_sub(height));
     let count = lines.len();
     let shown = lines.into_iter().skip(first).take(height);
     for (row, line) in (0..).zip(shown) {

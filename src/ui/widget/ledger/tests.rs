@@ -18,6 +18,7 @@ fn sentences_that_differ_stand_below_each_other_and_values_on_one_line() {
             line: "all drop",
             verb: verb("drop").expect("a verb"),
             risk: Risk::None,
+            by: None,
         };
         let id = ledger.open(Duration::ZERO, given, &[1, 2]);
         for (vehicle, remark) in (1..).zip(remarks) {
@@ -49,6 +50,7 @@ fn done_and_ended(line: &str, ended: VehicleId) -> Ledger {
         line,
         verb: verb("arm").expect("a verb"),
         risk: Risk::None,
+        by: None,
     };
     let entry = ledger.open(Duration::ZERO, given, &[1, 2]);
     let mut report = |vehicle, state, explanation| {
@@ -94,6 +96,7 @@ fn an_effect_that_was_seen_keeps_its_colour_beside_another_outcome() {
         line: "all takeoff 15",
         verb: verb("takeoff").expect("a verb"),
         risk: Risk::None,
+        by: None,
     };
     let entry = ledger.open(Duration::ZERO, given, &[1, 2]);
     for (vehicle, state) in [(1, RowState::Done), (2, RowState::Refused)] {

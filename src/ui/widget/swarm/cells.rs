@@ -107,7 +107,7 @@ pub fn cell(column: Column, row: &Row<'_>, look: &Look, width: usize) -> Cell {
         Column::Id => id(row),
         Column::Name => (look.text(&FlightView::name(row.vehicle)), Role::Muted),
         Column::Group => teams(row),
-        Column::Mode => mode(row.vehicle),
+        Column::Mode => mode(row, width),
         Column::Armed => armed(row),
         Column::State => landed(row),
         Column::Battery => battery(row.vehicle),
@@ -160,7 +160,8 @@ fn teams(row: &Row<'_>) -> Cell {
     (names.join(" "), role)
 }
 
-fn mode(vehicle: &Vehicle) -> Cell {
+fn mode(row: &Row<'_>, room: usize) -> Cell {
+    let vehicle = row.vehicle;
     let Some(mode) = vehicle.short_mode_name() else {
         return unknown();
     };
@@ -168,6 +169,12 @@ fn mode(vehicle: &Vehicle) -> Cell {
         (format!("{mode} {PAUSED}"), Role::Warning)
     } else if vehicle.held.is_some() {
         (format!("{mode} RC"), Role::Danger)
+    } else if let Some(pilot) = row.state.session().pilots().of(vehicle.id) {
+        // The header has the whole name.
+        let named = format!("{mode} @{pilot}");
+        let is_cut = width(&named) > room;
+        let shown = if is_cut { format!("{mode} @") } else { named };
+        (shown, Role::Warning)
     } else if let Some(station) = vehicle.barred_by() {
         (format!("{mode} @{station}"), Role::Warning)
     } else {

@@ -28,6 +28,7 @@ pub fn join(console: &mut Console, connection: u64, user: &str) {
     let hello = Hello {
         protocol: VERSION,
         sitting: connection,
+        name: None,
     };
     say(console, connection, user, SeatMessage::Hello(hello));
 }
@@ -37,6 +38,7 @@ pub fn report(console: &mut Console, connection: u64, user: &str, flight: Flight
     let report = Box::new(SeatReport {
         trainee: format!("{user} k.").as_str().into(),
         flight: Some(flight),
+        ..SeatReport::default()
     });
     say(
         console,
@@ -89,7 +91,7 @@ fn given(console: &Console) -> Vec<(String, Deed, OrderState)> {
 }
 
 /// The orders so far, each with its seat.
-pub(super) fn deeds(console: &Console) -> Vec<(String, Deed)> {
+pub fn deeds(console: &Console) -> Vec<(String, Deed)> {
     given(console)
         .into_iter()
         .map(|(name, deed, _)| (name, deed))

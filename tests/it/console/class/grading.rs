@@ -40,6 +40,7 @@ pub fn graded_flight() -> GradedFlight {
     });
     GradedFlight {
         user: "anna".to_owned(),
+        profile: Some("Anna K.".to_owned()),
         record: RECORD.to_owned(),
         title: "Lane survey".into(),
         when: "2026-11-20T14:03:22Z".to_owned(),
@@ -154,8 +155,7 @@ fn left_and_right_ask_for_older_and_newer_flights_and_keys_wait_for_them() {
     assert_eq!(kept(&console), None, "the other flight is not graded");
     let screen = console.screen(120, 40);
     assert!(screen.contains("another flight is being read"), "{screen}");
-    // The line is kept until it is given up.
-    console.press("esc").press("enter");
+    console.press("enter");
     assert!(!console.screen(120, 40).contains(": class remark"));
     let older = GradedFlight {
         record: "2026-11-20T13-00-00Z_06-lane-survey".to_owned(),
@@ -227,10 +227,29 @@ fn a_trainee_without_flights_and_a_full_disk_are_said() {
     assert_eq!(choice(&console), Some(("bohdan", &FlightChoice::Newest)));
     answer(&mut console, Err("no flight of bohdan".into()));
     assert!(console.screen(120, 40).contains("no flight of bohdan"));
-    console.hear(ClassEvent::GradesLost("no space left".into()));
+    let waits = |count, fault: Option<&str>| ClassEvent::GradesWait {
+        count,
+        fault: fault.map(Into::into),
+    };
+    console.hear(waits(1, Some("no space left")));
+    let screen = console.screen(120, 40);
+    let said = "the grades of 1 flight are not written yet; the desk keeps them";
+    assert!(screen.contains(said), "{screen}");
+    // They would be lost with the desk.
+    console.press("q");
     let screen = console.screen(120, 40);
     assert!(
-        screen.contains("grades were not kept: no space left"),
+        screen.contains("could not be written and are lost"),
         "{screen}"
     );
+    console.press("esc");
+    console.hear(waits(0, None));
+    assert!(
+        console
+            .screen(120, 40)
+            .contains("all grades are written now")
+    );
+    console.effects.clear();
+    console.press("q");
+    assert!(console.effects.contains(&Effect::Quit));
 }

@@ -84,6 +84,7 @@ fn answer(console: &mut Console, seat: usize, user: &str, holds: bool) {
                 id: order.id,
                 deed: order.deed,
                 outcome,
+                why: None,
             },
         });
     let entries: Vec<Entry> = entries.collect();
@@ -129,6 +130,7 @@ fn a_lesson_is_read_for_the_meant_seats_and_goes_on_by_conditions_and_keys() {
     let fly = Deed::Fly {
         mission: "00-first-flight".into(),
         exam: false,
+        hold: false,
     };
     for user in ["anna", "bohdan"] {
         assert!(deeds(&console).contains(&(user.to_owned(), fly.clone())));
@@ -301,6 +303,7 @@ fn the_desk_opens_a_mission_unless_another_flight_would_be_lost() {
     let fly = |exam| Deed::Fly {
         mission: "00-first-flight".into(),
         exam,
+        hold: false,
     };
     let mut console = flying_mission(Stake::Graded);
     order(&mut console, 1, fly(false));
@@ -356,6 +359,7 @@ fn a_locked_mission_is_no_exam() {
     let fly = |mission: &str| Deed::Fly {
         mission: mission.into(),
         exam: true,
+        hold: false,
     };
     order(&mut console, 1, fly("04-line-inspection"));
     let refused = Outcome::Refused(Refusal::Locked);

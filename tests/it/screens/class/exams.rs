@@ -3,6 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use sortie::app::effect::{ClassEffect, Effect};
 use sortie::app::event::{ClassEvent, ExamEvent};
 use sortie::class::{
     CandidateStage, Exam, ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret,
@@ -10,6 +11,7 @@ use sortie::class::{
 use sortie::text::Language;
 
 use crate::console::class::{desk, flight, report};
+use crate::harness::Console;
 
 /// An exam that began when the desk was opened.
 fn exam(name: &str) -> Exam {
@@ -46,6 +48,7 @@ fn the_board_has_the_exam_of_each_seat() {
         report(&mut console, 1, "anna", flight(5.0));
         report(&mut console, 2, "bohdan", flight(12.0));
         console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
+        console.press("esc");
         let desk = console.state().class_role().desk().expect("a desk");
         let candidate = desk.candidate(&desk.seats()[0]).expect("anna takes part");
         assert_eq!(candidate.stage(), CandidateStage::Waits);
@@ -72,4 +75,34 @@ fn an_earlier_exam_that_is_not_continued_is_named() {
         newest.contains("an earlier exam, “rehearsal”, has not ended"),
         "{newest}"
     );
+}
+
+#[test]
+fn an_exam_of_an_earlier_lesson_goes_on_only_if_the_instructor_does_not_end_it() {
+    let is_stopped = |console: &Console| {
+        let desk = console.state().class_role().desk().expect("a desk");
+        desk.exam().expect("an exam").is_stopped()
+    };
+    for (key, ends) in [("y", true), ("n", false)] {
+        let mut console = desk(Language::English);
+        console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
+        let screen = console.screen(80, 24);
+        let question = "End the exam “final” of 2027-01-15 08:00 UTC?";
+        assert!(screen.contains(question), "{screen}");
+        console.press(key);
+        assert_eq!(is_stopped(&console), ends);
+        console.effects.clear();
+        console.press("q");
+        assert_eq!(console.effects.contains(&Effect::Quit), ends);
+        if !ends {
+            let screen = console.screen(80, 24);
+            assert!(screen.contains("the exam “final” ends"), "{screen}");
+            console.press("y");
+            assert!(is_stopped(&console));
+            assert!(console.effects.contains(&Effect::Quit));
+            // The end is noted before the program ends.
+            let is_note = |it: &Effect| matches!(it, Effect::Class(ClassEffect::KeepNotes { .. }));
+            assert!(console.effects.iter().any(is_note));
+        }
+    }
 }

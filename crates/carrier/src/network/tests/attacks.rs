@@ -64,6 +64,7 @@ fn hello() -> SeatMessage {
     SeatMessage::Hello(Hello {
         protocol: VERSION,
         sitting: 1,
+        name: None,
     })
 }
 

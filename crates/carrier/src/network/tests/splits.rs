@@ -165,7 +165,7 @@ impl Room {
                     line.hear(&message);
                 }
                 match message {
-                    DeskMessage::Welcome { class, .. } => self.seat.enter(class),
+                    DeskMessage::Welcome { class, name, .. } => self.seat.enter(class, name),
                     DeskMessage::Order(order) if self.seat.is_new(&order) => {
                         self.obeyed.push(order.deed.clone());
                         self.seat.settle(None, order, Outcome::Done);

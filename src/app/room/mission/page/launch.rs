@@ -5,7 +5,7 @@ use crate::app::action::Action;
 use crate::app::room::page::Tone;
 use crate::mission::Pledge;
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, clock};
 
 impl MissionPage<'_> {
     /// Whether a session is under way and no vehicle has flown in it yet; false in a replay.
@@ -35,6 +35,7 @@ impl MissionPage<'_> {
             return;
         }
         let named = [
+            (text!("mission-exam"), self.exam_try()),
             (text!("mission-prediction"), self.prediction()),
             (text!("mission-goal"), self.goal()),
             (text!("mission-next-hint"), self.next_hint()),
@@ -94,7 +95,9 @@ impl MissionPage<'_> {
     fn reading(&self) -> Option<Text> {
         let pause = self.state.key(Action::PauseMission);
         self.can_wait().then(|| {
-            if self.state.session.is_reading() {
+            if self.state.holds_brief().is_some() {
+                text!("mission-reading-held")
+            } else if self.state.session.is_reading() {
                 text!("mission-reading-first")
             } else if self.state.session.is_paused() {
                 text!("mission-reading-paused", key = pause)
@@ -104,7 +107,22 @@ impl MissionPage<'_> {
         })
     }
 
+    /// The try of an exam, and the time that is left for it.
+    fn exam_try(&self) -> Option<Text> {
+        let shown = self.state.shown_try()?;
+        Some(text!(
+            "mission-exam-is",
+            exam = shown.name.exam.as_str(),
+            number = shown.name.number,
+            tries = shown.tries,
+            time = clock(shown.left)
+        ))
+    }
+
     fn then(&self) -> Option<Text> {
+        if let Some(held) = self.state.holds_brief() {
+            return Some(held);
+        }
         let key = |action| self.state.key(action);
         self.state.session.is_reading().then(|| {
             text!(

@@ -66,6 +66,7 @@ pub(super) fn examine(state: &mut State, opened: &ExamTry) -> Result<BegunOrder,
     if let Some(place) = state.class.seat_mut() {
         place.exam = Some(OpenTry {
             name: opened.name.clone(),
+            tries: opened.tries,
             flight: place.flights + 1,
             until,
             is_ended: false,
@@ -159,11 +160,31 @@ pub(super) fn begin(state: &mut State, flight: u32) -> Option<Outcome> {
     if state.session.is_starting() {
         return None;
     }
+    if let Some(place) = state.class.seat_mut() {
+        place.held = None;
+    }
     if state.session.is_reading() {
         show::show(state, Room::Fly);
         state.session.leave_brief();
     }
     Some(Outcome::Done)
+}
+
+/// Lets the trainee start a mission that the desk wanted to start, when the desk is gone. The brief is shown, so that
+/// its time does not begin by itself.
+pub(super) fn free_brief(state: &mut State) {
+    let wall = state.wall;
+    let Some(place) = state.class.seat_mut() else {
+        return;
+    };
+    if !place.is_held() || place.hears_desk(wall) {
+        return;
+    }
+    place.held = None;
+    if state.session.is_reading() {
+        show::show(state, Room::Mission);
+        super::tell(state, Severity::Warning, text!("class-brief-freed"));
+    }
 }
 
 /// Whether a mission is flown that is not over.

@@ -102,6 +102,14 @@ pub(super) fn disarmed(state: &mut State, name: Option<&Words>) -> Effects {
     })
 }
 
+/// Ends the armed injects that a recalled situation does not have.
+pub(super) fn recalled(state: &mut State, kept: &[ArmedOrder]) -> Effects {
+    end_armed(state, |_, armed| {
+        let is_kept = kept.iter().any(|it| it.id == armed.id);
+        (!is_kept).then_some(Outcome::Disarmed)
+    })
+}
+
 /// Ends the armed injects that have been carried out, and all when the flight is over.
 pub(super) fn settle(state: &mut State) -> Effects {
     end_armed(state, |state, armed| {

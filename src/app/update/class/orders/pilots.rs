@@ -1,0 +1,165 @@
+//! The instructor flies vehicles of the trainee.
+
+use std::time::Duration;
+
+use super::super::super::order::{self, Given};
+use super::super::tell;
+use super::{BegunOrder, Ended, OrderFault, instructor, note};
+use crate::app::State;
+use crate::app::effect::{ClassEffect, Effect, Effects};
+use crate::app::state::{Activity, OrderTrace, PendingOrder};
+use crate::class::{Deed, Outcome, Refusal};
+use crate::commands::Order;
+use crate::ledger::{LedgerEntry, RowState};
+use crate::pilot_in_command::Person;
+use crate::record::DeskRecord;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::{Severity, VehicleId};
+use crate::vehicle_id::ranges;
+
+/// Makes the instructor the pilot in command of these vehicles, or of all. They go on with what they do.
+pub(super) fn take_over(state: &mut State, vehicles: &[VehicleId]) -> Result<BegunOrder, Refusal> {
+    let session = &state.session;
+    if session.activity.is_none() || state.replay.is_some() {
+        return Err(Refusal::NotFlying);
+    }
+    let may_be_real = matches!(session.activity, Some(Activity::Connected { .. }));
+    if may_be_real && !state.config.class.take_over {
+        return Err(Refusal::RealVehicle);
+    }
+    let heard = session.vehicles.keys().copied();
+    let all: Vec<VehicleId> = heard.filter(|&id| session.expects(id)).collect();
+    let taken = if vehicles.is_empty() { &all } else { vehicles };
+    if taken.is_empty() || taken.iter().any(|id| !all.contains(id)) {
+        return Err(Refusal::NoVehicle);
+    }
+    let person = Person::named(instructor(state));
+    state.session.pilots.take_over(taken, &person);
+    if let Some(place) = state.class.seat_mut() {
+        place.desk_pilot = Some(person);
+    }
+    Ok(BegunOrder::default())
+}
+
+/// Hands vehicles that the instructor flies back to the trainee: these, or all.
+pub(super) fn hand_back(state: &mut State, vehicles: &[VehicleId]) -> Result<BegunOrder, Refusal> {
+    let person = Person::named(instructor(state));
+    let flown = state.session.pilots.flown_by(&person);
+    let back = if vehicles.is_empty() {
+        &flown
+    } else {
+        vehicles
+    };
+    if back.is_empty() || back.iter().any(|id| !flown.contains(id)) {
+        return Err(Refusal::NotTaken);
+    }
+    state.session.pilots.hand_back(back, &person);
+    Ok(BegunOrder::default())
+}
+
+/// Gives the vehicles that the instructor flies a command; without targets, it is for all of them.
+pub(super) fn command(state: &mut State, line: &str) -> Result<BegunOrder, OrderFault> {
+    if state.session.activity.is_none() || state.session.is_reading() {
+        return Err(Refusal::NotFlying.into());
+    }
+    let person = Person::named(instructor(state));
+    let flown = state.session.pilots.flown_by(&person);
+    if flown.is_empty() {
+        return Err(Refusal::NotTaken.into());
+    }
+    match order::read_for(state, line, &flown) {
+        Ok(Given::Order(asked)) if asked.verb.counts_as.is_for_vehicles() => {
+            // The trainee would be asked; the desk cannot know of it.
+            if let Some(hazard) = order::hazard(state, &asked) {
+                return Err(OrderFault {
+                    refusal: Refusal::Line,
+                    why: Some(state.locale.text(&hazard).as_str().into()),
+                });
+            }
+            let by = Some(person);
+            let sent = order::send(state, Order { by, ..asked });
+            Ok(BegunOrder {
+                effects: sent.effect.into(),
+                trace: OrderTrace::Entry(sent.entry),
+            })
+        }
+        Ok(_) => Err(Refusal::Line.into()),
+        Err(fault) => Err(OrderFault {
+            refusal: Refusal::Line,
+            why: Some(state.locale.text(&fault.message).as_str().into()),
+        }),
+    }
+}
+
+/// How a command of the instructor has ended; `None` while vehicles carry it out. The desk hears of that once.
+pub(super) fn command_end(state: &mut State, pending: &mut PendingOrder) -> Option<Ended> {
+    let OrderTrace::Entry(entry) = pending.trace else {
+        return Some(Outcome::NoEffect.into());
+    };
+    let Some(entry) = state.session.ledger().entry(entry) else {
+        return Some(Outcome::NoEffect.into());
+    };
+    if entry.is_final() {
+        let (outcome, reasons) = outcome_of(entry);
+        let why = reasons.map(|it| state.locale.text(&it).as_str().into());
+        return Some(Ended { outcome, why });
+    }
+    if state.wall >= pending.due {
+        pending.due = Duration::MAX;
+        note(state, pending, Outcome::UnderWay);
+    }
+    None
+}
+
+/// The outcome of a command that has ended for all of its vehicles, and what went wrong with some of them.
+fn outcome_of(entry: &LedgerEntry) -> (Outcome, Option<Text>) {
+    let failed = entry.rows.iter().filter(|row| !row.state.is_success());
+    let reasons: Vec<Text> = failed
+        .map(|row| {
+            let reason = row.explanation.clone().unwrap_or_else(|| row.state.name());
+            Text::joined(": ", vec![row.vehicle.to_string().into(), reason])
+        })
+        .collect();
+    let is_refused = entry.rows.iter().any(|row| row.state == RowState::Refused);
+    match (reasons.is_empty(), is_refused) {
+        (true, _) => (Outcome::Done, None),
+        (false, true) => (
+            Outcome::Refused(Refusal::Vehicle),
+            Some(Text::joined("; ", reasons)),
+        ),
+        (false, false) => (Outcome::NoEffect, Some(Text::joined("; ", reasons))),
+    }
+}
+
+/// Hands the vehicles back to the trainee when the desk is gone.
+pub(super) fn settle(state: &mut State) -> Effects {
+    let wall = state.wall;
+    let place = state.class.seat();
+    let is_gone = place.is_some_and(|place| !place.hears_desk(wall));
+    let person = place.and_then(|place| place.desk_pilot.clone());
+    let Some(person) = person.filter(|_| is_gone) else {
+        return Effects::none();
+    };
+    if let Some(place) = state.class.seat_mut() {
+        place.desk_pilot = None;
+    }
+    let vehicles = state.session.pilots.flown_by(&person);
+    if vehicles.is_empty() {
+        return Effects::none();
+    }
+    state.session.pilots.hand_back(&vehicles, &person);
+    let text = text!(
+        "pilot-desk-gone",
+        pilot = person.name(),
+        vehicles = ranges(vehicles.iter().copied())
+    );
+    tell(state, Severity::Warning, text);
+    let line = DeskRecord {
+        by: person.name().to_owned(),
+        deed: Deed::HandBack { vehicles },
+        outcome: Outcome::Done,
+        why: None,
+    };
+    Effects::from(Effect::Class(ClassEffect::Note(line)))
+}
