@@ -1,7 +1,7 @@
 //! All vehicles and links of a running console.
 //!
 //! One hub task owns the links and the route of each system id; one task per vehicle owns its
-//! [`Session`](crate::session::Session). Frames go from a link through the hub to the vehicle's task, state comes back
+//! [`Session`]. Frames go from a link through the hub to the vehicle's task, state comes back
 //! through a `watch` per vehicle, and events through one bounded channel. No vehicle waits for another: a full queue
 //! drops telemetry, which comes again, and is counted.
 

@@ -24,7 +24,7 @@ impl Person {
         Self(name.into())
     }
 
-    /// The person's name.
+    /// The user name, as the ledger and the refusals show it.
     pub fn name(&self) -> &str {
         &self.0
     }

@@ -179,7 +179,7 @@ impl WorldHandle {
         copied.await.ok()
     }
 
-    /// Replaces the world by a copy of an earlier time; returns whether the simulator goes on with it.
+    /// Replaces the world with an earlier copy; returns whether the simulator continues from that copy.
     pub async fn replace(&self, world: World) -> bool {
         let (answer, replaced) = oneshot::channel();
         let request = WorldRequest::Replace(Box::new(world), answer);

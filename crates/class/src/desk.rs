@@ -236,7 +236,7 @@ impl Desk {
         self.watching = watching;
     }
 
-    /// What is watched.
+    /// The seats whose screen or state is sent to the desk.
     pub fn watching(&self) -> &Watching {
         &self.watching
     }

@@ -40,7 +40,7 @@ pub struct Insight {
     /// The serious alerts that the trainee has not answered.
     #[serde(default)]
     pub alerts: Vec<Words>,
-    /// The vehicles.
+    /// The vehicles of the flight, as they are and as the trainee sees them.
     #[serde(default)]
     pub vehicles: Vec<VehicleInsight>,
     /// The fences of the mission, by their corners.
@@ -68,7 +68,7 @@ pub struct ObjectiveInsight {
 pub enum ObjectiveStanding {
     /// It can still be met.
     Open,
-    /// It is met.
+    /// It is met at present.
     Met,
     /// It cannot be met any more.
     Missed,
@@ -77,7 +77,7 @@ pub enum ObjectiveStanding {
 /// A vehicle: what its trainee sees, and the truth.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct VehicleInsight {
-    /// Its number.
+    /// Its number, as the trainee types it.
     pub id: u16,
     /// Its mode; empty if it is not known.
     #[serde(default, skip_serializing_if = "Words::is_empty")]
@@ -134,7 +134,7 @@ impl VehicleInsight {
 /// An object that the trainee has to find.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct TargetInsight {
-    /// Where it is.
+    /// Its true position.
     pub at: InsightPlace,
     /// Whether the trainee has reported it.
     #[serde(default, rename = "found", skip_serializing_if = "std::ops::Not::not")]

@@ -6,7 +6,7 @@ pub const WATCHED: usize = 4;
 /// What a desk watches. Seats are meant by their index.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub enum Watching {
-    /// No seat.
+    /// No seat: the page at the desk needs neither screens nor states.
     #[default]
     Nothing,
     /// The screen of a seat, and what is behind it.

@@ -112,7 +112,7 @@ impl ClassRoom {
         self.shown_view
     }
 
-    /// The screen that is watched, to change what stands beside it.
+    /// The page of the watched screen, for changing what is shown beside it.
     pub(in crate::app) fn screen_mut(&mut self) -> Option<&mut ScreenPage> {
         match &mut self.page {
             DeskPage::Screen(page) => Some(page),

@@ -18,7 +18,7 @@ pub struct TruePlace {
     pub height_m: f64,
 }
 
-/// The true places of the vehicles, in their order. They are published only while somebody has subscribed.
+/// The true places of the vehicles, in their order. They are published only while there is a subscriber.
 pub type TruePlaces = watch::Sender<Arc<[TruePlace]>>;
 
 /// Publishes the places of a world.
@@ -41,7 +41,7 @@ impl PlaceFeed {
         self.published = None;
     }
 
-    /// Publishes the places if they are due and somebody wants them.
+    /// Publishes the places if they are due and there is a subscriber.
     pub fn publish(&mut self, world: &World) {
         let steps = world.steps();
         let is_due = self.published.is_none_or(|at| steps >= at + STEPS_BETWEEN);

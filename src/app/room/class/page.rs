@@ -47,7 +47,7 @@ pub enum BesideScreen {
     Injects,
 }
 
-/// A watched screen.
+/// The page with the screen of one seat, and what stands beside it.
 #[derive(Debug, Clone)]
 pub struct ScreenPage {
     seat: usize,

@@ -71,7 +71,7 @@ impl ResultsView {
         Self::of(self.page.after(1))
     }
 
-    /// The page.
+    /// Which of the tables is shown.
     pub fn page(self) -> ResultsPage {
         self.page
     }

@@ -121,7 +121,7 @@ fn found(state: &mut State, exam: Exam) {
             Severity::Notice,
             text!("class-exam-found", exam = name.as_str()),
         );
-        // It may be that of the last lesson, which nobody has ended.
+        // The exam may belong to an earlier lesson that ended without `class exam stop`.
         let question = text!("class-exam-ask-end", exam = name, began = began);
         let reason = text!("class-exam-ask-end-reason");
         state.ask(question, reason, Consequence::EndExam);

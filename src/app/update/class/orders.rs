@@ -406,7 +406,7 @@ fn end(state: &mut State, id: OrderId, deed: Deed, ended: impl Into<Ended>) -> E
     Effects::from(Effect::Class(ClassEffect::Note(line)))
 }
 
-/// Tells the desk, and nobody else, that another outcome follows.
+/// Enters an outcome that is not the last one into the journal. The trainee gets no notice.
 fn note(state: &mut State, pending: &PendingOrder, outcome: Outcome) {
     let clock_s = clock_s(state);
     let order = Order {

@@ -91,5 +91,5 @@ async fn two_orders_at_once_are_carried_out_in_their_order() {
     assert_eq!(ends, [OrderState::Ended(Outcome::Done); 2]);
     let then = clock(&anna);
     run(&mut [&mut desk, &mut anna], 5).await;
-    assert!(clock(&anna) > then, "its time goes on");
+    assert!(clock(&anna) > then, "mission time continues");
 }
