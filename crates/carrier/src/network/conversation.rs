@@ -88,6 +88,21 @@ impl Conversation {
         self.flow.admit(&frame).then_some(frame)
     }
 
+    /// Says that this side is still there, if it has said nothing for a while.
+    async fn keep_alive(&mut self) {
+        if self.spoke_at.elapsed() >= BEAT {
+            self.say(FrameKind::Beat, Vec::new()).await;
+        }
+    }
+
+    /// Counts a line that the console has taken, and says so before the other side has to wait.
+    async fn acknowledge(&mut self) {
+        self.flow.take();
+        if self.flow.has_to_tell() {
+            self.say(FrameKind::Beat, Vec::new()).await;
+        }
+    }
+
     /// Passes lines in both directions until one side ends the connection, nothing is heard, a line cannot be read, or
     /// the port is gone.
     pub async fn pass<M: DeserializeOwned, A>(
@@ -99,52 +114,74 @@ impl Conversation {
     ) {
         let mut look = interval(LOOK);
         look.set_missed_tick_behavior(MissedTickBehavior::Delay);
-        let mut heard_at = Instant::now();
-        let mut waiting = VecDeque::new();
-        let mut has_left = false;
-        while !(has_left && waiting.is_empty()) {
+        let mut heard = Heard::nothing();
+        while !heard.is_all_taken() {
             tokio::select! {
-                bytes = inbox.recv(), if !has_left => {
-                    let Some(frame) = bytes.and_then(|bytes| self.hear(&bytes)) else {
-                        break;
-                    };
-                    heard_at = Instant::now();
-                    match frame.kind {
-                        FrameKind::Line => waiting.push_back(frame.body),
-                        FrameKind::Bye => has_left = true,
-                        FrameKind::Beat | FrameKind::Hello | FrameKind::Open => {}
+                bytes = inbox.recv(), if !heard.has_left => {
+                    match bytes.and_then(|bytes| self.hear(&bytes)) {
+                        Some(frame) => heard.note(frame),
+                        None => break,
                     }
                 }
-                permit = arrived.reserve(), if !waiting.is_empty() => {
-                    let (Ok(permit), Some(line)) = (permit, waiting.pop_front()) else {
+                permit = arrived.reserve(), if !heard.lines.is_empty() => {
+                    let (Ok(permit), Some(line)) = (permit, heard.lines.pop_front()) else {
                         break;
                     };
                     let message = protocol::read(&line);
                     let is_faulty = message.is_err();
                     permit.send(arrival(message));
-                    self.flow.take();
                     if is_faulty {
                         break;
                     }
-                    if self.flow.has_to_tell() {
-                        self.say(FrameKind::Beat, Vec::new()).await;
-                    }
+                    self.acknowledge().await;
                 }
-                line = lines.recv(), if self.flow.has_room() && !has_left => match line {
+                line = lines.recv(), if self.flow.has_room() && !heard.has_left => match line {
                     Some(line) => self.say(FrameKind::Line, line.into_bytes()).await,
                     None => break,
                 },
                 _ = look.tick() => {
-                    if heard_at.elapsed() >= SILENCE {
+                    if heard.at.elapsed() >= SILENCE {
                         break;
                     }
-                    if self.spoke_at.elapsed() >= BEAT {
-                        self.say(FrameKind::Beat, Vec::new()).await;
-                    }
+                    self.keep_alive().await;
                 }
                 () = arrived.closed() => break,
             }
         }
         self.say(FrameKind::Bye, Vec::new()).await;
+    }
+}
+
+/// What the other side has said.
+struct Heard {
+    /// When it last said something.
+    at: Instant,
+    /// The lines that the console has not taken yet.
+    lines: VecDeque<Vec<u8>>,
+    /// Whether it has ended the connection.
+    has_left: bool,
+}
+
+impl Heard {
+    fn nothing() -> Self {
+        Self {
+            at: Instant::now(),
+            lines: VecDeque::new(),
+            has_left: false,
+        }
+    }
+
+    fn note(&mut self, frame: Frame) {
+        self.at = Instant::now();
+        match frame.kind {
+            FrameKind::Line => self.lines.push_back(frame.body),
+            FrameKind::Bye => self.has_left = true,
+            FrameKind::Beat | FrameKind::Hello | FrameKind::Open => {}
+        }
+    }
+
+    /// Whether nothing more comes.
+    fn is_all_taken(&self) -> bool {
+        self.has_left && self.lines.is_empty()
     }
 }

@@ -5,8 +5,8 @@ use std::time::Duration;
 
 use sortie_class::protocol::{DeskMessage, SeatMessage};
 use sortie_class::{
-    ConnectionId, Consent, Deed, Desk, DeskLine, Happening, OrderState, Outcome, Picture, Piece,
-    PieceRequest, Seat, SeatLine, SeatRecord, SeatReport, SeatSource, TryHead,
+    ConnectionId, Consent, Deed, Desk, DeskLine, Happening, Insight, OrderState, Outcome, Picture,
+    Piece, PieceRequest, Seat, SeatLine, SeatRecord, SeatReport, SeatSource, TryHead,
 };
 use tokio::io::copy_bidirectional;
 use tokio::net::{TcpListener, TcpStream};
@@ -96,6 +96,10 @@ impl SeatSource for Idle {
         None
     }
 
+    fn insight(&self) -> Option<Insight> {
+        None
+    }
+
     fn head(&self) -> Option<TryHead> {
         None
     }
@@ -168,7 +172,7 @@ impl Room {
                     DeskMessage::Welcome { class, name, .. } => self.seat.enter(class, name),
                     DeskMessage::Order(order) if self.seat.is_new(&order) => {
                         self.obeyed.push(order.deed.clone());
-                        self.seat.settle(None, order, Outcome::Done);
+                        self.seat.settle(None, order, Outcome::Done, None);
                     }
                     _ => {}
                 }
