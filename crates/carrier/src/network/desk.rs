@@ -1,6 +1,6 @@
 //! The desk's end.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
@@ -24,8 +24,8 @@ use crate::ports::{CarrierPeer, DeskArrival, DeskPort, Outbox};
 
 /// The maximum number of arrivals, from all connections together, that wait for the console.
 const ARRIVALS: usize = 64;
-/// The maximum number of greetings that wait to be answered. Seats repeat theirs.
-const GREETINGS: usize = 64;
+/// The maximum number of greetings that wait to be answered: one of each seat. Seats repeat theirs.
+const GREETINGS: usize = SEATS;
 /// How long the end of the desk waits for all its connections to say goodbye.
 const GOODBYE: Duration = Duration::from_millis(500);
 
@@ -45,9 +45,9 @@ pub(crate) async fn open(desk: &NetworkDesk) -> Result<DeskPort, ClassFault> {
     })?;
     let signer = Arc::new(signer(&desk.keys.key.0)?);
     let session = OpenSession::open(settings).await.map_err(not_open)?;
-    let (greeted, greetings) = mpsc::channel(GREETINGS);
-    let switch = Arc::new(Switch::default());
-    let heard = hear_seats(&session, desk, &switch, &greeted).await;
+    let (switch, greetings) = Switch::new();
+    let switch = Arc::new(switch);
+    let heard = hear_seats(&session, desk, &switch).await;
     let subscribers = heard.map_err(not_open)?;
     let (arrived, arrivals) = mpsc::channel(ARRIVALS);
     let reception = Reception {
@@ -86,44 +86,63 @@ struct Caller {
     number: String,
 }
 
+/// The first frame of a connection, not read yet.
+struct Greeting {
+    caller: Caller,
+    bytes: Vec<u8>,
+}
+
 /// Passes frames to their connections.
+struct Switch {
+    lines: Mutex<SwitchLines>,
+    greeted: mpsc::Sender<Greeting>,
+}
+
 #[derive(Default)]
-struct Switch(Mutex<BTreeMap<Caller, mpsc::Sender<Vec<u8>>>>);
+struct SwitchLines {
+    open: BTreeMap<Caller, mpsc::Sender<Vec<u8>>>,
+    /// The seats with a greeting that waits to be answered. Another one of them is dropped, so that a seat that floods
+    /// the desk with greetings does not keep the others out.
+    waiting: BTreeSet<String>,
+}
 
 impl Switch {
-    fn open(&self) -> MutexGuard<'_, BTreeMap<Caller, mpsc::Sender<Vec<u8>>>> {
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    fn new() -> (Self, mpsc::Receiver<Greeting>) {
+        let (greeted, greetings) = mpsc::channel(GREETINGS);
+        let lines = Mutex::default();
+        (Self { lines, greeted }, greetings)
+    }
+
+    fn lines(&self) -> MutexGuard<'_, SwitchLines> {
+        self.lines.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Takes a frame in, without waiting: it is called by the thread that reads for all seats.
-    fn pass(&self, seat: &str, sample: &Sample, greeted: &mpsc::Sender<(Caller, Vec<u8>)>) {
-        let Some(number) = sample.key_expr().as_str().rsplit('/').nth(1) else {
-            return;
-        };
-        let caller = Caller {
-            seat: seat.to_owned(),
-            number: number.to_owned(),
-        };
-        let bytes = sample.payload().to_bytes().into_owned();
-        let mut open = self.open();
-        match open.get(&caller) {
+    fn pass(&self, caller: Caller, bytes: Vec<u8>) {
+        let mut lines = self.lines();
+        match lines.open.get(&caller) {
             // A greeting is repeated until it is answered.
             Some(_) if Frame::may_be_hello(&bytes) => {}
             Some(inbox) => {
                 let has_room = inbox.try_send(bytes).is_ok();
                 // Nobody who keeps to the window fills it.
                 if !has_room {
-                    open.remove(&caller);
+                    lines.open.remove(&caller);
                 }
             }
-            None if Frame::may_be_hello(&bytes) => drop(greeted.try_send((caller, bytes))),
+            None if Frame::may_be_hello(&bytes) && !lines.waiting.contains(&caller.seat) => {
+                let seat = caller.seat.clone();
+                if self.greeted.try_send(Greeting { caller, bytes }).is_ok() {
+                    lines.waiting.insert(seat);
+                }
+            }
             None => {}
         }
     }
 
     /// Opens a connection; `None` if the seat or the class has too many.
     fn connect(&self, caller: &Caller) -> Option<Inbox> {
-        let mut open = self.open();
+        let open = &mut self.lines().open;
         let of_seat = open.keys().filter(|it| it.seat == caller.seat).count();
         if open.contains_key(caller) || of_seat >= CONSOLES_OF_A_SEAT || open.len() >= SEATS {
             return None;
@@ -131,6 +150,15 @@ impl Switch {
         let (sender, inbox) = mpsc::channel(INBOX);
         open.insert(caller.clone(), sender);
         Some(inbox)
+    }
+
+    fn disconnect(&self, caller: &Caller) {
+        self.lines().open.remove(caller);
+    }
+
+    /// The greeting of a seat has been answered, or not: it may send another one.
+    fn listen_again(&self, seat: &str) {
+        self.lines().waiting.remove(seat);
     }
 }
 
@@ -140,13 +168,19 @@ async fn hear_seats(
     session: &OpenSession,
     desk: &NetworkDesk,
     switch: &Arc<Switch>,
-    greeted: &mpsc::Sender<(Caller, Vec<u8>)>,
 ) -> zenoh::Result<Vec<Subscriber<()>>> {
     let mut subscribers = Vec::new();
     for seat in desk.keys.seats.keys() {
         let key = Channel::of_seat(&desk.keys.class, seat).up;
-        let (switch, greeted, seat) = (Arc::clone(switch), greeted.clone(), seat.clone());
-        let pass = move |sample: Sample| switch.pass(&seat, &sample, &greeted);
+        let (switch, seat) = (Arc::clone(switch), seat.clone());
+        let pass = move |sample: Sample| {
+            let number = sample.key_expr().as_str().rsplit('/').nth(1);
+            let caller = Caller {
+                seat: seat.clone(),
+                number: number.unwrap_or_default().to_owned(),
+            };
+            switch.pass(caller, sample.payload().to_bytes().into_owned());
+        };
         subscribers.push(
             session
                 .get()?
@@ -170,7 +204,7 @@ impl Reception {
     /// Serves seats until the console is gone.
     async fn admit(
         &self,
-        mut greetings: mpsc::Receiver<(Caller, Vec<u8>)>,
+        mut greetings: mpsc::Receiver<Greeting>,
         arrived: &mpsc::Sender<DeskArrival>,
     ) {
         let mut connections = JoinSet::new();
@@ -180,16 +214,18 @@ impl Reception {
                 greeting = greetings.recv() => greeting,
                 () = arrived.closed() => break,
             };
-            let Some((caller, bytes)) = greeting else {
+            let Some(Greeting { caller, bytes }) = greeting else {
                 break;
             };
             while connections.try_join_next().is_some() {}
             number += 1;
-            if let Ok(Some(opened)) = self.greet(&caller, &bytes).await {
+            let opened = self.greet(&caller, &bytes).await;
+            self.switch.listen_again(&caller.seat);
+            if let Ok(Some(opened)) = opened {
                 let (arrived, switch) = (arrived.clone(), Arc::clone(&self.switch));
                 connections.spawn(async move {
                     serve(opened, ConnectionId(number), &caller, &arrived).await;
-                    switch.open().remove(&caller);
+                    switch.disconnect(&caller);
                 });
             }
         }
@@ -248,4 +284,41 @@ async fn serve(
     };
     conversation.pass(inbox, lines, arrived, line).await;
     drop(arrived.send(DeskArrival::Closed(connection)).await);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::network::certificates;
+
+    #[test]
+    fn a_seat_that_floods_the_desk_with_greetings_does_not_keep_another_out() {
+        let (switch, mut greetings) = Switch::new();
+        let key = certificates::desk("9-A").expect("a key").key;
+        let signer = signer(&key).expect("a key");
+        let greet = |seat: &str, number: u32| {
+            let bytes = Frame {
+                kind: FrameKind::Hello,
+                number: 0,
+                taken: 0,
+                body: Vec::new(),
+            };
+            let caller = Caller {
+                seat: seat.to_owned(),
+                number: number.to_string(),
+            };
+            switch.pass(caller, bytes.seal(&signer, "key"));
+        };
+        for number in 0..10_000 {
+            greet("seat-01", number);
+        }
+        greet("seat-02", 7);
+        let mut next = || greetings.try_recv().map(|it| it.caller.seat);
+        assert_eq!(next().as_deref(), Ok("seat-01"));
+        assert_eq!(next().as_deref(), Ok("seat-02"));
+        assert!(next().is_err());
+        switch.listen_again("seat-01");
+        greet("seat-01", 10_001);
+        assert_eq!(next().as_deref(), Ok("seat-01"));
+    }
 }
