@@ -14,8 +14,8 @@
 //! - The trainee: `profile`, `report`, and `progress`, which has the columns of both and of the CSV.
 //! - Files and designs: `check` finds faults, `plan` makes, converts and rehearses plans, `workshop` predicts the
 //!   performance of a design.
-//! - The program: `log` writes the log file, `doctor` examines this machine, `config` shows every setting, `manual` makes the manual pages and
-//!   completions, `bench` measures.
+//! - The program: `log` writes the log file, `doctor` examines this machine, `config` shows every setting, `manual`
+//!   makes the manual pages and completions, `bench` measures.
 
 use std::io::{self, Write as _};
 use std::path::PathBuf;

@@ -277,7 +277,10 @@ class-no-class = there is no class for several machines in { $folder }: make one
 class-exists = { $folder } exists: choose another name, or delete the folder if the class is over
 class-name = `{ $name }` cannot be the name of a class on several machines: use up to 64 letters without accents, digits, `-` and `_`
 class-address = `{ $address }` is not an address: write HOST:PORT, such as 192.168.1.5:7447
+class-on-host = `--desk` is only for join files: the class at { $socket } is on this host
 class-no-address = this machine has no address in a network: say where the desk will be, for example with `--address 192.168.1.5:7447`
+class-port-in-use = another desk or another program already listens at { $address }: close it, or use another port, to which seats then go with `--desk`
+class-not-of-machine = this machine does not have the address { $address }: use one that it has, or 0.0.0.0 for all
 class-not-listening = cannot listen at { $address }: { $reason }
 class-not-started = cannot open the desk at { $address }: Zenoh does not start; try another port
 class-not-the-desk = not joined: { $address } answers, but not as the desk of this class: ask your instructor whether the address and the join line are still right
@@ -287,6 +290,6 @@ class-made = Class { $class }, { $seats } { $seats ->
         [one] seat
        *[other] seats
     }, in { $folder }.
-class-made-lines = The files in { $folder } are join lines: give each trainee one. Whoever has it can sit there.
+class-made-lines = The files in { $folder } are for the trainees, one for each. They are secret: whoever has a file can take its seat.
 class-made-desk = The desk: `sortie class open { $class } --listen { $listen }`
 class-made-seat = A trainee: `sortie join { $file }`

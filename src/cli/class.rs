@@ -1,8 +1,9 @@
 //! `sortie class`: the instructor's desk, and the results of a class.
 //!
-//! `open` is the desk, `new` makes the keys of one for several machines (`network`), and `lessons` and `exams` list the plans that it can go
-//! through, `key` shows that of its seals. `report` prints the results, and `export` writes them for other programs; both read the records
-//! that the trainees have handed in. Their tables are in `tables`, and the statements for learning record stores in
+//! `open` is the desk, `new` makes the keys of one for several machines (`network`), `lessons` and `exams` list the
+//! plans that it can go through, `key` shows that of its seals. `report` prints the results, and `export` writes them
+//! for other programs; both read the records that the trainees have handed in. Their tables are in `tables`, and the
+//! statements for learning record stores in
 //! `xapi`.
 
 use std::process::ExitCode;

@@ -65,6 +65,9 @@ pub enum NetworkFault {
     /// An address cannot be used.
     #[error("{0}: not HOST:PORT")]
     Address(String),
+    /// An address is given for a class that is on this host.
+    #[error("{}: a class on this host", .0.display())]
+    OnHost(PathBuf),
     /// This machine has no address that others could use.
     #[error("no address of this machine is known")]
     NoAddress,

@@ -3,12 +3,18 @@
 use std::fmt;
 
 use ct_codecs::{Base64UrlSafeNoPadding, Decoder as _, Encoder as _};
+use sha2::{Digest as _, Sha256};
 use thiserror::Error;
 
 /// How a join line begins.
 const PREFIX: &str = "sortie-join/1/";
+/// How the name of a file with a join line ends.
+pub(crate) const ENDING: &str = ".join";
 /// The maximum length of a join line.
 const LONGEST: usize = 8 * 1024;
+
+/// The number of bytes of its check.
+const CHECK: usize = 6;
 
 /// What one seat needs to reach its desk: a secret of this seat.
 #[derive(Clone, PartialEq, Eq)]
@@ -78,12 +84,17 @@ impl JoinLine {
             certificate,
             desk_certificate,
             desk_key,
+            check,
         ] = &parts[..]
         else {
             return Err(JoinLineFault::Incomplete);
         };
         let addresses: Vec<String> = addresses.split(',').map(str::to_owned).collect();
-        let is_whole = is_name(class) && is_name(seat) && addresses.iter().all(|it| is_address(it));
+        let content = text.strip_suffix(check).unwrap_or(text);
+        let is_whole = check == check_of(content)
+            && is_name(class)
+            && is_name(seat)
+            && addresses.iter().all(|it| is_address(it));
         if !is_whole || text.len() > LONGEST {
             return Err(JoinLineFault::Damaged);
         }
@@ -109,7 +120,9 @@ impl JoinLine {
             encoded(&self.desk_certificate),
             encoded(&self.desk_key),
         ];
-        format!("{PREFIX}{}", parts.join("/"))
+        let content = format!("{PREFIX}{}/", parts.join("/"));
+        let check = check_of(&content);
+        content + &check
     }
 
     /// The class and the seat as one text, for files that say to which class a record belongs. Two classes of the same
@@ -129,6 +142,12 @@ impl fmt::Debug for JoinLine {
             .field("addresses", &self.addresses)
             .finish_non_exhaustive()
     }
+}
+
+/// The last part of a join line, which shows whether the others are as they were written.
+fn check_of(content: &str) -> String {
+    let hash = Sha256::digest(content.as_bytes());
+    encoded(hash.as_slice().split_at(CHECK).0)
 }
 
 fn encoded(bytes: &[u8]) -> String {
@@ -174,17 +193,32 @@ mod tests {
         let text = line().secret_text();
         let cut = text.rsplit_once('/').expect("parts").0;
         let half = text.split_at(text.len() / 2).0;
+        let mut no_class = line();
+        no_class.class = "*".to_owned();
+        let mut no_address = line();
+        no_address.addresses = vec!["lab".to_owned()];
         for (wrong, fault) in [
             ("", JoinLineFault::Prefix),
             ("/tmp/class", JoinLineFault::Prefix),
             (cut, JoinLineFault::Incomplete),
             (half, JoinLineFault::Incomplete),
             (&text.replace("9-A", "9/A"), JoinLineFault::Incomplete),
-            (&text.replace("9-A", "*"), JoinLineFault::Damaged),
-            (&text.replace("[::1]:7447", "lab"), JoinLineFault::Damaged),
-            (&text.replace("AQEB", "AQ*B"), JoinLineFault::Damaged),
+            (&text[..text.len() - 1], JoinLineFault::Damaged),
+            (&no_class.secret_text(), JoinLineFault::Damaged),
+            (&no_address.secret_text(), JoinLineFault::Damaged),
         ] {
             assert_eq!(JoinLine::parse(wrong), Err(fault), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_line_with_one_wrong_character_is_refused() {
+        let text = line().secret_text();
+        for (at, was) in text.char_indices() {
+            let other = if was == 'B' { "C" } else { "B" };
+            let mut wrong = text.clone();
+            wrong.replace_range(at..=at, other);
+            assert!(JoinLine::parse(&wrong).is_err(), "character {at}");
         }
     }
 

@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 
 use super::fault::{ClassFault, NetworkFault};
 use super::host::HostPlace;
-use super::join_line::{JoinLine, is_address};
+use super::join_line::{ENDING, JoinLine, is_address};
 #[cfg(feature = "zenoh")]
 use super::network;
 use super::new_class::NewClass;
 use super::ports::{DeskPort, SeatPort};
-use super::secret_file::secret_text;
+use super::secret_file::read_secret;
 use super::unix;
 
 /// The port of a desk for several machines unless another one is said: that of Zenoh.
@@ -60,13 +60,20 @@ impl ClassPlace {
     /// It is meant as a join line, but cannot be used as one.
     pub fn named(name: &str, instructor: Option<String>) -> Result<Self, ClassFault> {
         if JoinLine::is_meant(name) {
-            return Self::of_line(None, name);
+            let line = JoinLine::parse(name);
+            return Self::of_line(
+                line.map_err(|fault| NetworkFault::JoinLine { file: None, fault })?,
+            );
         }
         let path = Path::new(name);
-        let is_file = name.contains('/') || name.contains('.');
-        if is_file && fs::metadata(path).is_ok_and(|found| found.is_file()) {
-            let text = secret_text(path)?;
-            return Self::of_line(Some(path.to_owned()), &text);
+        let is_path = name.contains('/') || name.contains('.');
+        let is_file = is_path && fs::metadata(path).is_ok_and(|found| found.is_file());
+        if is_file || name.ends_with(ENDING) {
+            let line = read_secret(path, |text| {
+                let file = Some(path.to_owned());
+                JoinLine::parse(text).map_err(|fault| NetworkFault::JoinLine { file, fault })
+            });
+            return Self::of_line(line?);
         }
         Ok(Self::Host(HostPlace::named(name, instructor)))
     }
@@ -74,10 +81,15 @@ impl ClassPlace {
     /// The class of a join line.
     ///
     /// # Errors
-    /// It is not a join line, or this program cannot use one.
-    fn of_line(file: Option<PathBuf>, text: &str) -> Result<Self, ClassFault> {
-        let line = JoinLine::parse(text);
-        let line = line.map_err(|fault| NetworkFault::JoinLine { file, fault })?;
+    /// This program has no carrier for several machines.
+    #[cfg_attr(
+        feature = "zenoh",
+        expect(
+            clippy::unnecessary_wraps,
+            reason = "it fails only without the feature"
+        )
+    )]
+    fn of_line(line: JoinLine) -> Result<Self, ClassFault> {
         #[cfg(feature = "zenoh")]
         return Ok(Self::Network(Box::new(line)));
         #[cfg(not(feature = "zenoh"))]
@@ -87,22 +99,22 @@ impl ClassPlace {
         }
     }
 
-    /// The same class, whose desk is at another address than the join line says; a class on this host stays where it is.
+    /// The same class, whose desk is at another address than the join line says.
     ///
     /// # Errors
-    /// It is no address.
+    /// It is no address, or the class is on this host.
     pub fn at(self, address: &str) -> Result<Self, ClassFault> {
         if !is_address(address) {
             return Err(NetworkFault::Address(address.to_owned()).into());
         }
-        Ok(match self {
-            Self::Host(place) => Self::Host(place),
+        match self {
+            Self::Host(place) => Err(NetworkFault::OnHost(place.socket).into()),
             #[cfg(feature = "zenoh")]
             Self::Network(mut line) => {
                 line.addresses = vec![address.to_owned()];
-                Self::Network(line)
+                Ok(Self::Network(line))
             }
-        })
+        }
     }
 
     /// Connects to the desk, and again whenever the connection ends.

@@ -1,5 +1,6 @@
 //! Why a class cannot be opened or joined, as text.
 
+use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use crate::carrier::socket::SocketFault;
@@ -62,17 +63,26 @@ fn network_text(fault: &NetworkFault) -> Text {
         NetworkFault::Exists(folder) => text!("class-exists", folder = shown(folder)),
         NetworkFault::Name(name) => text!("class-name", name = name),
         NetworkFault::Address(address) => text!("class-address", address = address),
+        NetworkFault::OnHost(socket) => text!("class-on-host", socket = shown(socket)),
         NetworkFault::NoAddress => text!("class-no-address"),
-        NetworkFault::NotOpen { address, error } => {
-            let reason = Text::from(error);
-            text!("class-not-listening", address = address, reason = reason)
-        }
+        NetworkFault::NotOpen { address, error } => not_open_text(address, error),
         NetworkFault::NotStarted(address) => text!("class-not-started", address = address),
         NetworkFault::NotTheDesk(address) => text!("class-not-the-desk", address = address),
         NetworkFault::Unknown { class, seat } => {
             text!("class-unknown", class = class, seat = seat)
         }
         NetworkFault::Crypto(reason) => text!("class-crypto", reason = reason),
+    }
+}
+
+fn not_open_text(address: &str, error: &io::Error) -> Text {
+    match error.kind() {
+        ErrorKind::AddrInUse => text!("class-port-in-use", address = address),
+        ErrorKind::AddrNotAvailable => text!("class-not-of-machine", address = address),
+        _ => {
+            let reason = Text::from(error);
+            text!("class-not-listening", address = address, reason = reason)
+        }
     }
 }
 

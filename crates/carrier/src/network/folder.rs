@@ -12,9 +12,9 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use super::certificates::{self, Identity, SeatAuthority};
 use crate::fault::NetworkFault;
-use crate::join_line::{JoinLine, is_address, is_name};
+use crate::join_line::{ENDING, JoinLine, is_address, is_name};
 use crate::new_class::NewClass;
-use crate::secret_file::secret_text;
+use crate::secret_file::read_secret;
 
 /// The file of the desk in the folder of the class.
 const DESK_FILE: &str = "desk.json";
@@ -100,7 +100,7 @@ pub(crate) fn make(class: &NewClass<'_>, folder: &Path) -> Result<Vec<PathBuf>, 
     make_folder(&seats)?;
     let mut files = Vec::new();
     for line in lines {
-        let file = seats.join(format!("{}.join", line.seat));
+        let file = seats.join(format!("{}{ENDING}", line.seat));
         write(&file, &(line.secret_text() + "\n"))?;
         files.push(file);
     }
@@ -146,6 +146,29 @@ impl DeskKeys {
         }
         Ok((keys, lines))
     }
+
+    fn parse(text: &str, file: &Path) -> Result<Self, NetworkFault> {
+        let damaged = |reason| NetworkFault::NoDesk {
+            file: file.to_owned(),
+            reason,
+        };
+        let keys: Self = serde_json::from_str(text).map_err(|fault| {
+            // The text of a fault may quote the file, and so a key.
+            damaged(format!("line {}, column {}", fault.line(), fault.column()))
+        })?;
+        if keys.schema != SCHEMA {
+            return Err(damaged(format!("schema {}", keys.schema)));
+        }
+        let wrong = keys
+            .seats
+            .keys()
+            .chain([&keys.class])
+            .find(|it| !is_name(it));
+        if let Some(wrong) = wrong {
+            return Err(damaged(wrong.clone()));
+        }
+        Ok(keys)
+    }
 }
 
 impl NetworkDesk {
@@ -158,26 +181,13 @@ impl NetworkDesk {
             return Err(NetworkFault::Address(listen.to_owned()));
         }
         let file = folder.join(DESK_FILE);
-        let text = secret_text(&file).map_err(|fault| match fault {
+        let keys = read_secret(&file, |text| DeskKeys::parse(text, &file));
+        let keys = keys.map_err(|fault| match fault {
             NetworkFault::File { error, .. } if error.kind() == io::ErrorKind::NotFound => {
                 NetworkFault::NoClass(folder.to_owned())
             }
             other => other,
         })?;
-        let keys: DeskKeys = serde_json::from_str(&text).map_err(|fault| NetworkFault::NoDesk {
-            file: file.clone(),
-            // The text of a fault may quote the file, and so a key.
-            reason: format!("line {}, column {}", fault.line(), fault.column()),
-        })?;
-        let wrong = keys
-            .seats
-            .keys()
-            .chain([&keys.class])
-            .find(|it| !is_name(it));
-        if keys.schema != SCHEMA || wrong.is_some() {
-            let reason = wrong.map_or(format!("schema {}", keys.schema), Clone::clone);
-            return Err(NetworkFault::NoDesk { file, reason });
-        }
         Ok(Self {
             listen: listen.to_owned(),
             keys,
