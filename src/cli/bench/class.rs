@@ -72,6 +72,8 @@ struct Way {
 /// What a desk costs, and how fast the class is.
 #[derive(Debug, Serialize)]
 struct ClassCost {
+    /// `unix` or `zenoh`.
+    carrier: &'static str,
     seats: u16,
     vehicles: u8,
     window_s: f64,
@@ -129,10 +131,13 @@ pub(in crate::cli) fn class(options: &BenchClassArguments) -> Result<ExitCode, F
 
 fn print(cost: &ClassCost) -> Result<(), Failure> {
     let ClassCost {
-        seats, vehicles, ..
+        carrier,
+        seats,
+        vehicles,
+        ..
     } = cost;
     say!(
-        "{seats} seats with {vehicles} flying vehicles each, over {:.0} s",
+        "{seats} seats with {vehicles} flying vehicles each, over {:.0} s, carrier {carrier}",
         cost.window_s
     )?;
     say!(
@@ -189,6 +194,7 @@ fn measure(options: &BenchClassArguments, folder: &Path) -> Result<ClassCost, Fa
     let spent = cost::of_process(desk)?.saturating_sub(spent);
     let busy = machine.and_then(|before| Some(Machine::now()?.busy_percent_since(before)));
     Ok(ClassCost {
+        carrier: if options.network { "zenoh" } else { "unix" },
         seats: options.seats,
         vehicles: options.vehicles,
         window_s: window.as_secs_f64(),

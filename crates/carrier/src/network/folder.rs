@@ -154,7 +154,7 @@ impl DeskKeys {
         };
         let keys: Self = serde_json::from_str(text).map_err(|fault| {
             // The text of a fault may quote the file, and so a key.
-            damaged(format!("line {}, column {}", fault.line(), fault.column()))
+            damaged(format!("{}:{}", fault.line(), fault.column()))
         })?;
         if keys.schema != SCHEMA {
             return Err(damaged(format!("schema {}", keys.schema)));
