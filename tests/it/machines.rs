@@ -27,7 +27,7 @@ struct Namespace {
 }
 
 impl Namespace {
-    /// Runs `unshare` with the first words of a command; says why there is no namespace.
+    /// Makes one with a command that runs another one in it; says why there is none.
     fn make(command: &[&str]) -> Result<Self, String> {
         let (program, arguments) = command.split_first().expect("a command");
         let mut command = Command::new(program);
@@ -228,7 +228,7 @@ fn flights_on_several_machines_go_on_without_network_and_without_desk() {
     desk.see("No trainee has joined yet");
     let [mut first, mut second] = [1, 2].map(|number| lab.fly(number));
     desk.wait("two flights", |screen| {
-        screen.matches("00-first").count() == 2
+        screen.matches("00-first  ").count() == 2
     });
     lab.check_sockets();
 
