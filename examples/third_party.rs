@@ -26,6 +26,8 @@ const LICENCE_FILES: [&str; 6] = [
 #[derive(Deserialize)]
 struct Metadata {
     packages: Vec<Package>,
+    /// The ids of the program and its libraries.
+    workspace_members: BTreeSet<String>,
     resolve: Resolve,
 }
 
@@ -39,8 +41,6 @@ struct Package {
     authors: Vec<String>,
     repository: Option<String>,
     manifest_path: String,
-    /// The registry; `None` for the crates of this repository.
-    source: Option<String>,
 }
 
 #[derive(Deserialize)]
@@ -74,7 +74,8 @@ fn main() -> anyhow::Result<()> {
     let inside = inside(&metadata.resolve);
     let packages = metadata.packages.iter();
     let mut foreign: Vec<&Package> = packages
-        .filter(|package| package.source.is_some() && inside.contains(package.id.as_str()))
+        .filter(|package| !metadata.workspace_members.contains(&package.id))
+        .filter(|package| inside.contains(package.id.as_str()))
         .collect();
     foreign.sort_by_key(|package| (&package.name, &package.version));
     print_document(&foreign, target.as_deref())

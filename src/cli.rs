@@ -7,28 +7,24 @@
 //!   running console.
 //! - Flying: `fly` (the console, also for `connect`), `run` (a mission with a pilot script), `replay`, `sim` and
 //!   `hangar` (vehicles for other programs).
-//! - A class: `class` opens the instructor's desk; `seat` is the option of trainees' consoles.
+//! - A class: `class` opens the instructor's desk; `seat` are the options of trainees' consoles, and `sortie join`.
 //! - A running console: `say` gives it lines, `watch` prints its state, `mcp` offers it to language models.
 //! - After a flight: `debrief` scores it again, `verify` flies it again and compares, `records` lists, exports, signs
 //!   and joins records.
 //! - The trainee: `profile`, `report`, and `progress`, which has the columns of both and of the CSV.
 //! - Files and designs: `check` finds faults, `plan` makes, converts and rehearses plans, `workshop` predicts the
 //!   performance of a design.
-//! - The program: `doctor` examines this machine, `config` shows every setting, `manual` makes the manual pages and
-//!   completions, `bench` measures.
+//! - The program: `log` writes the log file, `doctor` examines this machine, `config` shows every setting, `manual`
+//!   makes the manual pages and completions, `bench` measures.
 
-use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::process::ExitCode;
-use std::sync::Mutex;
 
 use clap::{Parser, Subcommand};
 
 use crate::link::Address;
-use crate::store;
-use crate::text;
-use crate::text::{Language, Locale, Text};
+use crate::text::{Language, Locale};
 use crate::vehicle_id::VehicleIds;
 use failure::{Failure, is_closed_pipe};
 use settings::{CliSettings, Common};
@@ -66,6 +62,7 @@ mod free;
 mod hangar;
 mod home;
 mod kind;
+mod log;
 mod manual;
 mod mcp;
 mod plan;
@@ -156,8 +153,14 @@ enum CliCommand {
     Run(run::RunArguments),
     /// Flies a recorded flight again in the embedded simulator and checks that the outcome matches the record.
     Verify(verify::VerifyArguments),
-    /// Opens the instructor's desk of a class.
+    /// Opens the instructor's desk of a class, makes a class for several machines, and shows the results of a class.
     Class(class::ClassArguments),
+    /// Opens the home screen in a class on several machines. Other commands join with --class and the same file.
+    #[command(after_help = "Examples:\n  \
+                            sortie join seat-07.join\n  \
+                            sortie join seat-07.join --desk 192.168.1.9:7447   the desk has moved\n  \
+                            sortie fly 00 --class seat-07.join                 a mission at once")]
+    Join(seat::JoinArguments),
     /// Sends lines to a console that was started with --api, and prints their outcomes.
     #[command(after_help = "Examples:\n  \
                             sortie say /tmp/lab.sock \"all arm\" \"all takeoff 20\"\n  \
@@ -228,7 +231,7 @@ impl CliCommand {
     fn opens_console(&self) -> bool {
         matches!(
             self,
-            Self::Fly(_) | Self::Connect { .. } | Self::Replay(_) | Self::Class(_)
+            Self::Fly(_) | Self::Connect { .. } | Self::Join(_) | Self::Replay(_) | Self::Class(_)
         )
     }
 
@@ -252,6 +255,7 @@ impl CliCommand {
             Self::Fly(_)
             | Self::Connect { .. }
             | Self::Class(_)
+            | Self::Join(_)
             | Self::Run(_)
             | Self::Plan(_)
             | Self::Sim(_)
@@ -288,7 +292,7 @@ pub fn main(arguments: CliArguments) -> ExitCode {
         {
             tell!("sortie: {text}");
         }
-        start_log(&settings)
+        log::start(&settings)
             .and_then(|()| dispatch(arguments.command, &arguments.home, settings))
             .map_err(|failure| failure.said_in(&locale))
     });
@@ -349,7 +353,7 @@ fn dispatch(
     match command {
         None => fly::home(home, settings),
         Some(_) if !home.is_default() => Err(Failure::Invalid(
-            "sortie: --seed, --speedup and --class go after the command".to_owned(),
+            "sortie: --seed, --speedup, --class and --desk go after the command".to_owned(),
         )),
         Some(CliCommand::Fly(options)) => fly::fly(&options, settings),
         Some(CliCommand::Connect {
@@ -376,6 +380,7 @@ fn dispatch(
         Some(CliCommand::Run(options)) => run::run(&options, settings.complained()),
         Some(CliCommand::Verify(options)) => verify::verify(&options, settings.complained()),
         Some(CliCommand::Class(options)) => class::class(&options, settings),
+        Some(CliCommand::Join(options)) => fly::join(&options, settings),
         Some(CliCommand::Say(options)) => say::say(&options),
         Some(CliCommand::Watch(options)) => watch::watch(&options),
         Some(CliCommand::Mcp(options)) => mcp::serve(&options),
@@ -396,39 +401,6 @@ fn dispatch(
         Some(CliCommand::Completions { shell }) => manual::completions(shell),
         Some(CliCommand::Man { dir }) => manual::man(dir.as_deref()),
     }
-}
-
-fn start_log(settings: &CliSettings) -> Result<(), Failure> {
-    let log = &settings.config.log;
-    let Some(path) = &log.file else {
-        return Ok(());
-    };
-    // The state folder may not exist yet.
-    let state = settings
-        .folders
-        .as_ref()
-        .map(|folders| folders.state.as_path());
-    let made = match Path::new(path).parent() {
-        Some(folder) if Some(folder) == state => fs::create_dir_all(folder),
-        _ => Ok(()),
-    };
-    let file = made.and_then(|()| create_log(path)).map_err(|error| {
-        let error = Text::from(&error);
-        Failure::Wrong(vec![text!("log-unwritable", path = path, error = error)])
-    })?;
-    tracing_subscriber::fmt()
-        .with_writer(Mutex::new(file))
-        .with_ansi(false)
-        .with_env_filter(tracing_subscriber::EnvFilter::new(&log.level))
-        .init();
-    Ok(())
-}
-
-/// Creates or empties the log file, but never through another user's symbolic link.
-fn create_log(path: &str) -> io::Result<File> {
-    let mut options = OpenOptions::new();
-    options.create(true).write(true).truncate(true);
-    store::open_own(&mut options, Path::new(path))
 }
 
 /// Parses vehicle ids such as `1-4,7`.

@@ -72,7 +72,7 @@ pub struct Config {
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct ClassConfig {
-    /// The class that consoles ask to join, by name or path.
+    /// The class that consoles ask to join, by name or path, or the file of a join line.
     pub join: Option<String>,
     /// The user name of its instructor; by default that of the owner of the class's folder.
     pub instructor: Option<String>,

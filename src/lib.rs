@@ -17,7 +17,7 @@
 //! | | [`ui`] | screens and widgets: state in, cells out; the roles of text (such as warning) and their styles (`themes/*.toml`), the colours and signs of drones |
 //! | | [`app`] | state, events, effects, one `update`; the rooms' behaviour, their keys and the hints in their footers; the order of rows in the swarm table; when an alert is active, rings and is muted |
 //! | input and output | [`fleet`] | a task for each vehicle, and the hub that finds it |
-//! | | [`carrier`] | the connections between the seats of a class and its desk: a Unix socket, and who is at its other end |
+//! | | [`carrier`] | the connections between the seats of a class and its desk, and who is at the other end: a Unix socket, or Eclipse Zenoh for several machines (feature `zenoh`); a library in `crates/` with input and output |
 //! | | [`hangar`] | SITL processes, started here or by a service over HTTP |
 //! | | [`link`] | transports, reconnection, traffic meters; the embedded simulator as a server |
 //! | | [`store`] | files: missions, pilots, designs, the user's theme files, settings, profiles, runs, records; what a finished or abandoned flight adds to a career |
@@ -109,7 +109,6 @@ pub mod alert;
 pub mod api;
 pub mod app;
 pub mod campaign;
-pub mod carrier;
 pub mod class_results;
 pub mod class_text;
 pub mod cli;
@@ -162,6 +161,7 @@ pub mod vehicle_id;
 pub mod verb;
 pub mod workshop;
 
+pub use sortie_carrier as carrier;
 pub use sortie_class as class;
 pub use sortie_geo as geo;
 pub use sortie_plan as plan;

@@ -65,7 +65,7 @@ use api::Programs;
 use begin::SeedSources;
 use career::Careers;
 use class::ClassEnd;
-pub use class::{ClassOptions, ClassPart};
+pub use class::ClassOptions;
 pub use drive::drive;
 use input::hear_last_answer;
 pub use missions::mission_faults;
@@ -87,7 +87,7 @@ const LOOK_EVERY: Duration = Duration::from_secs(2);
 pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
-    let mut class = open_class(&options)?;
+    let mut class = open_class(&options).await?;
     let mut screen = Screen::open(
         options.preferences.config.fps,
         options.preferences.config.mouse,
@@ -127,6 +127,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     }
     console.close().await;
     console.hand_in_rest(&mut class).await;
+    class.close().await;
     programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
     console.require_stored()
@@ -136,8 +137,9 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
 ///
 /// # Errors
 /// The desk cannot be opened.
-fn open_class(options: &ConsoleOptions) -> anyhow::Result<ClassEnd> {
-    ClassEnd::open(options).map_err(|fault| anyhow::anyhow!(options.look.text(&Text::from(&fault))))
+async fn open_class(options: &ConsoleOptions) -> anyhow::Result<ClassEnd> {
+    let opened = ClassEnd::open(options).await;
+    opened.map_err(|fault| anyhow::anyhow!(options.look.text(&Text::from(&fault))))
 }
 
 /// The command history, oldest first. A history that cannot be read adds a warning.

@@ -35,7 +35,7 @@ class-title = class { $class }: { $here } of { $count } { $count ->
         [0] {""}
        *[other] , { $marked } marked
     }
-class-empty = No trainee has joined yet. They join with `sortie --class { $class }`.
+class-empty = No trainee has joined yet. On one host they join with `sortie --class { $class }`; on several machines, with `sortie join` and their join lines.
 class-column-seat = seat
 class-column-state = state
 class-column-mission = mission
@@ -262,3 +262,34 @@ class-in-use = a desk is already open at { $socket }: choose another name, or cl
 class-not-open = cannot open { $socket }: { $error }
 class-folder = { $folder } belongs to another user, or others may change it: choose another name
 class-stranger = not joined: the desk at { $socket } belongs to { $user }, not to { $instructor }
+
+# Several machines
+class-not-built = this build of sortie has classes on one host only; for several machines, build it with `cargo build --release --features zenoh`
+class-file = cannot use { $file }: { $error }
+class-exposed = other users can read { $file }, which contains a secret key: run `chmod 600 { $file }`; if anybody may have read it, make a new class
+class-join-file = { $file } is not a join line: { $reason }
+class-join-line = this is not a join line: { $reason }
+class-join-prefix = it does not begin with `sortie-join/1/`
+class-join-incomplete = a part of it is missing; copy all of it, or use the file
+class-join-damaged = a part of it is damaged; copy it again, or use the file
+class-no-keys = { $file } is not the file of a desk, or is damaged ({ $reason }): make a new class with `sortie class new`
+class-no-class = there is no class for several machines in { $folder }: make one with `sortie class new`
+class-exists = { $folder } exists: choose another name, or delete the folder if the class is over
+class-name = `{ $name }` cannot be the name of a class on several machines: use up to 64 letters without accents, digits, `-` and `_`
+class-address = `{ $address }` is not an address: write HOST:PORT, such as 192.168.1.5:7447
+class-on-host = `--desk` is only for join files: the class at { $socket } is on this host
+class-no-address = this machine has no address in a network: say where the desk will be, for example with `--address 192.168.1.5:7447`
+class-port-in-use = another desk or another program already listens at { $address }: close it, or use another port, to which seats then go with `--desk`
+class-not-of-machine = this machine does not have the address { $address }: use one that it has, or 0.0.0.0 for all
+class-not-listening = cannot listen at { $address }: { $reason }
+class-not-started = cannot open the desk at { $address }: Zenoh does not start; try another port
+class-not-the-desk = not joined: { $address } answers, but not as the desk of this class: ask your instructor whether the address and the join line are still right
+class-unknown = not joined: the desk of { $class } does not answer to { $seat }: the join line was withdrawn, belongs to another class of that name, or is in use by four consoles
+class-crypto = cannot make or use keys: { $reason }
+class-made = Class { $class }, { $seats } { $seats ->
+        [one] seat
+       *[other] seats
+    }, in { $folder }.
+class-made-lines = The files in { $folder } are for the trainees, one for each. They are secret: whoever has a file can take its seat.
+class-made-desk = The desk: `sortie class open { $class } --listen { $listen }`
+class-made-seat = A trainee: `sortie join { $file }`

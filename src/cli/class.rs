@@ -1,8 +1,9 @@
 //! `sortie class`: the instructor's desk, and the results of a class.
 //!
-//! `open` is the desk, and `lessons` and `exams` list the plans that it can go
-//! through, `key` shows that of its seals. `report` prints the results, and `export` writes them for other programs; both read the records
-//! that the trainees have handed in. Their tables are in `tables`, and the statements for learning record stores in
+//! `open` is the desk, `new` makes the keys of one for several machines (`network`), `lessons` and `exams` list the
+//! plans that it can go through, `key` shows that of its seals. `report` prints the results, and `export` writes them
+//! for other programs; both read the records that the trainees have handed in. Their tables are in `tables`, and the
+//! statements for learning record stores in
 //! `xapi`.
 
 use std::process::ExitCode;
@@ -12,16 +13,18 @@ use clap::{Args, Subcommand};
 use super::Failure;
 use super::fly;
 use super::settings::CliSettings;
-use crate::carrier::{ClassPlace, own_user_name};
-use crate::shell::{ClassOptions, ClassPart, ConsoleOptions, Opening};
+use crate::carrier::{DeskPlace, HostPlace, own_user_name};
+use crate::shell::{ClassOptions, ConsoleOptions, Opening};
 use export::ExportArguments;
 use grades::GradesArguments;
+use network::NewArguments;
 use report::ReportArguments;
 
 mod exams;
 mod export;
 mod grades;
 mod lessons;
+mod network;
 mod report;
 mod results;
 mod tables;
@@ -36,15 +39,21 @@ pub(super) struct ClassArguments {
 
 #[derive(Debug, Subcommand)]
 enum ClassTask {
-    /// Opens the instructor's desk: a board of all trainees of this host who join the class.
+    /// Makes a class for several machines: the keys of its desk, and a file for each seat with which a trainee joins.
+    New(NewArguments),
+    /// Opens the instructor's desk: a board of all trainees who join the class, on this host or on several machines.
     #[command(after_help = "Examples:\n  \
                             sortie class open                  a class with your user name\n  \
                             sortie class open 9-A              trainees: sortie fly 00 --class 9-A\n  \
-                            sortie class open /srv/class/9-A   a folder that you own")]
+                            sortie class open /srv/class/9-A   a folder that you own\n  \
+                            sortie class open 9-A --listen     several machines, after sortie class new 9-A")]
     Open {
         /// The name of the class, or the path of its folder; by default your user name.
         #[arg(value_name = "NAME|PATH")]
         name: Option<String>,
+        /// Open the desk for several machines at this address, instead of for this host.
+        #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = network::EVERYWHERE)]
+        listen: Option<String>,
         /// Keep grades under this name, so that several graders can be compared; by default your user name.
         #[arg(long, value_name = "NAME", value_parser = grader_name)]
         grader: Option<String>,
@@ -84,7 +93,21 @@ pub(super) fn class(
         ClassTask::Exams => exams::exams(&settings),
         ClassTask::Key => exams::key(&settings),
         ClassTask::Lessons => lessons::lessons(&settings),
-        ClassTask::Open { name, grader } => open(name.as_deref(), grader.as_deref(), settings),
+        ClassTask::New(arguments) => network::new(arguments, &settings),
+        ClassTask::Open {
+            name,
+            listen,
+            grader,
+        } => {
+            let own = own_user_name();
+            let name = name.as_ref().unwrap_or(&own);
+            let place = match listen {
+                Some(listen) => network::desk(name, listen, &settings)?,
+                None => DeskPlace::Host(HostPlace::named(name, None)),
+            };
+            let grader = grader.as_ref().unwrap_or(&own);
+            open(place, results::class_name(name), grader, settings)
+        }
         ClassTask::Rubrics => grades::rubrics(&settings),
         ClassTask::Grades(arguments) => grades::grades(arguments, &settings),
         ClassTask::Report(arguments) => report::report(arguments, &settings),
@@ -103,18 +126,15 @@ fn grader_name(text: &str) -> Result<String, String> {
 }
 
 fn open(
-    name: Option<&str>,
-    grader: Option<&str>,
+    place: DeskPlace,
+    name: &str,
+    grader: &str,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let own = own_user_name();
-    let name = name.map_or_else(|| own.clone(), str::to_owned);
-    let class = ClassOptions {
-        place: ClassPlace::named(&name, None),
-        part: ClassPart::Desk {
-            name: results::class_name(&name).to_owned(),
-            grader: grader.map_or(own, str::to_owned),
-        },
+    let class = ClassOptions::Desk {
+        place,
+        name: name.to_owned(),
+        grader: grader.to_owned(),
     };
     let options = ConsoleOptions {
         class: Some(class),

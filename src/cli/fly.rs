@@ -10,7 +10,7 @@ use clap::Args;
 use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
 use super::free::FreeOptions;
-use super::seat::SeatArguments;
+use super::seat::{JoinArguments, SeatArguments};
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
 use crate::forward::{ForwardFault, ForwardSpec};
@@ -151,9 +151,18 @@ impl HomeArguments {
 /// Opens the home screen. The options apply to every mission chosen there.
 pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let options = ConsoleOptions {
-        class: arguments.seat.or_configured(&settings),
+        class: arguments.seat.or_configured(&settings)?,
         seed: arguments.seed,
         speedup: arguments.speedup.unwrap_or(1.0),
+        ..options(Opening::Home, settings)?
+    };
+    open(options, false)
+}
+
+/// Opens the home screen in the class of a join line.
+pub(super) fn join(arguments: &JoinArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
+    let options = ConsoleOptions {
+        class: Some(arguments.class(&settings)?),
         ..options(Opening::Home, settings)?
     };
     open(options, false)
@@ -177,7 +186,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
     let options = ConsoleOptions {
         forwards: arguments.forwards.or_configured(&settings)?,
         api: arguments.api.options(),
-        class: arguments.seat.or_configured(&settings),
+        class: arguments.seat.or_configured(&settings)?,
         backend: VehicleBackend {
             free: arguments.free.flight(backend.ardupilot.is_some())?,
             ..backend
@@ -208,7 +217,7 @@ pub(super) fn connect(
     let options = ConsoleOptions {
         forwards: joined.forwards.or_configured(&settings)?,
         api: joined.api.options(),
-        class: joined.seat.or_configured(&settings),
+        class: joined.seat.or_configured(&settings)?,
         ..options(Opening::Connect(addresses), settings)?
     };
     open(options, plain)

@@ -1,34 +1,91 @@
-//! The option `--class` of the commands that open a console for a trainee.
+//! The option `--class` of the commands that open a console for a trainee, and `sortie join`.
 
 use clap::Args;
 
+use super::Failure;
 use super::settings::CliSettings;
-use crate::carrier::ClassPlace;
-use crate::shell::{ClassOptions, ClassPart};
+use crate::carrier::{ClassFault, ClassPlace};
+use crate::shell::ClassOptions;
+use crate::text::Text;
 
 /// The class of `sortie`, `sortie fly` and `sortie connect`.
 #[derive(Debug, Args)]
 pub(super) struct SeatArguments {
-    /// Join the class with this name, or in this folder: its instructor sees your flight and can act in it.
-    #[arg(long, value_name = "NAME|PATH")]
+    /// Join the class with this name, in this folder, or of this join line or file with one: its instructor sees your
+    /// flight and can act in it.
+    #[arg(long, value_name = "NAME|PATH|LINE")]
     class: Option<String>,
+    #[command(flatten)]
+    desk: DeskAddress,
+}
+
+/// Options of `sortie join`.
+#[derive(Debug, Args)]
+pub(super) struct JoinArguments {
+    /// The file that you got for your seat, such as seat-07.join, or the line in it. Other users of the machine can see
+    /// a line in the list of processes, but not the content of a file.
+    #[arg(value_name = "FILE|LINE")]
+    line: String,
+    #[command(flatten)]
+    desk: DeskAddress,
+}
+
+/// Where the desk of a class on several machines is.
+#[derive(Debug, Args)]
+struct DeskAddress {
+    /// Look for the desk of a join line here instead of at the addresses in the line.
+    #[arg(long = "desk", value_name = "HOST:PORT")]
+    address: Option<String>,
 }
 
 impl SeatArguments {
     /// Whether no class is named.
     pub fn is_default(&self) -> bool {
-        self.class.is_none()
+        self.class.is_none() && self.desk.address.is_none()
     }
 
     /// The class that was named, otherwise that of the configuration, which asks first.
-    pub fn or_configured(&self, settings: &CliSettings) -> Option<ClassOptions> {
-        let configured = &settings.config.class;
-        let name = self.class.as_ref().or(configured.join.as_ref())?;
-        Some(ClassOptions {
-            place: ClassPlace::named(name, configured.instructor.clone()),
-            part: ClassPart::Seat {
-                asks: self.class.is_none(),
-            },
-        })
+    ///
+    /// # Errors
+    /// A join line is meant that cannot be used.
+    pub fn or_configured(&self, settings: &CliSettings) -> Result<Option<ClassOptions>, Failure> {
+        let configured = settings.config.class.join.as_ref();
+        let Some(name) = self.class.as_ref().or(configured) else {
+            return Ok(None);
+        };
+        let asks = self.class.is_none();
+        self.desk.seat(name, asks, settings).map(Some)
     }
+}
+
+impl JoinArguments {
+    /// The class of the join line.
+    ///
+    /// # Errors
+    /// It cannot be used.
+    pub fn class(&self, settings: &CliSettings) -> Result<ClassOptions, Failure> {
+        self.desk.seat(&self.line, false, settings)
+    }
+}
+
+impl DeskAddress {
+    fn seat(
+        &self,
+        name: &str,
+        asks: bool,
+        settings: &CliSettings,
+    ) -> Result<ClassOptions, Failure> {
+        let instructor = settings.config.class.instructor.clone();
+        let place = ClassPlace::named(name, instructor).map_err(refused)?;
+        let place = match &self.address {
+            Some(address) => place.at(address).map_err(refused)?,
+            None => place,
+        };
+        Ok(ClassOptions::Seat { place, asks })
+    }
+}
+
+/// What is wrong with a class, as the failure of a command.
+pub(super) fn refused(fault: impl Into<ClassFault>) -> Failure {
+    Failure::Wrong(vec![Text::from(&fault.into())])
 }

@@ -275,7 +275,7 @@ pub const SETTINGS: &[Setting] = &[
         "class.join",
         SettingKind::Text,
         Some("SORTIE_CLASS"),
-        "The class that consoles ask to join, by name or path (`sortie class open`).",
+        "The class that consoles ask to join, by name or path (`sortie class open`), or the file of a join line.",
     ),
     setting(
         "class.instructor",

@@ -16,7 +16,7 @@ use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
 use crate::app::state::{ClassRole, FlightTruth, SeatPlace};
-use crate::carrier::{ClassFault, ClassPlace, DeskArrival, Outbox, SeatArrival};
+use crate::carrier::{ClassFault, ClassPlace, DeskArrival, DeskPlace, Outbox, SeatArrival};
 use crate::class::{Consent, Desk, Picture, RecordHead, Refusal, Seat};
 use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
@@ -30,6 +30,7 @@ use seat_files::SeatAnswer;
 mod desk_end;
 mod desk_files;
 mod exams;
+mod faults;
 mod last_records;
 mod lessons;
 mod seat_end;
@@ -38,20 +39,16 @@ mod worker;
 
 /// The console's part in a class.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ClassOptions {
-    pub place: ClassPlace,
-    pub part: ClassPart,
-}
-
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum ClassPart {
+pub enum ClassOptions {
     /// A trainee's place in the class.
     Seat {
+        place: ClassPlace,
         /// Whether the trainee is asked before the console joins.
         asks: bool,
     },
     /// The desk of the class, for the instructor.
     Desk {
+        place: DeskPlace,
         /// The name of the class.
         name: String,
         /// The name under which the instructor's grades are kept.
@@ -64,8 +61,8 @@ impl ClassOptions {
     pub(super) fn role(&self) -> ClassRole {
         // Numbers that another run of the program has only by a rare accident, which would hide a seat or an order.
         let number = SysRng.try_next_u64().unwrap_or_default();
-        match &self.part {
-            ClassPart::Seat { asks } => {
+        match self {
+            Self::Seat { asks, .. } => {
                 let consent = if *asks {
                     Consent::Unasked
                 } else {
@@ -73,7 +70,7 @@ impl ClassOptions {
                 };
                 ClassRole::Seat(Box::new(SeatPlace::new(Seat::new(number, consent))))
             }
-            ClassPart::Desk { name, .. } => {
+            Self::Desk { name, .. } => {
                 ClassRole::Desk(Box::new(Desk::new(number, name.as_str().into())))
             }
         }
@@ -128,15 +125,20 @@ impl ClassEnd {
     ///
     /// # Errors
     /// The desk cannot be opened.
-    pub fn open(options: &ConsoleOptions) -> Result<Self, ClassFault> {
-        let Some(ClassOptions { place, part }) = &options.class else {
-            return Ok(Self::None);
-        };
-        Ok(match part {
-            ClassPart::Seat { .. } => Self::Seat(Box::new(SeatEnd::new(place, options))),
-            ClassPart::Desk { name, grader } => {
+    pub async fn open(options: &ConsoleOptions) -> Result<Self, ClassFault> {
+        Ok(match &options.class {
+            None => Self::None,
+            Some(ClassOptions::Seat { place, .. }) => {
+                Self::Seat(Box::new(SeatEnd::new(place, options)))
+            }
+            Some(ClassOptions::Desk {
+                place,
+                name,
+                grader,
+            }) => {
+                let port = place.open().await?;
                 let files = desk_files::start(options, name, grader);
-                Self::Desk(DeskEnd::open(place, files)?)
+                Self::Desk(DeskEnd::new(port, files))
             }
         })
     }
@@ -147,6 +149,15 @@ impl ClassEnd {
             Self::Seat(seat) => seat.next().await,
             Self::Desk(desk) => desk.next().await,
             Self::None => std::future::pending().await,
+        }
+    }
+
+    /// Ends the connections, so that the other side knows at once.
+    pub async fn close(self) {
+        match self {
+            Self::Seat(seat) => seat.close().await,
+            Self::Desk(desk) => desk.close().await,
+            Self::None => {}
         }
     }
 

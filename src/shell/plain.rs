@@ -55,7 +55,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     let is_person = options.typed_by == FlownBy::Hand;
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
-    let mut class = open_class(&options)?;
+    let mut class = open_class(&options).await?;
     let mut plain = Plain {
         beginning: Beginning::of(&options, is_person),
         console: Console::new(options, false),
@@ -107,6 +107,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     }
     plain.console.close().await;
     plain.console.hand_in_rest(&mut class).await;
+    class.close().await;
     programs.close(plain.console.app.state()).await;
     plain.finish(told_to_end)
 }

@@ -4,7 +4,7 @@
 
 use std::fs::{self, File, OpenOptions};
 use std::io::{self, Read as _, Seek as _, SeekFrom, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::hashes::hash_of;
 use super::records::ending_of;
@@ -23,16 +23,16 @@ const MARK_LEN: u64 = 4096;
 #[derive(Debug, Clone)]
 pub struct WaitingRecords {
     folder: PathBuf,
-    /// The socket of the class.
+    /// What tells the class from others.
     class: String,
 }
 
 impl WaitingRecords {
-    /// The records that wait for the class with this socket.
-    pub fn new(records: &Records, socket: &Path) -> Self {
+    /// The records that wait for the class with this id, which is one line.
+    pub fn new(records: &Records, class: String) -> Self {
         Self {
             folder: records.folder().to_owned(),
-            class: socket.display().to_string(),
+            class,
         }
     }
 

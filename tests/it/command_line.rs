@@ -311,6 +311,33 @@ fn faults_say_what_and_what_to_do() {
             &["Cargo.toml:1:2: not JSON"],
         ),
         (&["sim", "--frame", "nowhere.json"], 2, &["nowhere.json"]),
+        (
+            &["join", "sortie-join/1/9-A/seat-07"],
+            2,
+            &["not a join line: a part of it is missing"],
+        ),
+        (
+            &["join", "seat-07.join"],
+            2,
+            &["cannot use seat-07.join: no such file"],
+        ),
+        (
+            &["join", "./Cargo.toml"],
+            2,
+            &["./Cargo.toml is not a join line: it does not begin with `sortie-join/1/`"],
+        ),
+        (
+            &["fly", "--class", "9-A", "--desk", "192.168.1.5:7447"],
+            2,
+            &[
+                "`--desk` is only for join files: the class at /tmp/sortie-class-9-A/desk is on this host",
+            ],
+        ),
+        (
+            &["fly", "00", "--class", "9-A", "--desk", "192.168.1.5"],
+            2,
+            &["`192.168.1.5` is not an address: write HOST:PORT"],
+        ),
         (&["bench", "decode", "Cargo.toml"], 1, &["byte 0", "tlog"]),
     ];
     for (arguments, code, words) in cases {

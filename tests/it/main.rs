@@ -25,6 +25,7 @@ mod harness;
 mod inspector;
 mod kinds;
 mod layering;
+mod machines;
 mod missions;
 mod pictures;
 mod processes;

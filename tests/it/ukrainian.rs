@@ -24,7 +24,7 @@ use sortie::vehicle::{FixType, Vehicle, VehicleClass};
 /// types.
 const NAMES: &[&str] = &[
     // Protocols, instruments and programs.
-    "AHRS ASCII failsafe ArduCopter ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON Linux MAVFTP MAVLink PX4 NAT RC RTK RX SITL SQLite TOML DataFlash TCP TX UDP USB UTC UTF",
+    "AHRS ASCII failsafe ArduCopter ArduPilot CRC DGPS EKF English FAILSAFE GPS HDOP HEARTBEAT IPv6 JSON Linux MAVFTP MAVLink PX4 NAT RC RTK RX SITL SQLite TOML DataFlash TCP TX UDP USB UTC UTF Zenoh",
     "sortie arducopter SORTIE_ARDUCOPTER pid tlog heartbeat ok root setgid",
     // A key of exams with its values, and an option.
     "layout own same public key take_over",

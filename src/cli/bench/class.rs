@@ -4,7 +4,9 @@
 //! an order from the key that gives it to the line that the seat prints, and the age of the board from a trainee's
 //! command to its text on the desk's screen.
 
-use std::path::Path;
+use std::ffi::OsString;
+use std::net::{TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::{Duration, Instant};
 
@@ -13,8 +15,10 @@ use clap::Args;
 use serde::Serialize;
 
 use super::super::Failure;
+use super::super::seat::refused;
 use super::cost::{self, Machine};
 use super::terminal::{Terminal, own_program};
+use crate::carrier::{NewClass, make_class};
 use seats::Seats;
 
 mod seats;
@@ -35,6 +39,7 @@ const HEADINGS: [&str; 3] = ["123", "231", "312"];
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:\n  \
     sortie bench class\n  \
+    sortie bench class --network                      over Zenoh, as on several machines\n  \
     sortie bench class --seats 4 --vehicles 1 --seconds 10 --json")]
 pub(in crate::cli) struct BenchClassArguments {
     /// Start this many seats.
@@ -46,14 +51,29 @@ pub(in crate::cli) struct BenchClassArguments {
     /// Measure for this many seconds, once all vehicles fly.
     #[arg(long, default_value_t = 60, value_parser = clap::value_parser!(u16).range(2..=3600))]
     seconds: u16,
+    /// Connect the seats as on several machines, through a port of this host.
+    #[arg(long)]
+    network: bool,
     /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
 }
 
+/// How the seats find the desk.
+struct Way {
+    /// The name or the path of the class at the desk, and its options.
+    desk: Vec<OsString>,
+    /// The class of each seat.
+    seats: Vec<OsString>,
+    /// Where the desk listens; `None` if it is a socket in the folder of the class.
+    listen: Option<String>,
+}
+
 /// What a desk costs, and how fast the class is.
 #[derive(Debug, Serialize)]
 struct ClassCost {
+    /// `unix` or `zenoh`.
+    carrier: &'static str,
     seats: u16,
     vehicles: u8,
     window_s: f64,
@@ -111,10 +131,13 @@ pub(in crate::cli) fn class(options: &BenchClassArguments) -> Result<ExitCode, F
 
 fn print(cost: &ClassCost) -> Result<(), Failure> {
     let ClassCost {
-        seats, vehicles, ..
+        carrier,
+        seats,
+        vehicles,
+        ..
     } = cost;
     say!(
-        "{seats} seats with {vehicles} flying vehicles each, over {:.0} s",
+        "{seats} seats with {vehicles} flying vehicles each, over {:.0} s, carrier {carrier}",
         cost.window_s
     )?;
     say!(
@@ -144,7 +167,16 @@ fn print(cost: &ClassCost) -> Result<(), Failure> {
 
 fn measure(options: &BenchClassArguments, folder: &Path) -> Result<ClassCost, Failure> {
     let class = folder.join("class");
-    let mut room = ClassRoom::open(options, folder, &class)?;
+    let way = if options.network {
+        Way::over_a_network(options, folder)?
+    } else {
+        Way {
+            desk: vec![class.clone().into()],
+            seats: vec![class.clone().into(); usize::from(options.seats)],
+            listen: None,
+        }
+    };
+    let mut room = ClassRoom::open(options, folder, &way)?;
     room.gather()?;
     for (line, seconds) in FLIGHT {
         room.seats.give_all(line)?;
@@ -162,6 +194,7 @@ fn measure(options: &BenchClassArguments, folder: &Path) -> Result<ClassCost, Fa
     let spent = cost::of_process(desk)?.saturating_sub(spent);
     let busy = machine.and_then(|before| Some(Machine::now()?.busy_percent_since(before)));
     Ok(ClassCost {
+        carrier: if options.network { "zenoh" } else { "unix" },
         seats: options.seats,
         vehicles: options.vehicles,
         window_s: window.as_secs_f64(),
@@ -173,6 +206,34 @@ fn measure(options: &BenchClassArguments, folder: &Path) -> Result<ClassCost, Fa
     })
 }
 
+impl Way {
+    /// Makes a class on several machines, all of which are this one.
+    fn over_a_network(options: &BenchClassArguments, folder: &Path) -> Result<Self, Failure> {
+        let free = TcpListener::bind("127.0.0.1:0")?;
+        let listen = free.local_addr()?.to_string();
+        let class = folder.join("network");
+        let new = NewClass {
+            name: "bench",
+            seats: options.seats,
+            addresses: std::slice::from_ref(&listen),
+        };
+        let lines = make_class(&new, &class).map_err(refused)?;
+        Ok(Self {
+            desk: vec![class.into(), "--listen".into(), listen.clone().into()],
+            seats: lines.into_iter().map(PathBuf::into_os_string).collect(),
+            listen: Some(listen),
+        })
+    }
+
+    /// Whether the desk is open.
+    fn is_open(&self, folder: &Path) -> bool {
+        match &self.listen {
+            Some(listen) => TcpStream::connect(listen).is_ok(),
+            None => folder.join("class/desk").exists(),
+        }
+    }
+}
+
 /// The desk and the seats of one class.
 struct ClassRoom {
     desk: Terminal,
@@ -180,25 +241,26 @@ struct ClassRoom {
 }
 
 impl ClassRoom {
-    fn open(options: &BenchClassArguments, folder: &Path, class: &Path) -> anyhow::Result<Self> {
+    fn open(options: &BenchClassArguments, folder: &Path, way: &Way) -> anyhow::Result<Self> {
         let mut desk = own_program(&folder.join("desk"))?;
-        desk.args(["class", "open"]).arg(class);
+        desk.args(["class", "open"]).args(&way.desk);
         // Without colours, no number of a colour is taken for a heading.
         desk.args(["--theme", "monochrome"]);
         let mut desk = Terminal::begin(desk)?;
         let begun = Instant::now();
-        while !class.join("desk").exists() {
+        while !way.is_open(folder) {
             anyhow::ensure!(begun.elapsed() < STARTING, "the desk does not open");
             desk.next(GLANCE);
         }
-        let seat = |number: u16| {
+        let seat = |(number, class)| {
             let mut seat = own_program(&folder.join(format!("seat{number}")))?;
             seat.args(["fly", "--plain", "--no-record", "--vehicles"]);
             seat.arg(options.vehicles.to_string());
-            seat.arg("--class").arg(class);
+            seat.arg("--class").arg::<&OsString>(class);
             Ok(seat)
         };
-        let seats = Seats::start((0..options.seats).map(seat)).context("a seat does not start")?;
+        let seats =
+            Seats::start((0..).zip(&way.seats).map(seat)).context("a seat does not start")?;
         Ok(Self { desk, seats })
     }
 

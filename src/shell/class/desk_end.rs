@@ -9,7 +9,7 @@ use super::{ClassArrival, ClassSight, OpenLine, or_never};
 use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
-use crate::carrier::{ClassFault, ClassPlace, DeskArrival, DeskPort, unix};
+use crate::carrier::{DeskArrival, DeskPort};
 use crate::class::protocol::DeskMessage;
 use crate::class::{
     ConnectionId, Desk, DeskHeard, DeskLine, Picture, SubmissionEnd, SubmissionRefusal,
@@ -58,24 +58,18 @@ struct DeskConnection {
 }
 
 impl DeskEnd {
-    /// Opens the desk of a class. `files` keeps the records that are handed in; `None` without a data folder.
-    ///
-    /// # Errors
-    /// Its socket cannot be opened.
-    pub(super) fn open(
-        place: &ClassPlace,
-        mut files: Option<Worker<DeskTask, DeskAnswer>>,
-    ) -> Result<Self, ClassFault> {
+    /// The connections of an open desk. `files` keeps the records that are handed in; `None` without a data folder.
+    pub(super) fn new(port: DeskPort, mut files: Option<Worker<DeskTask, DeskAnswer>>) -> Self {
         if let Some(files) = &mut files {
             files.give(DeskTask::Look);
         }
-        Ok(Self {
-            port: unix::open(place)?,
+        Self {
+            port,
             open: BTreeMap::new(),
             files,
             shown: ShownPicture::default(),
             writes_again: WRITE_AGAIN,
-        })
+        }
     }
 
     /// Waits for the next arrival.
@@ -85,6 +79,11 @@ impl DeskEnd {
             arrival = or_never(Some(self.port.next())) => ClassArrival::AtDesk(arrival),
             answers = or_never(files) => ClassArrival::OfDeskFiles(answers),
         }
+    }
+
+    /// Ends all connections.
+    pub async fn close(self) {
+        self.port.close().await;
     }
 
     /// Says what the seats do not know yet.

@@ -8,7 +8,7 @@ use super::{ClassArrival, ClassSight, OpenLine, or_never};
 use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
-use crate::carrier::{ClassPlace, SeatArrival, SeatPort, unix};
+use crate::carrier::{ClassPlace, SeatArrival, SeatPort};
 use crate::class::protocol::DeskMessage;
 use crate::class::{
     Consent, Insight, Picture, Piece, PieceRequest, Seat, SeatLine, SeatReport, SeatSource, TryHead,
@@ -67,7 +67,7 @@ impl SeatEnd {
     /// The end of a seat that is not connected yet.
     pub fn new(place: &ClassPlace, options: &ConsoleOptions) -> Self {
         let records = options.preferences.records.as_ref();
-        let waiting = records.map(|records| WaitingRecords::new(records, &place.socket));
+        let waiting = records.map(|records| WaitingRecords::new(records, place.id()));
         Self {
             place: place.clone(),
             by_script: options.flown_by() != FlownBy::Hand,
@@ -86,6 +86,13 @@ impl SeatEnd {
         tokio::select! {
             arrival = or_never(port) => ClassArrival::AtSeat(arrival),
             answers = or_never(files) => ClassArrival::OfSeatFiles(answers),
+        }
+    }
+
+    /// Ends the connection.
+    pub async fn close(self) {
+        if let Some(port) = self.port {
+            port.close().await;
         }
     }
 
@@ -121,7 +128,7 @@ impl SeatEnd {
             return;
         }
         if self.port.is_none() {
-            self.port = Some(unix::join(self.place.clone()));
+            self.port = Some(self.place.join());
         }
         let Some(OpenLine { outbox, line }) = &mut self.open else {
             return;

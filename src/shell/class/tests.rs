@@ -10,6 +10,7 @@ use ratatui::backend::TestBackend;
 
 use super::*;
 use crate::app::event::TerminalEvent;
+use crate::carrier::HostPlace;
 use crate::class::{Deed, Happening as Noted, OrderState, Outcome, PictureCell, SeatRecord};
 use crate::mission::Mission;
 use crate::shell::pace::TICK;
@@ -42,7 +43,7 @@ impl Member {
     }
 
     async fn with(options: ConsoleOptions) -> Self {
-        let end = ClassEnd::open(&options);
+        let end = ClassEnd::open(&options).await;
         let mut console = Console::new(options, true);
         let (columns, rows) = (120, 40);
         console.feed(TerminalEvent::Resize { columns, rows }).await;
@@ -104,26 +105,27 @@ fn text(picture: &Picture) -> String {
     (0..picture.rows()).map(row).collect()
 }
 
-fn class(folder: &Path, part: ClassPart) -> ClassOptions {
+/// The options of a seat of the class in a folder.
+fn seat_options(folder: &Path) -> ClassOptions {
     let path = folder.join("class").display().to_string();
-    ClassOptions {
-        place: ClassPlace::named(&path, None),
-        part,
+    ClassOptions::Seat {
+        place: ClassPlace::named(&path, None).expect("a place"),
+        asks: false,
+    }
+}
+
+/// The options of the desk of the class in a folder.
+fn desk_options(folder: &Path) -> ClassOptions {
+    let path = folder.join("class").display().to_string();
+    ClassOptions::Desk {
+        place: DeskPlace::Host(HostPlace::named(&path, None)),
+        name: "9-A".to_owned(),
+        grader: "petro".to_owned(),
     }
 }
 
 async fn desk(folder: &Path) -> Member {
-    let name = "9-A".to_owned();
-    let member = Member::new(
-        Opening::Home,
-        class(
-            folder,
-            ClassPart::Desk {
-                name,
-                grader: "petro".to_owned(),
-            },
-        ),
-    );
+    let member = Member::new(Opening::Home, desk_options(folder));
     Box::pin(member).await
 }
 
@@ -135,7 +137,7 @@ async fn seat(folder: &Path) -> Member {
 async fn flying(folder: &Path, source: &str) -> Member {
     let mission = Mission::parse(source).expect("it is good");
     let opening = Opening::Mission(Arc::new(mission));
-    let member = Member::new(opening, class(folder, ClassPart::Seat { asks: false }));
+    let member = Member::new(opening, seat_options(folder));
     Box::pin(member).await
 }
 

@@ -30,7 +30,7 @@ fn seat(folder: &Path) -> WaitingRecords {
     fs::write(file(".run.jsonl"), run).expect("written");
     fs::write(file(".tlog"), "frames").expect("written");
     fs::write(file(".inputs.jsonl"), "").expect("written");
-    WaitingRecords::new(&records, Path::new("/tmp/class/desk"))
+    WaitingRecords::new(&records, "/tmp/class/desk".to_owned())
 }
 
 fn desk(folder: &Path) -> Reception<ClassRecords> {
@@ -202,7 +202,7 @@ fn marks_name_the_class_to_which_a_record_belongs() {
     seat.mark(&name()).expect("written");
     assert_eq!(seat.marked(), [name()]);
     let records = Records::at(folder.path().join("runs"));
-    let other = WaitingRecords::new(&records, Path::new("/tmp/other/desk"));
+    let other = WaitingRecords::new(&records, "/tmp/other/desk".to_owned());
     assert!(other.marked().is_empty(), "it was flown in another class");
     seat.unmark(&name());
     assert!(seat.marked().is_empty());

@@ -29,7 +29,7 @@ impl Hall {
     /// A hall in which anna flies a try.
     async fn flying() -> Self {
         let folder = tempfile::tempdir().expect("a folder");
-        let of_seat = class(folder.path(), ClassPart::Seat { asks: false });
+        let of_seat = seat_options(folder.path());
         let anna = keeping(Opening::Home, of_seat, &folder.path().join("anna")).await;
         let mut hall = Self {
             folder,
@@ -58,14 +58,7 @@ impl Hall {
 
     /// Opens the desk, also after it was killed.
     async fn open_desk(&mut self) {
-        let name = "9-A".to_owned();
-        let of_desk = class(
-            self.folder.path(),
-            ClassPart::Desk {
-                name,
-                grader: "petro".to_owned(),
-            },
-        );
+        let of_desk = desk_options(self.folder.path());
         self.desk = Some(keeping(Opening::Home, of_desk, &self.of_petro()).await);
         let is_back = |seat: &SeatRecord| seat.report.is_some();
         self.until(|desk, _| desk.seats().iter().any(is_back)).await;

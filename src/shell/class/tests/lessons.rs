@@ -62,8 +62,7 @@ fn done(member: &Member) -> Vec<Deed> {
 }
 
 async fn at_home(folder: &Path) -> Member {
-    let part = ClassPart::Seat { asks: false };
-    Box::pin(Member::new(Opening::Home, class(folder, part))).await
+    Box::pin(Member::new(Opening::Home, seat_options(folder))).await
 }
 
 fn message(text: &str) -> Deed {

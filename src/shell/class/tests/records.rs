@@ -77,23 +77,17 @@ fn marks(data: &Path) -> usize {
 async fn a_desk_that_was_away_gets_the_record_from_the_next_console() {
     let folder = tempfile::tempdir().expect("a folder");
     let (own, theirs) = (folder.path().join("anna"), folder.path().join("petro"));
-    let part = || ClassPart::Seat { asks: false };
     let mission = Arc::new(Mission::parse(FIRST).expect("it is good"));
     let opening = Opening::Mission(mission);
-    let mut anna = keeping(opening, class(folder.path(), part()), &own).await;
+    let mut anna = keeping(opening, seat_options(folder.path()), &own).await;
     anna.console.feed(key(KeyCode::Enter)).await;
     until(&mut [&mut anna], |members| members[0].is_flying()).await;
     Box::pin(anna.quit()).await;
     assert_eq!(marks(&own), 1, "it waits for the desk");
 
-    let name = "9-A".to_owned();
-    let part_of_desk = ClassPart::Desk {
-        name,
-        grader: "petro".to_owned(),
-    };
-    let mut desk = keeping(Opening::Home, class(folder.path(), part_of_desk), &theirs).await;
+    let mut desk = keeping(Opening::Home, desk_options(folder.path()), &theirs).await;
     until(&mut [&mut desk], |members| members[0].trainees() == Some(0)).await;
-    let mut anna = keeping(Opening::Home, class(folder.path(), part()), &own).await;
+    let mut anna = keeping(Opening::Home, seat_options(folder.path()), &own).await;
     until(&mut [&mut desk, &mut anna], |members| {
         members[0].trainees() == Some(1) && members[1].place().seat().hand_in().is_empty()
     })

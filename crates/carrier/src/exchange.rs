@@ -5,7 +5,7 @@ use tokio::io::{AsyncRead, AsyncWrite, AsyncWriteExt as _, BufReader};
 use tokio::sync::mpsc;
 
 use super::lines::{ReadLine, read_line};
-use crate::class::protocol::{self, LONGEST_LINE, LineFault};
+use sortie_class::protocol::{self, LONGEST_LINE, LineFault};
 
 /// Passes lines in both directions until the stream ends, a line cannot be read, or the port is gone. The reader waits
 /// while the port has no room, so a peer that floods the connection delays only itself.

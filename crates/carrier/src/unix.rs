@@ -10,11 +10,11 @@ use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::mpsc;
 
 use super::exchange::exchange;
-use super::place::{ClassFault, ClassPlace, user_name};
+use super::fault::ClassFault;
+use super::host::{HostPlace, user_name};
 use super::ports::{CarrierPeer, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};
 use super::socket;
-use crate::class::{ConnectionId, SEATS};
-use crate::text::Text;
+use sortie_class::{ConnectionId, SEATS};
 
 /// The permissions of the socket: every user of the host may connect.
 const SOCKET_MODE: u32 = 0o666;
@@ -29,7 +29,7 @@ const RETRY: std::ops::RangeInclusive<Duration> = Duration::from_secs(1)..=Durat
 ///
 /// # Errors
 /// Its folder or its socket cannot be used.
-pub fn open(place: &ClassPlace) -> Result<DeskPort, ClassFault> {
+pub fn open(place: &HostPlace) -> Result<DeskPort, ClassFault> {
     place.prepare()?;
     let listener =
         socket::open(&place.socket, SOCKET_MODE).map_err(|fault| ClassFault::Socket {
@@ -39,7 +39,10 @@ pub fn open(place: &ClassPlace) -> Result<DeskPort, ClassFault> {
     let (arrived, arrivals) = mpsc::channel(ARRIVALS);
     let removed = Removed(place.socket.clone());
     let task = tokio::spawn(async move {
-        accept(listener, arrived).await;
+        tokio::select! {
+            () = arrived.closed() => {}
+            () = accept(listener, &arrived) => {}
+        }
         drop(removed);
     });
     Ok(DeskPort { arrivals, task })
@@ -89,7 +92,7 @@ impl Drop for TakenPlace {
     }
 }
 
-async fn accept(listener: UnixListener, arrived: mpsc::Sender<DeskArrival>) {
+async fn accept(listener: UnixListener, arrived: &mpsc::Sender<DeskArrival>) {
     let places = Places::default();
     // Dropping the set ends the connections.
     let mut connections = tokio::task::JoinSet::new();
@@ -141,16 +144,21 @@ async fn serve(
 }
 
 /// Connects to the desk of a class, and again whenever the connection ends.
-pub fn join(place: ClassPlace) -> SeatPort {
+pub fn join(place: HostPlace) -> SeatPort {
     let (arrived, arrivals) = mpsc::channel(ARRIVALS);
-    let task = tokio::spawn(async move { keep_connected(&place, &arrived).await });
+    let task = tokio::spawn(async move {
+        tokio::select! {
+            () = arrived.closed() => {}
+            () = keep_connected(&place, &arrived) => {}
+        }
+    });
     SeatPort { arrivals, task }
 }
 
-async fn keep_connected(place: &ClassPlace, arrived: &mpsc::Sender<SeatArrival>) {
+async fn keep_connected(place: &HostPlace, arrived: &mpsc::Sender<SeatArrival>) {
     let mut wait = *RETRY.start();
     let mut stranger = None;
-    while !arrived.is_closed() {
+    loop {
         match connect(&place.socket, place).await {
             Ok(Some((stream, desk))) => {
                 wait = *RETRY.start();
@@ -162,7 +170,7 @@ async fn keep_connected(place: &ClassPlace, arrived: &mpsc::Sender<SeatArrival>)
             // There is no desk, which is no fault: it may open later.
             Ok(None) => {}
             Err(fault) => {
-                let found = Text::from(&fault);
+                let found = fault.to_string();
                 if stranger.as_ref() != Some(&found) {
                     stranger = Some(found);
                     if arrived.send(SeatArrival::Refused(fault)).await.is_err() {
@@ -179,7 +187,7 @@ async fn keep_connected(place: &ClassPlace, arrived: &mpsc::Sender<SeatArrival>)
 /// Connects; `None` if no desk answers.
 async fn connect(
     socket: &Path,
-    place: &ClassPlace,
+    place: &HostPlace,
 ) -> Result<Option<(UnixStream, CarrierPeer)>, ClassFault> {
     let Ok(stream) = UnixStream::connect(socket).await else {
         return Ok(None);

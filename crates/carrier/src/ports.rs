@@ -1,15 +1,21 @@
 //! The two ends of a class's connections.
 
+use std::time::Duration;
+
 use serde::Serialize;
 use tokio::sync::mpsc;
 use tokio::task::JoinHandle;
+use tokio::time::timeout;
 
-use super::place::ClassFault;
-use crate::class::ConnectionId;
-use crate::class::protocol::{self, DeskMessage, LineFault, SeatMessage};
+use super::fault::ClassFault;
+use sortie_class::ConnectionId;
+use sortie_class::protocol::{self, DeskMessage, LineFault, SeatMessage};
 
 /// The maximum number of lines that wait to be written on one connection.
 const OUTBOX: usize = 64;
+
+/// How long a port that is closed waits for its carrier to say goodbye.
+const GOODBYE: Duration = Duration::from_secs(1);
 
 /// Who is at the other end of a connection.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -62,15 +68,15 @@ pub struct DeskPort {
 }
 
 impl DeskPort {
+    /// Closes all connections, and waits a moment until the seats have been told.
+    pub async fn close(self) {
+        drop(self.arrivals);
+        drop(timeout(GOODBYE, self.task).await);
+    }
+
     /// Waits for the next arrival; `None` if the carrier has ended.
     pub async fn next(&mut self) -> Option<DeskArrival> {
         self.arrivals.recv().await
-    }
-}
-
-impl Drop for DeskPort {
-    fn drop(&mut self) {
-        self.task.abort();
     }
 }
 
@@ -97,14 +103,14 @@ pub struct SeatPort {
 }
 
 impl SeatPort {
+    /// Ends the connection, and waits a moment until the desk has been told.
+    pub async fn close(self) {
+        drop(self.arrivals);
+        drop(timeout(GOODBYE, self.task).await);
+    }
+
     /// Waits for the next arrival; `None` if the carrier has ended.
     pub async fn next(&mut self) -> Option<SeatArrival> {
         self.arrivals.recv().await
-    }
-}
-
-impl Drop for SeatPort {
-    fn drop(&mut self) {
-        self.task.abort();
     }
 }

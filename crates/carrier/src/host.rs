@@ -7,9 +7,8 @@ use std::path::{Path, PathBuf};
 
 use nix::unistd::{Uid, User, geteuid};
 
+use super::fault::ClassFault;
 use super::socket::SocketFault;
-use crate::text;
-use crate::text::Text;
 
 /// The permissions of a class's folder: everybody may reach the socket, and only the instructor changes the folder.
 const FOLDER_MODE: u32 = 0o711;
@@ -18,60 +17,14 @@ const SOCKET: &str = "desk";
 
 /// A class on this host: a folder of the instructor with the socket of the desk.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ClassPlace {
+pub struct HostPlace {
     /// The path of the socket.
     pub socket: PathBuf,
     /// The user to whom the desk must belong; `None` for the owner of the folder.
     pub instructor: Option<String>,
 }
 
-/// Why a class cannot be opened or joined.
-#[derive(Debug)]
-pub enum ClassFault {
-    /// The path leads to something else.
-    Socket { socket: PathBuf, fault: SocketFault },
-    /// The folder belongs to another user, or others may change it.
-    Folder(PathBuf),
-    /// The desk does not belong to the instructor.
-    Stranger {
-        socket: PathBuf,
-        /// To whom it belongs.
-        user: String,
-        /// To whom it must belong.
-        instructor: String,
-    },
-}
-
-impl From<&ClassFault> for Text {
-    fn from(fault: &ClassFault) -> Self {
-        let shown = |path: &Path| path.display().to_string();
-        match fault {
-            ClassFault::Socket { socket, fault } => {
-                let socket = shown(socket);
-                match fault {
-                    SocketFault::NoSocket => text!("class-no-socket", socket = socket),
-                    SocketFault::InUse => text!("class-in-use", socket = socket),
-                    SocketFault::Io(error) => {
-                        text!("class-not-open", socket = socket, error = error.to_string())
-                    }
-                }
-            }
-            ClassFault::Folder(folder) => text!("class-folder", folder = shown(folder)),
-            ClassFault::Stranger {
-                socket,
-                user,
-                instructor,
-            } => text!(
-                "class-stranger",
-                socket = shown(socket),
-                user = user,
-                instructor = instructor
-            ),
-        }
-    }
-}
-
-impl ClassPlace {
+impl HostPlace {
     /// The class with a name, or at a path: its folder, or its socket.
     pub fn named(name: &str, instructor: Option<String>) -> Self {
         let path = if name.contains('/') {

@@ -1,0 +1,192 @@
+//! Where the desk of a class is.
+
+use std::fs;
+use std::net::UdpSocket;
+use std::path::{Path, PathBuf};
+
+use super::fault::{ClassFault, NetworkFault};
+use super::host::HostPlace;
+use super::join_line::{ENDING, JoinLine, is_address};
+#[cfg(feature = "zenoh")]
+use super::network;
+use super::new_class::NewClass;
+use super::ports::{DeskPort, SeatPort};
+use super::secret_file::read_secret;
+use super::unix;
+
+/// The port of a desk for several machines unless another one is said: that of Zenoh.
+const DEFAULT_PORT: u16 = 7447;
+
+/// Where a seat finds the desk of its class.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ClassPlace {
+    /// On this host.
+    Host(HostPlace),
+    /// On another machine.
+    #[cfg(feature = "zenoh")]
+    Network(Box<JoinLine>),
+}
+
+/// Where a desk is opened.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum DeskPlace {
+    /// For this host.
+    Host(HostPlace),
+    /// For several machines.
+    #[cfg(feature = "zenoh")]
+    Network(Box<network::NetworkDesk>),
+}
+
+/// Makes the keys of a class in a new folder: the file of the desk, and a file with a join line for each seat. Returns
+/// the files of the seats.
+///
+/// # Errors
+/// The name or an address cannot be used, the folder exists, a file cannot be written, or this program has no carrier for
+/// several machines.
+pub fn make_class(class: &NewClass<'_>, folder: &Path) -> Result<Vec<PathBuf>, ClassFault> {
+    #[cfg(feature = "zenoh")]
+    return Ok(network::make(class, folder)?);
+    #[cfg(not(feature = "zenoh"))]
+    {
+        let _ = (class, folder);
+        Err(NetworkFault::NotBuilt.into())
+    }
+}
+
+impl ClassPlace {
+    /// The class with a name, at a path (its folder, or its socket), or of a join line or a file with one.
+    ///
+    /// # Errors
+    /// It is meant as a join line, but cannot be used as one.
+    pub fn named(name: &str, instructor: Option<String>) -> Result<Self, ClassFault> {
+        if JoinLine::is_meant(name) {
+            let line = JoinLine::parse(name);
+            return Self::of_line(
+                line.map_err(|fault| NetworkFault::JoinLine { file: None, fault })?,
+            );
+        }
+        let path = Path::new(name);
+        let is_path = name.contains('/') || name.contains('.');
+        let is_file = is_path && fs::metadata(path).is_ok_and(|found| found.is_file());
+        if is_file || name.ends_with(ENDING) {
+            let line = read_secret(path, |text| {
+                let file = Some(path.to_owned());
+                JoinLine::parse(text).map_err(|fault| NetworkFault::JoinLine { file, fault })
+            });
+            return Self::of_line(line?);
+        }
+        Ok(Self::Host(HostPlace::named(name, instructor)))
+    }
+
+    /// The class of a join line.
+    ///
+    /// # Errors
+    /// This program has no carrier for several machines.
+    #[cfg_attr(
+        feature = "zenoh",
+        expect(
+            clippy::unnecessary_wraps,
+            reason = "it fails only without the feature"
+        )
+    )]
+    fn of_line(line: JoinLine) -> Result<Self, ClassFault> {
+        #[cfg(feature = "zenoh")]
+        return Ok(Self::Network(Box::new(line)));
+        #[cfg(not(feature = "zenoh"))]
+        {
+            drop(line);
+            Err(NetworkFault::NotBuilt.into())
+        }
+    }
+
+    /// The same class, whose desk is at another address than the join line says.
+    ///
+    /// # Errors
+    /// It is no address, or the class is on this host.
+    pub fn at(self, address: &str) -> Result<Self, ClassFault> {
+        if !is_address(address) {
+            return Err(NetworkFault::Address(address.to_owned()).into());
+        }
+        match self {
+            Self::Host(place) => Err(NetworkFault::OnHost(place.socket).into()),
+            #[cfg(feature = "zenoh")]
+            Self::Network(mut line) => {
+                line.addresses = vec![address.to_owned()];
+                Ok(Self::Network(line))
+            }
+        }
+    }
+
+    /// Connects to the desk, and again whenever the connection ends.
+    pub fn join(&self) -> SeatPort {
+        match self {
+            Self::Host(place) => unix::join(place.clone()),
+            #[cfg(feature = "zenoh")]
+            Self::Network(line) => network::join((**line).clone()),
+        }
+    }
+
+    /// A name by which the class is found again in files. It contains no secret.
+    pub fn id(&self) -> String {
+        match self {
+            Self::Host(place) => place.socket.display().to_string(),
+            #[cfg(feature = "zenoh")]
+            Self::Network(line) => line.id(),
+        }
+    }
+}
+
+impl DeskPlace {
+    /// A desk for several machines, with the keys in a folder, that listens at HOST:PORT.
+    ///
+    /// # Errors
+    /// The address or the folder cannot be used, or this program has no carrier for several machines.
+    pub fn on_network(folder: &Path, listen: &str) -> Result<Self, ClassFault> {
+        #[cfg(feature = "zenoh")]
+        return Ok(Self::Network(Box::new(network::NetworkDesk::read(
+            folder, listen,
+        )?)));
+        #[cfg(not(feature = "zenoh"))]
+        {
+            let _ = (folder, listen);
+            Err(NetworkFault::NotBuilt.into())
+        }
+    }
+
+    /// Opens the desk.
+    ///
+    /// # Errors
+    /// Its socket cannot be opened.
+    #[cfg_attr(
+        not(feature = "zenoh"),
+        expect(
+            clippy::unused_async,
+            reason = "opening a socket needs no waiting, a network does"
+        )
+    )]
+    pub async fn open(&self) -> Result<DeskPort, ClassFault> {
+        match self {
+            Self::Host(place) => unix::open(place),
+            #[cfg(feature = "zenoh")]
+            Self::Network(desk) => network::open(desk).await,
+        }
+    }
+}
+
+/// The address of this machine at which others may reach it: that of the interface of the default route. Nothing is
+/// sent.
+///
+/// # Errors
+/// There is no such route.
+pub fn own_address() -> Result<String, NetworkFault> {
+    // An address for documentation, to which nobody answers.
+    let route = UdpSocket::bind("0.0.0.0:0").and_then(|socket| {
+        socket.connect("192.0.2.1:9")?;
+        socket.local_addr()
+    });
+    let own = route.map_err(|_| NetworkFault::NoAddress)?.ip();
+    if own.is_unspecified() {
+        return Err(NetworkFault::NoAddress);
+    }
+    Ok(format!("{own}:{DEFAULT_PORT}"))
+}

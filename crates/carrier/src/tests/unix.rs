@@ -1,0 +1,80 @@
+//! What only the Unix socket does: it knows users, and folders that others could change.
+
+use std::fs::{self, Permissions};
+use std::os::unix::fs::PermissionsExt as _;
+use std::path::Path;
+
+use super::opened;
+use crate::host::{HostPlace, own_user_name};
+use crate::{ClassFault, DeskArrival, SeatArrival, socket, unix};
+
+fn place(folder: &Path) -> HostPlace {
+    let path = folder.join("class").display().to_string();
+    HostPlace::named(&path, None)
+}
+
+#[tokio::test]
+async fn the_folder_can_be_entered_but_only_its_owner_changes_it() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = place(folder.path());
+    let desk = unix::open(&place).expect("it opens");
+    let mode = |path: &Path| {
+        fs::metadata(path)
+            .expect("it is there")
+            .permissions()
+            .mode()
+            & 0o777
+    };
+    assert_eq!(mode(&folder.path().join("class")), 0o711);
+    assert_eq!(mode(&place.socket), 0o666);
+    let again = unix::open(&place);
+    let in_use = |it: &ClassFault| {
+        let fault = socket::SocketFault::InUse;
+        let expected = std::mem::discriminant(&fault);
+        matches!(it, ClassFault::Socket { fault, .. } if std::mem::discriminant(fault) == expected)
+    };
+    assert!(again.is_err_and(|fault| in_use(&fault)));
+    drop(desk);
+}
+
+#[tokio::test]
+async fn a_folder_that_others_may_change_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = place(folder.path());
+    let class = folder.path().join("class");
+    fs::create_dir(&class).expect("made");
+    fs::set_permissions(&class, Permissions::from_mode(0o777)).expect("set");
+    let opened = unix::open(&place);
+    assert!(matches!(opened, Err(ClassFault::Folder(_))), "{opened:?}");
+    let link = folder.path().join("link");
+    std::os::unix::fs::symlink(&class, &link).expect("made");
+    let path = link.display().to_string();
+    let opened = unix::open(&HostPlace::named(&path, None));
+    assert!(matches!(opened, Err(ClassFault::Folder(_))), "{opened:?}");
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_seat_does_not_speak_to_a_desk_of_somebody_else() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = place(folder.path());
+    let mut desk = unix::open(&place).expect("it opens");
+    let other = HostPlace {
+        instructor: Some("nobody-of-that-name".to_owned()),
+        ..place.clone()
+    };
+    let mut seat = unix::join(other);
+    let arrival = seat.next().await;
+    let Some(SeatArrival::Refused(ClassFault::Stranger { user, .. })) = arrival else {
+        panic!("{arrival:?}");
+    };
+    assert_eq!(user, own_user_name());
+    // Told once; the desk hears nothing from the seat but that it came and went.
+    let silence = tokio::time::timeout(std::time::Duration::from_secs(30), seat.next());
+    assert!(silence.await.is_err());
+    let (first, _, _) = opened(&mut desk).await;
+    let arrival = desk.next().await;
+    assert!(
+        matches!(arrival, Some(DeskArrival::Closed(closed)) if closed == first),
+        "{arrival:?}"
+    );
+}
