@@ -22,6 +22,8 @@ fn exam(name: &str) -> Exam {
     };
     let plan = Arc::new(ExamPlan {
         name: name.into(),
+        title: "Two missions".into(),
+        title_uk: Some("Два завдання".into()),
         layout: ExamLayout::Own,
         opens: None,
         closes: None,
