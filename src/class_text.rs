@@ -107,6 +107,12 @@ pub fn done_text(instructor: &str, deed: &Deed) -> Option<Text> {
         Deed::End => named("class-did-end"),
         Deed::Start => named("class-did-start"),
         Deed::Capture { .. } => named("class-did-capture"),
+        Deed::LookOn => named("class-did-show"),
+        Deed::Fly { mission, .. } => text!(
+            "class-did-fly",
+            instructor = instructor,
+            mission = mission.as_str()
+        ),
         Deed::Recall { situation } => text!(
             "class-did-recall",
             instructor = instructor,

@@ -321,6 +321,19 @@ impl<R> State<R> {
         }
     }
 
+    /// At the desk: the names of seats; their number if there are many.
+    pub(in crate::app) fn seat_names(&self, seats: &[usize]) -> Text {
+        let known = self.class.desk().map_or(&[][..], Desk::seats);
+        match seats.len() {
+            0..=4 => {
+                let names = seats.iter().filter_map(|&seat| known.get(seat));
+                let names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
+                names.join(", ").into()
+            }
+            count => text!("class-seats", count = count),
+        }
+    }
+
     /// The try of an exam that is flown and not over.
     pub fn shown_try(&self) -> Option<ShownTry<'_>> {
         let open = self.class.seat()?.open_try()?;

@@ -50,12 +50,8 @@ impl<R> State<R> {
         let Some(desk) = self.class.desk() else {
             return Listed::Nothing(text!("class-no-desk"));
         };
-        let trainee = |seat: &SeatRecord| {
-            let report = seat.report.as_ref();
-            report.map_or_else(String::new, |report| report.trainee.to_string())
-        };
         let seats = desk.seats().iter();
-        let seats = seats.map(|seat| named(&format!("@{}", seat.name), trainee(seat).into()));
+        let seats = seats.map(|seat| named(&format!("@{}", seat.name), seated(seat)));
         let all = named("@all", text!("class-all-seats"));
         Listed::Names(std::iter::once(all).chain(seats).collect())
     }
@@ -121,6 +117,25 @@ impl<R> State<R> {
                 .collect(),
         )
     }
+}
+
+/// Who sits at a seat, and what is flown there.
+fn seated(seat: &SeatRecord) -> Text {
+    let Some(report) = &seat.report else {
+        return Text::default();
+    };
+    let trainee = report.trainee.as_str();
+    let flown = match &report.flight {
+        Some(flight) => flight.mission.as_ref(),
+        None => return joined(trainee, text!("class-home")),
+    };
+    let mission = flown.map(|id| Text::verbatim(id.as_str()));
+    joined(trainee, mission.unwrap_or_else(|| text!("class-free")))
+}
+
+fn joined(trainee: &str, flown: Text) -> Text {
+    let trainee = Some(Text::verbatim(trainee)).filter(|_| !trainee.is_empty());
+    Text::joined(": ", trainee.into_iter().chain([flown]).collect())
 }
 
 fn named(name: &str, meaning: Text) -> Named {

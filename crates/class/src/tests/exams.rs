@@ -7,6 +7,7 @@ use std::time::Duration;
 use proptest::prelude::*;
 use sha2::{Digest as _, Sha256};
 
+use super::rig::end_order;
 use super::{desk, joined, report, seconds};
 use crate::protocol::SeatMessage;
 use crate::*;
@@ -138,16 +139,7 @@ impl Hall {
     /// The seat answers the newest order.
     fn answer(&mut self, outcome: Outcome) {
         let order = self.desk.seats()[0].orders().next_back().expect("an order");
-        let Order { id, deed } = order.order.clone();
-        self.journal.note(
-            None,
-            Happening::Order {
-                id,
-                deed,
-                outcome,
-                why: None,
-            },
-        );
+        end_order(&mut self.journal, order.order.clone(), outcome);
         let batch = self.journal.from(self.journal.last()).expect("an entry");
         self.hear(SeatMessage::Entries(batch));
         self.until(self.at + 1);

@@ -1,6 +1,5 @@
 //! How orders to seats ended, on the last line of the desk.
 
-use super::desk::names;
 use crate::app::State;
 use crate::class::{CallEnd, OrderState, Outcome, SeatEnd};
 use crate::class_text::{deed_text, ended_text, refusal_of};
@@ -74,7 +73,7 @@ impl Group {
     }
 
     fn text(&self, state: &State) -> Text {
-        let (count, which) = (self.seats.len(), names(state, &self.seats));
+        let (count, which) = (self.seats.len(), state.seat_names(&self.seats));
         match &self.end {
             SameEnd::Done => text!("class-call-done", count = count),
             SameEnd::Refused(reason) => text!(

@@ -1,6 +1,5 @@
 //! What the end of the desk means for its seats.
 
-use super::desk::names;
 use crate::app::State;
 use crate::class::{FlightReport, SeatRecord, Stage};
 use crate::text;
@@ -16,7 +15,7 @@ pub fn left_behind(state: &State) -> Vec<Text> {
             .as_ref()
             .is_some_and(|lesson| !lesson.has_ended())
     });
-    let named = |seats: Vec<usize>| (!seats.is_empty()).then(|| names(state, &seats));
+    let named = |seats: Vec<usize>| (!seats.is_empty()).then(|| state.seat_names(&seats));
     [
         named(flown).map(|seats| text!("class-quit-taken", seats = seats)),
         named(frozen).map(|seats| text!("class-quit-frozen", seats = seats)),

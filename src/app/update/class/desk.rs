@@ -114,7 +114,7 @@ pub fn give(state: &mut State, choice: &SeatChoice, deed: Deed) -> Result<Effect
 /// # Errors
 /// A line for vehicles is not one.
 fn question(state: &State, seats: &[usize], deed: &Deed) -> Result<Option<(Text, Text)>, Text> {
-    let names = || names(state, seats);
+    let names = || state.seat_names(seats);
     if deed.is_final() {
         let question = text!("class-ask-end", seats = names());
         return Ok(Some((question, text!("class-ask-end-reason"))));
@@ -149,25 +149,30 @@ fn question(state: &State, seats: &[usize], deed: &Deed) -> Result<Option<(Text,
 /// What is asked before seats return to a situation: how much of each flight is thrown away. `None` if no seat has it.
 fn recall_question(state: &State, seats: &[usize], wanted: &Words) -> Option<(Text, Text)> {
     let known = state.class.desk().map_or(&[][..], Desk::seats);
-    let losses = seats.iter().filter_map(|&seat| {
-        let seat = known.get(seat)?;
-        let flight = seat.report.as_ref()?.flight.as_ref()?;
-        let situation = flight.situation(wanted)?;
-        Some(text!(
-            "class-ask-recall-seat",
-            seat = seat.name.as_str(),
-            at = clock_s(situation.clock_s),
-            lost = clock_s(flight.clock_s - situation.clock_s)
-        ))
-    });
-    let losses: Vec<Text> = losses.collect();
-    if losses.is_empty() {
+    let (mut back, mut losses) = (Vec::new(), Vec::new());
+    for &seat in seats {
+        let Some(known) = known.get(seat) else {
+            continue;
+        };
+        let flight = known.report.as_ref().and_then(|it| it.flight.as_ref());
+        let situation = flight.and_then(|flight| Some((flight, flight.situation(wanted)?)));
+        if let Some((flight, situation)) = situation {
+            back.push(seat);
+            losses.push(text!(
+                "class-ask-recall-seat",
+                seat = known.name.as_str(),
+                at = clock_s(situation.clock_s),
+                lost = clock_s(flight.clock_s - situation.clock_s)
+            ));
+        }
+    }
+    if back.is_empty() {
         return None;
     }
     let question = text!(
         "class-ask-recall",
         situation = wanted.as_str(),
-        seats = names(state, seats)
+        seats = state.seat_names(&back)
     );
     let practice = text!("class-ask-recall-practice");
     let reasons = losses.into_iter().chain([practice]).collect();
@@ -312,23 +317,10 @@ pub fn instruct(state: &mut State, seats: &[usize], deed: &Deed) {
     let text = text!(
         "class-given",
         deed = deed_text(deed),
-        seats = names(state, seats)
+        seats = state.seat_names(seats)
     );
     state.say(Severity::Notice, text);
     state.touch();
-}
-
-/// The names of seats; their number if there are many.
-pub(super) fn names(state: &State, seats: &[usize]) -> Text {
-    let known = state.class.desk().map_or(&[][..], Desk::seats);
-    match seats.len() {
-        0..=4 => {
-            let names = seats.iter().filter_map(|&seat| known.get(seat));
-            let names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
-            names.join(", ").into()
-        }
-        count => text!("class-seats", count = count),
-    }
 }
 
 pub(super) fn denial_text(denial: Denial) -> Text {

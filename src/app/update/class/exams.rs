@@ -1,6 +1,6 @@
 //! The exam of the desk.
 
-use super::desk::{connected, exam_notes, names};
+use super::desk::{connected, exam_notes};
 use super::tell;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
@@ -55,7 +55,7 @@ pub(super) fn begin(state: &State, choice: &SeatChoice, exam: String) -> Result<
 /// Handles an exam that was read: it begins, or more seats take part in it.
 fn read(state: &mut State, name: &str, exam: Result<Box<Exam>, Text>, seats: &[usize]) -> Effects {
     let wall = state.wall;
-    let meant = names(state, seats);
+    let meant = state.seat_names(seats);
     let title = exam.as_ref().ok().map(|exam| exam_title(exam.plan()));
     let seated = exam.and_then(|exam| {
         let desk = state.class.desk_mut();

@@ -159,10 +159,10 @@ fn a_recall_is_asked_about_with_what_it_throws_away() {
     let lost = "anna goes back to 03:09: 01:22 of the flight are thrown away";
     assert!(reason.contains(lost), "{reason}");
     console.press("y");
-    assert_eq!(deeds(&console).len(), 2);
+    assert_eq!(deeds(&console).len(), 3);
     // A seat without the situation refuses, and loses nothing.
     console.give("class recall @vira 2");
-    assert_eq!(deeds(&console).len(), 3);
+    assert_eq!(deeds(&console).len(), 4);
 }
 
 /// Only the journal once knew that the instructor took part.
