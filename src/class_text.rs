@@ -99,7 +99,7 @@ pub fn exam_title(exam: &ExamPlan) -> Text {
 
 /// What an instructor has done, as a sentence; `None` for orders that are told by their names.
 pub fn done_text(instructor: &str, deed: &Deed) -> Option<Text> {
-    let named = |id: &'static str| Text::new(id, vec![("instructor".into(), instructor.into())]);
+    let named = |id: &'static str| Text::new(id, vec![("instructor", instructor.into())]);
     Some(match deed {
         Deed::Hint => named("class-did-hint"),
         Deed::Freeze => named("class-did-freeze"),

@@ -1,7 +1,7 @@
 //! How orders to seats ended, on the last line of the desk.
 
 use crate::app::State;
-use crate::class::{CallEnd, OrderState, Outcome, SeatEnd};
+use crate::class::{CallEnd, Desk, OrderState, Outcome, SeatEnd};
 use crate::class_text::{deed_text, ended_text, refusal_of};
 use crate::text;
 use crate::text::Text;
@@ -9,7 +9,7 @@ use crate::vehicle::Severity;
 
 /// Tells how orders ended that no seat keeps waiting.
 pub(super) fn tell(state: &mut State) {
-    let ended = state.class.desk_mut().map(|desk| desk.take_ended_calls());
+    let ended = state.class.desk_mut().map(Desk::take_ended_calls);
     for call in ended.into_iter().flatten() {
         let is_good = call.seats.iter().all(|end| SameEnd::of(end).is_good());
         let severity = if is_good {

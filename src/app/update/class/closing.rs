@@ -1,7 +1,7 @@
 //! What the end of the desk means for its seats.
 
 use crate::app::State;
-use crate::class::{FlightReport, SeatRecord, Stage};
+use crate::class::{Desk, FlightReport, SeatRecord, Stage};
 use crate::text;
 use crate::text::Text;
 
@@ -37,7 +37,7 @@ fn flying(state: &State, is_so: impl Fn(&FlightReport) -> bool) -> Vec<usize> {
 
 /// The connected seats that are so.
 fn seats(state: &State, is_so: impl Fn(&SeatRecord) -> bool) -> Vec<usize> {
-    let seats = state.class.desk().into_iter().flat_map(|desk| desk.seats());
+    let seats = state.class.desk().into_iter().flat_map(Desk::seats);
     let meant = seats
         .enumerate()
         .filter(|(_, seat)| seat.is_here() && is_so(seat));
