@@ -8,7 +8,7 @@ use sortie::app::state::{ClassRole, Room};
 use sortie::class::protocol::{Hello, SeatMessage, VERSION};
 use sortie::class::{
     ConnectionId, Deed, Desk, Entry, FlightReport, Happening, JournalBatch, LastCommand, OrderId,
-    OrderState, Outcome, Refusal, SeatReport, Stage,
+    OrderState, Outcome, Refusal, SeatRecord, SeatReport, Stage,
 };
 use sortie::text::Language;
 
@@ -222,7 +222,7 @@ fn an_order_to_several_seats_has_a_summary() {
 /// The orders so far by their numbers, by seat.
 fn orders_to(console: &Console) -> Vec<OrderId> {
     let desk = console.state().class_role().desk().expect("it is a desk");
-    let orders = desk.seats().iter().flat_map(|seat| seat.orders());
+    let orders = desk.seats().iter().flat_map(SeatRecord::orders);
     orders.map(|given| given.order.id).collect()
 }
 
