@@ -14,6 +14,7 @@ use crate::campaign::{
 use crate::exam_seal::SealCheck;
 use crate::mission::Mission;
 use crate::mission::record::Head;
+use crate::record::InstructorPart;
 use crate::scoring::{MissionFile, ObjectiveReport, Report};
 use crate::text::{Text, rounded};
 
@@ -52,6 +53,8 @@ pub struct ClassFlight {
     pub objectives: Vec<FlownObjective>,
     /// The entry in a career.
     pub flight: CareerFlight,
+    /// What an instructor did in it.
+    pub instructor: InstructorPart,
     /// The seal of the desk, if it is a try of an exam.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub seal: Option<SealCheck>,
@@ -100,6 +103,7 @@ impl ClassFlight {
             has_end: false,
             objectives: objectives.collect(),
             flight,
+            instructor: InstructorPart::default(),
             seal: None,
         }
     }
@@ -144,6 +148,11 @@ impl ClassTrainee {
             }
         }
         names
+    }
+
+    /// The flights in which an instructor flew vehicles, or recalled a situation.
+    pub fn instructed(&self) -> impl Iterator<Item = &ClassFlight> {
+        self.flights.iter().filter(|it| !it.instructor.is_empty())
     }
 
     /// The progress that the handed-in flights show.

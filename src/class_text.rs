@@ -1,9 +1,11 @@
 //! The orders of an instructor's desk and their outcomes, as text.
 
-use crate::class::{Consent, Deed, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal, Words};
+use crate::class::{
+    Consent, Deed, ExamPlan, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal, Words,
+};
 use crate::text;
-use crate::text::Text;
-use crate::vehicle_id::ranges;
+use crate::text::{Language, Text};
+use crate::vehicle_id::{VehicleId, ranges};
 
 /// What an order asks for.
 pub fn deed_text(deed: &Deed) -> Text {
@@ -31,19 +33,11 @@ pub fn deed_text(deed: &Deed) -> Text {
             text!("class-deed-recall", situation = situation.as_str())
         }
         Deed::End => text!("class-deed-end"),
-        Deed::TakeOver { vehicles } if vehicles.is_empty() => text!("class-deed-take-all"),
         Deed::TakeOver { vehicles } => {
-            text!(
-                "class-deed-take",
-                vehicles = ranges(vehicles.iter().copied())
-            )
+            text!("class-deed-take", vehicles = vehicles_text(vehicles))
         }
-        Deed::HandBack { vehicles } if vehicles.is_empty() => text!("class-deed-give-all"),
         Deed::HandBack { vehicles } => {
-            text!(
-                "class-deed-give",
-                vehicles = ranges(vehicles.iter().copied())
-            )
+            text!("class-deed-give", vehicles = vehicles_text(vehicles))
         }
         Deed::Command { line } => text!("class-deed-command", line = line.as_str()),
         Deed::Fly {
@@ -96,15 +90,81 @@ fn step_text(noted: &NotedStep) -> Text {
     }
 }
 
+/// The title of an exam.
+pub fn exam_title(exam: &ExamPlan) -> Text {
+    let ukrainian = exam.title_uk.iter();
+    let others = ukrainian.map(|title| (Language::Ukrainian, title.to_string()));
+    Text::written(exam.title.as_str(), others)
+}
+
+/// What an instructor has done, as a sentence; `None` for orders that are told by their names.
+pub fn done_text(instructor: &str, deed: &Deed) -> Option<Text> {
+    let named = |id: &'static str| Text::new(id, vec![("instructor", instructor.into())]);
+    Some(match deed {
+        Deed::Hint => named("class-did-hint"),
+        Deed::Freeze => named("class-did-freeze"),
+        Deed::Resume => named("class-did-resume"),
+        Deed::End => named("class-did-end"),
+        Deed::Start => named("class-did-start"),
+        Deed::Capture { .. } => named("class-did-capture"),
+        Deed::LookOn => named("class-did-show"),
+        Deed::Fly { mission, .. } => text!(
+            "class-did-fly",
+            instructor = instructor,
+            mission = mission.as_str()
+        ),
+        Deed::Recall { situation } => text!(
+            "class-did-recall",
+            instructor = instructor,
+            situation = situation.as_str()
+        ),
+        Deed::TakeOver { vehicles } => {
+            let vehicles = vehicles_text(vehicles);
+            text!(
+                "class-did-take",
+                instructor = instructor,
+                vehicles = vehicles
+            )
+        }
+        Deed::HandBack { vehicles } => {
+            let vehicles = vehicles_text(vehicles);
+            text!(
+                "class-did-give",
+                instructor = instructor,
+                vehicles = vehicles
+            )
+        }
+        _ => return None,
+    })
+}
+
+/// The numbers of vehicles; without numbers, all are meant.
+pub fn vehicles_text(vehicles: &[VehicleId]) -> Text {
+    if vehicles.is_empty() {
+        text!("class-all-vehicles")
+    } else {
+        ranges(vehicles.iter().copied()).into()
+    }
+}
+
 /// How an order ended, with what the seat has said about it.
 pub fn ended_text(outcome: Outcome, why: Option<&Words>) -> Text {
-    let Some(why) = why.map(|why| Text::verbatim(why.as_str())) else {
-        return outcome_text(outcome);
-    };
-    match outcome {
-        Outcome::Refused(_) => text!("class-refused", reason = why),
-        other => Text::joined(": ", vec![outcome_text(other), why]),
+    match (outcome, why) {
+        (Outcome::Refused(refusal), why) => {
+            text!("class-refused", reason = refusal_of(refusal, why))
+        }
+        (other, None) => outcome_text(other),
+        (other, Some(why)) => {
+            let why = Text::verbatim(why.as_str());
+            Text::joined(": ", vec![outcome_text(other), why])
+        }
     }
+}
+
+/// Why a seat has refused an order: what it has said about it, otherwise the kind of refusal.
+pub fn refusal_of(refusal: Refusal, why: Option<&Words>) -> Text {
+    let said = why.map(|why| Text::verbatim(why.as_str()));
+    said.unwrap_or_else(|| refusal_text(refusal))
 }
 
 /// How an order ended.

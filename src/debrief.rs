@@ -67,6 +67,7 @@ pub struct DebriefCareer {
 pub fn lines_with(report: &Report, career: &DebriefCareer, locale: &Locale) -> Vec<DebriefLine> {
     let mut page = DebriefPage::new(locale);
     page.head(report);
+    page.instructor(report);
     page.objectives(report);
     page.career(&career.changes);
     page.components(report);
@@ -224,6 +225,18 @@ impl DebriefPage<'_> {
         for text in flown_by.into_iter().chain(mission_file) {
             self.wrapped(" ", &text);
         }
+    }
+
+    /// Writes what an instructor did in the flight.
+    fn instructor(&mut self, report: &Report) {
+        if report.instructor.is_empty() {
+            return;
+        }
+        self.heading("debrief-instructor");
+        for act in report.instructor.acts() {
+            self.wrapped("  ", &act.text());
+        }
+        self.gap();
     }
 
     /// Writes the attempt, the cost of hints, and the trainee's prediction and goal from before the launch.

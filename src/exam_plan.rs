@@ -87,6 +87,11 @@ impl ExamFile {
         let about = findings.text(&written.about, written.about_uk.as_ref(), "about_uk");
         let plan = ExamPlan {
             name: name.into(),
+            title: written.title.get_ref().as_str().into(),
+            title_uk: written
+                .title_uk
+                .as_ref()
+                .map(|it| it.get_ref().as_str().into()),
             layout: layout(written.layout.as_ref(), &mut findings),
             opens: moment(written.opens.as_ref(), &mut findings),
             closes: moment(written.closes.as_ref(), &mut findings),

@@ -70,7 +70,7 @@ enum FleetRequest {
     Sticks(VehicleId, Option<HeldChannels>),
     Restarted(VehicleId),
     Copy(VehicleId, oneshot::Sender<Session>),
-    Recall(VehicleId, Box<Session>),
+    Recall(VehicleId, Box<Session>, oneshot::Sender<()>),
     Want(VehicleId, Want),
     Forget(VehicleId),
 }
@@ -225,12 +225,15 @@ impl Fleet {
         copied.await.ok()
     }
 
-    /// Continues an earlier conversation with a vehicle, which then must be as it was.
+    /// Continues an earlier conversation with a vehicle, which then must be as it was. Once this has returned, nothing of
+    /// the later conversation is published any more.
     ///
     /// # Errors
-    /// The hub has ended or cannot keep up; nothing was sent.
-    pub fn recall(&self, vehicle: VehicleId, session: Session) -> Result<(), Unreachable> {
-        self.ask(FleetRequest::Recall(vehicle, Box::new(session)))
+    /// The hub or the vehicle's task has ended or cannot keep up; nothing was sent.
+    pub async fn recall(&self, vehicle: VehicleId, session: Session) -> Result<(), Unreachable> {
+        let (answer, recalled) = oneshot::channel();
+        self.ask(FleetRequest::Recall(vehicle, Box::new(session), answer))?;
+        recalled.await.map_err(|_| Unreachable)
     }
 
     /// Records that a vehicle's autopilot was restarted: its earlier state is void.

@@ -27,6 +27,7 @@ mod desk_line;
 mod flight_log;
 mod foreign_line;
 mod inputs;
+mod instructor;
 mod journal_fit;
 mod line;
 mod mission_clock;
@@ -38,6 +39,7 @@ pub use foreign_line::ForeignLine;
 pub use inputs::{
     Entered, Frames, InputLine, InputLog, InputsHead, StoredInputs, fingerprint, has_fingerprint,
 };
+pub use instructor::{InstructorAct, InstructorPart};
 pub use journal_fit::{JournalFit, JournalNeighbours};
 use line::is_next;
 pub use line::{EntryLine, Happening, JournalLine, LossLine, NoticeLine, PathLine, RowLine};

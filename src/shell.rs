@@ -22,7 +22,7 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use crate::app::effect::{ClassEffect, ProgramAnswer, ProgramFault};
+use crate::app::effect::{ClassEffect, ProgramAnswer, ProgramFault, SituationEffect};
 use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
 use crate::app::state::ClassRole;
@@ -75,7 +75,7 @@ use pace::Pace;
 use session::{RunningSession, SessionEnding, SessionPlan};
 use sight::Sight;
 use signals::Signals;
-use situations::{Situation, SituationWork};
+use situations::Situation;
 
 /// The time between checks for changes by other consoles and commands.
 const LOOK_EVERY: Duration = Duration::from_secs(2);
@@ -180,7 +180,7 @@ struct Console {
     /// The situations of this session, by their places.
     situations: BTreeMap<usize, Situation>,
     /// A situation that is being captured or recalled.
-    situation_work: VecDeque<SituationWork>,
+    situation_work: VecDeque<SituationEffect>,
     /// Whether time is stopped until the trainee leaves the brief.
     awaits_reader: bool,
     /// The outcome of a program's line, until the program is answered.
@@ -276,6 +276,7 @@ impl Console {
         self.take_in().await;
         self.open().await;
         self.restore_drafts();
+        self.list_exams();
         // In reverse order, because the last warning stays on the last line of the screen.
         for warning in std::mem::take(&mut self.warnings).into_iter().rev() {
             self.post(Event::Failed(warning));

@@ -9,6 +9,7 @@ words-class = instructor desk seats trainees lesson
 argument-seat = @seat or @all; by default the watched seat, the marked ones, or the one under the cursor
 argument-hold = the trainee waits in the brief until `class start`
 argument-class-vehicles = vehicles of the seat, such as 1-4,7; all by default
+argument-situation = the name of a situation, or its number
 argument-condition = a condition as in mission files
 
 # Keys on the last line
@@ -50,6 +51,7 @@ class-column-workload = load
 class-column-command = last command
 class-home = not flying
 class-reading = reading
+class-held = brief held
 class-flying = flying
 class-exam = exam
 class-paused = paused
@@ -59,7 +61,9 @@ class-free = free flight
 class-gone = left { $time } ago
 class-silent = silent { $time }
 class-need-collision = collision in { $time }
+class-need-collision-now = too close
 class-need-fence = fence in { $time }
+class-need-fence-now = outside the fence
 class-need-alert = alert { $time }
 class-need-stuck = no command { $time }
 
@@ -78,6 +82,7 @@ class-objective = objective met: { $title }
 class-passed = mission passed, score { $score }
 class-not-passed = mission not passed, score { $score }
 class-situations = situations: { $all }
+class-situation-at = { $seat }: “{ $name }” at { $at }
 class-taken = you fly { $vehicles }
 class-armed-inject = armed: { $name } when { $when }
 class-injects-title = { $seat }: injects
@@ -107,9 +112,7 @@ class-deed-capture = capture the situation
 class-deed-capture-name = capture the situation “{ $name }”
 class-deed-recall = recall the situation “{ $situation }”
 class-deed-take = take over { $vehicles }
-class-deed-take-all = take over all vehicles
 class-deed-give = hand back { $vehicles }
-class-deed-give-all = hand back all vehicles
 class-deed-command = { $line }
 class-deed-fly = fly { $mission }
 class-deed-exam = fly { $mission } as an exam
@@ -148,18 +151,44 @@ class-line-long = the line is longer than 200 characters
 class-which-vehicles = give numbers, such as 1-4,7, or all
 class-say-vehicles = only commands to vehicles are sent to a seat
 class-ask-command = { $line } for { $seats }
+class-did-hint = { $instructor } has given you a hint
+class-did-freeze = { $instructor } has frozen the flight
+class-did-resume = { $instructor } lets the flight go on
+class-did-end = { $instructor } has ended the mission
+class-did-start = { $instructor } has started the mission
+class-did-capture = { $instructor } keeps this situation
+class-did-show = { $instructor } shows a replay
+class-did-fly = { $instructor } has opened { $mission }
+class-did-recall = { $instructor } has returned to the situation “{ $situation }”
+class-did-take = { $instructor } now flies { $vehicles }
+class-did-give = { $instructor } has handed back { $vehicles }
 class-desk-line = { $instructor }: { $deed }: { $outcome }
 class-given = { $deed }: sent to { $seats }
 class-seats = { $count ->
         [one] { $count } seat
        *[other] { $count } seats
     }
+class-call-done = { $count ->
+        [one] { $count } seat done
+       *[other] { $count } seats done
+    }
+class-call-refused = { $count } refused ({ $which }: { $reason })
+class-call-other = { $count } { $state } ({ $which })
 class-all-seats = all seats
 class-no-desk = this console is not the desk of a class: open one with `sortie class open`
 class-unknown-seat = no seat of the class has the name after `@`
 class-no-seat = no connected seat is meant: move the cursor to one, mark some, or name one, such as @anna
 class-ask-end = END MISSION for { $seats }
 class-ask-end-reason = the flights of these trainees end now and are scored
+
+class-quit-taken = the vehicles that you fly go back to their trainees ({ $seats })
+class-quit-frozen = trainees can resume their frozen flights themselves ({ $seats })
+class-quit-held = trainees can start their held missions themselves ({ $seats })
+class-quit-lesson = lessons wait until the desk is open again ({ $seats })
+
+class-ask-recall = RECALL “{ $situation }” for { $seats }
+class-ask-recall-seat = { $seat } goes back to { $at }: { $lost } of the flight are thrown away
+class-ask-recall-practice = what follows is practice, and not recorded
 
 # At a seat
 header-watched = desk: { $instructor }
@@ -244,10 +273,20 @@ class-report-trainee = Class { $class }: { $count } { $count ->
 class-report-of-profiles = Profile: { $profiles }.
 class-report-best = { $mission }: best flight, score { $score } ({ $when })
 
+# What an instructor did in a flight
+class-all-vehicles = all vehicles
+instructor-flew = { $by } flew { $vehicles } from { $from } to { $until }
+instructor-flies = { $by } flew { $vehicles } from { $from } to the end
+instructor-recalled = { $by } returned to the situation “{ $situation }” at { $at }
+class-report-instructed = Flights in which the instructor took part
+class-report-instructor = instructor
+
 # The page with the results
 class-results-title = class { $class }, { $number } of { $count }: { $page }
 class-results-by-mission = Best score and tries per mission
 class-results-none = No trainee has handed in a record yet: a console does so when a flight of a mission ends.
+class-results-no-tries = Records were handed in, but none of them counts: practice, flights by script and invalid exam tries are no results. Let the trainees fly missions of the course, but not as practice.
+class-results-no-skills = No flight that counts has trained a skill yet. Skills are estimated from objectives of the course's missions: let the trainees fly them.
 class-results-reading = The records of the class are being read.
 class-results-met = met by
 class-results-spread = lowest ─ middle half █ ─ highest

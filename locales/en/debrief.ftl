@@ -11,6 +11,7 @@ debrief-energy-unknown = not reported
 
 # Headings stand over columns: at most 36 for the objectives, 13 for the result, 11 for the target,
 # 12 for the components, 6 for weight and value, 8 for points.
+debrief-instructor = INSTRUCTOR
 debrief-objectives = OBJECTIVES
 debrief-result = result
 debrief-target = target

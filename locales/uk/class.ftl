@@ -9,6 +9,7 @@ words-class = інструктор пульт місця курсанти уро
 argument-seat = @місце або @all; без нього — те, за яким спостерігають, позначені або під курсором
 argument-hold = курсант чекає в інструктажі до `class start`
 argument-class-vehicles = апарати місця, наприклад 1-4,7; без них — усі
+argument-situation = назва ситуації або її номер
 argument-condition = умова, як у файлах завдань
 
 # Клавіші в останньому рядку
@@ -50,6 +51,7 @@ class-column-workload = нав.
 class-column-command = остання команда
 class-home = не літає
 class-reading = читає
+class-held = чекає старту
 class-flying = політ
 class-exam = іспит
 class-paused = пауза
@@ -59,7 +61,9 @@ class-free = вільний політ
 class-gone = без зв'язку { $time }
 class-silent = мовчить { $time }
 class-need-collision = зіткнення за { $time }
+class-need-collision-now = надто близько
 class-need-fence = межа за { $time }
+class-need-fence-now = за межею
 class-need-alert = тривога { $time }
 class-need-stuck = без команд { $time }
 
@@ -79,6 +83,7 @@ class-objective = досягнуто мету: { $title }
 class-passed = завдання виконано, бали: { $score }
 class-not-passed = завдання не виконано, бали: { $score }
 class-situations = ситуації: { $all }
+class-situation-at = { $seat }: «{ $name }», { $at }
 class-taken = ви керуєте: { $vehicles }
 class-armed-inject = підготовлено: { $name } за умови { $when }
 class-injects-title = { $seat }: події
@@ -108,9 +113,7 @@ class-deed-capture = збереження ситуації
 class-deed-capture-name = збереження ситуації «{ $name }»
 class-deed-recall = повернення до ситуації «{ $situation }»
 class-deed-take = перейняття керування { $vehicles }
-class-deed-take-all = перейняття керування всіма апаратами
 class-deed-give = повернення керування { $vehicles }
-class-deed-give-all = повернення керування всіма апаратами
 class-deed-command = { $line }
 class-deed-fly = політ { $mission }
 class-deed-exam = іспит { $mission }
@@ -149,18 +152,44 @@ class-line-long = рядок довший за 200 символів
 class-which-vehicles = вкажіть номери, наприклад 1-4,7, або all
 class-say-vehicles = місцю надсилаються лише команди апаратам
 class-ask-command = { $line }: { $seats }
+class-did-hint = { $instructor }: надано підказку
+class-did-freeze = { $instructor }: час польоту зупинено
+class-did-resume = { $instructor }: політ продовжено
+class-did-end = { $instructor }: завдання завершено
+class-did-start = { $instructor }: завдання розпочато
+class-did-capture = { $instructor }: ситуацію збережено
+class-did-show = { $instructor } показує відтворення
+class-did-fly = { $instructor }: відкрито { $mission }
+class-did-recall = { $instructor }: повернення до ситуації «{ $situation }»
+class-did-take = тепер { $instructor } керує { $vehicles }
+class-did-give = { $instructor } більше не керує { $vehicles }
 class-desk-line = { $instructor }: { $deed }: { $outcome }
 class-given = { $deed }: надіслано { $seats }
 class-seats = { $count ->
         [one] { $count } місцю
        *[other] { $count } місцям
     }
+class-call-done = виконано на { $count } { $count ->
+        [one] місці
+       *[other] місцях
+    }
+class-call-refused = відхилено на { $count } ({ $which }: { $reason })
+class-call-other = { $state } на { $count } ({ $which })
 class-all-seats = усі місця
 class-no-desk = ця консоль не є пультом класу: відкрийте його командою `sortie class open`
 class-unknown-seat = у класі немає місця з такою назвою після `@`
 class-no-seat = немає місця на зв'язку: перейдіть до нього курсором, позначте кілька або назвіть одне, наприклад @anna
 class-ask-end = ЗАВЕРШИТИ ЗАВДАННЯ: { $seats }
 class-ask-end-reason = польоти цих курсантів завершаться зараз і будуть оцінені
+
+class-quit-taken = апаратами, якими ви керуєте, знову керуватимуть курсанти ({ $seats })
+class-quit-frozen = зупинені польоти курсанти зможуть продовжити самі ({ $seats })
+class-quit-held = завдання, що чекають старту, курсанти зможуть розпочати самі ({ $seats })
+class-quit-lesson = заняття чекатимуть, доки пульт не відкриють знову ({ $seats })
+
+class-ask-recall = ПОВЕРНУТИ ДО «{ $situation }»: { $seats }
+class-ask-recall-seat = { $seat }: назад до { $at }, { $lost } польоту буде втрачено
+class-ask-recall-practice = далі політ тренувальний і не записується
 
 # На місці курсанта
 header-watched = пульт: { $instructor }
@@ -203,8 +232,8 @@ class-not-kept = запис { $record } від { $user } не збережено
 class-unscored = запис збережено, але оцінити його не можна: { $fault }
 class-submission-unwritable = диск пульта переповнений або недоступний
 class-submission-damaged = його пошкоджено дорогою
-class-submission-share = ваші записи на пульті перевищили б 1 ГіБ
-class-submission-impossible = запису завдання немає, або він більший за 64 МіБ
+class-submission-share = ваші записи на пульті перевищили б 1 GiB
+class-submission-impossible = запису завдання немає, або він більший за 64 MiB
 class-submission-different = пульт зберігає під цією назвою інший запис
 
 # Результати класу
@@ -247,10 +276,20 @@ class-report-trainee = Клас { $class }: здано { $count } { $count ->
 class-report-of-profiles = Профіль: { $profiles }.
 class-report-best = { $mission }: найкращий політ, бали { $score } ({ $when })
 
+# Що інструктор робив у польоті
+class-all-vehicles = усіма апаратами
+instructor-flew = { $by }: керування { $vehicles } з { $from } до { $until }
+instructor-flies = { $by }: керування { $vehicles } з { $from } до кінця
+instructor-recalled = { $by }: повернення до ситуації «{ $situation }» о { $at }
+class-report-instructed = Польоти за участю інструктора
+class-report-instructor = інструктор
+
 # Сторінка результатів
 class-results-title = клас { $class }, { $number } з { $count }: { $page }
 class-results-by-mission = Найкращі бали і спроби за завданнями
 class-results-none = Жоден курсант ще не здав запису: консоль здає його, коли закінчується політ завдання.
+class-results-no-tries = Записи здано, але жоден не зараховано: тренування, польоти скрипту й недійсні спроби іспиту не є результатами. Нехай курсанти виконують завдання курсу, але не як тренування.
+class-results-no-skills = Жоден зарахований політ ще не тренував навичок. Навички оцінюють за цілями завдань курсу: нехай курсанти їх виконують.
 class-results-reading = Записи класу читаються.
 class-results-met = хто досяг
 class-results-spread = найнижчий ─ середина █ ─ найвищий

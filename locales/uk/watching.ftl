@@ -25,8 +25,8 @@ class-flight-more = { $count ->
         [few] ще { $count } цілі
        *[many] ще { $count } цілей
     }
-class-flight-vehicle = { $vehicle } { $mode } { $height } м { $battery } %
-class-flight-elsewhere = на екрані за { $metres } м звідси
+class-flight-vehicle = { $vehicle } { $mode } { $height } m { $battery } %
+class-flight-elsewhere = на екрані за { $metres } m звідси
 class-alert-of = апарат { $vehicle }: { $cause }
 
 # Розбір з усім класом
@@ -35,7 +35,7 @@ class-replay-reading = Польоти зчитуються.
 class-replay-none-beside = { $user } не має іншого зданого польоту завдання { $mission }
 class-replay-before = цей політ ще не почався
 class-replay-over = цей політ уже завершено
-class-replay-figures = { $clock }  висота { $height } м  батарея { $battery } %
+class-replay-figures = { $clock }  висота { $height } m  батарея { $battery } %
 class-replay-met = ✓ { $title }
 class-replay-open = ○ { $title }
 class-replay-bookmark = ◆ { $clock }  { $text }

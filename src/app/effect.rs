@@ -316,17 +316,8 @@ pub enum SessionEffect {
     Speedup(PaceChange),
     /// Give the mission up; its report follows as an event.
     Abandon,
-    /// Keep the situation of the flight in this place, in which another one may be.
-    Capture {
-        id: OrderId,
-        slot: usize,
-    },
-    /// Return to the situation in this place; the line is the last one of the record.
-    Recall {
-        id: OrderId,
-        slot: usize,
-        line: DeskRecord,
-    },
+    /// Keep a situation of the flight, or return to one.
+    Situation(SituationEffect),
     /// End the mission for the instructor, as it stands; its report follows as an event.
     Stop,
     /// Start the same mission again.
@@ -336,6 +327,20 @@ pub enum SessionEffect {
     },
     /// Stop the session and close its links; the state has dropped it already.
     Leave,
+}
+
+/// What the desk wants to be done with a situation of the flight.
+#[derive(Debug, Clone, PartialEq)]
+pub enum SituationEffect {
+    /// Keep the present one in this place, in which another one may be.
+    Capture { id: OrderId, slot: usize },
+    /// Return to the one in this place.
+    Recall {
+        id: OrderId,
+        slot: usize,
+        /// The last line of the record.
+        line: DeskRecord,
+    },
 }
 
 /// Opens or closes a forward to other ground stations.

@@ -24,6 +24,7 @@ use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
 use crate::grading::{GradedFlight, GradedRequest};
+use crate::language::Named;
 use crate::ledger::{ForeignCommand, Risk, RowUpdate};
 use crate::lesson_plan::{Lesson, LessonList};
 use crate::mission::{Area, Listing, Progress};
@@ -32,6 +33,7 @@ use crate::notice::Notice;
 use crate::operator::RehearsalFindings;
 use crate::parameters::ParameterSnapshot;
 use crate::pilot_in_command::Person;
+use crate::record::DeskRecord;
 use crate::review::Review;
 use crate::scoring::{Report, TryReport};
 use crate::session::ListedFolder;
@@ -200,6 +202,8 @@ pub enum SessionEvent {
     Mission(Box<Progress>),
     /// The mission is over.
     MissionEnded(Box<Report>),
+    /// In a replay: an order of an instructor's desk ended.
+    Instructed(Box<DeskRecord>),
     /// The flight continues, frozen, from this earlier state.
     Recalled(Box<FlightSnapshot>),
     /// Another flight of the mission is ready to show beside this one.
@@ -334,6 +338,8 @@ pub enum ExamEvent {
         exam: Result<Box<Exam>, Text>,
         seats: Vec<usize>,
     },
+    /// The exams that can be held, with their titles.
+    Listed(Vec<Named>),
     /// An exam had not ended when the last desk did.
     Found(Box<Exam>),
     /// This many more notes of the exam that began at a time are on disk.

@@ -27,6 +27,7 @@ impl Names for NamesInFiles<'_> {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject
+            | NameList::Situation
             | NameList::Lesson
             | NameList::Exam
             | NameList::Trainee

@@ -228,6 +228,10 @@ fn tell_failure(state: &mut State, row: &RowUpdate) {
     let Some(entry) = state.session.commands.ledger.entry(row.entry) else {
         return;
     };
+    if entry.by.is_some() {
+        // It was not the user who commanded.
+        return;
+    }
     let Some(failed) = entry.rows.iter().find(|it| it.vehicle == row.vehicle) else {
         return;
     };
@@ -271,6 +275,7 @@ fn session(state: &mut State, event: SessionEvent) {
         SessionEvent::Speedup(change) => pace::changed(state, change),
         SessionEvent::Mission(progress) => telemetry::progress(state, *progress),
         SessionEvent::MissionEnded(report) => telemetry::ended(state, report),
+        SessionEvent::Instructed(order) => class::instructed(state, &order),
         SessionEvent::Recalled(flight) => class::recalled(state, *flight),
         SessionEvent::Ghost(other) => ghost::arrived(state, *other),
     }

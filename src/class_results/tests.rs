@@ -35,6 +35,7 @@ fn flight(record: &str, mission: &str, score: u16, shares: &[f64]) -> ClassFligh
             },
         });
     ClassFlight {
+        instructor: InstructorPart::default(),
         seal: None,
         record: record.to_owned(),
         when: "2026-11-20T14:03:22Z".to_owned(),

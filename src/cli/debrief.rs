@@ -59,6 +59,7 @@ pub(super) fn debrief(
         let whose = head.profile.as_deref();
         report.tries = runs.tries_at(whose, &report.mission, report.revision);
     }
+    report.instructor = RecordFiles::beside(&path).instructor();
     store::complete(&mut report, &head.flown().map_err(faulty)?);
     if options.json {
         say!("{}", serde_json::to_string_pretty(&report)?)?;

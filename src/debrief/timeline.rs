@@ -238,7 +238,12 @@ fn event_row(event: &EventReport) -> TimelineRow {
 fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
     let not_taken = |state| matches!(state, RowState::Refused | RowState::TimedOut);
     let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;
-    let words = vec![entry.line.as_str().into(), taken.state.text()];
+    let line = entry.line.as_str();
+    let said = match &entry.by {
+        Some(person) => text!("ledger-by", person = person.name(), line = line),
+        None => line.into(),
+    };
+    let words = vec![said, taken.state.text()];
     Some(TimelineRow {
         at_s: entry.at_s,
         mark: TimelineMark::Command,

@@ -155,7 +155,9 @@ pub(super) async fn run(surroundings: HubSurroundings, mut requests: mpsc::Recei
                 }
                 Some(FleetRequest::Restarted(vehicle)) => hub.pass_on(vehicle, ToVehicle::Restarted),
                 Some(FleetRequest::Copy(vehicle, answer)) => hub.pass_on(vehicle, ToVehicle::Copy(answer)),
-                Some(FleetRequest::Recall(vehicle, session)) => hub.pass_on(vehicle, ToVehicle::Recall(session)),
+                Some(FleetRequest::Recall(vehicle, session, answer)) => {
+                    hub.pass_on(vehicle, ToVehicle::Recall(session, answer));
+                }
                 Some(FleetRequest::Want(vehicle, want)) => hub.want(vehicle, want),
                 Some(FleetRequest::Forget(vehicle)) => hub.forget(vehicle),
                 None => return,

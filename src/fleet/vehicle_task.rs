@@ -42,7 +42,7 @@ pub(super) enum ToVehicle {
     /// Send a copy of the conversation.
     Copy(oneshot::Sender<Session>),
     /// Continue an earlier conversation.
-    Recall(Box<Session>),
+    Recall(Box<Session>, oneshot::Sender<()>),
     /// A vehicle with this system id has appeared on its link.
     NewVehicle(SystemId),
     /// Another ground station is heard on its link.
@@ -151,10 +151,13 @@ impl VehicleTask {
             ToVehicle::Twin => self.session.note_twin(now),
             ToVehicle::Restarted => self.session.restarted(now),
             ToVehicle::Copy(answer) => drop(answer.send(self.session.clone())),
-            ToVehicle::Recall(session) => {
+            ToVehicle::Recall(session, answer) => {
                 self.session = *session;
                 self.backlog.clear();
                 self.route.0.hush(self.session.is_cut());
+                self.publish();
+                // The asker may be gone.
+                let _ = answer.send(());
             }
             ToVehicle::NewVehicle(system) => self.session.hear_new_vehicle(system, now),
             ToVehicle::StationHeard => self.session.station_heard(now),

@@ -31,7 +31,7 @@ impl Argument {
     /// Whether it is a text for people or a name of the user's own, in any language; other words to the end of the line
     /// are files, addresses, times or settings.
     pub(super) fn is_free_text(&self) -> bool {
-        self.kind == Kind::Rest && matches!(self.name, "text" | "name")
+        matches!(self.kind, Kind::Rest | Kind::Proposed(_)) && matches!(self.name, "text" | "name")
     }
 
     /// A value without a keyword.

@@ -28,6 +28,8 @@ pub enum NameList {
     Seat,
     /// The injects that the missions of the seats permit.
     SeatInject,
+    /// The situations of the seats, by number, and by name if it is one word.
+    Situation,
     /// The lessons of the desk; a path is valid, too.
     Lesson,
     /// The exams that the desk can hold; a path is valid, too.
@@ -114,6 +116,7 @@ impl Listed {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject
+            | NameList::Situation
             | NameList::Rubric => words.iter().copied().find(|word| *word == written),
             NameList::Lesson | NameList::Exam if written.contains(['/', '.']) => {
                 return Ok(written.to_owned());

@@ -112,7 +112,7 @@ impl Kind {
             Self::Items => Value::Items(items(text)?),
             Self::PlanCommand => Value::Number(f64::from(plan_command(text)?)),
             Self::PlanField => Value::Word(plan_field(text)?.to_owned()),
-            Self::Rest | Self::PlanFile | Self::Fields => {
+            Self::Rest | Self::Proposed(_) | Self::PlanFile | Self::Fields => {
                 return Ok((Value::Word(first.tail.to_owned()), words.len()));
             }
         };

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::class::{Deed, Outcome, Words};
-use crate::class_text::{deed_text, ended_text};
+use crate::class_text::{deed_text, done_text, ended_text};
 use crate::text;
 use crate::text::Text;
 
@@ -22,8 +22,21 @@ pub struct DeskRecord {
 }
 
 impl DeskRecord {
+    /// Whether it changed who flies, or what was flown before.
+    pub fn changes_flight(&self) -> bool {
+        let changes = matches!(
+            self.deed,
+            Deed::TakeOver { .. } | Deed::HandBack { .. } | Deed::Recall { .. }
+        );
+        changes && self.outcome == Outcome::Done
+    }
+
     /// The order in words.
     pub fn text(&self) -> Text {
+        let done = (self.outcome == Outcome::Done).then(|| done_text(&self.by, &self.deed));
+        if let Some(told) = done.flatten() {
+            return told;
+        }
         text!(
             "class-desk-line",
             instructor = &self.by,

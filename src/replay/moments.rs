@@ -10,7 +10,7 @@ use crate::app::event::{Event, SessionEvent, VehicleEvent};
 use crate::ledger::{RowState, RowUpdate};
 use crate::mission::Progress;
 use crate::moment::{Moment, MomentKind};
-use crate::record::MissionClock;
+use crate::record::{DeskRecord, MissionClock};
 use crate::scoring::{EventKind, Report};
 use crate::text;
 use crate::text::Text;
@@ -80,6 +80,7 @@ impl Lookout {
                 Event::Vehicle(VehicleEvent::Row(row)) => self.judge(row, state),
                 Event::Session(SessionEvent::Mission(progress)) => self.count(now, progress),
                 Event::Session(SessionEvent::MissionEnded(report)) => self.close(report),
+                Event::Session(SessionEvent::Instructed(order)) => self.notice(now, order),
                 Event::Vehicle(
                     VehicleEvent::Parameters { .. }
                     | VehicleEvent::Folder(_)
@@ -236,6 +237,18 @@ impl Lookout {
                 vehicles: Vec::new(),
                 kind: MomentKind::Objective,
                 text: text!("moment-objective", objective = title),
+            });
+        }
+    }
+
+    /// Adds an order of the instructor that changed who flies, or what was flown.
+    fn notice(&mut self, at: Duration, order: &DeskRecord) {
+        if order.changes_flight() {
+            self.add(Moment {
+                at,
+                vehicles: Vec::new(),
+                kind: MomentKind::Event,
+                text: order.text(),
             });
         }
     }

@@ -13,9 +13,8 @@ use crate::ledger::{EntryId, RowUpdate};
 use crate::link::{TlogDamage, TlogPiece, TlogRecord, TlogSalvage};
 use crate::mission::Progress;
 use crate::notice::Notice;
-use crate::record::{EntryLine, Happening, JournalLine, PathLine};
+use crate::record::{EntryLine, Happening, InstructorPart, JournalLine, PathLine};
 use crate::text::Text;
-use crate::vehicle::Severity;
 
 mod actor;
 mod mission;
@@ -276,8 +275,7 @@ impl Stage {
                 }
                 Happening::Notice(notice) => events.push(notice.notice(line.at()).into()),
                 Happening::Desk(order) => {
-                    let notice = Notice::general(line.at(), Severity::Notice, order.text());
-                    events.push(notice.into());
+                    events.push(SessionEvent::Instructed(Box::new(order.clone())).into());
                 }
                 Happening::Mission { ms } => {
                     let elapsed = Duration::from_millis(*ms);
@@ -320,7 +318,12 @@ impl Stage {
         let has_ended = mission.flight.flight().is_over() || is_left;
         if has_ended && !self.cast.is_over {
             self.cast.is_over = true;
-            let report = mission.flight.report();
+            let mut report = mission.flight.report();
+            report.instructor = self
+                .film
+                .journal()
+                .map(InstructorPart::of)
+                .unwrap_or_default();
             events.push(SessionEvent::MissionEnded(Box::new(report)).into());
         }
         events

@@ -115,6 +115,9 @@ impl MarkdownPage<'_> {
         );
         self.words.push('\n');
         self.item(&self.locale.text(&mission));
+        for act in report.instructor.acts() {
+            self.item(&self.locale.text(&act.text()));
+        }
         if let Some(trainee) = trainee {
             let trainee = text!("review-trainee", name = trainee);
             self.item(&self.locale.text(&trainee));

@@ -10,6 +10,8 @@ use super::{
     WorkloadReport,
 };
 use crate::ledger::RowState;
+use crate::pilot_in_command::Person;
+use crate::record::InstructorPart;
 use crate::text::{Text, rounded};
 
 mod kind;
@@ -95,6 +97,9 @@ pub struct Report {
     pub workload: WorkloadReport,
     /// The true state of the world, for the map of the debrief.
     pub truth: TruthReport,
+    /// What an instructor did in the flight, from its journal; set by the shell.
+    #[serde(default, skip_serializing_if = "InstructorPart::is_empty")]
+    pub instructor: InstructorPart,
     /// The drill for the mission, if there is one; set by the shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drill: Option<String>,
@@ -148,6 +153,9 @@ pub struct LedgerReport {
     pub at_s: f64,
     /// The line as typed.
     pub line: String,
+    /// Who gave it, if that was not the trainee.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub by: Option<Person>,
     /// The result for each vehicle.
     pub rows: Vec<RowReport>,
 }

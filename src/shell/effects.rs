@@ -3,7 +3,6 @@
 use super::Console;
 use super::begin::parse;
 use super::session::SessionPlan;
-use super::situations::SituationWork;
 use crate::app::effect::{Effect, ForwardChange, SessionEffect, TerminalEffect};
 use crate::app::event::Event;
 use crate::notice::sanitised;
@@ -115,12 +114,8 @@ impl Console {
                 self.set_speedup(change);
                 Ok(())
             }
-            SessionEffect::Capture { id, slot } => {
-                self.begin_situation(SituationWork::Capture { id, slot });
-                Ok(())
-            }
-            SessionEffect::Recall { id, slot, line } => {
-                self.begin_situation(SituationWork::Recall { id, slot, line });
+            SessionEffect::Situation(work) => {
+                self.begin_situation(work);
                 Ok(())
             }
             SessionEffect::Abandon => {

@@ -8,24 +8,10 @@ use std::time::Duration;
 use super::Console;
 use super::session::SessionSituation;
 use crate::app::FlightSnapshot;
+use crate::app::effect::SituationEffect;
 use crate::app::event::{ClassEvent, SessionEvent};
-use crate::class::{OrderId, Refusal};
+use crate::class::Refusal;
 use crate::record::{DeskRecord, Happening};
-
-/// What is to be done at the end of the next tick.
-#[derive(Debug)]
-pub(super) enum SituationWork {
-    Capture {
-        id: OrderId,
-        slot: usize,
-    },
-    Recall {
-        id: OrderId,
-        slot: usize,
-        /// The last line of the record.
-        line: DeskRecord,
-    },
-}
 
 /// A situation of the whole console.
 pub(super) struct Situation {
@@ -37,13 +23,13 @@ pub(super) struct Situation {
 
 impl Console {
     /// Stops everything, so that what is on the way can arrive.
-    pub(super) fn begin_situation(&mut self, work: SituationWork) {
+    pub(super) fn begin_situation(&mut self, work: SituationEffect) {
         match &work {
-            SituationWork::Capture { .. } => {
+            SituationEffect::Capture { .. } => {
                 self.running.iter().for_each(|running| running.hold(true));
                 self.clock.stop();
             }
-            SituationWork::Recall { .. } => self.pause(),
+            SituationEffect::Recall { .. } => self.pause(),
         }
         self.situation_work.push_back(work);
     }
@@ -53,8 +39,8 @@ impl Console {
         let mut was_recalled = false;
         while let Some(work) = self.situation_work.pop_front() {
             let (id, refusal) = match work {
-                SituationWork::Capture { id, slot } => (id, self.capture(slot).await.err()),
-                SituationWork::Recall { id, slot, line } => {
+                SituationEffect::Capture { id, slot } => (id, self.capture(slot).await.err()),
+                SituationEffect::Recall { id, slot, line } => {
                     was_recalled = true;
                     (id, self.recall(slot, line).await.err())
                 }
@@ -87,7 +73,7 @@ impl Console {
         running.note_down(now, Happening::Desk(line));
         let record = running.leave_for(&situation.session).await;
         self.clock.go_back(situation.at);
-        let notice = running.recall(&situation.session, situation.at);
+        let notice = running.recall(&situation.session, situation.at).await;
         let shown = situation.shown.clone();
         self.next_look = situation.at;
         self.post(SessionEvent::Recalled(Box::new(shown)));

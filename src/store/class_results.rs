@@ -75,6 +75,7 @@ pub fn class_flight(
         seal: check_seal(&kept.files, own_key).or_else(|| is_try.then(SealCheck::missing)),
         has_pause: stored.has_pauses(),
         has_end: stored.end().is_some(),
+        instructor: kept.files.instructor(),
         ..flight
     })
 }

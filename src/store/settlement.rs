@@ -23,7 +23,7 @@ use crate::campaign::{
 };
 use crate::mission::Mission;
 use crate::mission::record::{Head, Stored};
-use crate::record::StoredInputs;
+use crate::record::{InstructorPart, StoredInputs};
 use crate::scoring::Report;
 use crate::text;
 use crate::text::Text;
@@ -56,6 +56,7 @@ impl RunEntry {
             flight: CareerFlight::of(mission, report, landing.stake, day_of(landing.when)),
             // The shell's additions apply only when the report is shown.
             report: Report {
+                instructor: InstructorPart::default(),
                 drill: None,
                 tries: Vec::new(),
                 wall_time_s: None,

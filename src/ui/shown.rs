@@ -6,8 +6,8 @@ use ratatui::layout::Rect;
 
 use super::{Hits, Look, Panel, Role, ascii, picture, screen, underline, widget};
 use crate::app::State;
-use crate::app::room::class::DeskPage;
-use crate::app::state::{Room, is_too_small};
+use crate::app::room::class::is_for_class;
+use crate::app::state::is_too_small;
 use crate::class::Picture;
 use crate::config::Symbols;
 use crate::ui::widget::{put, row_of, upper};
@@ -36,13 +36,4 @@ pub fn shown_to_class(state: &State, look: &Look, (columns, rows): (u16, u16)) -
         ascii::map(&mut buffer);
     }
     Some(picture(&buffer))
-}
-
-/// Whether the room on the screen is about the replayed flight: the board and the grades are for the instructor only.
-fn is_for_class(state: &State) -> bool {
-    match state.room() {
-        Room::Class => matches!(state.rooms().class().page(), DeskPage::Replay(_)),
-        Room::Home | Room::Standing | Room::Workshop => false,
-        _ => true,
-    }
 }

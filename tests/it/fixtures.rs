@@ -8,6 +8,7 @@ use sortie::mission::{
     Cell, ClueProgress, Listing, Mission, ObjectiveProgress, ObjectiveState, Phase, Pledge,
     Progress, Reading,
 };
+use sortie::record::InstructorPart;
 use sortie::scoring::{
     Component, ComponentReport, EventKind, EventReport, FlightBackend, FlightOutcome, FlownBy,
     MissionFile, ObjectiveReport, Report, ScoreGrade, SwarmFigures, TruthReport, WorkloadReport,
@@ -295,6 +296,7 @@ pub fn report() -> Report {
         swarm: SwarmFigures::default(),
         workload: WorkloadReport::default(),
         truth: TruthReport::default(),
+        instructor: InstructorPart::default(),
         drill: None,
         tries: Vec::new(),
         wall_time_s: None,

@@ -304,7 +304,7 @@ fn an_instructor_sees_a_trainee_and_sends_a_message() {
     desk.see("done");
     desk.press("f").see("frozen");
     seat.see("FROZEN");
-    desk.press("q");
+    desk.press("q").see("frozen flights").press("y");
     assert_eq!(desk.end(), 0);
     seat.command("continue").see_no_more("FROZEN");
 }

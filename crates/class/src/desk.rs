@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use super::call::{CallEnd, Calls};
 use super::protocol::{Denial, Hello, SeatMessage, VERSION};
 use super::{
     Attention, Deed, Exam, Insight, Need, OrderId, PicturePart, Piece, Presence, SeatRecord,
@@ -41,6 +42,7 @@ pub struct Desk {
     class: Words,
     pub(super) seats: Vec<SeatRecord>,
     orders: u32,
+    calls: Calls,
     watching: Watching,
     /// Whether the desk shows something to the class.
     is_showing: bool,
@@ -55,6 +57,7 @@ impl Desk {
             class,
             seats: Vec::new(),
             orders: 0,
+            calls: Calls::default(),
             watching: Watching::Nothing,
             is_showing: false,
             exam: None,
@@ -264,9 +267,18 @@ impl Desk {
         self.is_showing
     }
 
-    /// Gives an order to a seat.
-    pub fn give(&mut self, seat: usize, deed: Deed, now: Duration) {
-        self.order(seat, deed, now);
+    /// Gives an order to seats.
+    pub fn give(&mut self, seats: &[usize], deed: &Deed, now: Duration) {
+        let orders: Vec<(usize, OrderId)> = seats
+            .iter()
+            .map(|&seat| (seat, self.order(seat, deed.clone(), now)))
+            .collect();
+        self.calls.begin(deed.clone(), orders.into_iter());
+    }
+
+    /// How orders have ended that no seat keeps waiting: each once, and again when a seat has said more.
+    pub fn take_ended_calls(&mut self) -> Vec<CallEnd> {
+        self.calls.take_ended(&self.seats)
     }
 
     /// Gives an order to a seat; returns its identity.

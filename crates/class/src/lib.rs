@@ -26,6 +26,7 @@
 
 #![warn(missing_docs)]
 
+mod call;
 mod conduct;
 mod desk;
 mod desk_line;
@@ -50,6 +51,7 @@ mod words;
 #[cfg(test)]
 mod tests;
 
+pub use call::{CallEnd, SeatEnd};
 pub use conduct::{LessonDirection, LessonFault};
 pub use desk::{ConnectionId, Desk, DeskHeard, SEATS};
 pub use desk_line::DeskLine;
@@ -74,7 +76,8 @@ pub use reception::{
     Held, Receipt, ReceiptNews, Reception, RecordShelf, ShelfFault, TRAINEE_SHARE,
 };
 pub use report::{
-    ArmedInject, Danger, DangerKind, FlightReport, LastCommand, OfferedInject, SeatReport, Stage,
+    ArmedInject, CapturedSituation, Danger, DangerKind, FlightReport, LastCommand, OfferedInject,
+    SeatReport, Stage,
 };
 pub use seat::{Consent, Seat};
 pub use seat_line::{HEAD_EVERY, REPORT_EVERY, SeatLine, SeatSource};

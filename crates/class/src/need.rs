@@ -182,7 +182,13 @@ mod tests {
 
     #[test]
     fn nobody_needs_help_while_time_stands() {
-        for stage in [Stage::Reading, Stage::Paused, Stage::Frozen, Stage::Over] {
+        for stage in [
+            Stage::Reading,
+            Stage::Held,
+            Stage::Paused,
+            Stage::Frozen,
+            Stage::Over,
+        ] {
             let flight = FlightReport {
                 stage,
                 ..danger(0.0)

@@ -69,10 +69,34 @@ pub struct FlightReport {
     pub armed: Vec<ArmedInject>,
     /// The situations that were captured, in the order of their numbers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub situations: Vec<Words>,
+    pub situations: Vec<CapturedSituation>,
     /// The vehicles that the instructor flies.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub taken: Vec<u16>,
+}
+
+impl FlightReport {
+    /// The situation that is meant by its name, or by its number from 1.
+    pub fn situation(&self, wanted: &Words) -> Option<&CapturedSituation> {
+        let all = &self.situations;
+        let named = all.iter().find(|it| it.name == *wanted);
+        named.or_else(|| {
+            let number: usize = wanted.as_str().parse().ok()?;
+            all.get(number.checked_sub(1)?)
+        })
+    }
+}
+
+/// A situation of a flight that was captured.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CapturedSituation {
+    /// Its name in orders: its number, unless the instructor has given it one.
+    pub name: Words,
+    /// Whether the instructor has named it.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub is_named: bool,
+    /// The time of the flight then, as in its [report](FlightReport::clock_s).
+    pub clock_s: f64,
 }
 
 /// An inject that a mission permits.
@@ -100,6 +124,8 @@ pub enum Stage {
     /// The trainee reads the brief, or the vehicles are starting.
     #[default]
     Reading,
+    /// The trainee reads the brief, and the desk starts the mission.
+    Held,
     /// The time of the flight passes.
     Flying,
     /// The trainee has paused the flight.

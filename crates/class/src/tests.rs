@@ -185,7 +185,7 @@ fn an_order_to_a_seat_that_is_gone_is_not_sent_after_ten_seconds() {
     let mut desk = desk();
     joined(&mut desk, 1, "anna", 10);
     desk.leave(ConnectionId(1), seconds(1));
-    desk.give(0, Deed::Freeze, seconds(2));
+    desk.give(&[0], &Deed::Freeze, seconds(2));
     assert!(!desk.expire(seconds(11)));
     assert!(desk.expire(seconds(12)));
     joined(&mut desk, 2, "anna", 10);
@@ -276,18 +276,18 @@ fn a_trainee_looks_on_at_what_the_desk_shows_until_either_ends_it() {
     run(&mut rig, 10);
     // Nothing comes before the seat has carried out the order.
     assert_eq!(rig.seat.shown(), None);
-    rig.desk.give(0, Deed::LookOn, rig.now);
+    rig.desk.give(&[0], &Deed::LookOn, rig.now);
     run(&mut rig, 10);
     assert_eq!(rig.seat.shown(), Some(&Picture::blank(4, 1)));
     // Another order for those who came late leaves the picture to those who look on.
-    rig.desk.give(0, Deed::LookOn, rig.now);
+    rig.desk.give(&[0], &Deed::LookOn, rig.now);
     run(&mut rig, 2);
     assert!(rig.seat.shown().is_some());
     run(&mut rig, 10);
     rig.seat.look_on(false);
     run(&mut rig, 10);
     assert!(!rig.desk.seats()[0].looks_on());
-    rig.desk.give(0, Deed::LookOn, rig.now);
+    rig.desk.give(&[0], &Deed::LookOn, rig.now);
     run(&mut rig, 10);
     assert!(rig.seat.shown().is_some());
     rig.desk.show(false);
@@ -388,7 +388,7 @@ proptest! {
             }
             if count % 3 == 0 && !rig.desk.seats().is_empty() {
                 let now = rig.now;
-                rig.desk.give(0, Deed::Hint, now);
+                rig.desk.give(&[0], &Deed::Hint, now);
             }
             rig.step();
         }

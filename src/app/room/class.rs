@@ -13,10 +13,11 @@ use crossterm::event::KeyCode;
 use crate::app::State;
 use crate::app::action::{Action, ClassAction, Step};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Meaning, Press, does, key, writes};
-use crate::app::room::{Answer, RoomModel, RoomRequest};
+use crate::app::room::{Answer, Room, RoomModel, RoomRequest};
 use crate::class::Desk;
 use crate::class_results::{ClassResults, FoundFlights};
 use crate::grading::GradedRequest;
+use crate::language::Named;
 
 mod grading;
 mod hints;
@@ -55,6 +56,8 @@ pub struct ClassRoom {
     pub(in crate::app) detail: BoardDetail,
     /// The lessons of the desk.
     pub(in crate::app) lessons: Lessons,
+    /// The exams that the desk can hold; `None` until they are read.
+    pub(in crate::app) exams: Option<Vec<Named>>,
     /// The results of the class; `None` until the records are read.
     pub(in crate::app) results: Option<Arc<ClassResults>>,
     /// The flight that was asked for to be graded.
@@ -131,6 +134,15 @@ pub fn addressed(state: &State) -> Vec<usize> {
         room.cursor.into_iter().collect()
     } else {
         room.marked.iter().copied().collect()
+    }
+}
+
+/// Whether the room on the screen is about the replayed flight: the board and the grades are for the instructor only.
+pub fn is_for_class(state: &State) -> bool {
+    match state.room {
+        Room::Class => matches!(state.rooms.class.page, DeskPage::Replay(_)),
+        Room::Home | Room::Standing | Room::Workshop => false,
+        _ => true,
     }
 }
 

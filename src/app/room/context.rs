@@ -35,10 +35,12 @@ impl Names for Known<'_> {
             | NameList::Macro
             | NameList::PlanFile
             | NameList::Seat
-            | NameList::SeatInject => self.0.listed(list),
+            | NameList::SeatInject
+            | NameList::Situation => self.0.listed(list),
             NameList::Lesson => lessons(self.0),
             NameList::Trainee => trainees(self.0),
-            NameList::Exam | NameList::Rubric => Listed::Anything,
+            NameList::Exam => exams(self.0),
+            NameList::Rubric => Listed::Anything,
         }
     }
 
@@ -84,6 +86,17 @@ fn lessons(state: &State) -> Listed {
         meaning: text!("class-lesson-has-faults"),
     });
     Listed::Names(good.chain(faulty).collect())
+}
+
+/// The exams of the desk; before they are read, any name will do.
+fn exams(state: &State) -> Listed {
+    if state.class.desk().is_none() {
+        return Listed::Nothing(text!("class-no-desk"));
+    }
+    let Some(listed) = &state.rooms.class.exams else {
+        return Listed::Anything;
+    };
+    Listed::Names(listed.clone())
 }
 
 fn drafts(state: &State) -> Listed {

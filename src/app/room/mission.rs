@@ -81,6 +81,16 @@ const READING_HINTS: &[KeyHint] = &[
     footer_keys::MISSION_HINT,
 ];
 
+/// The key hints while the desk of a class holds the brief.
+const HELD_HINTS: &[KeyHint] = &[
+    footer_keys::BACK,
+    footer_keys::SCROLL,
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+    footer_keys::PREDICT,
+    footer_keys::GOAL,
+];
+
 const FLIGHT_HINTS: &[KeyHint] = &[
     footer_keys::COMMAND,
     footer_keys::HELP,
@@ -110,6 +120,7 @@ impl RoomModel for Mission {
 
     fn hints(state: &State) -> &'static [KeyHint] {
         match state.session.activity {
+            Some(_) if state.holds_brief().is_some() => HELD_HINTS,
             Some(_) if state.session.is_reading() => READING_HINTS,
             Some(_) => FLIGHT_HINTS,
             None => BRIEF_HINTS,

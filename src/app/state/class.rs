@@ -48,14 +48,10 @@ pub struct SeatPlace {
     pub(in crate::app) flights: u32,
     /// Whether the mission of this flight is over and was passed.
     pub(in crate::app) has_passed: bool,
-    /// The entries of the ledger that the desk has caused, which are no commands of the trainee.
-    pub(in crate::app) desk_entries: BTreeSet<EntryId>,
     /// The room that was shown before the trainee looked on at what the desk shows.
     pub(in crate::app) looked_from: Option<Room>,
     /// Whether the desk has frozen the flight.
     pub(in crate::app) is_frozen: bool,
-    /// The person at the desk, once that person has taken over vehicles of this flight.
-    pub(in crate::app) desk_pilot: Option<Person>,
     /// The flight whose brief is held until the desk starts the mission.
     pub(in crate::app) held: Option<HeldBrief>,
     /// When the desk last said something, by the wall clock.
@@ -108,7 +104,12 @@ pub(in crate::app) struct ArmedOrder {
 /// A situation that was captured, as far as the class knows it.
 #[derive(Debug, Clone)]
 pub(in crate::app) struct SeatSituation {
+    /// Its name; its number if the instructor has not named it.
     pub name: Words,
+    /// Whether the instructor has named it.
+    pub is_named: bool,
+    /// The time of the flight.
+    pub at: Duration,
     /// The injects that waited for their conditions.
     pub armed: Vec<ArmedOrder>,
 }
@@ -168,10 +169,8 @@ impl SeatPlace {
             tries: BTreeSet::new(),
             flights: 0,
             has_passed: false,
-            desk_entries: BTreeSet::new(),
             looked_from: None,
             is_frozen: false,
-            desk_pilot: None,
             held: None,
             heard_at: Duration::ZERO,
             looked_at: Duration::ZERO,
@@ -184,6 +183,11 @@ impl SeatPlace {
     /// The seat's journal and connection.
     pub fn seat(&self) -> &Seat {
         &self.seat
+    }
+
+    /// The instructor at the desk, also of one that is gone.
+    pub(in crate::app) fn instructor(&self) -> Option<Person> {
+        self.seat.last_instructor().map(Person::named)
     }
 
     /// Whether the desk has said something lately: one that has not holds neither the flight nor its vehicles.
@@ -213,7 +217,6 @@ impl SeatPlace {
         match what {
             Happening::Started { ref mission } => {
                 self.is_frozen = false;
-                self.desk_pilot = None;
                 self.situations.clear();
                 // A flight is never hidden by what the desk shows.
                 self.seat.look_on(false);
@@ -232,7 +235,6 @@ impl SeatPlace {
                     .filter(is_same)
                     .map(|it| HeldBrief { flight, ..it });
                 self.has_passed = false;
-                self.desk_entries.clear();
                 self.danger = None;
                 self.least_separation_m = None;
                 self.failures = 0;
@@ -319,6 +321,19 @@ impl<R> State<R> {
         }
     }
 
+    /// At the desk: the names of seats; their number if there are many.
+    pub(in crate::app) fn seat_names(&self, seats: &[usize]) -> Text {
+        let known = self.class.desk().map_or(&[][..], Desk::seats);
+        match seats.len() {
+            0..=4 => {
+                let names = seats.iter().filter_map(|&seat| known.get(seat));
+                let names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
+                names.join(", ").into()
+            }
+            count => text!("class-seats", count = count),
+        }
+    }
+
     /// The try of an exam that is flown and not over.
     pub fn shown_try(&self) -> Option<ShownTry<'_>> {
         let open = self.class.seat()?.open_try()?;
@@ -332,8 +347,8 @@ impl<R> State<R> {
     /// Why the trainee cannot leave the class while the instructor flies vehicles; they go back without the desk.
     pub fn keeps_vehicles(&self) -> Option<Text> {
         let place = self.class.seat()?;
-        let pilot = place.desk_pilot.as_ref()?;
-        let vehicles = self.session.pilots.flown_by(pilot);
+        let pilot = place.instructor()?;
+        let vehicles = self.session.pilots.flown_by(&pilot);
         let is_held = !vehicles.is_empty() && place.hears_desk(self.wall);
         is_held.then(|| {
             let vehicles = ranges(vehicles);

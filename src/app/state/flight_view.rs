@@ -17,6 +17,7 @@ use crate::ledger::{LedgerEntry, LedgerRow};
 use crate::mission::Stake;
 use crate::operator::RehearsalFindings;
 use crate::pilot_in_command::PilotsInCommand;
+use crate::record::{DeskRecord, InstructorPart};
 use crate::swarm::Path;
 use crate::text;
 use crate::text::Text;
@@ -49,6 +50,8 @@ pub struct FlightView {
     pub(in crate::app) commands: SessionLedger,
     /// Who flies the vehicles.
     pub(in crate::app) pilots: PilotsInCommand,
+    /// What an instructor did in this flight.
+    pub(in crate::app) instructor: InstructorPart,
     pub(in crate::app) connections: Connections,
     /// The processes that simulate the vehicles, if any.
     pub(in crate::app) hangar: Option<Hangar>,
@@ -92,6 +95,13 @@ impl FlightView {
     /// Who flies the vehicles.
     pub fn pilots(&self) -> &PilotsInCommand {
         &self.pilots
+    }
+
+    /// Notes an order of an instructor that has just ended.
+    pub(in crate::app) fn note_instructor(&mut self, line: &DeskRecord, at: Duration) {
+        let progress = self.task.progress.as_ref();
+        let elapsed = progress.map_or_else(|| self.time(at), |it| it.elapsed);
+        self.instructor.add(elapsed, line);
     }
 
     /// The planned paths of vehicles in a joint manoeuvre.

@@ -9,7 +9,7 @@ use crate::app::room_list::Room;
 use crate::class::SeatRecord;
 use crate::language::{Listed, NameList, Named, Names};
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, clock_s};
 
 impl<R: fmt::Debug> Names for State<R> {
     fn listed(&self, list: NameList) -> Listed {
@@ -31,6 +31,7 @@ impl<R: fmt::Debug> Names for State<R> {
             NameList::PlanFile => Listed::Names(self.typing.plan_files()),
             NameList::Seat => self.seats(),
             NameList::SeatInject => self.seat_injects(),
+            NameList::Situation => self.seat_situations(),
             NameList::Macro => {
                 let macros = self.config.macros.iter();
                 let meaning = |lines: &[String]| Text::verbatim(lines.join("; "));
@@ -49,12 +50,8 @@ impl<R> State<R> {
         let Some(desk) = self.class.desk() else {
             return Listed::Nothing(text!("class-no-desk"));
         };
-        let trainee = |seat: &SeatRecord| {
-            let report = seat.report.as_ref();
-            report.map_or_else(String::new, |report| report.trainee.to_string())
-        };
         let seats = desk.seats().iter();
-        let seats = seats.map(|seat| named(&format!("@{}", seat.name), trainee(seat).into()));
+        let seats = seats.map(|seat| named(&format!("@{}", seat.name), seated(seat)));
         let all = named("@all", text!("class-all-seats"));
         Listed::Names(std::iter::once(all).chain(seats).collect())
     }
@@ -77,6 +74,35 @@ impl<R> State<R> {
         Listed::Names(titles.into_iter().map(named).collect())
     }
 
+    /// The situations of all connected seats: which of them a line means is known only at its end.
+    fn seat_situations(&self) -> Listed {
+        let Some(desk) = self.class.desk() else {
+            return Listed::Nothing(text!("class-no-desk"));
+        };
+        let here = desk.seats().iter().filter(|seat| seat.is_here());
+        let mut names: BTreeMap<String, Text> = BTreeMap::new();
+        for seat in here {
+            let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
+            let situations = flight.map_or(&[][..], |it| &it.situations);
+            for (number, it) in (1..).zip(situations) {
+                let at = text!(
+                    "class-situation-at",
+                    seat = seat.name.as_str(),
+                    name = it.name.as_str(),
+                    at = clock_s(it.clock_s)
+                );
+                // A name of several words cannot be completed word by word.
+                let is_word = it.is_named && !it.name.as_str().contains(char::is_whitespace);
+                let name = is_word.then(|| it.name.to_string());
+                names.insert(name.unwrap_or_else(|| number.to_string()), at);
+            }
+        }
+        let named = names
+            .into_iter()
+            .map(|(name, meaning)| named(&name, meaning));
+        Listed::Names(named.collect())
+    }
+
     fn injects(&self) -> Listed {
         let Some(mission) = &self.session.task.progress else {
             return Listed::Nothing(text!("console-no-mission"));
@@ -91,6 +117,25 @@ impl<R> State<R> {
                 .collect(),
         )
     }
+}
+
+/// Who sits at a seat, and what is flown there.
+fn seated(seat: &SeatRecord) -> Text {
+    let Some(report) = &seat.report else {
+        return Text::default();
+    };
+    let trainee = report.trainee.as_str();
+    let flown = match &report.flight {
+        Some(flight) => flight.mission.as_ref(),
+        None => return joined(trainee, text!("class-home")),
+    };
+    let mission = flown.map(|id| Text::verbatim(id.as_str()));
+    joined(trainee, mission.unwrap_or_else(|| text!("class-free")))
+}
+
+fn joined(trainee: &str, flown: Text) -> Text {
+    let trainee = Some(Text::verbatim(trainee)).filter(|_| !trainee.is_empty());
+    Text::joined(": ", trainee.into_iter().chain([flown]).collect())
 }
 
 fn named(name: &str, meaning: Text) -> Named {

@@ -7,6 +7,7 @@ use super::sticks::StickMode;
 use crate::app::effect::Effect;
 use crate::app::room_list::Room;
 use crate::class::Deed;
+use crate::class_results::FoundFlights;
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
 use crate::language::Completion;
@@ -196,6 +197,7 @@ impl Confirm {
             | Consequence::JoinClass
             | Consequence::EndExam
             | Consequence::EndExamAndQuit
+            | Consequence::ReplayHandedIn(_)
             | Consequence::Instruct { .. }
             | Consequence::CloseDraft => self.answer.as_str().into(),
         }
@@ -222,6 +224,8 @@ pub enum Consequence {
     EndExam,
     /// End the exam of the class, and the program.
     EndExamAndQuit,
+    /// Replay a flight that was handed in.
+    ReplayHandedIn(FoundFlights),
     /// Give an order to these seats of the class.
     Instruct {
         seats: Vec<usize>,

@@ -4,7 +4,8 @@ use std::time::Duration;
 
 use super::{Activity, ClassRole, SeatPlace, State};
 use crate::class::{
-    ArmedInject, FlightReport, FlownTry, LastCommand, OfferedInject, SeatReport, Stage,
+    ArmedInject, CapturedSituation, FlightReport, FlownTry, LastCommand, OfferedInject, SeatReport,
+    Stage,
 };
 use crate::ledger::LedgerEntry;
 use crate::mission::{ObjectiveState, Progress, Stake};
@@ -52,6 +53,7 @@ impl<R> State<R> {
             .map(|(_, standing)| standing.since)
             .min();
         let place = self.class.seat();
+        let own_commands = || session.ledger().own_entries().rev();
         FlightReport {
             mission: session
                 .task
@@ -76,8 +78,8 @@ impl<R> State<R> {
             danger: place.and_then(|place| place.danger),
             failures: place.map_or(0, |place| place.failures),
             least_separation_m: place.and_then(|place| place.least_separation_m),
-            workload_percent: Some(workload_percent(self.own_commands(), self.now)),
-            last_command: self.own_commands().next().map(|entry| LastCommand {
+            workload_percent: Some(workload_percent(own_commands(), self.now)),
+            last_command: own_commands().next().map(|entry| LastCommand {
                 line: entry.line.as_str().into(),
                 age_s: seconds(self.now.saturating_sub(entry.at)),
             }),
@@ -85,29 +87,25 @@ impl<R> State<R> {
             injects: progress.map_or_else(Vec::new, |it| offered(it, self.locale())),
             armed: place.map_or_else(Vec::new, armed),
             situations: place.map_or_else(Vec::new, |place| {
-                let names = place.situations.iter().map(|it| it.name.clone());
-                names.collect()
+                let captured = place.situations.iter().map(|it| CapturedSituation {
+                    name: it.name.clone(),
+                    is_named: it.is_named,
+                    clock_s: seconds(it.at),
+                });
+                captured.collect()
             }),
             taken: place
-                .and_then(|place| place.desk_pilot.as_ref())
-                .map_or_else(Vec::new, |pilot| session.pilots.flown_by(pilot)),
+                .and_then(SeatPlace::instructor)
+                .map_or_else(Vec::new, |pilot| session.pilots.flown_by(&pilot)),
         }
-    }
-
-    /// The trainee's commands, newest first: without those that the desk has caused.
-    fn own_commands(&self) -> impl Iterator<Item = &LedgerEntry> {
-        let place = self.class.seat();
-        let by_desk = move |entry: &LedgerEntry| {
-            place.is_some_and(|place| place.desk_entries.contains(&entry.id))
-        };
-        let entries = self.session.ledger().entries().rev();
-        entries.filter(move |entry| !by_desk(entry))
     }
 
     fn stage(&self) -> Stage {
         let session = &self.session;
         if session.task.over {
             Stage::Over
+        } else if self.holds_brief().is_some() {
+            Stage::Held
         } else if session.is_starting() || session.is_reading() {
             Stage::Reading
         } else if session.is_paused() && self.class.is_frozen() {

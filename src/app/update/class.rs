@@ -4,7 +4,8 @@
 //! - At a seat: `witness` finds what happened in an event, `orders` carries out what the desk asks for.
 //! - After a flight: `hand_in`, the records that a seat hands in.
 //! - What the desk shows to the class: `showing`, at the desk and at a seat.
-//! - At the desk: `desk` takes in what seats say, and gives orders; `lessons` gives them by a plan; `exams` holds an
+//! - At the desk: `desk` takes in what seats say, and gives orders; `calls` tells how they ended, `closing` what
+//!   the end of the desk means; `lessons` gives them by a plan; `exams` holds an
 //!   exam; `grading` is the instructor's judgement of a flight.
 
 use crate::app::State;
@@ -19,6 +20,8 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
+mod calls;
+mod closing;
 mod desk;
 mod exams;
 mod grading;
@@ -28,10 +31,11 @@ mod orders;
 mod showing;
 mod witness;
 
+pub use closing::left_behind;
 pub use desk::instruct;
 pub use exams::end_at_desk as end_exam;
-pub use orders::recalled;
-pub use showing::look_away;
+pub use orders::{instructed, recalled};
+pub use showing::{look_away, replay_found};
 pub use witness::witnessed;
 
 /// The interval between searches for dangers, in milliseconds.
@@ -188,10 +192,8 @@ pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: 
         ClassRole::None | ClassRole::Desk(_) => return,
         ClassRole::Seat(_) => {}
     }
-    let place = state.class.seat();
-    let by_desk = |entry| place.is_some_and(|place| place.desk_entries.contains(entry));
     let commands = effects.iter().filter_map(|effect| match effect {
-        Effect::Order { order, entry } if !by_desk(entry) => Some(Happening::Command {
+        Effect::Order { order, .. } if order.by.is_none() => Some(Happening::Command {
             line: order.given().line.into(),
         }),
         _ => None,
@@ -289,7 +291,7 @@ pub fn carry_out(state: &mut State, line: ClassLine) -> Result<Effects, Text> {
         ClassLine::Direct { seats, direction } => lessons::direct(state, &seats, direction),
         ClassLine::Examine { seats, exam } => exams::begin(state, &seats, exam),
         ClassLine::StopExam => exams::stop(state),
-        ClassLine::Injects => desk::show_injects(state),
+        ClassLine::Injects(seat) => desk::show_injects(state, &seat),
         ClassLine::Results => desk::show_results(state),
         ClassLine::Grading(line) => grading::carry_out(state, line),
         ClassLine::Watch(choice) => desk::watch(state, &choice),

@@ -37,6 +37,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
             class::instruct(state, &seats, &deed);
             Effects::none()
         }
+        Consequence::ReplayHandedIn(found) => class::replay_found(state, found),
         Consequence::Parameters(settings) => batch::begin(state, settings),
         Consequence::Design(design) => {
             workshop::lay(state, design);
@@ -69,8 +70,7 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Bookmark(_)
         | SessionEffect::Ghost(_)
         | SessionEffect::Abandon
-        | SessionEffect::Capture { .. }
-        | SessionEffect::Recall { .. }
+        | SessionEffect::Situation(_)
         | SessionEffect::Stop => {}
     }
 }

@@ -1,11 +1,12 @@
 //! The end of a session or of the program, after a question if something would be lost.
 
-use super::consequence;
 use super::loss::loss;
+use super::{class, consequence};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
 use crate::app::room;
 use crate::app::state::Consequence;
+use crate::class_text::exam_title;
 use crate::text;
 use crate::text::Text;
 
@@ -23,10 +24,17 @@ pub fn quit(state: &mut State) -> Effects {
         let reason = text!("grading-ask-quit-reason", count = ungraded);
         return ask(state, text!("ask-quit"), reason, Effect::Quit);
     }
+    let of_class = class::left_behind(state);
     if let Some(exam) = open_exam(state) {
-        let reason = text!("class-exam-ask-quit-reason", exam = exam);
+        let exam = text!("class-exam-ask-quit-reason", exam = exam);
+        let reason = Text::joined("; ", std::iter::once(exam).chain(of_class).collect());
         state.ask(text!("ask-quit"), reason, Consequence::EndExamAndQuit);
         return Effects::none();
+    }
+    if !of_class.is_empty() {
+        let reasons = loss(state).into_iter().chain(of_class).collect();
+        let reason = Text::joined("; ", reasons);
+        return ask(state, text!("ask-quit"), reason, Effect::Quit);
     }
     if loss(state).is_none() && !room::workshop::is_saved(state) {
         let name = state.rooms.workshop.bench.design().name.clone();
@@ -41,10 +49,10 @@ pub fn quit(state: &mut State) -> Effects {
 }
 
 /// The name of the exam that the desk holds, if it has not ended.
-fn open_exam(state: &State) -> Option<String> {
+fn open_exam(state: &State) -> Option<Text> {
     let exam = state.class.desk()?.exam()?;
     let is_open = exam.has_begun() && !exam.is_stopped();
-    is_open.then(|| exam.plan().name.to_string())
+    is_open.then(|| exam_title(exam.plan()))
 }
 
 /// Carries out an effect that ends the session; asks first if something would be lost.

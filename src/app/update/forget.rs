@@ -14,7 +14,7 @@ use crate::vehicle_id::ranges;
 ///
 /// # Errors
 /// The session is not connected to running vehicles (simulated ones would appear again), no chosen
-/// vehicle is known, one is still heard, or no link is lost.
+/// vehicle is known, one is still heard or flown by somebody else, or no link is lost.
 pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effects, Text> {
     if !matches!(state.session.activity, Some(Activity::Connected { .. })) {
         return Err(text!("forget-not-here"));
@@ -38,6 +38,12 @@ pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effec
     });
     if !heard.is_empty() {
         return Err(text!("forget-heard", vehicles = ranges(heard)));
+    }
+    let taken = ids
+        .iter()
+        .find_map(|&id| state.session.pilots.refusal(id, None));
+    if let Some(reason) = taken {
+        return Err(reason);
     }
     for &id in &ids {
         state.session.forget(id, state.now);

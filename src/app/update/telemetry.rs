@@ -271,7 +271,11 @@ fn note_height(session: &mut FlightView, elapsed: Duration) {
 
 /// Stores the debrief and, except in a replay, shows it. An open command line stays on top;
 /// otherwise the rest of a line being typed would act on the debrief.
-pub fn ended(state: &mut State, report: Box<Report>) {
+pub fn ended(state: &mut State, mut report: Box<Report>) {
+    // That of a replay is from the record.
+    if state.replay.is_none() {
+        report.instructor = state.session.instructor.clone();
+    }
     if !report.tries.is_empty() {
         let tries = report.tries.clone();
         state.training.tries.insert(report.mission.clone(), tries);
@@ -314,6 +318,8 @@ pub fn failed(state: &mut State, text: Text) {
         let notice = Notice::general(state.now, Severity::Error, text.clone());
         state.notices.push(notice);
     }
+    // A replay that could not be opened is not expected any more.
+    state.rooms.class.replay_asked = None;
     if let Some(Overlay::Prompt(prompt)) = &mut state.overlay {
         prompt.fault = Some(text);
     } else {

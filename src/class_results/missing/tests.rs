@@ -26,6 +26,8 @@ fn asked(number: u32) -> ExamDeed {
 fn exam(deeds: Vec<ExamDeed>) -> Exam {
     let plan = ExamPlan {
         name: "final".into(),
+        title: "Final exam".into(),
+        title_uk: None,
         layout: ExamLayout::Own,
         opens: None,
         closes: None,

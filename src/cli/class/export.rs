@@ -167,6 +167,11 @@ fn markdown(class: &ReadClass, trainee: &ClassTrainee) -> String {
         words(text!("progress-skills")),
         progress::skills(&progress, locale).markdown(),
     );
+    let instructed = tables::instructed(std::slice::from_ref(trainee), locale);
+    if !instructed.is_empty() {
+        let heading = words(text!("class-report-instructed"));
+        text += &["\n## ", &heading, "\n\n", &instructed.markdown()].concat();
+    }
     let mut missing = class.missing.clone();
     missing.retain(|it| it.user == trainee.user);
     let exams = tables::exams(std::slice::from_ref(trainee), &missing, locale);

@@ -7,11 +7,12 @@ use serde::Serialize;
 
 use super::results::ReadClass;
 use super::tables;
-use crate::class_results::{ClassResults, TryWithoutRecord};
+use crate::class_results::{ClassResults, ClassTrainee, TryWithoutRecord};
 use crate::cli::Failure;
 use crate::cli::settings::CliSettings;
 use crate::cli::table::TextTable;
 use crate::exam_seal::SealCheck;
+use crate::record::InstructorAct;
 use crate::text;
 use crate::text::{Locale, Text};
 
@@ -34,10 +35,35 @@ struct ClassDocument<'a> {
     class: &'a str,
     #[serde(flatten)]
     results: &'a ClassResults,
+    /// The flights in which an instructor flew vehicles, or recalled a situation.
+    instructed: Vec<InstructedFlight<'a>>,
     /// The tries of exams.
     exams: Vec<&'a SealCheck>,
     /// The tries of exams of which no record was handed in.
     missing: &'a [TryWithoutRecord],
+}
+
+/// A flight of a trainee, and what an instructor did in it.
+#[derive(Serialize)]
+struct InstructedFlight<'a> {
+    user: &'a str,
+    mission: &'a str,
+    record: &'a str,
+    acts: &'a [InstructorAct],
+}
+
+fn instructed(trainees: &[ClassTrainee]) -> Vec<InstructedFlight<'_>> {
+    let flights = trainees
+        .iter()
+        .flat_map(|trainee| trainee.instructed().map(move |flight| (trainee, flight)));
+    flights
+        .map(|(trainee, flight)| InstructedFlight {
+            user: &trainee.user,
+            mission: &flight.flight.mission,
+            record: &flight.record,
+            acts: flight.instructor.acts(),
+        })
+        .collect()
 }
 
 pub(super) fn report(
@@ -50,6 +76,7 @@ pub(super) fn report(
         let document = ClassDocument {
             class: &class.name,
             results: &results,
+            instructed: instructed(&class.trainees),
             exams: class
                 .trainees
                 .iter()
@@ -71,7 +98,12 @@ pub(super) fn report(
         text!("class-report-exams"),
         tables::exams(&class.trainees, &class.missing, locale),
     );
-    for (heading, table) in sections(&results, locale).into_iter().chain([exams]) {
+    let instructed = (
+        text!("class-report-instructed"),
+        tables::instructed(&class.trainees, locale),
+    );
+    let sections = sections(&results, locale).into_iter();
+    for (heading, table) in sections.chain([instructed, exams]) {
         if !table.is_empty() {
             let heading = locale.text(&heading);
             say!("\n{heading}\n{}", table.plain().trim_end())?;

@@ -194,6 +194,30 @@ pub(super) fn exams(
     table
 }
 
+/// A row for each flight in which an instructor flew vehicles, or recalled a situation.
+pub(super) fn instructed(trainees: &[ClassTrainee], locale: &Locale) -> TextTable {
+    let columns = [
+        (text!("progress-trainee"), Side::Left),
+        (text!("progress-mission"), Side::Left),
+        (text!("class-report-began"), Side::Left),
+        (text!("class-report-instructor"), Side::Left),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for trainee in trainees {
+        for flight in trainee.instructed() {
+            let acts = flight.instructor.acts().iter();
+            let acts: Vec<String> = acts.map(|act| locale.text(&act.text())).collect();
+            table.push(vec![
+                trainee.user.clone(),
+                flight.flight.mission.clone(),
+                minute(&flight.when),
+                acts.join("; "),
+            ]);
+        }
+    }
+    table
+}
+
 /// A time in UTC to the minute: `2026-11-20T14:03:22Z` becomes `2026-11-20 14:03`.
 fn minute(when: &str) -> String {
     when.get(..16).unwrap_or(when).replace('T', " ")

@@ -55,6 +55,8 @@ pub enum Kind {
     Sort,
     /// The rest of the line, as typed.
     Rest,
+    /// The rest of the line, as typed; the names of a list are proposed.
+    Proposed(NameList),
     /// The fields of a message, `NAME=VALUE`: the rest of the line, as typed.
     Fields,
     /// The file of a plan: the rest of the line, as typed.

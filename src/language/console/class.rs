@@ -10,8 +10,8 @@ pub enum ClassLine {
     Join,
     /// At a seat: leave it.
     Leave,
-    /// At the desk: show the injects that the mission of the seat under the cursor permits.
-    Injects,
+    /// At the desk: show the injects that the mission of a seat permits.
+    Injects(SeatChoice),
     /// At the desk: show the results of the class, or their next page.
     Results,
     /// At the desk: grade a flight.

@@ -33,7 +33,7 @@ impl Kind {
                 .collect(),
             Self::MavCommand => mav_commands(),
             Self::Parameter => parameters(context),
-            Self::Name(list) => listed(list, context),
+            Self::Name(list) | Self::Proposed(list) => listed(list, context),
             Self::Group => context
                 .groups
                 .iter()

@@ -26,7 +26,7 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class freeze @all",
         "class resume",
         "class inject gust when t > 60",
-        "class injects",
+        "class injects @anna",
         "class disarm",
         "class capture before the turn",
         "class recall 1",
@@ -78,8 +78,8 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
                 instruct(given, Deed::Inject { name, when })
             },
         ),
-        Form::new(&[Argument::flag("injects", "")], |_| {
-            console(ConsoleLine::Class(ClassLine::Injects))
+        Form::new(&[Argument::flag("injects", ""), SEAT], |given| {
+            console(ConsoleLine::Class(ClassLine::Injects(seats(given))))
         }),
         Form::new(
             &[Argument::flag("disarm", ""), SEAT, INJECT.optional()],
@@ -186,7 +186,7 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
             &[Argument::flag("capture", ""), SEAT, TEXT.optional()],
             |given| give(given, |text| Deed::Capture { name: text.into() }),
         ),
-        Form::new(&[Argument::flag("recall", ""), SEAT, TEXT], |given| {
+        Form::new(&[Argument::flag("recall", ""), SEAT, SITUATION], |given| {
             give(given, |text| Deed::Recall {
                 situation: text.into(),
             })
@@ -224,6 +224,11 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
 const SEAT: Argument =
     Argument::value("@seat", Kind::Name(NameList::Seat), "argument-seat").optional();
 const TEXT: Argument = Argument::value("text", Kind::Rest, "");
+const SITUATION: Argument = Argument::value(
+    "text",
+    Kind::Proposed(NameList::Situation),
+    "argument-situation",
+);
 const VEHICLES: Argument = Argument::value("vehicles", Kind::Vehicles, "argument-class-vehicles");
 const INJECT: Argument = Argument::value("name", Kind::Name(NameList::SeatInject), "");
 const CONDITION: Argument =

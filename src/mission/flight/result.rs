@@ -3,6 +3,7 @@
 use super::{Flight, ObjectiveScene};
 use crate::ledger::{Ledger, LedgerEntry};
 use crate::mission::Clue;
+use crate::record::InstructorPart;
 use crate::scoring::{
     AlertReport, CommandTally, ComponentReport, Facts, FlightBackend, FlightOutcome, HintReport,
     LedgerReport, ObjectiveFact, ObjectiveReport, Report, RowReport, Score, ScoreGrade, UseReport,
@@ -111,6 +112,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         swarm: flight.swarm.figures(&flight.crafts, flight.elapsed),
         workload: flight.swarm.workload(),
         truth: flight.truth_report(),
+        instructor: InstructorPart::default(),
         drill: None,
         tries: Vec::new(),
         gold_missing: score.gold_missing,
@@ -186,6 +188,7 @@ fn command(at_s: f64, entry: &LedgerEntry) -> LedgerReport {
     LedgerReport {
         at_s: rounded(at_s, 1),
         line: entry.line.clone(),
+        by: entry.by.clone(),
         rows: entry.rows.iter().map(row).collect(),
     }
 }

@@ -9,8 +9,9 @@ use crate::app::event::{ClassEvent, ExamEvent};
 use crate::class::{Exam, ExamDeed, ExamNote, ExamSecret, RecordHead};
 use crate::diagnostic::first_shown;
 use crate::exam_plan::ExamFile;
+use crate::language::Named;
 use crate::shell::{Console, RunningSession};
-use crate::store;
+use crate::store::{self, Source};
 use crate::text;
 use crate::text::Text;
 
@@ -33,6 +34,23 @@ impl Console {
             None => Err(text!("class-exam-no-folder")),
         };
         self.post(ClassEvent::Exam(ExamEvent::Read { name, exam, seats }));
+    }
+
+    /// At a desk: lists the exams that can be held.
+    pub(in crate::shell) fn list_exams(&mut self) {
+        if self.app.state().class_role().desk().is_none() {
+            return;
+        }
+        let course = store::course();
+        let named = |source: &Source| {
+            // The desk that begins one shows its faults.
+            let read = ExamFile::parse(source.stem(), &source.text, &course);
+            let meaning = read.map_or_else(|_| text!("class-lesson-has-faults"), |it| it.title);
+            let name = source.stem().to_owned();
+            Named { name, meaning }
+        };
+        let exams = store::exams().iter().map(named).collect();
+        self.post(ClassEvent::Exam(ExamEvent::Listed(exams)));
     }
 
     /// How far the record of the mission in flight has grown.

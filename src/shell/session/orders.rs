@@ -29,7 +29,11 @@ impl RunningSession {
             pilots: shown.pilots(),
             flight: self.mission_run.as_mut().map(MissionRun::flight_mut),
         };
-        let work = self.operator.carry_out(entry, order, scene);
+        let mut work = self.operator.carry_out(entry, order, scene);
+        if order.by.is_some() {
+            // Another person learns it from the rows of the ledger.
+            work.retain(|it| !matches!(it, Dispatch::Refused(_)));
+        }
         self.dispatch(work, now)
     }
 

@@ -66,9 +66,11 @@ impl RunningSession {
     }
 
     /// Continues from a situation, with its world and on its clock, which stands at `now`; returns the mission's notice.
-    pub fn recall(&mut self, situation: &SessionSituation, now: Duration) -> Option<Notice> {
+    pub async fn recall(&mut self, situation: &SessionSituation, now: Duration) -> Option<Notice> {
+        self.rehearsals.drop_late();
         for it in &situation.sessions {
-            if self.fleet.recall(it.vehicle, it.session.clone()).is_err() {
+            let recalled = self.fleet.recall(it.vehicle, it.session.clone()).await;
+            if recalled.is_err() {
                 tracing::warn!("vehicle {}: its situation was not recalled", it.vehicle);
             }
         }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::undeletable;
 use crate::mission::record::{End as RunEnd, Head as RunHead};
-use crate::record::{Happening, Head, Journal, JournalLine};
+use crate::record::{Happening, Head, InstructorPart, Journal, JournalLine};
 use crate::store::append::is_written;
 use crate::store::names::unread;
 use crate::store::signature::signature_of;
@@ -128,6 +128,12 @@ impl RecordFiles {
             .and_then(|file| file.take(LARGEST_JOURNAL).read_to_end(&mut bytes))
             .map_err(|error| unread(path, &error))?;
         Journal::read(&String::from_utf8_lossy(&bytes)).map(Some)
+    }
+
+    /// What the record's journal says about an instructor; nothing without a journal that can be read.
+    pub fn instructor(&self) -> InstructorPart {
+        let journal = self.read_journal().ok().flatten();
+        journal.as_ref().map(InstructorPart::of).unwrap_or_default()
     }
 
     /// Whether a console is still writing the record.

@@ -11,6 +11,7 @@ use crate::class::{
 use crate::exam_seal::FlownAgain;
 use crate::mission::fake::Pilot;
 use crate::mission::record::Occasion;
+use crate::record::InstructorPart;
 use crate::scoring::{FlightBackend, FlownBy};
 use crate::store::hashes::sha256_of_nothing;
 use crate::text;
@@ -205,6 +206,8 @@ struct Flown {
 fn exam() -> Exam {
     let plan = ExamPlan {
         name: "final".into(),
+        title: "Final exam".into(),
+        title_uk: None,
         layout: ExamLayout::Own,
         opens: None,
         closes: None,
@@ -300,6 +303,7 @@ impl Flown {
                 has_end: true,
                 objectives: Vec::new(),
                 flight: entry(),
+                instructor: InstructorPart::default(),
                 seal: None,
             },
             seen: SeenRecord {

@@ -16,6 +16,7 @@ use crate::app::room::class::{BoardDetail, DeskPage};
 use crate::app::state::SeatPlace;
 use crate::class::Desk;
 use crate::class_text::seat_text;
+use crate::text::lasting;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{put, wrap};
@@ -97,10 +98,5 @@ fn seconds(seconds: f64) -> Duration {
 
 /// An age: `34 s`, or `2:05` from two minutes on.
 fn age(age_s: f64) -> String {
-    let seconds = seconds(age_s).as_secs();
-    if seconds < 120 {
-        format!("{seconds} s")
-    } else {
-        format!("{}:{:02}", seconds / 60, seconds % 60)
-    }
+    lasting(seconds(age_s))
 }

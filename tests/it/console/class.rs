@@ -111,6 +111,14 @@ fn pass(console: &mut Console, seconds: u64) {
     console.hear(Event::Tick { now, wall: now });
 }
 
+/// Lets time pass until no message is on the last line, while the desk is there.
+fn quiet(console: &mut Console) {
+    for _ in 0..3 {
+        pass(console, 8);
+        console.hear(ClassEvent::Said(DeskMessage::Here));
+    }
+}
+
 fn opened_try() -> ExamTry {
     ExamTry {
         name: TryName {
@@ -290,7 +298,7 @@ fn a_frozen_flight_is_not_resumed_by_the_trainee_while_the_desk_is_there() {
         Effect::Class(ClassEffect::Note(line)) => Some(line.text().to_string()),
         _ => None,
     });
-    assert_eq!(line.collect::<Vec<_>>(), ["petro: freeze: done"]);
+    assert_eq!(line.collect::<Vec<_>>(), ["petro has frozen the flight"]);
     assert!(console.screen(120, 40).contains("FROZEN"));
     let stage = |console: &Console| console.state().seat_report(false).flight.map(|it| it.stage);
     assert_eq!(stage(&console), Some(Stage::Frozen));

@@ -4,8 +4,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::conduct::{CandidateSight, Exam, ExamMove};
-use super::{Candidate, CandidateStage, ExamDeed, ExamNote, TryHead};
-use crate::{Deed, Desk, OrderState, SeatRecord, Words};
+use super::{Candidate, CandidateStage, ExamDeed, ExamNote, ExamPlan, TryHead};
+use crate::{Deed, Desk, OrderState, SeatRecord};
 
 impl Desk {
     /// Holds an exam, which is new or was found in its notes; not while another one is held. Returns whether it does.
@@ -57,12 +57,12 @@ impl Desk {
         true
     }
 
-    /// Ends the exam: no try is opened any more. Flights go on. Returns its name; `None` without one.
-    pub fn stop_exam(&mut self, now: Duration) -> Option<Words> {
+    /// Ends the exam: no try is opened any more. Flights go on. Returns its plan; `None` without one.
+    pub fn stop_exam(&mut self, now: Duration) -> Option<&ExamPlan> {
         let exam = self.exam.as_mut().filter(|it| !it.is_stopped)?;
         let at = exam.at(now);
         exam.note(at, ExamDeed::Stopped);
-        Some(exam.plan.name.clone())
+        Some(&exam.plan)
     }
 
     /// Goes on with the exam of all trainees; returns whether anything has changed.

@@ -9,6 +9,10 @@ use crate::Words;
 pub struct ExamPlan {
     /// The name by which the exam is begun.
     pub name: Words,
+    /// Its title in English.
+    pub title: Words,
+    /// Its title in Ukrainian, if the file has one.
+    pub title_uk: Option<Words>,
     /// Whether all trainees get the same seeds.
     pub layout: ExamLayout,
     /// When the first try may be opened, in seconds since 1970 (UTC); at once without it.

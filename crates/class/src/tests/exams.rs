@@ -7,6 +7,7 @@ use std::time::Duration;
 use proptest::prelude::*;
 use sha2::{Digest as _, Sha256};
 
+use super::rig::end_order;
 use super::{desk, joined, report, seconds};
 use crate::protocol::SeatMessage;
 use crate::*;
@@ -28,6 +29,8 @@ fn mission(id: &str, tries: u32) -> ExamMission {
 fn plan(layout: ExamLayout) -> Arc<ExamPlan> {
     Arc::new(ExamPlan {
         name: "final".into(),
+        title: "Final exam".into(),
+        title_uk: None,
         layout,
         opens: Some(EPOCH + 10),
         closes: Some(EPOCH + 1000),
@@ -136,16 +139,7 @@ impl Hall {
     /// The seat answers the newest order.
     fn answer(&mut self, outcome: Outcome) {
         let order = self.desk.seats()[0].orders().next_back().expect("an order");
-        let Order { id, deed } = order.order.clone();
-        self.journal.note(
-            None,
-            Happening::Order {
-                id,
-                deed,
-                outcome,
-                why: None,
-            },
-        );
+        end_order(&mut self.journal, order.order.clone(), outcome);
         let batch = self.journal.from(self.journal.last()).expect("an entry");
         self.hear(SeatMessage::Entries(batch));
         self.until(self.at + 1);
@@ -385,7 +379,10 @@ fn a_desk_holds_one_exam_at_a_time() {
     let mut hall = Hall::flying();
     assert!(!hall.desk.hold(exam(ExamLayout::Own, 2)));
     let stopped = hall.desk.stop_exam(seconds(hall.at));
-    assert_eq!(stopped, Some("final".into()));
+    assert_eq!(
+        stopped.map(|plan| plan.name.to_string()),
+        Some("final".to_owned())
+    );
     assert_eq!(hall.candidate().stage(), CandidateStage::Closed);
     assert_eq!(hall.desk.stop_exam(seconds(hall.at)), None);
     assert!(hall.desk.hold(exam(ExamLayout::Own, 2)));

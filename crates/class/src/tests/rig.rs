@@ -33,6 +33,20 @@ pub(super) fn fates() -> impl Strategy<Value = Vec<Fate>> {
     prop::collection::vec(fate, 0..200)
 }
 
+/// Notes in the journal of a seat how an order has ended.
+pub(super) fn end_order(journal: &mut Journal, Order { id, deed }: Order, outcome: Outcome) {
+    let why = None;
+    journal.note(
+        None,
+        Happening::Order {
+            id,
+            deed,
+            outcome,
+            why,
+        },
+    );
+}
+
 /// A desk and a seat, and a connection between them with faults.
 pub(super) struct Rig {
     pub desk: Desk,

@@ -41,6 +41,14 @@ impl ResultsPage {
         }
     }
 
+    /// The message that says why the page has no rows although records were handed in.
+    pub fn why_empty(self) -> &'static str {
+        match self {
+            Self::Objectives | Self::Missions | Self::ByMission => "class-results-no-tries",
+            Self::Skills | Self::BySkill => "class-results-no-skills",
+        }
+    }
+
     /// Its number, from 1.
     pub fn number(self) -> usize {
         self as usize + 1

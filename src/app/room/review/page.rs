@@ -116,6 +116,9 @@ impl Page<'_> {
             score = report.score
         );
         self.text.say(Tone::Plain, &result);
+        for act in report.instructor.acts() {
+            self.text.say(Tone::Plain, &act.text());
+        }
         for objective in &report.objectives {
             let (tone, lead) = if objective.met {
                 (Tone::Met, "[x] ")

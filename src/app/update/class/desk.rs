@@ -1,6 +1,7 @@
 //! The instructor's desk: what seats say, and orders to them.
 
 use super::super::show::show;
+use super::calls;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::room::class::{
@@ -8,12 +9,12 @@ use crate::app::room::class::{
 };
 use crate::app::state::{Consequence, Room};
 use crate::class::protocol::{Denial, SeatMessage};
-use crate::class::{ConnectionId, Deed, Desk, DeskHeard, GivenOrder, OrderState, SeatRecord};
-use crate::class_text::{deed_text, ended_text};
+use crate::class::{ConnectionId, Deed, Desk, DeskHeard, SeatRecord, Words};
+use crate::class_text::deed_text;
 use crate::language::{self, Meaning, SeatChoice};
 use crate::mission::check_condition;
 use crate::text;
-use crate::text::Text;
+use crate::text::{Text, clock_s};
 use crate::vehicle::Severity;
 use crate::verb::{Danger, Verb};
 
@@ -25,29 +26,11 @@ pub fn heard(
     message: SeatMessage,
 ) -> Effects {
     let wall = state.wall;
-    let watched = state.rooms.class.page().seat();
     let Some(desk) = state.class.desk_mut() else {
         return Effects::none();
     };
-    let before = newest_order(desk, watched);
     let outcome = desk.hear(connection, user, message, wall);
-    let ended =
-        newest_order(desk, watched).filter(|now| before.as_ref().is_some_and(|it| it != now));
-    if let Some(GivenOrder {
-        order,
-        state: OrderState::Ended(outcome),
-        why,
-        ..
-    }) = ended
-    {
-        let outcome = ended_text(outcome, why.as_ref());
-        let text = text!(
-            "class-order",
-            deed = deed_text(&order.deed),
-            state = outcome
-        );
-        state.say(Severity::Notice, text);
-    }
+    calls::tell(state);
     class::keep_cursor(state);
     match outcome {
         Ok(DeskHeard::Known) => Effects::none(),
@@ -63,12 +46,6 @@ pub fn heard(
         }
         Err(denial) => Effects::from(Effect::Class(ClassEffect::Deny { connection, denial })),
     }
-}
-
-/// The newest order to the watched seat: its outcome is not below the board then.
-fn newest_order(desk: &Desk, watched: Option<usize>) -> Option<GivenOrder> {
-    let seat = desk.seats().get(watched?)?;
-    seat.orders().next_back().cloned()
 }
 
 /// The notes that the desk has made, to be kept.
@@ -103,6 +80,7 @@ pub fn tick(state: &mut State) {
     }
     if state.class.desk_mut().is_some_and(|desk| desk.expire(wall)) {
         state.touch();
+        calls::tell(state);
     }
 }
 
@@ -136,13 +114,15 @@ pub fn give(state: &mut State, choice: &SeatChoice, deed: Deed) -> Result<Effect
 /// # Errors
 /// A line for vehicles is not one.
 fn question(state: &State, seats: &[usize], deed: &Deed) -> Result<Option<(Text, Text)>, Text> {
-    let names = || names(state, seats);
+    let names = || state.seat_names(seats);
     if deed.is_final() {
         let question = text!("class-ask-end", seats = names());
         return Ok(Some((question, text!("class-ask-end-reason"))));
     }
-    let Deed::Command { line } = deed else {
-        return Ok(None);
+    let line = match deed {
+        Deed::Recall { situation } => return Ok(recall_question(state, seats, situation)),
+        Deed::Command { line } => line,
+        _ => return Ok(None),
     };
     let ask = |verb: &Verb| {
         let question = text!(
@@ -164,6 +144,39 @@ fn question(state: &State, seats: &[usize], deed: &Deed) -> Result<Option<(Text,
         return Err(text!("class-say-vehicles"));
     }
     Ok(ask(read.verb))
+}
+
+/// What is asked before seats return to a situation: how much of each flight is thrown away. `None` if no seat has it.
+fn recall_question(state: &State, seats: &[usize], wanted: &Words) -> Option<(Text, Text)> {
+    let known = state.class.desk().map_or(&[][..], Desk::seats);
+    let (mut back, mut losses) = (Vec::new(), Vec::new());
+    for &seat in seats {
+        let Some(known) = known.get(seat) else {
+            continue;
+        };
+        let flight = known.report.as_ref().and_then(|it| it.flight.as_ref());
+        let situation = flight.and_then(|flight| Some((flight, flight.situation(wanted)?)));
+        if let Some((flight, situation)) = situation {
+            back.push(seat);
+            losses.push(text!(
+                "class-ask-recall-seat",
+                seat = known.name.as_str(),
+                at = clock_s(situation.clock_s),
+                lost = clock_s(flight.clock_s - situation.clock_s)
+            ));
+        }
+    }
+    if back.is_empty() {
+        return None;
+    }
+    let question = text!(
+        "class-ask-recall",
+        situation = wanted.as_str(),
+        seats = state.seat_names(&back)
+    );
+    let practice = text!("class-ask-recall-practice");
+    let reasons = losses.into_iter().chain([practice]).collect();
+    Some((question, Text::joined("; ", reasons)))
 }
 
 /// The connected seats that are meant.
@@ -255,13 +268,22 @@ pub fn show_state(state: &mut State) -> Result<Effects, Text> {
     Ok(Effects::none())
 }
 
-/// Shows the injects of the seat under the cursor instead of what happened there, or beside its screen.
+/// Shows the injects of a seat, by default the one under the cursor, instead of what happened there, or beside its
+/// screen.
 ///
 /// # Errors
-/// This console is no desk.
-pub fn show_injects(state: &mut State) -> Result<Effects, Text> {
-    state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+/// This console is no desk, or no seat is meant.
+pub fn show_injects(state: &mut State, choice: &SeatChoice) -> Result<Effects, Text> {
+    let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
+    let meant = match choice {
+        SeatChoice::Addressed => None,
+        named => Some(connected(state, desk, named)?[0]),
+    };
     show(state, Room::Class);
+    if meant.is_some() && meant != state.rooms.class.page().seat() {
+        class::show_page(state, DeskPage::Board);
+        state.rooms.class.cursor = meant;
+    }
     if let Some(page) = state.rooms.class.screen_mut() {
         page.beside = BesideScreen::Injects;
         return Ok(Effects::none());
@@ -290,30 +312,15 @@ pub fn show_results(state: &mut State) -> Result<Effects, Text> {
 pub fn instruct(state: &mut State, seats: &[usize], deed: &Deed) {
     let wall = state.wall;
     if let Some(desk) = state.class.desk_mut() {
-        for &seat in seats {
-            desk.give(seat, deed.clone(), wall);
-        }
+        desk.give(seats, deed, wall);
     }
     let text = text!(
         "class-given",
         deed = deed_text(deed),
-        seats = names(state, seats)
+        seats = state.seat_names(seats)
     );
     state.say(Severity::Notice, text);
     state.touch();
-}
-
-/// The names of seats; their number if there are many.
-pub(super) fn names(state: &State, seats: &[usize]) -> Text {
-    let known = state.class.desk().map_or(&[][..], Desk::seats);
-    match seats.len() {
-        0..=4 => {
-            let names = seats.iter().filter_map(|&seat| known.get(seat));
-            let names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
-            names.join(", ").into()
-        }
-        count => text!("class-seats", count = count),
-    }
 }
 
 pub(super) fn denial_text(denial: Denial) -> Text {

@@ -1,12 +1,13 @@
 //! The exam of the desk.
 
-use super::desk::{connected, exam_notes, names};
+use super::desk::{connected, exam_notes};
 use super::tell;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::event::ExamEvent;
 use crate::app::state::Consequence;
 use crate::class::{Desk, Exam};
+use crate::class_text::exam_title;
 use crate::language::SeatChoice;
 use crate::text;
 use crate::text::{Text, utc_minute_of};
@@ -16,6 +17,7 @@ use crate::vehicle::Severity;
 pub(super) fn happened(state: &mut State, event: ExamEvent) -> Effects {
     match event {
         ExamEvent::Read { name, exam, seats } => return read(state, &name, exam, &seats),
+        ExamEvent::Listed(exams) => state.rooms.class.exams = Some(exams),
         ExamEvent::Found(exam) => found(state, *exam),
         ExamEvent::NotesKept { begun, count } => kept(state, begun, count),
         ExamEvent::Damaged(fault) => tell(state, Severity::Warning, fault),
@@ -53,7 +55,8 @@ pub(super) fn begin(state: &State, choice: &SeatChoice, exam: String) -> Result<
 /// Handles an exam that was read: it begins, or more seats take part in it.
 fn read(state: &mut State, name: &str, exam: Result<Box<Exam>, Text>, seats: &[usize]) -> Effects {
     let wall = state.wall;
-    let meant = names(state, seats);
+    let meant = state.seat_names(seats);
+    let title = exam.as_ref().ok().map(|exam| exam_title(exam.plan()));
     let seated = exam.and_then(|exam| {
         let desk = state.class.desk_mut();
         let desk = desk.ok_or_else(|| text!("class-no-desk"))?;
@@ -62,7 +65,11 @@ fn read(state: &mut State, name: &str, exam: Result<Box<Exam>, Text>, seats: &[u
     match seated {
         Ok(true) => state.say(
             Severity::Notice,
-            text!("class-exam-begun", exam = name, seats = meant),
+            text!(
+                "class-exam-begun",
+                exam = title.unwrap_or_default(),
+                seats = meant
+            ),
         ),
         Ok(false) => {}
         Err(fault) => state.say(
@@ -82,10 +89,10 @@ fn seat(
     wall: std::time::Duration,
 ) -> Result<bool, Text> {
     let held = desk.exam().filter(|it| !it.is_stopped());
-    let held = held.map(|it| it.plan().name.clone());
-    if held.as_ref() != Some(&exam.plan().name) && !desk.hold(exam) {
-        let held = held.map(|it| it.to_string()).unwrap_or_default();
-        return Err(text!("class-exam-other", exam = held));
+    let is_same = held.is_some_and(|it| it.plan().name == exam.plan().name);
+    let held = held.map(|it| exam_title(it.plan()));
+    if !is_same && !desk.hold(exam) {
+        return Err(text!("class-exam-other", exam = held.unwrap_or_default()));
     }
     desk.seat_candidates(seats, wall);
     Ok(desk.exam().is_some_and(Exam::has_begun))
@@ -103,7 +110,7 @@ fn kept(state: &mut State, begun: u64, count: usize) {
     let users: Vec<&str> = exam.candidates().keys().map(String::as_str).collect();
     let text = text!(
         "class-exam-begun",
-        exam = exam.plan().name.as_str(),
+        exam = exam_title(exam.plan()),
         seats = users.join(", ")
     );
     state.say(Severity::Notice, text);
@@ -111,7 +118,7 @@ fn kept(state: &mut State, begun: u64, count: usize) {
 
 /// Goes on with an exam that an earlier desk has begun.
 fn found(state: &mut State, exam: Exam) {
-    let name = exam.plan().name.to_string();
+    let title = exam_title(exam.plan());
     let Some(desk) = state.class.desk_mut() else {
         return;
     };
@@ -119,17 +126,17 @@ fn found(state: &mut State, exam: Exam) {
     if desk.hold(exam) {
         state.say(
             Severity::Notice,
-            text!("class-exam-found", exam = name.as_str()),
+            text!("class-exam-found", exam = title.clone()),
         );
         // The exam may belong to an earlier lesson that ended without `class exam stop`.
-        let question = text!("class-exam-ask-end", exam = name, began = began);
+        let question = text!("class-exam-ask-end", exam = title, began = began);
         let reason = text!("class-exam-ask-end-reason");
         state.ask(question, reason, Consequence::EndExam);
     } else {
         // The instructor was faster than the reading of the notes.
-        let held = desk.exam().map(|it| it.plan().name.to_string());
+        let held = desk.exam().map(|it| exam_title(it.plan()));
         let held = held.unwrap_or_default();
-        let text = text!("class-exam-found-other", exam = name, held = held);
+        let text = text!("class-exam-found-other", exam = title, held = held);
         tell(state, Severity::Warning, text);
     }
     state.touch();
@@ -148,11 +155,8 @@ pub(super) fn stop(state: &mut State) -> Result<Effects, Text> {
     let wall = state.wall;
     let desk = state.class.desk_mut();
     let stopped = desk.ok_or_else(|| text!("class-no-desk"))?.stop_exam(wall);
-    let name = stopped.ok_or_else(|| text!("class-exam-none"))?;
-    state.say(
-        Severity::Notice,
-        text!("class-exam-stopped", exam = name.as_str()),
-    );
+    let title = exam_title(stopped.ok_or_else(|| text!("class-exam-none"))?);
+    state.say(Severity::Notice, text!("class-exam-stopped", exam = title));
     state.touch();
     Ok(exam_notes(state))
 }

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::super::show::show;
-use super::desk::{connected, names};
+use super::desk::connected;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::room::class::{BoardDetail, DeskPage, show_page};
@@ -98,7 +98,7 @@ pub(super) fn read(
         text!("class-lesson-resumed", lesson = title)
     } else {
         state.rooms.class.detail = BoardDetail::Lesson;
-        let seats = names(state, seats);
+        let seats = state.seat_names(seats);
         text!("class-lesson-begun", lesson = title, seats = seats)
     };
     state.say(Severity::Notice, text);
@@ -127,7 +127,7 @@ pub(super) fn direct(
     let wall = state.wall;
     let desk = state.class.desk().ok_or_else(|| text!("class-no-desk"))?;
     let seats = connected(state, desk, choice)?;
-    let meant = names(state, &seats);
+    let meant = state.seat_names(&seats);
     let mut directed = Vec::new();
     let mut fault = None;
     for seat in seats {
@@ -147,7 +147,7 @@ pub(super) fn direct(
             LessonFault::First => text!("class-lesson-first", seats = meant),
         });
     }
-    let seats = names(state, &directed);
+    let seats = state.seat_names(&directed);
     let text = match direction {
         LessonDirection::Next => text!("class-lesson-next", seats = seats),
         LessonDirection::Skip => text!("class-lesson-skip", seats = seats),

@@ -3,23 +3,26 @@
 use std::time::Duration;
 
 use super::super::order::{self, Given};
-use super::{clock_s, showing, tell};
+use super::{showing, tell};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect, TerminalEffect};
-use crate::app::state::{Activity, HeldBrief, OrderTrace, PendingOrder};
+use crate::app::state::{Activity, HeldBrief, OrderTrace, PendingOrder, SeatPlace};
 use crate::class::{Deed, Order, OrderId, Outcome, Refusal, Words};
+use crate::commands;
 use crate::ledger::RowState;
 use crate::mission::Stake;
-use crate::record::DeskRecord;
 use crate::text;
 use crate::vehicle::Severity;
 
+mod ends;
 mod flights;
 mod injects;
 mod pilots;
 mod situations;
 mod steps;
 
+pub use ends::instructed;
+use ends::{Ended, end, note};
 pub use situations::recalled;
 
 /// How long the effect of an order may take.
@@ -36,6 +39,10 @@ pub fn given(state: &mut State, order: Order) -> Effects {
     if let Deed::Step(step) = order.deed {
         return steps::note(state, order.id, step);
     }
+    let order = Order {
+        deed: spelled_out(state, order.deed),
+        ..order
+    };
     match carry_out(state, &order) {
         Ok(begun) => {
             let pending = PendingOrder {
@@ -45,9 +52,6 @@ pub fn given(state: &mut State, order: Order) -> Effects {
                 due: state.wall + SEEN_WITHIN,
             };
             if let Some(place) = state.class.seat_mut() {
-                if let OrderTrace::Entry(entry) = pending.trace {
-                    place.desk_entries.insert(entry);
-                }
                 place.pending.push(pending);
             }
             begun.effects
@@ -56,6 +60,22 @@ pub fn given(state: &mut State, order: Order) -> Effects {
             let outcome = Outcome::Refused(refusal);
             end(state, order.id, order.deed, Ended { outcome, why })
         }
+    }
+}
+
+/// The same deed with what it leaves open: the numbers of all vehicles, the name of a situation.
+fn spelled_out(state: &State, deed: Deed) -> Deed {
+    match deed {
+        Deed::TakeOver { vehicles } if vehicles.is_empty() => Deed::TakeOver {
+            vehicles: pilots::all(state),
+        },
+        Deed::HandBack { vehicles } if vehicles.is_empty() => Deed::HandBack {
+            vehicles: pilots::flown(state),
+        },
+        Deed::Recall { situation } => Deed::Recall {
+            situation: situations::named(state, situation),
+        },
+        other => other,
     }
 }
 
@@ -68,18 +88,6 @@ struct OrderFault {
 impl From<Refusal> for OrderFault {
     fn from(refusal: Refusal) -> Self {
         Self { refusal, why: None }
-    }
-}
-
-/// How an order has ended, and more about it.
-struct Ended {
-    outcome: Outcome,
-    why: Option<Words>,
-}
-
-impl From<Outcome> for Ended {
-    fn from(outcome: Outcome) -> Self {
-        Self { outcome, why: None }
     }
 }
 
@@ -145,7 +153,14 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, OrderFault>
             }
             begun
         }
-        Deed::Examine(opened) => flights::examine(state, opened)?,
+        Deed::Examine(opened) => {
+            let begun = flights::examine(state, opened)?;
+            if let Some(place) = state.class.seat_mut() {
+                // The time of a try begins with its brief, so its start cannot wait for the desk.
+                place.held = None;
+            }
+            begun
+        }
         Deed::Start => flights::start(state)?,
         Deed::LookOn => {
             showing::look_on(state)?;
@@ -195,7 +210,9 @@ fn hint(state: &mut State) -> Result<BegunOrder, Refusal> {
     }
     match order::read_for(state, "all hint", &[]) {
         Ok(Given::Order(asked)) => {
-            let sent = order::send(state, asked);
+            // The trainee has not asked for it.
+            let by = state.class.seat().and_then(SeatPlace::instructor);
+            let sent = order::send(state, commands::Order { by, ..asked });
             Ok(BegunOrder {
                 effects: sent.effect.into(),
                 trace: OrderTrace::Entry(sent.entry),
@@ -384,36 +401,4 @@ pub fn try_refused(state: &mut State, why: Refusal) -> Effects {
         place.exam = None;
     }
     ordered.map_or_else(Effects::none, |id| begun(state, id, Some(why)))
-}
-
-/// Notes the end of an order: in the journal for the desk, in the record of the flight, and for the trainee.
-fn end(state: &mut State, id: OrderId, deed: Deed, ended: impl Into<Ended>) -> Effects {
-    let Ended { outcome, why } = ended.into();
-    let line = DeskRecord {
-        by: instructor(state),
-        deed: deed.for_record(),
-        outcome,
-        why: why.clone(),
-    };
-    let clock_s = clock_s(state);
-    if let Some(place) = state.class.seat_mut() {
-        place.seat.settle(clock_s, Order { id, deed }, outcome, why);
-    }
-    // The trainee has just read a message.
-    if !line.deed.is_hidden() && !matches!(line.deed, Deed::Message { .. }) {
-        tell(state, Severity::Notice, line.text());
-    }
-    Effects::from(Effect::Class(ClassEffect::Note(line)))
-}
-
-/// Enters an outcome that is not the last one into the journal. The trainee gets no notice.
-fn note(state: &mut State, pending: &PendingOrder, outcome: Outcome) {
-    let clock_s = clock_s(state);
-    let order = Order {
-        id: pending.id,
-        deed: pending.deed.clone(),
-    };
-    if let Some(place) = state.class.seat_mut() {
-        place.seat.settle(clock_s, order, outcome, None);
-    }
 }

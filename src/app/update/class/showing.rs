@@ -6,7 +6,7 @@ use super::desk::{connected, instruct};
 use super::tell;
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects, SessionEffect};
-use crate::app::room::class::{DeskPage, GradingPage, ReplayedFlights, show_page};
+use crate::app::room::class::{DeskPage, GradingPage, ReplayedFlights, is_for_class, show_page};
 use crate::app::state::{Consequence, Room};
 use crate::class::{Deed, Desk, Refusal, SeatRecord};
 use crate::class_results::FoundFlights;
@@ -51,15 +51,20 @@ pub(super) fn found(state: &mut State, found: Result<FoundFlights, Text>) -> Eff
             return Effects::none();
         }
     };
+    if let Some(reason) = loss(state) {
+        let then = Consequence::ReplayHandedIn(found);
+        state.ask(text!("ask-replay"), reason, then);
+        return Effects::none();
+    }
+    replay_found(state, found)
+}
+
+/// Replays flights that were handed in.
+pub fn replay_found(state: &mut State, found: FoundFlights) -> Effects {
     let path = Some(found.frames.clone());
     state.rooms.class.replay_asked = Some(found);
     let review = false;
-    let effect = Effect::Session(SessionEffect::Replay { path, review });
-    if let Some(reason) = loss(state) {
-        state.ask(text!("ask-replay"), reason, Consequence::Effect(effect));
-        return Effects::none();
-    }
-    effect.into()
+    Effect::Session(SessionEffect::Replay { path, review }).into()
 }
 
 /// Shows the second flight once the first is there, and ends showing when nothing is replayed any more.
@@ -82,6 +87,10 @@ pub(super) fn tick(state: &mut State) -> Effects {
         }
     }
     let asked = &mut state.rooms.class.replay_asked;
+    if replayed.is_some() && asked.as_ref().map(|it| &it.record) != replayed.as_ref() {
+        // Another flight was opened instead.
+        *asked = None;
+    }
     let is_there = |it: &mut FoundFlights| replayed.as_ref() == Some(&it.record);
     let Some(found) = asked.take_if(is_there) else {
         return Effects::none();
@@ -118,6 +127,9 @@ pub(super) fn show_class(state: &mut State, choice: &SeatChoice) -> Result<Effec
     };
     if let Some(desk) = state.class.desk_mut() {
         desk.show(true);
+    }
+    if !is_for_class(state) {
+        show(state, Room::Map);
     }
     instruct(state, &seats, &Deed::LookOn);
     Ok(Effects::none())

@@ -3,6 +3,7 @@
 use super::*;
 use crate::campaign::CareerFlight;
 use crate::mission::{Mission, Stake};
+use crate::record::InstructorPart;
 use crate::scoring::FlownBy;
 use crate::store;
 
@@ -10,6 +11,7 @@ use crate::store;
 fn trainee(stake: Stake, passed: bool) -> ClassTrainee {
     let mission: Mission = store::mission("00").expect("it is embedded");
     let flight = ClassFlight {
+        instructor: InstructorPart::default(),
         seal: None,
         record: "2026-11-20T14-03-22Z_00-first-flight_1-00".to_owned(),
         when: "2026-11-20T14:03:22Z".to_owned(),

@@ -44,6 +44,7 @@ async fn a_recalled_flight_goes_on_from_where_it_was_captured() {
     let mut ends = Vec::new();
     for _ in 0..2 {
         desk.say("class recall climbing").await;
+        desk.console.feed(key(KeyCode::Char('y'))).await;
         run(&mut [&mut desk, &mut anna], 1).await;
         assert_eq!(newest(&desk), done);
         let state = anna.console.app.state();

@@ -91,7 +91,7 @@ pub(super) fn draw_lines(
 }
 
 /// The vehicles that the instructor flies.
-fn taken(seat: &SeatRecord) -> Option<(Text, Role)> {
+pub(super) fn taken(seat: &SeatRecord) -> Option<(Text, Role)> {
     let taken = &seat.report.as_ref()?.flight.as_ref()?.taken;
     let vehicles = ranges(taken.iter().copied());
     (!taken.is_empty()).then(|| (text!("class-taken", vehicles = vehicles), Role::Warning))
@@ -100,11 +100,12 @@ fn taken(seat: &SeatRecord) -> Option<(Text, Role)> {
 /// The situations that were captured, with their numbers.
 fn situations(seat: &SeatRecord) -> Option<(Text, Role)> {
     let situations = &seat.report.as_ref()?.flight.as_ref()?.situations;
-    let numbered = (1..).zip(situations).map(|(number, name)| {
-        if name.as_str() == number.to_string() {
-            number.to_string()
+    let numbered = (1..).zip(situations).map(|(number, it)| {
+        let clock = clock(seconds(it.clock_s));
+        if it.is_named {
+            format!("{number} {} {clock}", it.name)
         } else {
-            format!("{number} {name}")
+            format!("{number} {clock}")
         }
     });
     let all = numbered.collect::<Vec<_>>().join(", ");

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use super::columns::BoardColumn;
 use super::seat_view::SeatLineView;
-use crate::class::{CandidateStage, Desk};
+use crate::class::{Candidate, CandidateStage, Desk};
 use crate::class_results::number_of_mission;
 use crate::text;
 use crate::text::clock;
@@ -13,7 +13,15 @@ use crate::ui::theme::Role;
 /// The column of the exam, otherwise that of the lessons, if there are some.
 pub(super) fn column(desk: &Desk) -> Option<(BoardColumn, usize)> {
     let mut seats = desk.seats().iter();
-    if seats.clone().any(|seat| desk.candidate(seat).is_some()) {
+    let is_held = |candidate: &Candidate| {
+        // Flights of an exam that was ended go on.
+        let is_open = desk.exam().is_some_and(|exam| !exam.is_stopped());
+        is_open || matches!(candidate.stage(), CandidateStage::Flying { .. })
+    };
+    if seats
+        .clone()
+        .any(|seat| desk.candidate(seat).is_some_and(is_held))
+    {
         return Some(BoardColumn::EXAM);
     }
     let has_lesson = seats.any(|seat| seat.lesson.is_some());

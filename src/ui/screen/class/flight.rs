@@ -6,7 +6,7 @@ use std::time::Duration;
 use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
-use super::detail::{armed, draw_lines, events};
+use super::detail::{armed, draw_lines, events, taken};
 use super::seat_view::SeatLineView;
 use crate::class::{
     Desk, Insight, InsightPlace, ObjectiveInsight, ObjectiveStanding, SeatRecord, VehicleInsight,
@@ -96,7 +96,7 @@ impl FlightView<'_> {
     fn draw_rows(&self, panel: Panel<'_>, buffer: &mut Buffer) {
         let rows = usize::from(panel.area.height);
         let third = (rows / 3).max(1);
-        let mut lines: Vec<(Text, Role)> = Vec::new();
+        let mut lines: Vec<(Text, Role)> = taken(self.seat).into_iter().collect();
         if let Some(insight) = self.seat.insight() {
             lines.extend(insight.alerts.iter().take(third.min(3)).map(alert));
             lines.extend(objectives(insight, third));

@@ -47,6 +47,9 @@ pub fn draw(state: &State, desk: &Desk, view: ResultsView, panel: Panel<'_>, buf
         look: panel.look,
         width: usize::from(inner.width).saturating_sub(1),
     };
+    if drawing.lacks(page) {
+        return say(page.why_empty(), panel.at(inner), buffer);
+    }
     let (heading, lines) = drawing.page(page);
     put(
         buffer,
@@ -72,6 +75,11 @@ fn draw_none(is_read: bool, panel: Panel<'_>, buffer: &mut Buffer) {
     } else {
         "class-results-reading"
     };
+    say(id, panel, buffer);
+}
+
+/// Says why there is nothing on the page, and what to do.
+fn say(id: &str, panel: Panel<'_>, buffer: &mut Buffer) {
     let text = panel.say(id);
     for (row, line) in (0..).zip(wrap(&text, panel.width())) {
         let line = Line::styled(line, panel.style(Role::Muted));
@@ -87,6 +95,15 @@ struct ResultsDrawing<'a> {
 }
 
 impl ResultsDrawing<'_> {
+    /// Whether the class has no results for a page.
+    fn lacks(&self, page: ResultsPage) -> bool {
+        match page {
+            ResultsPage::Objectives => self.results.objectives.is_empty(),
+            ResultsPage::Missions | ResultsPage::ByMission => self.results.missions.is_empty(),
+            ResultsPage::Skills | ResultsPage::BySkill => self.results.skills.is_empty(),
+        }
+    }
+
     fn page(&self, page: ResultsPage) -> (String, Vec<Line<'static>>) {
         match page {
             ResultsPage::Objectives => self.objectives(),

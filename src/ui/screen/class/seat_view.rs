@@ -43,7 +43,8 @@ impl SeatLineView<'_> {
         let Some(flight) = self.flight() else {
             return (self.look.say("class-home"), Role::Muted);
         };
-        let need = self.seat.attention.need();
+        // The row stays where it is for a moment after its reason is gone.
+        let need = Need::of(Some(flight));
         match (need, need_text(need, flight)) {
             (Need::Danger, Some(text)) => (self.say(&text), Role::Alert),
             (Need::Alert, Some(text)) => (self.say(&text), Role::Danger),
@@ -55,6 +56,7 @@ impl SeatLineView<'_> {
     fn stage(&self, flight: &FlightReport) -> (String, Role) {
         let (id, role) = match flight.stage {
             Stage::Reading => ("class-reading", Role::Muted),
+            Stage::Held => ("class-held", Role::Accent),
             Stage::Flying if flight.exam => ("class-exam", Role::Ok),
             Stage::Flying => ("class-flying", Role::Ok),
             Stage::Paused => ("class-paused", Role::Muted),
@@ -75,7 +77,9 @@ fn need_text(need: Need, flight: &FlightReport) -> Option<Text> {
             let Danger { kind, in_s } = flight.danger?;
             let time = age(in_s);
             match kind {
+                DangerKind::Collision if in_s <= 0.0 => text!("class-need-collision-now"),
                 DangerKind::Collision => text!("class-need-collision", time = time),
+                DangerKind::Fence if in_s <= 0.0 => text!("class-need-fence-now"),
                 DangerKind::Fence => text!("class-need-fence", time = time),
             }
         }

@@ -1,11 +1,14 @@
 //! The keys and the lines of the desk.
 
+use std::time::Duration;
+
 use sortie::app::effect::{ClassEffect, Effect};
-use sortie::app::event::ClassEvent;
+use sortie::app::event::{ClassEvent, Event};
 use sortie::app::state::{ClassRole, Room};
 use sortie::class::protocol::{Hello, SeatMessage, VERSION};
 use sortie::class::{
-    ConnectionId, Deed, Desk, FlightReport, LastCommand, OrderState, SeatReport, Stage,
+    ConnectionId, Deed, Desk, Entry, FlightReport, Happening, JournalBatch, LastCommand, OrderId,
+    OrderState, Outcome, Refusal, SeatRecord, SeatReport, Stage,
 };
 use sortie::text::Language;
 
@@ -183,4 +186,117 @@ fn orders_go_only_to_connected_seats_and_a_seat_that_says_no_hello_is_denied() {
         console.effects.as_slice(),
         [Effect::Class(ClassEffect::Deny { .. })]
     ));
+}
+
+/// Which seats have refused an order was once to be found only seat by seat.
+#[test]
+fn an_order_to_several_seats_has_a_summary() {
+    let mut console = desk(Language::English);
+    console.give("class freeze @all");
+    let numbers = orders_to(&console);
+    let said = |console: &Console| {
+        let message = console.state().message().expect("a message");
+        message.text.to_string()
+    };
+    answer(&mut console, 1, numbers[0], Outcome::Done);
+    answer(
+        &mut console,
+        2,
+        numbers[1],
+        Outcome::Refused(Refusal::NotFlying),
+    );
+    assert_eq!(said(&console), "freeze: sent to anna, bohdan, vira");
+    answer(&mut console, 3, numbers[2], Outcome::Done);
+    let end = "freeze: 2 seats done, 1 refused (bohdan: the flight has not begun, or is over)";
+    assert_eq!(said(&console), end);
+
+    console.give("class message @anna land");
+    let later = console.state().wall() + Duration::from_secs(11);
+    console.hear(Event::Tick {
+        now: later,
+        wall: later,
+    });
+    assert_eq!(said(&console), "message “land”: not answered");
+}
+
+/// The orders so far by their numbers, by seat.
+fn orders_to(console: &Console) -> Vec<OrderId> {
+    let desk = console.state().class_role().desk().expect("it is a desk");
+    let orders = desk.seats().iter().flat_map(SeatRecord::orders);
+    orders.map(|given| given.order.id).collect()
+}
+
+/// A seat says how an order ended, as the first entry of its journal.
+fn answer(console: &mut Console, connection: u64, id: OrderId, outcome: Outcome) {
+    let user = ["anna", "bohdan", "vira"][connection as usize - 1];
+    let entry = Entry {
+        number: 1,
+        clock_s: None,
+        what: Happening::Order {
+            id,
+            deed: Deed::Freeze,
+            outcome,
+            why: None,
+        },
+    };
+    let batch = JournalBatch {
+        kept_from: 1,
+        entries: vec![entry],
+    };
+    say(console, connection, user, SeatMessage::Entries(batch));
+}
+
+/// `q` once closed the desk without a word about vehicles that the instructor flew.
+#[test]
+fn the_end_of_the_desk_is_asked_about_while_seats_depend_on_it() {
+    let quits = |console: &Console| console.effects.contains(&Effect::Quit);
+    let mut console = desk(Language::English);
+    console.press("q");
+    assert!(quits(&console));
+
+    let stage = |stage| FlightReport {
+        stage,
+        ..flight(5.0)
+    };
+    for (flight, reason) in [
+        (
+            super::pilots::flight_taken(),
+            "go back to their trainees (anna)",
+        ),
+        (
+            stage(Stage::Frozen),
+            "resume their frozen flights themselves",
+        ),
+        (stage(Stage::Held), "start their held missions themselves"),
+    ] {
+        let mut console = desk(Language::English);
+        report(&mut console, 1, "anna", flight);
+        console.press("q");
+        assert!(!quits(&console), "{reason}");
+        let screen = console.screen(120, 40);
+        assert!(screen.contains(reason), "{screen}");
+        console.press("y");
+        assert!(quits(&console), "{reason}");
+    }
+}
+
+#[test]
+fn the_injects_of_a_named_seat_are_listed() {
+    let mut console = desk(Language::English);
+    report(&mut console, 2, "bohdan", super::flight_with_injects());
+    console.give("class injects @bohdan");
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("bohdan (bohdan k.): injects"), "{screen}");
+    assert!(screen.contains("gust"), "{screen}");
+}
+
+#[test]
+fn a_need_that_is_over_has_no_age() {
+    let mut console = desk(Language::English);
+    report(&mut console, 1, "anna", flight(90.0));
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("no command 90 s"), "{screen}");
+    report(&mut console, 1, "anna", flight(0.0));
+    let screen = console.screen(120, 40);
+    assert!(!screen.contains("no command"), "{screen}");
 }

@@ -10,7 +10,7 @@ use sortie::ledger::RowState;
 use sortie::text::Language;
 
 use super::desk::{deeds, desk, flight, report};
-use super::{flying_mission, joined, journal, order, outcomes, pass};
+use super::{flying_mission, joined, journal, order, outcomes, pass, quiet};
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -54,7 +54,7 @@ fn the_trainee_sees_who_flies_and_the_order_is_done_at_once() {
         assert!(screen.contains("petro"), "{screen}");
     }
     let told = console.state().message().expect("a message");
-    assert_eq!(told.text.to_string(), "petro: take over 3: done");
+    assert_eq!(told.text.to_string(), "petro now flies 3");
     order(&mut console, 2, take(&[]));
     assert_eq!(taken(&console), [1, 2, 3, 4]);
     order(&mut console, 3, give(&[1, 2]));
@@ -65,10 +65,7 @@ fn the_trainee_sees_who_flies_and_the_order_is_done_at_once() {
         Effect::Class(ClassEffect::Note(line)) => Some(line.text().to_string()),
         _ => None,
     });
-    assert_eq!(
-        noted.as_deref(),
-        Some("petro: hand back all vehicles: done")
-    );
+    assert_eq!(noted.as_deref(), Some("petro has handed back 3-4"));
 }
 
 #[test]
@@ -238,4 +235,35 @@ fn the_desk_takes_over_hands_back_and_commands() {
     console.give("3 land");
     let last = deeds(&console).pop();
     assert_eq!(last, Some(("anna".to_owned(), command("3 land"))));
+}
+
+/// The trainee once read on the last line why commands of the instructor failed.
+#[test]
+fn what_fails_for_the_instructor_concerns_the_desk_only() {
+    let mut console = flying_mission(Stake::Graded);
+    console.press("M");
+    order(&mut console, 1, take(&[2]));
+    quiet(&mut console);
+    let before = console.state().notices().lines().count();
+    order(&mut console, 2, command("rtl"));
+    console.row(2, RowState::Refused, Some("no position"));
+    order(&mut console, 3, take(&[9]));
+    let situation = "nowhere".into();
+    order(&mut console, 4, Deed::Recall { situation });
+    assert!(console.state().message().is_none());
+    assert_eq!(console.state().notices().lines().count(), before);
+    assert_eq!(outcomes(&console).len(), 4, "the desk hears of each");
+}
+
+#[test]
+fn what_the_desk_watches_names_the_vehicles_that_it_flies() {
+    let mut console = desk(Language::English);
+    report(&mut console, 1, "anna", flight_taken());
+    console.press("w");
+    let tiles = console.screen(120, 40);
+    assert!(tiles.contains("you fly 3"), "{tiles}");
+    console.press("enter");
+    console.give("class state");
+    let state = console.screen(80, 24);
+    assert!(state.contains("you fly 3"), "{state}");
 }

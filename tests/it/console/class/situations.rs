@@ -1,11 +1,13 @@
 //! Situations that the desk captures and recalls.
 
+use std::time::Duration;
+
 use sortie::app::FlightSnapshot;
-use sortie::app::effect::SessionEffect;
+use sortie::app::effect::{SessionEffect, SituationEffect};
 use sortie::app::event::{ClassEvent, SessionEvent};
-use sortie::app::state::Activity;
+use sortie::app::state::{Activity, Overlay};
 use sortie::campaign::Stake;
-use sortie::class::{Deed, OrderId, Outcome, Refusal};
+use sortie::class::{CapturedSituation, Deed, FlightReport, OrderId, Outcome, Refusal};
 use sortie::text::Language;
 
 use super::desk::{deeds, desk, flight, report};
@@ -34,13 +36,15 @@ fn carry_out(console: &mut Console, number: u32, deed: Deed) {
 fn names(console: &Console) -> Vec<String> {
     let flight = console.state().seat_report(false).flight;
     let names = flight.expect("it flies").situations.into_iter();
-    names.map(|it| it.to_string()).collect()
+    names.map(|it| it.name.to_string()).collect()
 }
 
 fn slots(console: &Console) -> Vec<usize> {
     let effects = session_effects(console).into_iter();
     let slots = effects.filter_map(|effect| match effect {
-        SessionEffect::Capture { slot, .. } | SessionEffect::Recall { slot, .. } => Some(*slot),
+        SessionEffect::Situation(
+            SituationEffect::Capture { slot, .. } | SituationEffect::Recall { slot, .. },
+        ) => Some(*slot),
         _ => None,
     });
     slots.collect()
@@ -121,22 +125,108 @@ fn what_cannot_be_captured_is_refused_with_the_reason() {
     assert_eq!(refused(&mut connected, capture("")), Refusal::CannotFreeze);
 }
 
+/// A flight with an unnamed situation and a named one.
+fn with_situations() -> FlightReport {
+    let captured = |name: &str, is_named, clock_s| CapturedSituation {
+        name: name.into(),
+        is_named,
+        clock_s,
+    };
+    FlightReport {
+        situations: vec![
+            captured("1", false, 60.0),
+            captured("before the turn", true, 189.5),
+        ],
+        ..flight(5.0)
+    }
+}
+
+/// `R` once threw away what was flown without a question.
+#[test]
+fn a_recall_is_asked_about_with_what_it_throws_away() {
+    let mut console = desk(Language::English);
+    for (connection, user) in [(1, "anna"), (2, "bohdan")] {
+        report(&mut console, connection, user, with_situations());
+    }
+    console.give("class recall @all 2");
+    let none: [(String, Deed); 0] = [];
+    assert_eq!(deeds(&console), none);
+    let Some(Overlay::Confirm(asked)) = console.state().overlay() else {
+        panic!("nothing is asked");
+    };
+    assert_eq!(asked.question().to_string(), "RECALL “2” for anna, bohdan");
+    let reason = asked.reason().to_string();
+    let lost = "anna goes back to 03:09: 01:22 of the flight are thrown away";
+    assert!(reason.contains(lost), "{reason}");
+    console.press("y");
+    assert_eq!(deeds(&console).len(), 3);
+    // A seat without the situation refuses, and loses nothing.
+    console.give("class recall @vira 2");
+    assert_eq!(deeds(&console).len(), 4);
+}
+
+/// Only the journal once knew that the instructor took part.
+#[test]
+fn the_debrief_says_what_the_instructor_did() {
+    let mut console = flying_mission(Stake::Graded);
+    let at = |console: &mut Console, seconds| {
+        let mut progress = fixtures::progress();
+        progress.elapsed = Duration::from_secs(seconds);
+        console.hear(SessionEvent::Mission(Box::new(progress)));
+    };
+    at(&mut console, 60);
+    carry_out(&mut console, 1, capture("the turn"));
+    let before = FlightSnapshot::of(console.state());
+    at(&mut console, 70);
+    let vehicles = Vec::new();
+    order(&mut console, 2, Deed::TakeOver { vehicles });
+    at(&mut console, 80);
+    let vehicles = vec![2];
+    order(&mut console, 3, Deed::HandBack { vehicles });
+    at(&mut console, 90);
+    order(&mut console, 4, recall("1"));
+    console.hear(SessionEvent::Paused(true));
+    console.hear(SessionEvent::Recalled(Box::new(before)));
+    let (id, refusal) = (OrderId { desk: 1, number: 4 }, None);
+    console.hear(ClassEvent::Begun { id, refusal });
+    at(&mut console, 65);
+    let vehicles = Vec::new();
+    order(&mut console, 5, Deed::HandBack { vehicles });
+    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
+    pass(&mut console, 2);
+    let debrief = console
+        .state()
+        .rooms()
+        .debrief()
+        .shown()
+        .expect("a debrief");
+    let told = debrief.report().instructor.acts().iter();
+    let told: Vec<String> = told.map(|act| act.text().to_string()).collect();
+    let expected = [
+        "petro flew 2 from 01:10 to 01:20",
+        "petro flew 1,3-4 from 01:10 to 01:30",
+        "petro returned to the situation “the turn” at 01:30",
+        "petro flew 1,3-4 from 01:00 to 01:05",
+    ];
+    assert_eq!(told, expected);
+    let screen = console.screen(120, 60);
+    for line in expected {
+        assert!(screen.contains(line), "{screen}");
+    }
+}
+
 #[test]
 fn the_desk_lists_the_situations_of_a_seat() {
     let mut console = desk(Language::English);
-    let situations = vec!["1".into(), "before the turn".into()];
-    let flown = sortie::class::FlightReport {
-        situations,
-        ..flight(5.0)
-    };
-    report(&mut console, 1, "anna", flown);
+    report(&mut console, 1, "anna", with_situations());
     let screen = console.screen(80, 24);
     assert!(
-        screen.contains("situations: 1, 2 before the turn"),
+        screen.contains("situations: 1 01:00, 2 before the turn 03:09"),
         "{screen}"
     );
     console.press("C").press("enter");
     console.press("R").write("before the turn").press("enter");
+    console.press("y");
     console.give("class capture @anna low battery");
     let expected = [
         capture(""),

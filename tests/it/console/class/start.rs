@@ -4,9 +4,9 @@ use sortie::app::event::{ClassEvent, SessionEvent};
 use sortie::app::state::{Activity, Room};
 use sortie::campaign::Stake;
 use sortie::class::protocol::DeskMessage;
-use sortie::class::{Deed, ExamTry, Outcome};
+use sortie::class::{Deed, ExamTry, Outcome, Stage};
 
-use super::{joined, opened_try, order, outcomes, pass, start};
+use super::{joined, opened_try, order, outcomes, pass, quiet, start};
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -64,12 +64,19 @@ fn a_held_brief_is_left_only_when_the_desk_starts_the_mission() {
 
 #[test]
 fn the_brief_says_that_the_instructor_starts() {
-    let console = reading(true);
+    let mut console = reading(true);
+    quiet(&mut console);
     for (columns, rows) in [(120, 40), (80, 24)] {
         let screen = console.screen(columns, rows);
         assert!(screen.contains("petro starts the mission"), "{screen}");
+        assert!(!screen.contains("Enter start"), "{screen}");
     }
+    let stage = |console: &Console| console.state().seat_report(false).flight.map(|it| it.stage);
+    assert_eq!(stage(&console), Some(Stage::Held));
     let mut console = reading(false);
+    assert_eq!(stage(&console), Some(Stage::Reading));
+    quiet(&mut console);
+    assert!(console.screen(120, 40).contains("Enter start"));
     console.press("enter");
     assert!(!is_reading(&console), "others begin themselves");
 }
@@ -134,4 +141,25 @@ fn the_trainee_sees_which_try_it_is_and_the_time_that_is_left() {
     console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
     let screen = console.screen(120, 40);
     assert!(!screen.contains("try 1 of 2"), "{screen}");
+}
+
+/// A hold for the same mission once kept the trainee in the brief of a try, whose time was running.
+#[test]
+fn a_try_of_an_exam_is_not_held() {
+    let mut console = joined();
+    let mission = "00-first-flight".into();
+    let (exam, hold) = (false, true);
+    order(
+        &mut console,
+        1,
+        Deed::Fly {
+            mission,
+            exam,
+            hold,
+        },
+    );
+    order(&mut console, 2, Deed::Examine(opened_try()));
+    start(&mut console, "00-first-flight");
+    console.press("enter");
+    assert!(!is_reading(&console));
 }

@@ -22,6 +22,8 @@ fn exam(name: &str) -> Exam {
     };
     let plan = Arc::new(ExamPlan {
         name: name.into(),
+        title: format!("Exam {name}").as_str().into(),
+        title_uk: Some(format!("Іспит {name}").as_str().into()),
         layout: ExamLayout::Own,
         opens: None,
         closes: None,
@@ -72,7 +74,7 @@ fn an_earlier_exam_that_is_not_continued_is_named() {
     let mut lines = console.state().notices().lines();
     let newest = lines.next_back().expect("a notice").notice.text.to_string();
     assert!(
-        newest.contains("an earlier exam, “rehearsal”, has not ended"),
+        newest.contains("an earlier exam, “Exam rehearsal”, has not ended"),
         "{newest}"
     );
 }
@@ -87,7 +89,7 @@ fn an_exam_of_an_earlier_lesson_goes_on_only_if_the_instructor_does_not_end_it()
         let mut console = desk(Language::English);
         console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
         let screen = console.screen(80, 24);
-        let question = "End the exam “final” of 2027-01-15 08:00 UTC?";
+        let question = "End the exam “Exam final” of 2027-01-15 08:00 UTC?";
         assert!(screen.contains(question), "{screen}");
         console.press(key);
         assert_eq!(is_stopped(&console), ends);
@@ -96,7 +98,7 @@ fn an_exam_of_an_earlier_lesson_goes_on_only_if_the_instructor_does_not_end_it()
         assert_eq!(console.effects.contains(&Effect::Quit), ends);
         if !ends {
             let screen = console.screen(80, 24);
-            assert!(screen.contains("the exam “final” ends"), "{screen}");
+            assert!(screen.contains("the exam “Exam final” ends"), "{screen}");
             console.press("y");
             assert!(is_stopped(&console));
             assert!(console.effects.contains(&Effect::Quit));

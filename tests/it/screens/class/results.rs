@@ -6,6 +6,7 @@ use sortie::app::event::ClassEvent;
 use sortie::campaign::{CareerFlight, Evidence, Skill, Stake};
 use sortie::class_results::{ClassFlight, ClassResults, ClassTrainee, FlownObjective, add_flight};
 use sortie::mission::Mission;
+use sortie::record::InstructorPart;
 use sortie::scoring::{FlownBy, ObjectiveReport};
 use sortie::store;
 use sortie::text::{Language, Text};
@@ -47,6 +48,7 @@ fn flight(number: u32, mission: &Mission, shares: &[f64]) -> ClassFlight {
         what: Text::default(),
     });
     ClassFlight {
+        instructor: InstructorPart::default(),
         seal: None,
         record: format!("2026-11-20T14-03-{number:02}Z_{}", mission.id),
         when: "2026-11-20T14:03:22Z".to_owned(),

@@ -7,7 +7,7 @@ use super::super::tell;
 use super::{BegunOrder, Ended, OrderFault, instructor, note};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
-use crate::app::state::{Activity, OrderTrace, PendingOrder};
+use crate::app::state::{Activity, OrderTrace, PendingOrder, SeatPlace};
 use crate::class::{Deed, Outcome, Refusal};
 use crate::commands::Order;
 use crate::ledger::{LedgerEntry, RowState};
@@ -18,7 +18,7 @@ use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::vehicle_id::ranges;
 
-/// Makes the instructor the pilot in command of these vehicles, or of all. They go on with what they do.
+/// Makes the instructor the pilot in command of these vehicles. They go on with what they do.
 pub(super) fn take_over(state: &mut State, vehicles: &[VehicleId]) -> Result<BegunOrder, Refusal> {
     let session = &state.session;
     if session.activity.is_none() || state.replay.is_some() {
@@ -28,33 +28,35 @@ pub(super) fn take_over(state: &mut State, vehicles: &[VehicleId]) -> Result<Beg
     if may_be_real && !state.config.class.take_over {
         return Err(Refusal::RealVehicle);
     }
-    let heard = session.vehicles.keys().copied();
-    let all: Vec<VehicleId> = heard.filter(|&id| session.expects(id)).collect();
-    let taken = if vehicles.is_empty() { &all } else { vehicles };
-    if taken.is_empty() || taken.iter().any(|id| !all.contains(id)) {
+    let all = all(state);
+    if vehicles.is_empty() || vehicles.iter().any(|id| !all.contains(id)) {
         return Err(Refusal::NoVehicle);
     }
     let person = Person::named(instructor(state));
-    state.session.pilots.take_over(taken, &person);
-    if let Some(place) = state.class.seat_mut() {
-        place.desk_pilot = Some(person);
-    }
+    state.session.pilots.take_over(vehicles, &person);
     Ok(BegunOrder::default())
 }
 
-/// Hands vehicles that the instructor flies back to the trainee: these, or all.
+/// All vehicles of the flight, as far as they were heard.
+pub(super) fn all(state: &State) -> Vec<VehicleId> {
+    let heard = state.session.vehicles.keys().copied();
+    heard.filter(|&id| state.session.expects(id)).collect()
+}
+
+/// The vehicles that the instructor flies.
+pub(super) fn flown(state: &State) -> Vec<VehicleId> {
+    let person = Person::named(instructor(state));
+    state.session.pilots.flown_by(&person)
+}
+
+/// Hands vehicles that the instructor flies back to the trainee.
 pub(super) fn hand_back(state: &mut State, vehicles: &[VehicleId]) -> Result<BegunOrder, Refusal> {
     let person = Person::named(instructor(state));
     let flown = state.session.pilots.flown_by(&person);
-    let back = if vehicles.is_empty() {
-        &flown
-    } else {
-        vehicles
-    };
-    if back.is_empty() || back.iter().any(|id| !flown.contains(id)) {
+    if vehicles.is_empty() || vehicles.iter().any(|id| !flown.contains(id)) {
         return Err(Refusal::NotTaken);
     }
-    state.session.pilots.hand_back(back, &person);
+    state.session.pilots.hand_back(vehicles, &person);
     Ok(BegunOrder::default())
 }
 
@@ -137,13 +139,10 @@ pub(super) fn settle(state: &mut State) -> Effects {
     let wall = state.wall;
     let place = state.class.seat();
     let is_gone = place.is_some_and(|place| !place.hears_desk(wall));
-    let person = place.and_then(|place| place.desk_pilot.clone());
+    let person = place.and_then(SeatPlace::instructor);
     let Some(person) = person.filter(|_| is_gone) else {
         return Effects::none();
     };
-    if let Some(place) = state.class.seat_mut() {
-        place.desk_pilot = None;
-    }
     let vehicles = state.session.pilots.flown_by(&person);
     if vehicles.is_empty() {
         return Effects::none();
@@ -161,5 +160,6 @@ pub(super) fn settle(state: &mut State) -> Effects {
         outcome: Outcome::Done,
         why: None,
     };
+    state.session.note_instructor(&line, state.now);
     Effects::from(Effect::Class(ClassEffect::Note(line)))
 }

@@ -1,13 +1,15 @@
 //! Situations of a flight that the desk captures and recalls. The shell keeps them, each in a place; here are their names.
 
-use super::{BegunOrder, injects, instructor};
+use super::{BegunOrder, injects, instructor, pilots};
 use crate::app::State;
-use crate::app::effect::{Effect, Effects, SessionEffect};
+use crate::app::effect::{Effect, Effects, SessionEffect, SituationEffect};
 use crate::app::snapshot::{FlightSnapshot, restore};
-use crate::app::state::{Activity, OrderTrace, Room, SeatSituation, TimeFlow};
-use crate::class::{Order, OrderId, Outcome, Refusal, Words};
+use crate::app::state::{Activity, OrderTrace, PendingOrder, Room, SeatSituation, TimeFlow};
+use crate::class::{Deed, Order, OrderId, Outcome, Refusal, Words};
+use crate::ledger::{RowState, RowUpdate};
 use crate::mission::Stake;
 use crate::record::DeskRecord;
+use crate::verb::CountsAs;
 
 /// The maximum number of situations of a flight.
 const KEPT: usize = 10;
@@ -19,7 +21,8 @@ pub(super) fn capture(state: &State, id: OrderId, name: &Words) -> Result<BegunO
     if slot >= KEPT {
         return Err(Refusal::TooManySituations);
     }
-    Ok(SessionEffect::Capture { id, slot }.into())
+    let effect = SituationEffect::Capture { id, slot };
+    Ok(SessionEffect::Situation(effect).into())
 }
 
 /// Checks that the whole flight is simulated by the console, and that its brief is left.
@@ -62,16 +65,20 @@ fn slot_of(state: &State, name: &Words) -> usize {
 /// The shell keeps a situation.
 pub(super) fn captured(state: &mut State, name: Words) {
     let slot = slot_of(state, &name);
+    let at = state.session.time(state.now);
     let Some(place) = state.class.seat_mut() else {
         return;
     };
-    let name = if name.is_empty() {
-        (slot + 1).to_string().into()
-    } else {
+    let is_named = !name.is_empty();
+    let name = if is_named {
         name
+    } else {
+        (slot + 1).to_string().into()
     };
     let situation = SeatSituation {
         name,
+        is_named,
+        at,
         armed: place.armed.clone(),
     };
     match place.situations.get_mut(slot) {
@@ -80,27 +87,40 @@ pub(super) fn captured(state: &mut State, name: Words) {
     }
 }
 
-/// Returns to a situation, by its name or its number.
-pub(super) fn recall(
-    state: &mut State,
-    order: &Order,
-    wanted: &Words,
-) -> Result<BegunOrder, Refusal> {
-    check(state)?;
+/// The place of the situation that is meant by its name or its number.
+fn place_of(state: &State, wanted: &Words) -> Option<usize> {
     let all = situations(state);
     let named = all.iter().position(|it| it.name == *wanted);
     let numbered = || {
         let number: usize = wanted.as_str().parse().ok()?;
         number.checked_sub(1).filter(|slot| *slot < all.len())
     };
-    let slot = named.or_else(numbered).ok_or(Refusal::NoSituation)?;
+    named.or_else(numbered)
+}
+
+/// The name of the situation that is meant by its name or its number; as it is written if there is none.
+pub(super) fn named(state: &State, wanted: Words) -> Words {
+    match place_of(state, &wanted) {
+        Some(slot) => situations(state)[slot].name.clone(),
+        None => wanted,
+    }
+}
+
+/// Returns to a situation.
+pub(super) fn recall(
+    state: &mut State,
+    order: &Order,
+    wanted: &Words,
+) -> Result<BegunOrder, Refusal> {
+    check(state)?;
+    let slot = place_of(state, wanted).ok_or(Refusal::NoSituation)?;
     let line = DeskRecord {
         by: instructor(state),
         deed: order.deed.for_record(),
         outcome: Outcome::Done,
         why: None,
     };
-    let kept = all[slot].armed.clone();
+    let kept = situations(state)[slot].armed.clone();
     let mut effects = injects::recalled(state, &kept);
     if let Some(place) = state.class.seat_mut() {
         place.is_frozen = true;
@@ -108,11 +128,10 @@ pub(super) fn recall(
         place.armed = kept;
     }
     let id = order.id;
-    effects.extend(Effects::from(Effect::Session(SessionEffect::Recall {
-        id,
-        slot,
-        line,
-    })));
+    let effect = SituationEffect::Recall { id, slot, line };
+    effects.extend(Effects::from(Effect::Session(SessionEffect::Situation(
+        effect,
+    ))));
     Ok(BegunOrder {
         effects,
         trace: OrderTrace::State,
@@ -121,10 +140,12 @@ pub(super) fn recall(
 
 /// The flight continues from an earlier state: frozen, and as practice. Who flies which vehicle stays as it is.
 pub fn recalled(state: &mut State, flight: FlightSnapshot) {
+    note_recall(state);
     let pilots = std::mem::take(&mut state.session.pilots);
+    let instructor = std::mem::take(&mut state.session.instructor);
     restore(state, flight);
     let session = &mut state.session;
-    session.pilots = pilots;
+    (session.pilots, session.instructor) = (pilots, instructor);
     if let Some(Activity::Mission { stake, .. }) = &mut session.activity {
         *stake = Stake::Practice;
     }
@@ -133,12 +154,64 @@ pub fn recalled(state: &mut State, flight: FlightSnapshot) {
         state.room = Room::Fly;
     }
     state.overlay = None;
-    let next = state.session.ledger().next();
-    if let Some(place) = state.class.seat_mut() {
-        // The entries of the ledger are numbered as before the situation, and its condition is no longer expected.
-        place.desk_entries.retain(|entry| *entry < next);
-        if let Some(step) = &mut place.step {
-            step.asked = None;
-        }
+    end_rehearsals(state);
+    go_on_flying(state);
+    // The condition of a step is no longer expected.
+    let place = state.class.seat_mut();
+    if let Some(step) = place.and_then(|place| place.step.as_mut()) {
+        step.asked = None;
+    }
+}
+
+/// Notes, while the flight is still at its later time, that it goes back.
+fn note_recall(state: &mut State) {
+    let pending = state.class.seat().map_or(&[][..], |place| &place.pending);
+    let is_recall = |one: &&PendingOrder| matches!(one.deed, Deed::Recall { .. });
+    let Some(deed) = pending.iter().find(is_recall).map(|one| one.deed.clone()) else {
+        return;
+    };
+    let line = DeskRecord {
+        by: instructor(state),
+        deed,
+        outcome: Outcome::Done,
+        why: None,
+    };
+    state.session.note_instructor(&line, state.now);
+}
+
+/// Ends the rehearsals that were under way then: their results do not come any more.
+fn end_rehearsals(state: &mut State) {
+    let at = state.now;
+    let entries = state.session.ledger().entries();
+    let rehearsals = entries.filter(|entry| entry.verb.counts_as == CountsAs::Rehearsal);
+    let under_way = rehearsals.flat_map(|entry| {
+        let rows = entry.rows.iter().filter(|row| !row.state.is_final());
+        rows.map(|row| RowUpdate {
+            entry: entry.id,
+            vehicle: row.vehicle,
+            state: RowState::Superseded,
+            tries: row.tries,
+            at,
+            explanation: None,
+        })
+    });
+    let ended: Vec<RowUpdate> = under_way.collect();
+    for row in &ended {
+        state.session.commands.ledger.apply(row);
+    }
+}
+
+/// Notes which vehicles the instructor flies on after a recall.
+fn go_on_flying(state: &mut State) {
+    let vehicles = pilots::flown(state);
+    if !vehicles.is_empty() {
+        let deed = Deed::TakeOver { vehicles };
+        let line = DeskRecord {
+            by: instructor(state),
+            deed,
+            outcome: Outcome::Done,
+            why: None,
+        };
+        state.session.note_instructor(&line, state.now);
     }
 }

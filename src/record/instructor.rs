@@ -1,0 +1,319 @@
+//! The instructor's part in a flight, from the orders of the desk in its journal.
+
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::{DeskRecord, Happening, Journal, MissionClock};
+use crate::class::{Deed, Outcome};
+use crate::class_text::vehicles_text;
+use crate::text;
+use crate::text::{Text, clock, rounded};
+use crate::vehicle::VehicleId;
+
+/// What an instructor did in a flight that its score does not show, in the order in which it began.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+#[serde(transparent)]
+pub struct InstructorPart(Vec<InstructorAct>);
+
+/// Something that an instructor did in a flight. Times are mission times in seconds.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum InstructorAct {
+    /// The instructor was the pilot in command of vehicles.
+    Flew {
+        by: String,
+        /// Empty for all.
+        vehicles: Vec<VehicleId>,
+        from_s: f64,
+        /// `None` if it was so until the end of the flight.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        until_s: Option<f64>,
+    },
+    /// The instructor returned to an earlier situation of the flight.
+    Recalled {
+        by: String,
+        situation: String,
+        at_s: f64,
+    },
+}
+
+impl InstructorAct {
+    /// What was done, and when.
+    pub fn text(&self) -> Text {
+        match self {
+            Self::Flew {
+                by,
+                vehicles,
+                from_s,
+                until_s,
+            } => {
+                let vehicles = vehicles_text(vehicles);
+                let from = minutes(*from_s);
+                match until_s.map(minutes) {
+                    Some(until) => text!(
+                        "instructor-flew",
+                        by = by,
+                        vehicles = vehicles,
+                        from = from,
+                        until = until
+                    ),
+                    None => text!(
+                        "instructor-flies",
+                        by = by,
+                        vehicles = vehicles,
+                        from = from
+                    ),
+                }
+            }
+            Self::Recalled {
+                by,
+                situation,
+                at_s,
+            } => text!(
+                "instructor-recalled",
+                by = by,
+                situation = situation,
+                at = minutes(*at_s)
+            ),
+        }
+    }
+}
+
+impl InstructorPart {
+    /// The part that a journal tells of.
+    pub fn of(journal: &Journal) -> Self {
+        let mission = MissionClock::of(journal);
+        let mut part = Self::default();
+        for line in &journal.lines {
+            if let Happening::Desk(order) = &line.what {
+                part.add(mission.flight_time(line.at()), order);
+            }
+        }
+        part
+    }
+
+    /// What was done, in the order in which it began.
+    pub fn acts(&self) -> &[InstructorAct] {
+        &self.0
+    }
+
+    /// Whether the instructor did nothing of this kind.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Adds an order that ended at a mission time, if it belongs to this part and was carried out.
+    pub fn add(&mut self, at: Duration, order: &DeskRecord) {
+        if order.outcome != Outcome::Done {
+            return;
+        }
+        match &order.deed {
+            Deed::TakeOver { vehicles } => self.take_over(at, &order.by, vehicles),
+            Deed::HandBack { vehicles } => self.hand_back(at, Some(&order.by), vehicles),
+            Deed::Recall { situation } => {
+                // The mission's time goes back: whoever still flies begins anew.
+                self.hand_back(at, None, &[]);
+                self.0.push(InstructorAct::Recalled {
+                    by: order.by.clone(),
+                    situation: situation.to_string(),
+                    at_s: seconds(at),
+                });
+            }
+            _ => {}
+        }
+    }
+
+    /// A person flies these vehicles from a mission time on.
+    fn take_over(&mut self, at: Duration, by: &str, vehicles: &[VehicleId]) {
+        // Taking over what one already flies changes nothing.
+        let new: Vec<VehicleId> = vehicles
+            .iter()
+            .copied()
+            .filter(|vehicle| !self.flies(by, *vehicle))
+            .collect();
+        if new.is_empty() && !vehicles.is_empty() {
+            return;
+        }
+        if !new.is_empty() {
+            self.hand_back(at, None, &new);
+        }
+        self.0.push(InstructorAct::Flew {
+            by: by.to_owned(),
+            vehicles: new,
+            from_s: seconds(at),
+            until_s: None,
+        });
+    }
+
+    fn flies(&self, person: &str, vehicle: VehicleId) -> bool {
+        self.0.iter().any(|act| {
+            matches!(act, InstructorAct::Flew { by, vehicles, until_s: None, .. }
+                if by == person && vehicles.contains(&vehicle))
+        })
+    }
+
+    /// These vehicles, or all, are no longer flown by a person, or by anybody.
+    fn hand_back(&mut self, at: Duration, person: Option<&str>, back: &[VehicleId]) {
+        let mut acts = Vec::with_capacity(self.0.len());
+        for mut act in std::mem::take(&mut self.0) {
+            let mut rest = None;
+            if let InstructorAct::Flew {
+                by,
+                vehicles,
+                until_s: until @ None,
+                ..
+            } = &mut act
+                && person.is_none_or(|person| person == by)
+            {
+                let is_back = |vehicle: &VehicleId| back.is_empty() || back.contains(vehicle);
+                let (ended, kept): (Vec<VehicleId>, _) =
+                    vehicles.iter().partition(|it| is_back(it));
+                if !ended.is_empty() || vehicles.is_empty() {
+                    if !kept.is_empty() {
+                        rest = Some(kept);
+                    }
+                    (*vehicles, *until) = (ended, Some(seconds(at)));
+                }
+            }
+            let kept = rest.map(|kept| act.still_flown(kept));
+            acts.push(act);
+            acts.extend(kept);
+        }
+        self.0 = acts;
+    }
+}
+
+impl InstructorAct {
+    /// The same turn for the vehicles that were not handed back.
+    fn still_flown(&self, kept: Vec<VehicleId>) -> Self {
+        let mut same = self.clone();
+        if let Self::Flew {
+            vehicles, until_s, ..
+        } = &mut same
+        {
+            (*vehicles, *until_s) = (kept, None);
+        }
+        same
+    }
+}
+
+fn seconds(at: Duration) -> f64 {
+    rounded(at.as_secs_f64(), 1)
+}
+
+fn minutes(at_s: f64) -> String {
+    clock(Duration::try_from_secs_f64(at_s).unwrap_or_default())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::record::{Head, JournalLine, Subject};
+
+    fn order(deed: Deed) -> DeskRecord {
+        DeskRecord {
+            by: "petro".to_owned(),
+            deed,
+            outcome: Outcome::Done,
+            why: None,
+        }
+    }
+
+    fn told(part: &InstructorPart) -> Vec<String> {
+        let acts = part.acts().iter();
+        acts.map(|act| act.text().to_string()).collect()
+    }
+
+    #[test]
+    fn a_journal_says_who_flew_what_from_when_to_when() {
+        let at = Duration::from_secs;
+        let vehicles = |ids: &[VehicleId]| ids.to_vec();
+        let mut lines = vec![(1, Happening::Mission { ms: 500 })];
+        let desk = [
+            (
+                10,
+                Deed::TakeOver {
+                    vehicles: vehicles(&[1, 2, 3]),
+                },
+            ),
+            (
+                15,
+                Deed::TakeOver {
+                    vehicles: vehicles(&[2]),
+                },
+            ),
+            (
+                20,
+                Deed::HandBack {
+                    vehicles: vehicles(&[2]),
+                },
+            ),
+            (30, Deed::Freeze),
+            (
+                40,
+                Deed::Recall {
+                    situation: "the turn".into(),
+                },
+            ),
+            (
+                41,
+                Deed::TakeOver {
+                    vehicles: vehicles(&[4]),
+                },
+            ),
+        ];
+        for (second, deed) in desk {
+            lines.push((
+                second,
+                Happening::Mission {
+                    ms: second * 1000 - 1000,
+                },
+            ));
+            lines.push((second, Happening::Desk(order(deed))));
+        }
+        let journal = Journal {
+            head: Head::new(Subject::Mission("00-first-flight".to_owned()), 0),
+            lines: lines
+                .into_iter()
+                .map(|(second, what)| JournalLine::new(at(second), what))
+                .collect(),
+            damage: None,
+            unknown: Vec::new(),
+        };
+        assert_eq!(
+            told(&InstructorPart::of(&journal)),
+            [
+                "petro flew 2 from 00:09 to 00:19",
+                "petro flew 1,3 from 00:09 to 00:39",
+                "petro returned to the situation “the turn” at 00:39",
+                "petro flew 4 from 00:40 to the end",
+            ]
+        );
+    }
+
+    #[test]
+    fn orders_that_were_refused_are_not_told() {
+        let mut part = InstructorPart::default();
+        let refused = DeskRecord {
+            outcome: Outcome::NoEffect,
+            ..order(Deed::TakeOver { vehicles: vec![1] })
+        };
+        part.add(Duration::ZERO, &refused);
+        assert!(part.is_empty());
+        // Records of before name no vehicles if all were meant.
+        part.add(
+            Duration::ZERO,
+            &order(Deed::TakeOver {
+                vehicles: Vec::new(),
+            }),
+        );
+        part.add(
+            Duration::from_secs(65),
+            &order(Deed::HandBack {
+                vehicles: Vec::new(),
+            }),
+        );
+        assert_eq!(told(&part), ["petro flew all vehicles from 00:00 to 01:05"]);
+    }
+}
