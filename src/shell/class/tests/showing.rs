@@ -65,16 +65,11 @@ async fn four_seats_tell_what_is_behind_their_screens_while_they_have_a_tile() {
 async fn a_replay_at_the_desk_is_shown_to_seats_that_do_not_fly() {
     let folder = tempfile::tempdir().expect("a folder");
     let (own, theirs) = (folder.path().join("anna"), folder.path().join("petro"));
-    let part = || ClassPart::Seat { asks: false };
-    let part_of_desk = ClassPart::Desk {
-        name: "9-A".to_owned(),
-        grader: "petro".to_owned(),
-    };
-    let mut desk = keeping(Opening::Home, class(folder.path(), part_of_desk), &theirs).await;
+    let mut desk = keeping(Opening::Home, desk_options(folder.path()), &theirs).await;
     let mission = Arc::new(Mission::parse(FIRST).expect("it is good"));
     let opening = || Opening::Mission(Arc::clone(&mission));
     for _ in 0..2 {
-        let mut anna = keeping(opening(), class(folder.path(), part()), &own).await;
+        let mut anna = keeping(opening(), seat_options(folder.path()), &own).await;
         anna.console.feed(key(KeyCode::Enter)).await;
         until(&mut [&mut desk, &mut anna], |members| {
             members[1].is_flying()
@@ -92,7 +87,7 @@ async fn a_replay_at_the_desk_is_shown_to_seats_that_do_not_fly() {
         until(&mut [&mut desk], |members| members[0].flights() > before).await;
     }
 
-    let mut watches = keeping(Opening::Home, class(folder.path(), part()), &own).await;
+    let mut watches = keeping(Opening::Home, seat_options(folder.path()), &own).await;
     let mut flies = Box::pin(seat(folder.path())).await;
     let user = desk.seats()[0].user().to_owned();
     desk.say(&format!("class replay {user} with {user}")).await;
