@@ -36,6 +36,8 @@ pub enum NameList {
     Trainee,
     /// The rubrics with which the desk grades flights.
     Rubric,
+    /// Everybody on the crew, by name.
+    Crew,
 }
 
 /// A name that a line may contain.
@@ -114,6 +116,7 @@ impl Listed {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject
+            | NameList::Crew
             | NameList::Rubric => words.iter().copied().find(|word| *word == written),
             NameList::Lesson | NameList::Exam if written.contains(['/', '.']) => {
                 return Ok(written.to_owned());

@@ -31,6 +31,7 @@ impl Names for Known {
             NameList::Trainee => &["anna"],
             NameList::Rubric => &["notechs"],
             NameList::Exam => &["two-missions"],
+            NameList::Crew => &["anna", "bohdan"],
             NameList::Inject | NameList::SeatInject if self.has_injects => &["gust"],
             NameList::Inject | NameList::SeatInject => {
                 return Listed::Nothing(text!("console-no-mission"));
