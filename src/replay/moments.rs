@@ -86,6 +86,7 @@ impl Lookout {
                     | VehicleEvent::Given { .. }
                     | VehicleEvent::Foreign(_)
                     | VehicleEvent::Paths(_)
+                    | VehicleEvent::Pilots(_)
                     | VehicleEvent::Rehearsed(_),
                 )
                 | Event::Session(
@@ -104,6 +105,7 @@ impl Lookout {
                 | Event::Replay(_)
                 | Event::Career(_)
                 | Event::Class(_)
+                | Event::Crew(_)
                 | Event::File(_)
                 | Event::Tried(_)
                 | Event::Notice(_)
