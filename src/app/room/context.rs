@@ -35,7 +35,8 @@ impl Names for Known<'_> {
             | NameList::Macro
             | NameList::PlanFile
             | NameList::Seat
-            | NameList::SeatInject => self.0.listed(list),
+            | NameList::SeatInject
+            | NameList::Crew => self.0.listed(list),
             NameList::Lesson => lessons(self.0),
             NameList::Trainee => trainees(self.0),
             NameList::Exam | NameList::Rubric => Listed::Anything,

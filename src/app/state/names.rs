@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::State;
+use super::{CrewPart, State};
 use crate::app::lines::themes;
 use crate::app::room_list::Room;
 use crate::class::SeatRecord;
+use crate::crew::Role;
 use crate::language::{Listed, NameList, Named, Names};
 use crate::text;
 use crate::text::Text;
@@ -31,6 +32,7 @@ impl<R: fmt::Debug> Names for State<R> {
             NameList::PlanFile => Listed::Names(self.typing.plan_files()),
             NameList::Seat => self.seats(),
             NameList::SeatInject => self.seat_injects(),
+            NameList::Crew => self.crew_names(),
             NameList::Macro => {
                 let macros = self.config.macros.iter();
                 let meaning = |lines: &[String]| Text::verbatim(lines.join("; "));
@@ -75,6 +77,34 @@ impl<R> State<R> {
         }
         let named = |(name, title): (&str, &str)| named(name, Text::verbatim(title));
         Listed::Names(titles.into_iter().map(named).collect())
+    }
+
+    /// Everybody on the crew but the user of this console.
+    fn crew_names(&self) -> Listed {
+        let names: Vec<Named> = match &self.crew {
+            CrewPart::None => return Listed::Nothing(text!("crew-none")),
+            CrewPart::Host(crew) => {
+                let members = crew.members();
+                members
+                    .map(|it| named(it.person.name(), it.role.text()))
+                    .collect()
+            }
+            CrewPart::Member(place) => {
+                let own = place.viewpoint.as_ref().map(|it| it.own.name());
+                let others = place.roster.iter();
+                let others = others.filter(|it| Some(it.name.as_str()) != own);
+                others
+                    .map(|it| {
+                        let role = it.role.map_or_else(|| text!("crew-role-host"), Role::text);
+                        named(it.name.as_str(), role)
+                    })
+                    .collect()
+            }
+        };
+        if names.is_empty() {
+            return Listed::Nothing(text!("crew-alone"));
+        }
+        Listed::Names(names)
     }
 
     fn injects(&self) -> Listed {
