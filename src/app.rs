@@ -28,7 +28,7 @@ use crate::workshop::Design;
 use effect::Effect;
 use event::Event;
 use keymap::Keymap;
-use state::{ClassRole, MissionListing};
+use state::{ClassRole, CrewPart, MissionListing};
 
 pub mod action;
 pub mod effect;
@@ -73,6 +73,8 @@ pub struct Setup {
     pub has_rooms: bool,
     /// The console's part in a class.
     pub class: ClassRole,
+    /// The console's part in a crew.
+    pub crew: CrewPart,
 }
 
 impl Default for Setup {
@@ -91,6 +93,7 @@ impl Default for Setup {
             has_ardupilot: false,
             has_rooms: true,
             class: ClassRole::None,
+            crew: CrewPart::None,
         }
     }
 }

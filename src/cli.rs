@@ -8,6 +8,7 @@
 //! - Flying: `fly` (the console, also for `connect`), `run` (a mission with a pilot script), `replay`, `sim` and
 //!   `hangar` (vehicles for other programs).
 //! - A class: `class` opens the instructor's desk; `seat` are the options of trainees' consoles, and `sortie join`.
+//! - A crew: `hosting` is the option of the commands that fly with one, and `crew` joins one.
 //! - A running console: `say` gives it lines, `watch` prints its state, `mcp` offers it to language models.
 //! - After a flight: `debrief` scores it again, `verify` flies it again and compares, `records` lists, exports, signs
 //!   and joins records.
@@ -52,6 +53,7 @@ mod bench;
 mod check;
 mod class;
 mod config;
+mod crew;
 mod debrief;
 mod designs;
 mod doctor;
@@ -61,6 +63,7 @@ mod fly;
 mod free;
 mod hangar;
 mod home;
+mod hosting;
 mod kind;
 mod log;
 mod manual;
@@ -138,6 +141,8 @@ enum CliCommand {
         api: fly::ApiArguments,
         #[command(flatten)]
         seat: seat::SeatArguments,
+        #[command(flatten)]
+        crew: hosting::HostArguments,
         /// Print lines of text instead of drawing a screen, for screen readers and pipes.
         #[arg(long)]
         plain: bool,
@@ -161,6 +166,8 @@ enum CliCommand {
                             sortie join seat-07.join --desk 192.168.1.9:7447   the desk has moved\n  \
                             sortie fly 00 --class seat-07.join                 a mission at once")]
     Join(seat::JoinArguments),
+    /// Joins a crew, whose host flies with `sortie fly --crew NAME`.
+    Crew(crew::CrewArguments),
     /// Sends lines to a console that was started with --api, and prints their outcomes.
     #[command(after_help = "Examples:\n  \
                             sortie say /tmp/lab.sock \"all arm\" \"all takeoff 20\"\n  \
@@ -231,7 +238,12 @@ impl CliCommand {
     fn opens_console(&self) -> bool {
         matches!(
             self,
-            Self::Fly(_) | Self::Connect { .. } | Self::Join(_) | Self::Replay(_) | Self::Class(_)
+            Self::Fly(_)
+                | Self::Connect { .. }
+                | Self::Join(_)
+                | Self::Crew(_)
+                | Self::Replay(_)
+                | Self::Class(_)
         )
     }
 
@@ -256,6 +268,7 @@ impl CliCommand {
             | Self::Connect { .. }
             | Self::Class(_)
             | Self::Join(_)
+            | Self::Crew(_)
             | Self::Run(_)
             | Self::Plan(_)
             | Self::Sim(_)
@@ -362,6 +375,7 @@ fn dispatch(
             forwards,
             api,
             seat,
+            crew,
             plain,
         }) => {
             let mut settings = settings;
@@ -372,6 +386,7 @@ fn dispatch(
                 forwards: &forwards,
                 api: &api,
                 seat: &seat,
+                crew: &crew,
             };
             fly::connect(addresses, joined, plain, settings)
         }
@@ -381,6 +396,7 @@ fn dispatch(
         Some(CliCommand::Verify(options)) => verify::verify(&options, settings.complained()),
         Some(CliCommand::Class(options)) => class::class(&options, settings),
         Some(CliCommand::Join(options)) => fly::join(&options, settings),
+        Some(CliCommand::Crew(options)) => crew::crew(&options, settings),
         Some(CliCommand::Say(options)) => say::say(&options),
         Some(CliCommand::Watch(options)) => watch::watch(&options),
         Some(CliCommand::Mcp(options)) => mcp::serve(&options),

@@ -222,7 +222,9 @@ impl DebriefPage<'_> {
                 revision = report.revision
             )),
         });
-        for text in flown_by.into_iter().chain(mission_file) {
+        let crew = (!report.crew.is_empty())
+            .then(|| text!("debrief-crew", names = report.crew.join(", ")));
+        for text in flown_by.into_iter().chain(crew).chain(mission_file) {
             self.wrapped(" ", &text);
         }
     }

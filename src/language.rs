@@ -58,9 +58,10 @@ pub use complete::{
     Completion, begun, complete, file_begun, hint, lines, usages_begun, vehicle_verbs,
 };
 pub use console::{
-    AlertLine, ClassLine, ConsoleLine, DraftLine, DraftWork, ForwardLine, GhostLine, GhostSource,
-    GradingLine, LineNeeds, LoopTarget, MessagesLine, ParametersLine, ProcessDeed, RadioChoice,
-    Rating, ReplayLine, ReplayedTrainees, Report, ReviewLine, SeatChoice, SeekTarget, TableLine,
+    AlertLine, ClassLine, ConsoleLine, CrewLine, DraftLine, DraftWork, ForwardLine, GhostLine,
+    GhostSource, GradingLine, LineNeeds, LoopTarget, MessagesLine, ParametersLine, ProcessDeed,
+    RadioChoice, Rating, ReplayLine, ReplayedTrainees, Report, ReviewLine, SeatChoice, SeekTarget,
+    TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};

@@ -59,6 +59,7 @@
 //! | | [`text`](mod@text) | messages in the user's language (`locales/`) |
 //! | | [`class_text`] | the orders of an instructor's desk, as text |
 //! | | [`verb`] | the types of a verb's properties; their values are in the table of [`language`] |
+//! | | [`crew`] | several people on one swarm: members, roles, hand-overs, and the lines between host and members |
 //! | | [`pilot_in_command`] | who flies a vehicle, and whose commands it therefore refuses |
 //! | | [`vehicle_id`] | the numbers of vehicles, and sets of them (`1-4,7`) |
 //! | | [`hash`] | a hash that never changes |
@@ -115,6 +116,7 @@ pub mod cli;
 pub mod commands;
 pub mod comparison;
 pub mod config;
+pub mod crew;
 pub mod dataflash;
 pub mod debrief;
 pub mod diagnostic;

@@ -339,9 +339,9 @@ fn barred(
         order.verb.counts_as,
         CountsAs::Task | CountsAs::Setting | CountsAs::PlanChange
     );
-    let targets = order.targets.iter().filter(|_| changes_vehicles);
+    let (by, duty) = (order.by.as_ref(), order.verb.duty);
     let refusal = |&vehicle: &VehicleId| {
-        let reason = scene.pilots.refusal(vehicle, order.by.as_ref())?;
+        let reason = scene.pilots.refusal(vehicle, by, duty)?;
         let row = Dispatch::Row(RowUpdate {
             entry,
             vehicle,
@@ -353,6 +353,7 @@ fn barred(
         });
         Some((vehicle, row))
     };
+    let targets = order.targets.iter().filter(|_| changes_vehicles);
     targets.filter_map(refusal).unzip()
 }
 

@@ -191,6 +191,20 @@ impl Journal {
         Ok(journal)
     }
 
+    /// Adds whole lines that the file has got since; returns whether there were any. A damaged line ends it.
+    pub fn grow(&mut self, lines: &str) -> bool {
+        let before = self.lines.len();
+        for line in lines.split_inclusive('\n') {
+            if self.damage.is_some() {
+                break;
+            }
+            // The number of a line in the file: the head is the first.
+            let number = self.lines.len() + self.unknown.len() + 2;
+            self.damage = self.add(line, number).err();
+        }
+        self.lines.len() > before
+    }
+
     /// Adds a line of the file.
     ///
     /// # Errors
@@ -250,6 +264,7 @@ impl Journal {
             | Happening::Paused { .. }
             | Happening::Mission { .. }
             | Happening::Desk(_)
+            | Happening::Crew(_)
             | Happening::End => None,
         })
     }

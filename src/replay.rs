@@ -14,6 +14,7 @@
 //!   `contents` and `moments` (what happened when).
 //! - How it is shown: `player` (where it is, how fast), `stage` (the vehicles repeat what they
 //!   sent), `index` and `observer` (key frames for jumps).
+//! - `follow` plays a recording that is still being made, for a member of a crew; `growth` reads what is added to it.
 //! - `export` writes it for other programs.
 
 use std::path::Path;
@@ -38,6 +39,8 @@ use crate::vehicle::Severity;
 mod contents;
 mod export;
 mod film;
+mod follow;
+mod growth;
 mod index;
 mod logs;
 mod moments;
@@ -80,6 +83,8 @@ pub struct Replay {
     has_told_damage: bool,
     /// Whether it goes to the end, which may turn out to be later than estimated.
     goes_to_end: bool,
+    /// Up to which time a recording that is still being made is complete; `None` for others.
+    complete_to: Option<Duration>,
 }
 
 impl Replay {
@@ -104,9 +109,13 @@ impl Replay {
 
     fn begin(path: &Path, config: &Config, is_review: bool) -> Result<(Self, Vec<Event>), Text> {
         let film = Arc::new(Film::open(path)?);
+        let index = Index::begin(&film, &film.started(), config)?;
         let stage = Stage::new(&film)?;
+        Ok(Self::of(film, stage, index, is_review))
+    }
+
+    fn of(film: Arc<Film>, stage: Stage, index: Index, is_review: bool) -> (Self, Vec<Event>) {
         let started = film.started();
-        let index = Index::begin(&film, &started, config)?;
         let mut view = film.view();
         view.review = film.review().clone();
         view.is_review = is_review;
@@ -125,9 +134,10 @@ impl Replay {
             has_told_damage: false,
             goes_to_end: false,
             known_gaps: 0,
+            complete_to: film.grows().then_some(Duration::ZERO),
             film,
         };
-        Ok((replay, events))
+        (replay, events)
     }
 
     /// Opens a recording and indexes all of it, so that its moments and its result are known.
@@ -142,6 +152,9 @@ impl Replay {
 
     /// Advances it with the program's clock; returns its events.
     pub fn tick(&mut self, now: Duration) -> Vec<Event> {
+        if let Some(to) = self.complete_to {
+            return self.follow_to(to);
+        }
         let length = self.length();
         if self.goes_to_end {
             self.player.go_to(length);
@@ -172,6 +185,9 @@ impl Replay {
 
     /// Applies a control; returns a remark about an effect that the user may not expect.
     fn control(&mut self, effect: ReplayEffect) -> Result<Option<Text>, Text> {
+        if self.complete_to.is_some() && !matches!(effect, ReplayEffect::Keep(_)) {
+            return Err(text!("crew-live"));
+        }
         let now = self.stage.now();
         self.goes_to_end = effect == ReplayEffect::Seek(SeekTarget::End);
         match effect {
@@ -308,7 +324,8 @@ impl Replay {
 
     /// The length of the recording, if known; otherwise an estimate.
     pub fn length(&self) -> Duration {
-        self.index.length().unwrap_or_else(|| self.film.length())
+        let estimated = || self.complete_to.unwrap_or_else(|| self.film.length());
+        self.index.length().unwrap_or_else(estimated)
     }
 
     /// Waits until the whole recording has been indexed.

@@ -7,7 +7,7 @@
 //! - A flight's life: `options` (how the console starts), `begin` (a session starts, and whether it counts for a
 //!   career), `session`, `pause` (pauses, Ctrl-Z, the speed-up), `pace` (how often the console ticks), `replaying`.
 //! - In: `input` (keys, answers and sizes of the terminal), `signals`, `api` (programs), `class` (the other side of a
-//!   class). Out: `sight` holds what the
+//!   class), `crew` (the other side of a crew). Out: `sight` holds what the
 //!   terminal must show next, `plain` prints lines without a screen.
 //! - How effects are carried out: `effects`, with `orders` (to vehicles), `files`, `missions` (the missions on offer)
 //!   and `career` (profile, purchases).
@@ -22,10 +22,10 @@ use std::time::Duration;
 
 use crossterm::event::{KeyCode, KeyEvent, KeyModifiers};
 
-use crate::app::effect::{ClassEffect, ProgramAnswer, ProgramFault, SituationEffect};
+use crate::app::effect::{ClassEffect, CrewEffect, ProgramAnswer, ProgramFault, SituationEffect};
 use crate::app::event::{Event, TerminalEvent, VehicleEvent};
 use crate::app::room::{hangar, messages};
-use crate::app::state::ClassRole;
+use crate::app::state::{ClassRole, CrewPart};
 use crate::app::{App, Setup};
 use crate::campaign::{Attempt, Stake};
 use crate::config::Config;
@@ -41,6 +41,7 @@ mod api;
 mod begin;
 mod career;
 mod class;
+mod crew;
 mod drive;
 mod effects;
 mod files;
@@ -66,6 +67,8 @@ use begin::SeedSources;
 use career::Careers;
 use class::ClassEnd;
 pub use class::ClassOptions;
+use crew::CrewEnd;
+pub use crew::CrewOptions;
 pub use drive::drive;
 use input::hear_last_answer;
 pub use missions::mission_faults;
@@ -88,6 +91,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
     let mut class = open_class(&options).await?;
+    let mut crew = open_crew(&options)?;
     let mut screen = Screen::open(
         options.preferences.config.fps,
         options.preferences.config.mouse,
@@ -109,6 +113,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
             () = pace.tick() => console.tick().await,
             arrival = programs.next() => console.serve(&mut programs, arrival).await,
             arrival = class.next() => console.attend(&mut class, arrival).await,
+            arrival = crew.next() => console.attend_crew(&mut crew, arrival).await,
             input = keyboard.next() => match input {
                 Some(input) => console.hear_all(input, &mut screen, &mut keyboard).await,
                 None => console.is_cut_off = true,
@@ -124,10 +129,13 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
         let picture = || screen.frame().map(ui::picture);
         class.carry_out(std::mem::take(&mut console.class_work));
         console.tell_class(&mut class, &picture);
+        console.tell_crew(&mut crew);
     }
     console.close().await;
+    console.tell_crew(&mut crew);
     console.hand_in_rest(&mut class).await;
     class.close().await;
+    crew.close().await;
     programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
     console.require_stored()
@@ -140,6 +148,15 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
 async fn open_class(options: &ConsoleOptions) -> anyhow::Result<ClassEnd> {
     let opened = ClassEnd::open(options).await;
     opened.map_err(|fault| anyhow::anyhow!(options.look.text(&Text::from(&fault))))
+}
+
+/// Opens the console's end of a crew, if it has a part in one.
+///
+/// # Errors
+/// The crew cannot be opened, or flights are not recorded.
+fn open_crew(options: &ConsoleOptions) -> anyhow::Result<CrewEnd> {
+    let opened = CrewEnd::open(options);
+    opened.map_err(|fault| anyhow::anyhow!(options.look.text(&fault)))
 }
 
 /// The command history, oldest first. A history that cannot be read adds a warning.
@@ -202,6 +219,8 @@ struct Console {
     trial: Option<trials::TrialWork>,
     /// Work for the console's end of a class.
     class_work: Vec<ClassEffect>,
+    /// Work for the console's end of a crew.
+    crew_work: Vec<CrewEffect>,
     /// The unsaved drafts; `None` without a folder for data.
     drafts: Option<UnsavedDrafts>,
 }
@@ -238,6 +257,10 @@ impl Console {
                 .class
                 .as_ref()
                 .map_or(ClassRole::None, ClassOptions::role),
+            crew: options
+                .crew
+                .as_ref()
+                .map_or(CrewPart::None, CrewOptions::part),
         };
         let drafts = preferences.data.as_deref().map(UnsavedDrafts::new);
         let mut console = Self {
@@ -264,6 +287,7 @@ impl Console {
             ghost: None,
             trial: None,
             class_work: Vec::new(),
+            crew_work: Vec::new(),
             drafts,
         };
         console.open_careers(course, false);

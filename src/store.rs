@@ -15,6 +15,7 @@
 //!   records, `sharing` lets a group read results.
 //! - A class: `waiting_records` are the records that a seat has to hand in, `class_records` those that the desk keeps;
 //!   `class_results` reads the results from them. `exam_notes` are what the desk keeps of exams, `seals` their results.
+//! - A crew: `record_tail` reads the record of the host while it grows, `record_copy` keeps it at a member.
 //! - What else the user keeps: `plans`, `unsaved` (drafts), `history` (typed lines), `logs` and `transferred` (files
 //!   from vehicles), `terrain`, `keys` (of MAVLink signing).
 
@@ -46,6 +47,8 @@ mod new_name;
 mod output;
 mod plans;
 mod profiles;
+mod record_copy;
+mod record_tail;
 mod records;
 mod regular;
 mod runs;
@@ -78,6 +81,8 @@ pub use profiles::{
     MendedRows, PastRun, Profile, ProfileError, ProfileFile, ProfileSettings, Profiles, Rescue,
     RunEntry,
 };
+pub use record_copy::RecordCopy;
+pub use record_tail::RecordTail;
 pub use records::{
     RecordFiles, RecordLimits, RecordPiece, RecordSignature, RecordWriter, Recording,
     RecordingFault, Records, read_log,

@@ -26,6 +26,14 @@ impl VehicleIds {
     }
 }
 
+impl From<Vec<VehicleId>> for VehicleIds {
+    fn from(mut ids: Vec<VehicleId>) -> Self {
+        ids.sort_unstable();
+        ids.dedup();
+        Self(ids)
+    }
+}
+
 impl FromStr for VehicleIds {
     type Err = Text;
 

@@ -23,6 +23,8 @@ pub struct Verb {
     pub movement: Movement,
     /// How commands with the verb count in a score.
     pub counts_as: CountsAs,
+    /// Who of a crew may give its orders to vehicles that others fly.
+    pub duty: CrewDuty,
     /// The kinds of vehicles that cannot carry its orders out.
     pub unsuited: &'static [Unsuited],
 }
@@ -37,9 +39,21 @@ impl Verb {
             precedence: Precedence::InTurn,
             movement: Movement::None,
             counts_as: CountsAs::Word,
+            duty: CrewDuty::Flying,
             unsuited: &[],
         }
     }
+}
+
+/// The task in a crew to which an order belongs. The pilot in command may give every order to the own vehicles.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CrewDuty {
+    /// Flying a vehicle: for its pilot in command only.
+    Flying,
+    /// Reports and payloads: also for the crew's sensor operators, for every vehicle.
+    Sensors,
+    /// Making a vehicle safe: also for the crew's safety pilots, for every vehicle.
+    Safety,
 }
 
 /// A kind of vehicle that cannot carry out the orders of a verb, and why.

@@ -46,6 +46,7 @@ debrief-only-gold = No more points to gain; gold needs { $gates }.
 debrief-good = good
 
 # Prediction and goal, stated before launch.
+debrief-crew = commands also by { $names }
 debrief-by-hand = Flown by hand
 debrief-by-script = Flown by a script: practice
 debrief-by-bundled-pilot = Flown by a pilot script that comes with sortie: practice

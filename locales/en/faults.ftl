@@ -42,6 +42,9 @@ fault-step-placeholder = unknown placeholder: a step has only `{ $known }`
 fault-step-key = `{ $key }` and `key` go together
 fault-pads = { $vehicles } vehicles need { $vehicles } pads, not { $found }
 fault-each-pad = `{ $name }` has { $count } entries for { $pads } pads: write one for each
+fault-crew-no-pilot = `{ $role }` flies no vehicles: leave `vehicles` out
+fault-crew-vehicles = no vehicle { $vehicles }: the fleet has { $count }
+fault-crew-twice = { $vehicles } has a pilot already
 fault-loaners = `loaner` lends at most one design for each pad
 fault-requires-most = `requires` names at most { $most } missions
 fault-faulty-plans = more faulty plans than `plans` or `faults`
@@ -161,6 +164,7 @@ check-corners = { $from } and { $to }
 
 # The kinds of things that names refer to.
 name-an-action = an action
+name-crew-role = role
 name-earlier-survey = earlier sample_cells objective
 name-event = event
 name-fault = fault

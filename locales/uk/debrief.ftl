@@ -47,6 +47,7 @@ debrief-only-gold = Більше балів здобути не можна; дл
 debrief-good = добре
 
 # Прогноз і мета, заявлені до зльоту.
+debrief-crew = команди давали також: { $names }
 debrief-by-hand = Політ виконано власноруч
 debrief-by-script = Політ виконав скрипт: тренування
 debrief-by-bundled-pilot = Політ виконав скрипт із комплекту sortie: тренування

@@ -42,6 +42,9 @@ fault-step-placeholder = невідома підстановка: у кроці 
 fault-step-key = `{ $key }` і `key` бувають лише разом
 fault-pads = майданчиків має бути стільки ж, скільки апаратів ({ $vehicles }), а не { $found }
 fault-each-pad = у `{ $name }` елементів { $count }, а майданчиків { $pads }: потрібен один на кожен
+fault-crew-no-pilot = роль `{ $role }` не керує апаратами: приберіть `vehicles`
+fault-crew-vehicles = немає апарата { $vehicles }: усього апаратів { $count }
+fault-crew-twice = { $vehicles } уже має пілота
 fault-loaners = `loaner` позичає щонайбільше один проєкт на майданчик
 fault-requires-most = `requires` називає щонайбільше { $most } завдань
 fault-faulty-plans = планів з помилками більше, ніж `plans` або `faults`
@@ -161,6 +164,7 @@ check-corners = { $from } і { $to }
 
 # Види речей, на які вказують імена.
 name-an-action = дія
+name-crew-role = роль
 name-earlier-survey = попередня ціль `sample_cells`
 name-event = подія
 name-fault = несправність

@@ -6,6 +6,8 @@ use crate::campaign::{Aids, Stake};
 use crate::class::protocol::Denial;
 use crate::class::{ConnectionId, DeskHeard, ExamNote, OrderId, RecordName};
 use crate::commands::Order;
+use crate::crew::CrewRecord;
+use crate::crew::protocol::{CrewDenial, HeldRecord, HostMessage, MemberMessage};
 use crate::diagnostic::Diagnostic;
 use crate::draft::Trial;
 use crate::forward::ForwardSpec;
@@ -85,6 +87,8 @@ pub enum Effect {
     Career(CareerEffect),
     /// Do something for the class.
     Class(ClassEffect),
+    /// Do something for the crew.
+    Crew(CrewEffect),
     /// Start, change or end a session.
     Session(SessionEffect),
     Replay(ReplayEffect),
@@ -181,6 +185,35 @@ pub enum FileEffect {
     },
     /// Write the unsaved drafts to their file in the data folder; `None` removes the file.
     KeepDrafts(Option<String>),
+}
+
+/// Work for a crew.
+#[derive(Debug, Clone, PartialEq)]
+pub enum CrewEffect {
+    /// At the host: add a change to the journal.
+    Note(CrewRecord),
+    /// At the host: let a member in, with this first line, and send the record from where the member has got to.
+    Admit {
+        connection: ConnectionId,
+        welcome: HostMessage,
+        has: Option<HeldRecord>,
+    },
+    /// At the host: tell somebody why joining is not possible, and end the connection.
+    Deny {
+        connection: ConnectionId,
+        denial: CrewDenial,
+    },
+    /// At the host: end a connection.
+    Drop(ConnectionId),
+    /// At the host: tell a member something.
+    Tell {
+        connection: ConnectionId,
+        message: HostMessage,
+    },
+    /// At the host: tell all members something.
+    TellAll(HostMessage),
+    /// At a member: tell the host something.
+    Say(MemberMessage),
 }
 
 /// A change to the profile in use or to its data.

@@ -20,6 +20,7 @@ use crate::class::{
     ConnectionId, Exam, OrderId, RecordName, Refusal, Submission, SubmissionRefusal,
 };
 use crate::class_results::{ClassResults, FoundFlights};
+use crate::crew::protocol::{HostMessage, MemberMessage};
 use crate::doctor::LinkFinding;
 use crate::draft::Tried;
 use crate::geo::{LatLon, Terrain};
@@ -32,7 +33,7 @@ use crate::moment::Moment;
 use crate::notice::Notice;
 use crate::operator::RehearsalFindings;
 use crate::parameters::ParameterSnapshot;
-use crate::pilot_in_command::Person;
+use crate::pilot_in_command::{Person, PilotsInCommand};
 use crate::record::DeskRecord;
 use crate::review::Review;
 use crate::scoring::{Report, TryReport};
@@ -70,6 +71,8 @@ pub enum Event {
     Career(CareerEvent),
     /// Something happened between a seat and the desk of its class.
     Class(ClassEvent),
+    /// Something happened between the host and the members of a crew.
+    Crew(CrewEvent),
     /// A file was read or written by the shell.
     File(FileEvent),
     /// Drafts were flown together in simulation.
@@ -154,6 +157,8 @@ pub enum VehicleEvent {
     Foreign(ForeignCommand),
     /// The paths that vehicles of a manoeuvre will fly.
     Paths(Vec<Path>),
+    /// In a replay: vehicles have other pilots.
+    Pilots(PilotsInCommand),
     /// A rehearsal is over.
     Rehearsed(RehearsalFindings),
 }
@@ -354,6 +359,26 @@ pub enum ExamEvent {
     Failed(Text),
 }
 
+/// What happens between the host of a crew and its members.
+#[derive(Debug, Clone)]
+pub enum CrewEvent {
+    /// At the host: a member, or somebody who wants to join, has said something.
+    Heard {
+        connection: ConnectionId,
+        /// The user at the other end, from the system.
+        user: String,
+        message: MemberMessage,
+    },
+    /// At the host: a connection has ended.
+    Left(ConnectionId),
+    /// At a member: the host has said something.
+    Said(HostMessage),
+    /// At a member: the connection to the host has ended.
+    Lost,
+    /// At a member: the crew cannot be joined, for this reason.
+    Refused(Text),
+}
+
 /// The result of a file operation. Paths are as the user typed them.
 #[derive(Debug, Clone)]
 pub enum FileEvent {
@@ -400,6 +425,7 @@ part_of_event! {
     ReplayEvent => Replay,
     CareerEvent => Career,
     ClassEvent => Class,
+    CrewEvent => Crew,
     FileEvent => File,
     Notice => Notice,
 }

@@ -31,7 +31,8 @@ impl Names for NamesInFiles<'_> {
             | NameList::Lesson
             | NameList::Exam
             | NameList::Trainee
-            | NameList::Rubric => Listed::Anything,
+            | NameList::Rubric
+            | NameList::Crew => Listed::Anything,
         }
     }
 }

@@ -16,7 +16,7 @@
 //!   from the keymap and the verbs), `names` (the names that a line may use), `sticks`; `display` has the size of
 //!   the smallest terminal. `training` and `career` hold missions, results and standing.
 //! - The class: `class` (a seat or the desk), `seat_report` (what a seat says of itself), `danger` (collisions and broken
-//!   fences that are near).
+//!   fences that are near). `crew` is the part in a crew, of the host or of a member.
 //! - `views` is what other modules may read.
 
 use std::sync::Arc;
@@ -39,6 +39,7 @@ mod career;
 mod choice;
 mod class;
 mod column;
+mod crew;
 mod danger;
 mod display;
 mod filter;
@@ -83,6 +84,7 @@ pub(in crate::app) use class::{
 };
 pub use class::{ClassRole, SeatPlace, ShownTry};
 pub use column::SortKey;
+pub use crew::{CrewPart, MemberPlace};
 pub use display::{Display, SMALLEST, is_too_small};
 pub use filter::VehicleFilter;
 pub use flight_view::{Activity, FlightView};
@@ -149,6 +151,8 @@ pub struct State<R> {
     pub(in crate::app) has_ardupilot: bool,
     /// The console's part in a class.
     pub(in crate::app) class: ClassRole,
+    /// The console's part in a crew.
+    pub(in crate::app) crew: CrewPart,
     message: Option<Message>,
     revision: u64,
 }
@@ -208,6 +212,7 @@ impl<R: Default> State<R> {
             documents: setup.documents,
             has_ardupilot: setup.has_ardupilot,
             class: setup.class,
+            crew: setup.crew,
             message: None,
             revision: 0,
         }
@@ -316,7 +321,7 @@ impl<R> State<R> {
 
     /// Whether the room's keys have a row of their own above the timeline of a replay.
     pub fn has_keys_above_replay(&self) -> bool {
-        self.replay.is_some() && self.room.is_apart_from_flight()
+        self.shows_past() && self.room.is_apart_from_flight()
     }
 
     /// The listing of the mission that is being flown.

@@ -12,7 +12,7 @@
 //! - `consequence` carries out what was confirmed. `loss` finds what would be lost if the session ended now, and
 //!   `ending` asks before that.
 //! - The course of a session: `start`, `mission` (pause, restart, give up), `replay`, `review`, `ghost`, `sticks`;
-//!   `pace` decides when the speed-up may rise, and which event resets it.
+//!   `crew` is what the host of a crew and its members do, `relay` what members ask for; `pace` decides when the speed-up may rise, and which event resets it.
 //! - Reports of the shell: `telemetry` (time, vehicles, notices, and the signals that are due), `links`, `hangar`,
 //!   `files`, `profiles`.
 
@@ -33,6 +33,7 @@ mod batch;
 mod class;
 mod consequence;
 mod console_line;
+mod crew;
 mod drafts;
 mod ending;
 mod files;
@@ -56,6 +57,7 @@ mod program;
 mod prompt;
 mod radio;
 mod reader;
+mod relay;
 mod replay;
 mod review;
 mod selection;
@@ -111,6 +113,7 @@ fn react(state: &mut State, event: Event) -> Effects {
             effects.extend(plans::keep(state));
             effects.extend(vehicle_files::wanted(state));
             effects.extend(sticks::tick(state));
+            effects.extend(crew::tick(state));
             return effects;
         }
         Event::Terminal(event) => return terminal(state, event),
@@ -118,10 +121,17 @@ fn react(state: &mut State, event: Event) -> Effects {
         Event::Vehicle(event) => return vehicle(state, event),
         Event::Link(event) => return link(state, event),
         Event::Process(event) => processes(state, event),
-        Event::Session(event) => session(state, event),
+        Event::Session(event) => {
+            let has_begun = matches!(event, SessionEvent::Started(_));
+            session(state, event);
+            if has_begun {
+                return crew::began(state);
+            }
+        }
         Event::Replay(event) => replay::happened(state, event),
         Event::Career(event) => career(state, event),
         Event::Class(event) => return class::happened(state, event),
+        Event::Crew(event) => return crew::happened(state, event),
         Event::File(event) => return file(state, event),
         Event::Tried(tried) => {
             state.touch();
@@ -198,6 +208,7 @@ fn vehicle(state: &mut State, event: VehicleEvent) -> Effects {
             state.rooms.ledger.spoil();
         }
         VehicleEvent::Paths(paths) => state.session.paths = paths,
+        VehicleEvent::Pilots(pilots) => state.session.pilots = pilots,
         VehicleEvent::Rehearsed(findings) => state.session.note_rehearsal(findings),
     }
     state.touch();

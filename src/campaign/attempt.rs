@@ -68,6 +68,8 @@ pub struct AttemptMeans {
     pub has_own_airframes: bool,
     /// The speed-up of simulated time.
     pub speedup: f64,
+    /// Whether a crew flies.
+    pub has_crew: bool,
 }
 
 /// Whether a flight does not count as an attempt, because it is practice or was flown by a script.
@@ -171,6 +173,9 @@ impl AttemptTerms<'_> {
         let stage = trainee.course.stage(offer, trainee.standing, self.day);
         if let MissionStage::Locked(why) = stage {
             reasons.push(PracticeReason::Locked(why));
+        }
+        if self.means.has_crew && self.mission.seats.crew.is_empty() {
+            reasons.push(PracticeReason::Crew);
         }
         let fleet = self.mission.fleet().iter();
         reasons.extend(fleet.filter_map(|design| trainee.missing_parts(design)));

@@ -10,6 +10,7 @@ use clap::Args;
 use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
 use super::free::FreeOptions;
+use super::hosting::HostArguments;
 use super::seat::{JoinArguments, SeatArguments};
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
@@ -34,6 +35,7 @@ const VEHICLES: u8 = 4;
     sortie fly 05 --design searcher\n  \
     sortie fly --vehicles 8 --speedup 4\n  \
     sortie fly missions/my-mission.toml --seed 7\n  \
+    sortie fly 06 --crew alpha                 others join with sortie crew join alpha\n  \
     sortie fly 01 --backend ardupilot --arducopter build/sitl/bin/arducopter\n  \
     sortie fly --kind rover --vehicles 2 --home 50.45,30.52,180,90 --param WP_SPEED=3\n  \
     sortie fly --kind boat --ardurover build/sitl/bin/ardurover")]
@@ -58,6 +60,8 @@ pub(super) struct FlyArguments {
     api: ApiArguments,
     #[command(flatten)]
     seat: SeatArguments,
+    #[command(flatten)]
+    crew: HostArguments,
     /// Print lines of text instead of drawing a screen, for screen readers and pipes.
     #[arg(long)]
     plain: bool,
@@ -183,10 +187,15 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
     let backend = arguments
         .backend
         .choose(&arguments.free.asked(), &settings)?;
+    let crew = arguments.crew.options();
     let options = ConsoleOptions {
         forwards: arguments.forwards.or_configured(&settings)?,
         api: arguments.api.options(),
-        class: arguments.seat.or_configured(&settings)?,
+        class: match &crew {
+            Some(_) => None,
+            None => arguments.seat.or_configured(&settings)?,
+        },
+        crew,
         backend: VehicleBackend {
             free: arguments.free.flight(backend.ardupilot.is_some())?,
             ..backend
@@ -205,6 +214,7 @@ pub(super) struct JoinedArguments<'a> {
     pub forwards: &'a ForwardArguments,
     pub api: &'a ApiArguments,
     pub seat: &'a SeatArguments,
+    pub crew: &'a HostArguments,
 }
 
 /// Opens the console on running vehicles.
@@ -214,10 +224,15 @@ pub(super) fn connect(
     plain: bool,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
+    let crew = joined.crew.options();
     let options = ConsoleOptions {
         forwards: joined.forwards.or_configured(&settings)?,
         api: joined.api.options(),
-        class: joined.seat.or_configured(&settings)?,
+        class: match &crew {
+            Some(_) => None,
+            None => joined.seat.or_configured(&settings)?,
+        },
+        crew,
         ..options(Opening::Connect(addresses), settings)?
     };
     open(options, plain)
@@ -275,6 +290,7 @@ pub(super) fn options(
         typed_by: FlownBy::Hand,
         api: None,
         class: None,
+        crew: None,
         forwards: Vec::new(),
         look: look(&settings),
         preferences: Preferences {

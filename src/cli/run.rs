@@ -244,6 +244,7 @@ impl<'l> RunRequest<'_, 'l> {
                 flown_by: self.flown_by,
                 has_own_airframes: !self.backend.airframes.is_empty(),
                 speedup,
+                has_crew: false,
             },
             day: day_of(SystemTime::now()),
             random: SysRng.try_next_u64().ok(),

@@ -15,9 +15,11 @@ use crate::plan::generate::Course;
 use crate::vehicle::{RadioTest, VehicleId};
 
 mod class;
+mod crew;
 mod grading;
 
 pub use class::{ClassLine, ReplayedTrainees, SeatChoice};
+pub use crew::CrewLine;
 pub use grading::{GradingLine, Rating};
 
 /// A line that the console carries out itself, without any vehicle.
@@ -93,6 +95,8 @@ pub enum ConsoleLine {
     Ghost(GhostLine),
     /// A command about the class.
     Class(ClassLine),
+    /// A command about the crew.
+    Crew(CrewLine),
     /// Abandon the mission and show its debrief.
     Abandon,
     /// Restart the same mission.
@@ -155,6 +159,7 @@ impl ConsoleLine {
             | Self::Draft(_)
             | Self::Ghost(_)
             | Self::Class(_)
+            | Self::Crew(_)
             | Self::Leave
             | Self::Quit => LineNeeds::Nothing,
         }

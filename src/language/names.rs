@@ -38,6 +38,8 @@ pub enum NameList {
     Trainee,
     /// The rubrics with which the desk grades flights.
     Rubric,
+    /// Everybody on the crew, by name.
+    Crew,
 }
 
 /// A name that a line may contain.
@@ -117,6 +119,7 @@ impl Listed {
             | NameList::Seat
             | NameList::SeatInject
             | NameList::Situation
+            | NameList::Crew
             | NameList::Rubric => words.iter().copied().find(|word| *word == written),
             NameList::Lesson | NameList::Exam if written.contains(['/', '.']) => {
                 return Ok(written.to_owned());

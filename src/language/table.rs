@@ -4,7 +4,8 @@
 //! - For vehicles: `flight` (arm, take off, return, stop), `motion` (go, turn, climb), `swarm` (together), `plans`
 //!   (the lists on board), `devices` (outputs, parameters, logs, keys), `files`, and `raw` for commands as typed.
 //! - For the mission: `mission` (loads, reports, prediction). For a script: `waiting`.
-//! - For the console: `console` (screen, selection), `session` (start, speed, end), `class`, `drafts`, `replay`, `review`.
+//! - For the console: `console` (screen, selection), `session` (start, speed, end), `class`, `crew`, `drafts`, `replay`,
+//!   `review`.
 //!
 //! The properties of a verb (danger, retries, precedence, when it has arrived) stand in its row.
 
@@ -12,10 +13,11 @@ use super::argument::{Arguments, Problem};
 use super::console::ConsoleLine;
 use super::verb::{Meaning, Scope, VerbRow};
 use crate::commands::{Act, Command, Deed, Manoeuvre, PlanTask};
-use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
+use crate::verb::{CountsAs, CrewDuty, Danger, Movement, Precedence, Retry, Verb};
 
 mod class;
 mod console;
+mod crew;
 mod devices;
 mod drafts;
 mod files;
@@ -53,7 +55,7 @@ pub fn verb(name: &str) -> Option<&'static Verb> {
     verbs().find(|verb| verb.name == name)
 }
 
-static TABLE: [&[VerbRow]; 14] = [
+static TABLE: [&[VerbRow]; 15] = [
     flight::ROWS,
     motion::ROWS,
     swarm::ROWS,
@@ -68,6 +70,7 @@ static TABLE: [&[VerbRow]; 14] = [
     console::ROWS,
     session::ROWS,
     class::ROWS,
+    crew::ROWS,
 ];
 
 /// For arming: a motor that starts late can hurt a person, so the attempts end soon.
@@ -94,6 +97,7 @@ const fn setting(name: &'static str) -> Verb {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     }
 }
@@ -115,6 +119,7 @@ const fn confirmed(name: &'static str) -> Verb {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     }
 }

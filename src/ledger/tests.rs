@@ -1,7 +1,7 @@
 //! Rows of the operator's own commands, and of those of other stations.
 
 use super::*;
-use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry};
+use crate::verb::{CountsAs, CrewDuty, Danger, Movement, Precedence, Retry};
 use crate::wire::MavAddress;
 
 #[test]
@@ -31,6 +31,7 @@ const ARM: Verb = Verb {
     precedence: Precedence::Awaited,
     movement: Movement::None,
     counts_as: CountsAs::Task,
+    duty: CrewDuty::Flying,
     unsuited: &[],
 };
 

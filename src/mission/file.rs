@@ -5,6 +5,7 @@
 //! - What is flown, and where: `head`, `site`, `fleet`, `board` (plans on board), `places`, `zones`, `radio`.
 //! - What counts: `objectives`, `rules`, `score`, `career` (requirements and rewards).
 //! - What happens and what is said: `events` with their `condition`s and `action`s, `advice`, `lesson`.
+//! - Who flies it: `crew`.
 
 use toml::de::DeTable;
 
@@ -16,9 +17,10 @@ use super::hazard::{self, Hazard};
 use super::radio::Radio;
 use super::weather::Weather;
 use super::{
-    CareerTerms, FlightRules, LessonStep, Mission, MissionAdvice, MissionSite, MissionSource,
-    Origin, Point,
+    CareerTerms, FlightRules, LessonStep, Mission, MissionAdvice, MissionSeats, MissionSite,
+    MissionSource, Origin, Point,
 };
+use crate::crew::Post;
 use crate::diagnostic::Diagnostic;
 use crate::scoring::ScoreRules;
 use crate::text;
@@ -28,6 +30,7 @@ mod advice;
 mod board;
 mod career;
 mod condition;
+mod crew;
 mod events;
 mod fleet;
 mod head;
@@ -50,6 +53,9 @@ const MOST_TABLES: usize = 200;
 const MOST_HAZARDS: usize = 20;
 /// The maximum number of objectives, each of which may have as many cells as a hazard.
 const MOST_OBJECTIVES: usize = 50;
+
+/// The maximum number of members of a crew.
+const MOST_POSTS: usize = 16;
 
 /// Reads a mission file.
 pub(super) fn read(source: &str) -> Result<Mission, Vec<Diagnostic>> {
@@ -112,7 +118,10 @@ fn mission(file: &mut FileTable<'_>) -> Option<Mission> {
             hazard_ids: file.draft().ids("hazards").to_vec(),
             radio: course.radio,
         },
-        seats: setting.fleet.seats(),
+        seats: MissionSeats {
+            crew: course.crew,
+            ..setting.fleet.seats()
+        },
         board: content.board,
         objectives: content.objectives,
         events: course.events,
@@ -220,12 +229,13 @@ impl MissionContent {
     }
 }
 
-/// The sections for events, advice and the lesson.
+/// The sections for events, advice, the lesson and the crew.
 struct MissionCourse {
     radio: Option<Radio>,
     events: Vec<Event>,
     may_inject: Vec<Standard>,
     lesson: Vec<LessonStep>,
+    crew: Vec<Post>,
 }
 
 impl MissionCourse {
@@ -252,11 +262,18 @@ impl MissionCourse {
             "steps that guide a trainee through the first flights; not shown in exams, after the mission has been passed, \
              or when advice is switched off",
         );
+        let crew = file.may(
+            "crew",
+            tables(crew::post, MOST_POSTS),
+            "the places of a crew that flies the mission together; without these tables, the mission is meant for one \
+             person. The host of the crew flies every vehicle that no other member flies",
+        );
         Self {
             radio,
             events: events.unwrap_or_default(),
             may_inject: may_inject.unwrap_or_default(),
             lesson: lesson.unwrap_or_default(),
+            crew: crew::checked(file, crew.unwrap_or_default()),
         }
     }
 }

@@ -6,6 +6,7 @@ use std::time::Duration;
 use super::objective::{GateRoute, ObjectiveScene};
 use super::world::World;
 use super::{Area, Hint, KnownWire, Mission, Need, Outlay, Requires, Rewards};
+use crate::crew::Post;
 use crate::geo::LatLon;
 use crate::scoring::{Component, GateSubject, Medals, MissionFile};
 use crate::swarm::Rules;
@@ -79,6 +80,8 @@ pub struct Listing {
     pub gold_requires: Vec<Text>,
     /// The rules for surveys and other manoeuvres.
     pub swarm_rules: Rules,
+    /// The places of a crew that flies the mission; empty if it is meant for one person.
+    pub crew: Vec<Post>,
 }
 
 impl Listing {
@@ -160,6 +163,7 @@ impl Mission {
             outlay: self.seats.outlay.clone(),
             gold_requires: self.listed_gates(),
             swarm_rules: self.swarm_rules(),
+            crew: self.seats.crew.clone(),
         }
     }
 

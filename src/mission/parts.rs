@@ -8,6 +8,7 @@ use super::sensor::Sensor;
 use super::zone::Zone;
 use super::{Clue, Hint, LessonStep, Origin, Outlay, Point, Requires, Rewards};
 use super::{fit, radio, weather};
+use crate::crew::Post;
 use crate::diagnostic::Diagnostic;
 use crate::sim::VehicleKind;
 use crate::text::Text;
@@ -108,6 +109,8 @@ pub struct MissionSeats {
     /// The designs of the vehicles built for the mission, in the order of their pads; empty if the
     /// mission's own vehicles fly. Seats of a kind without a design have the mission's own vehicles.
     pub(crate) designs: Vec<Design>,
+    /// The places of a crew that flies the mission; empty if it is meant for one person.
+    pub crew: Vec<Post>,
 }
 
 impl MissionSeats {

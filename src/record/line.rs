@@ -9,6 +9,7 @@ use super::desk_line::DeskRecord;
 use super::foreign_line::ForeignLine;
 use crate::alert::AlertKind;
 use crate::commands::Order;
+use crate::crew::CrewRecord;
 use crate::geo::LatLon;
 use crate::language;
 use crate::ledger::{EntryId, LedgerRow, Risk, RowState, RowUpdate};
@@ -66,6 +67,7 @@ impl JournalLine {
             | Happening::Paused { .. }
             | Happening::Bookmark { .. }
             | Happening::Desk(_)
+            | Happening::Crew(_)
             | Happening::End => true,
         };
         is_short && is_next(self.at(), before)
@@ -108,6 +110,8 @@ pub enum Happening {
     Bookmark { text: String },
     /// An order of an instructor's desk has ended.
     Desk(DeskRecord),
+    /// The members of a crew, or the pilots of vehicles, have changed.
+    Crew(CrewRecord),
     /// The session was ended normally.
     End,
 }

@@ -24,7 +24,7 @@ use crate::text::Text;
 const TAIL_LEN: u64 = 64 * 1024;
 const LONGEST_US: u64 = 7 * 24 * 3600 * 1_000_000;
 
-/// An open recording. It does not change while it is replayed.
+/// An open recording. It does not change while it is replayed, unless it is still being made.
 #[derive(Debug)]
 pub struct Film {
     files: RecordFiles,
@@ -40,9 +40,27 @@ pub struct Film {
     began_unix_us: u64,
     day: Arc<DayClock>,
     length: Duration,
+    /// Whether the recording is still being made.
+    grows: bool,
 }
 
 impl Film {
+    /// Opens a recording that is still being made.
+    ///
+    /// # Errors
+    /// As [`open`](Self::open).
+    pub fn open_growing(path: &Path) -> Result<Self, Text> {
+        Ok(Self {
+            grows: true,
+            ..Self::open(path)?
+        })
+    }
+
+    /// Whether the recording is still being made.
+    pub fn grows(&self) -> bool {
+        self.grows
+    }
+
     /// Opens a recording by one of its files.
     ///
     /// # Errors
@@ -87,6 +105,7 @@ impl Film {
             began_unix_us,
             day,
             length: span.length_from(began_unix_us).max(told),
+            grows: false,
         })
     }
 
@@ -123,6 +142,7 @@ impl Film {
         let mut view = ReplayView::new(self.name(), self.began_unix_us, self.length);
         view.clock = Arc::clone(&self.clock);
         view.day = Arc::clone(&self.day);
+        view.is_live = self.grows;
         view
     }
 
@@ -133,8 +153,12 @@ impl Film {
 
     /// The faults of its journal, its run, its review and its logs.
     pub fn damage(&self) -> impl Iterator<Item = Text> {
-        let journal = self.journal.iter().flat_map(Journal::faults);
-        let run = self.run.as_ref().and_then(Stored::damaged_line);
+        // Of one that is still being made, the last lines may not be whole yet.
+        let is_read = !self.grows;
+        let journal = self.journal.as_ref().filter(|_| is_read).into_iter();
+        let journal = journal.flat_map(Journal::faults);
+        let run = self.run.as_ref().filter(|_| is_read);
+        let run = run.and_then(Stored::damaged_line);
         let run = run.map(|fault| text!("replay-run-damaged", fault = fault.clone()));
         let faults = self.faults.iter().cloned();
         journal
@@ -184,7 +208,12 @@ impl Film {
         let open = || {
             let mut file = File::open(&self.frames)?;
             file.seek(SeekFrom::Start(offset))?;
-            Ok(TlogSalvage::at(file, offset, last_us))
+            let salvage = TlogSalvage::at(file, offset, last_us);
+            Ok(if self.grows {
+                salvage.growing()
+            } else {
+                salvage
+            })
         };
         open().map_err(|error: std::io::Error| unread(&self.frames, &error))
     }

@@ -106,6 +106,14 @@ impl Index {
         })
     }
 
+    /// No index: a recording that is still being made is only followed.
+    pub fn none() -> Self {
+        Self {
+            shared: Arc::default(),
+            thread: None,
+        }
+    }
+
     /// How far the recording has been indexed.
     pub fn reached(&self) -> Duration {
         self.shared.found().reached

@@ -87,6 +87,7 @@ impl Lookout {
                     | VehicleEvent::Given { .. }
                     | VehicleEvent::Foreign(_)
                     | VehicleEvent::Paths(_)
+                    | VehicleEvent::Pilots(_)
                     | VehicleEvent::Rehearsed(_),
                 )
                 | Event::Session(
@@ -105,6 +106,7 @@ impl Lookout {
                 | Event::Replay(_)
                 | Event::Career(_)
                 | Event::Class(_)
+                | Event::Crew(_)
                 | Event::File(_)
                 | Event::Tried(_)
                 | Event::Notice(_)

@@ -6,15 +6,19 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
+use super::growth::Growth;
 use super::{FRAME, Film};
 use crate::app::event::{Event, LinkEvent, SessionEvent, VehicleEvent};
 use crate::app::room::messages::{LinkTraffic, TrafficRequest};
+use crate::crew::{CrewRecord, CrewViewpoint};
 use crate::ledger::{EntryId, RowUpdate};
 use crate::link::{TlogDamage, TlogPiece, TlogRecord, TlogSalvage};
 use crate::mission::Progress;
 use crate::notice::Notice;
+use crate::pilot_in_command::Person;
 use crate::record::{EntryLine, Happening, InstructorPart, JournalLine, PathLine};
 use crate::text::Text;
+use crate::vehicle::Severity;
 
 mod actor;
 mod mission;
@@ -42,6 +46,10 @@ pub(super) struct Stage {
     pending: Option<TlogRecord>,
     cast: Cast,
     mission: Option<MissionStage>,
+    /// The files of a recording that is still being made.
+    growth: Option<Growth>,
+    /// The member of a crew who looks, and the host; `None` for a flight of the past.
+    viewpoint: Option<CrewViewpoint>,
     heard: u64,
     damage: TlogDamage,
     /// The read error that ended the file before its last byte, if any.
@@ -77,6 +85,14 @@ impl Stage {
     /// # Errors
     /// The file is gone.
     pub fn new(film: &Arc<Film>) -> Result<Self, Text> {
+        let mut growth = film
+            .grows()
+            .then(|| Growth::begin(film.files()))
+            .transpose()?;
+        let mission = match &mut growth {
+            Some(growth) => MissionStage::growing(&growth.run()),
+            None => film.run().and_then(MissionStage::new),
+        };
         Ok(Self {
             reader: film.reader(0, None)?,
             film: Arc::clone(film),
@@ -96,7 +112,9 @@ impl Stage {
                 offset: 0,
                 last_us: None,
             },
-            mission: film.run().and_then(MissionStage::new),
+            mission,
+            growth,
+            viewpoint: None,
             heard: 0,
             damage: TlogDamage::default(),
             cut: None,
@@ -139,6 +157,26 @@ impl Stage {
         self.cast = cast;
         if let Some(mission) = &mut self.mission {
             mission.go_to(self.cast.elapsed);
+        }
+    }
+
+    /// The same stage, seen by a member of a crew.
+    pub fn seen_from(self, viewpoint: CrewViewpoint) -> Self {
+        Self {
+            viewpoint: Some(viewpoint),
+            ..self
+        }
+    }
+
+    /// Reads what has been added to a recording that is still being made.
+    pub fn grow(&mut self) {
+        let Some(growth) = &mut self.growth else {
+            return;
+        };
+        growth.grow_journal();
+        let lines = growth.run();
+        if let Some(mission) = &mut self.mission {
+            mission.flight.grow(&lines);
         }
     }
 
@@ -230,13 +268,12 @@ impl Stage {
     }
 
     fn lines(&self) -> &[JournalLine] {
-        self.film.journal().map_or(&[], |it| &it.lines)
+        lines(&self.film, self.growth.as_ref())
     }
 
     /// Applies the journal's radio states up to a time, so that each frame passes through the radio of its time.
     fn change_radio(&mut self, until: Duration) {
-        let film = Arc::clone(&self.film);
-        let lines = film.journal().map_or(&[][..], |it| &it.lines);
+        let lines = lines(&self.film, self.growth.as_ref());
         while let Some(line) = lines.get(self.cast.radio_line)
             && line.at() <= until
         {
@@ -257,7 +294,8 @@ impl Stage {
                 Happening::Entry(entry) => {
                     let count = self.cast.given.len() as u32;
                     self.cast.given.insert(entry.id, count);
-                    events.push(opened(entry, line.at()));
+                    let by = self.viewpoint_of(entry.by.as_ref());
+                    events.push(opened(entry, by, line.at()));
                 }
                 Happening::Row(row) => {
                     // A row whose command is missing belongs to no entry.
@@ -277,6 +315,7 @@ impl Stage {
                 Happening::Desk(order) => {
                     events.push(SessionEvent::Instructed(Box::new(order.clone())).into());
                 }
+                Happening::Crew(crew) => events.extend(self.told_of_crew(crew, line.at())),
                 Happening::Mission { ms } => {
                     let elapsed = Duration::from_millis(*ms);
                     events.extend(self.fly(elapsed, line.at()));
@@ -294,6 +333,28 @@ impl Stage {
             }
         }
         events
+    }
+
+    /// Who gave a command, as the user of this console sees it.
+    fn viewpoint_of(&self, by: Option<&Person>) -> Option<Person> {
+        match &self.viewpoint {
+            Some(viewpoint) => viewpoint.by(by),
+            None => by.cloned(),
+        }
+    }
+
+    /// A change in the crew, and who flies what after it.
+    fn told_of_crew(&self, line: &CrewRecord, at: Duration) -> Vec<Event> {
+        let pilots = match &self.viewpoint {
+            Some(viewpoint) => viewpoint.pilots(line),
+            None => line.pilots(),
+        };
+        let text = line.change.text();
+        let notice = text.map(|text| Notice::general(at, Severity::Notice, text).into());
+        notice
+            .into_iter()
+            .chain([VehicleEvent::Pilots(pilots).into()])
+            .collect()
     }
 
     fn fly(&mut self, elapsed: Duration, now: Duration) -> Vec<Event> {
@@ -314,6 +375,7 @@ impl Stage {
         };
         events.push(SessionEvent::Mission(Box::new(progress)).into());
         let is_left = mission.flight.is_over()
+            && self.growth.is_none()
             && self.film.clock().mission_time(Duration::MAX) <= Some(elapsed);
         let has_ended = mission.flight.flight().is_over() || is_left;
         if has_ended && !self.cast.is_over {
@@ -349,13 +411,19 @@ impl Cast {
     }
 }
 
-fn opened(entry: &EntryLine, at: Duration) -> Event {
+/// The lines of the journal, as far as they have been read.
+fn lines<'a>(film: &'a Film, growth: Option<&'a Growth>) -> &'a [JournalLine] {
+    let journal = growth.map_or_else(|| film.journal(), |growth| Some(&growth.journal));
+    journal.map_or(&[], |it| &it.lines)
+}
+
+fn opened(entry: &EntryLine, by: Option<Person>, at: Duration) -> Event {
     VehicleEvent::Given {
         at,
         line: entry.line.clone(),
         verb: entry.verb,
         risk: entry.risk,
-        by: entry.by.clone(),
+        by,
         vehicles: entry.vehicles.clone(),
     }
     .into()

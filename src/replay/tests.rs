@@ -12,6 +12,7 @@ use crate::vehicle::Transfer;
 use crate::wire::Decoder;
 
 mod as_live;
+mod following;
 mod playing;
 mod recorded;
 mod runs;

@@ -34,6 +34,9 @@ pub struct Report {
     /// The source of the commands; `None` if unknown, as in old records.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flown_by: Option<FlownBy>,
+    /// The other people who gave commands: those of a crew, and an instructor.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub crew: Vec<String>,
     /// How the mission compares with that of the course; set by the shell.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mission_file: Option<MissionFile>,

@@ -8,6 +8,7 @@ use rand::rngs::SysRng;
 
 use super::Console;
 use super::career::today;
+use super::crew::CrewOptions;
 use super::session::{RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
 use crate::app::event::{ClassEvent, Event, SessionEvent, Started};
@@ -128,6 +129,7 @@ impl Console {
                 flown_by: self.options.flown_by(),
                 has_own_airframes: !self.options.backend.airframes.is_empty(),
                 speedup: self.options.speedup,
+                has_crew: self.options.crew.as_ref().is_some_and(CrewOptions::is_host),
             },
             day: today(),
             random: SysRng.try_next_u64().ok(),
@@ -287,7 +289,10 @@ impl Console {
         if begun.is_err() && is_something_open {
             self.post(SessionEvent::Ended);
         }
-        let (running, started) = begun?;
+        let (mut running, started) = begun?;
+        if self.options.crew.as_ref().is_some_and(CrewOptions::is_host) {
+            running.note_followed();
+        }
         self.running = Some(running);
         Ok(started)
     }

@@ -48,6 +48,7 @@ impl Console {
             Effect::TryDrafts(trial) => self.begin_trial(trial),
             Effect::Career(change) => self.change_career(change),
             Effect::Class(effect) => self.serve_class(effect),
+            Effect::Crew(effect) => self.serve_crew(effect),
             Effect::Session(effect) => self.steer(effect).await,
             Effect::Replay(effect) => self.steer_replay(effect),
             Effect::Terminal(effect) => self.adjust(effect),

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use super::api::ApiOptions;
 use super::class::ClassOptions;
+use super::crew::CrewOptions;
 use crate::app::keymap::Keymap;
 use crate::config::Config;
 use crate::forward::ForwardSpec;
@@ -50,6 +51,8 @@ pub struct ConsoleOptions {
     pub api: Option<ApiOptions>,
     /// The console's part in a class, if it has one.
     pub class: Option<ClassOptions>,
+    /// The console's part in a crew, if it has one.
+    pub crew: Option<CrewOptions>,
     /// The forwards to other ground stations, in every session.
     pub forwards: Vec<ForwardSpec>,
     /// The look of the screen.
@@ -77,6 +80,7 @@ impl ConsoleOptions {
             typed_by: FlownBy::Hand,
             api: None,
             class: None,
+            crew: None,
             opening,
             backend: VehicleBackend::default(),
             ardupilot: None,

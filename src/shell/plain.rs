@@ -14,7 +14,7 @@ use std::time::Duration;
 
 use super::api::Programs;
 use super::signals::{Happened, Signals};
-use super::{Console, ConsoleOptions, Opening, Pace, key, open_class};
+use super::{Console, ConsoleOptions, Opening, Pace, key, open_class, open_crew};
 use crate::app::event::TerminalEvent;
 use crate::app::state::{Overlay, Room};
 use crate::diagnostic::Diagnostic;
@@ -56,6 +56,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     let mut signals = Signals::new()?;
     let mut programs = Programs::open(options.api.as_ref())?;
     let mut class = open_class(&options).await?;
+    let mut crew = open_crew(&options)?;
     let mut plain = Plain {
         beginning: Beginning::of(&options, is_person),
         console: Console::new(options, false),
@@ -96,6 +97,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
             () = pace.tick() => plain.tick().await?,
             arrival = programs.next() => plain.console.serve(&mut programs, arrival).await,
             arrival = class.next() => plain.console.attend(&mut class, arrival).await,
+            arrival = crew.next() => plain.console.attend_crew(&mut crew, arrival).await,
             line = lines.recv(), if takes_lines => match line {
                 Some(line) => plain.take(&line).await?,
                 None => plain.end_of_input().await,
@@ -104,10 +106,13 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         programs.tell(plain.console.app.state());
         class.carry_out(std::mem::take(&mut plain.console.class_work));
         plain.console.tell_class(&mut class, &|| None);
+        plain.console.tell_crew(&mut crew);
     }
     plain.console.close().await;
+    plain.console.tell_crew(&mut crew);
     plain.console.hand_in_rest(&mut class).await;
     class.close().await;
+    crew.close().await;
     programs.close(plain.console.app.state()).await;
     plain.finish(told_to_end)
 }
@@ -134,6 +139,10 @@ impl Plain {
         if let Some(activity) = self.console.app.state().session().activity() {
             self.say(&activity.title());
         }
+        if let Some(place) = self.console.app.state().crew().member() {
+            let text = place.awaited();
+            self.say(&text);
+        }
         self.say(&text!("plain-greeting"));
         if self.console.app.state().flown_mission().is_some() {
             self.brief();
@@ -147,9 +156,10 @@ impl Plain {
 
     fn is_over(&self) -> bool {
         let state = self.console.app.state();
-        self.console.over
-            || state.rooms().debrief().session().is_some()
-            || state.session().activity().is_none()
+        let has_ended = || state.rooms().debrief().session().is_some();
+        // A member of a crew waits for the host's flight.
+        let is_without = || state.crew().member().is_none() && state.session().activity().is_none();
+        self.console.over || has_ended() || is_without()
     }
 
     fn takes_lines(&self) -> bool {
@@ -362,7 +372,9 @@ impl Plain {
 
     /// Ends the session at the end of the input: a mission gets its debrief.
     async fn abandon(&mut self) {
-        if self.console.app.state().session().mission().is_some() {
+        let state = self.console.app.state();
+        let is_flown = state.session().mission().is_some() && state.replay().is_none();
+        if is_flown {
             self.console.abandon();
             self.console.tick().await;
         } else {

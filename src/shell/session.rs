@@ -246,6 +246,22 @@ impl RunningSession {
         self.recorder.as_ref()?.frames()
     }
 
+    /// Writes the record more often, because others follow it.
+    pub fn note_followed(&mut self) {
+        if let Some(recorder) = &self.recorder {
+            recorder.note_followed();
+        }
+        if let Some(mission_run) = &mut self.mission_run {
+            mission_run.note_followed();
+        }
+    }
+
+    /// The path of the recorded frames, and the time up to which the record is complete; `None` if the session is not
+    /// recorded.
+    pub fn record_sight(&self, now: Duration) -> Option<(std::path::PathBuf, Duration)> {
+        self.recorder.as_ref()?.sight(now)
+    }
+
     /// Whether the session is recorded now; a mission's record ends soon after the mission.
     pub fn is_recording(&self) -> bool {
         self.recorder

@@ -66,6 +66,11 @@ fn numbered(oldest_first: Vec<RecordFiles>, number: usize) -> Result<RecordFiles
     found.ok_or_else(|| text!("records-no-number", number = number))
 }
 
+/// The path of a file of a record in a folder, by the common name of its files.
+pub(super) fn part_in(folder: &Path, stem: &str, part: RecordPart) -> PathBuf {
+    folder.join(format!("{stem}{}", ending_of(part)))
+}
+
 /// The suffix of a file of a record.
 pub(super) fn ending_of(part: RecordPart) -> &'static str {
     match part {

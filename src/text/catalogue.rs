@@ -24,6 +24,7 @@ catalogue! {
     "common",
     "config",
     "console",
+    "crew",
     "debrief",
     "doctor",
     "drafts",

@@ -244,6 +244,7 @@ pub fn report() -> Report {
         seed: 1,
         backend: FlightBackend::Embedded,
         flown_by: Some(FlownBy::Hand),
+        crew: Vec::new(),
         mission_file: Some(MissionFile::Course),
         given_up: false,
         passed: true,

@@ -15,6 +15,7 @@ const PURE: &[&[&str]] = &[
     &["hash", "text", "verb"],
     &["vehicle_id"],
     &["class_text", "pilot_in_command"],
+    &["crew"],
     &["diagnostic", "alert", "config"],
     &["preflight", "draft"],
     &["parameters", "workshop"],

@@ -308,3 +308,47 @@ fn an_instructor_sees_a_trainee_and_sends_a_message() {
     assert_eq!(desk.end(), 0);
     seat.command("continue").see_no_more("FROZEN");
 }
+
+#[test]
+fn a_crew_of_two_flies_one_swarm_and_hands_a_vehicle_over() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let crew = folder.path().join("alpha").display().to_string();
+    let mut host = Terminal::start(
+        &["fly", "--vehicles", "2", "--speedup", "5", "--crew", &crew],
+        120,
+        40,
+    );
+    host.wait("two ready vehicles", |screen| {
+        screen.matches("ready").count() >= 2
+    });
+    let mut member = Terminal::start(&["crew", "join", &crew], 80, 24);
+    member.see("CREW").see("you fly no vehicle");
+    host.see("joins the crew");
+    // The tests run as one user, so the member has a number.
+    let named = host.command("crew").see("host").contents();
+    let name = named
+        .split_whitespace()
+        .filter(|word| word.starts_with(char::is_alphabetic))
+        .find_map(|word| word.strip_suffix(':').filter(|it| it.ends_with("-2")))
+        .expect("the name of the member")
+        .to_owned();
+    host.command(&format!("crew offer 2 to {name}"));
+    member.see("crew accept").command("crew accept");
+    member.see("you fly 2");
+    member
+        .command("2 guided")
+        .see("2 guided  effect seen")
+        .command("2 arm");
+    host.see(&format!("{name}: 2 arm"));
+    host.command("2 disarm").see(&format!("{name} flies 2"));
+    member.command("1 arm").see("flies 1");
+    member.command(&format!("crew offer 2 to {}", name.trim_end_matches("-2")));
+    host.see("crew accept").command("crew accept");
+    member.see("you fly no vehicle");
+    member.command("quit");
+    assert_eq!(member.end(), 0);
+    host.see("has left the crew");
+    host.command("2 disarm").see("0 armed");
+    host.command("quit");
+    assert_eq!(host.end(), 0);
+}

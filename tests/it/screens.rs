@@ -14,6 +14,7 @@ use crate::harness::Console;
 
 mod career;
 mod class;
+mod crew;
 mod crowded;
 mod debrief;
 mod files;

@@ -12,8 +12,10 @@ use super::socket::SocketFault;
 
 /// The permissions of a class's folder: everybody may reach the socket, and only the instructor changes the folder.
 const FOLDER_MODE: u32 = 0o711;
-/// The name of the socket in the folder.
-const SOCKET: &str = "desk";
+/// The name of the socket in the folder of a class.
+const DESK: &str = "desk";
+/// The name of the socket in the folder of a crew.
+const CREW: &str = "crew";
 
 /// A class on this host: a folder of the instructor with the socket of the desk.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,14 +29,17 @@ pub struct HostPlace {
 impl HostPlace {
     /// The class with a name, or at a path: its folder, or its socket.
     pub fn named(name: &str, instructor: Option<String>) -> Self {
-        let path = if name.contains('/') {
-            PathBuf::from(name)
-        } else {
-            Path::new("/tmp").join(format!("sortie-class-{name}"))
-        };
-        let is_socket = fs::metadata(&path).is_ok_and(|found| !found.is_dir());
-        let socket = if is_socket { path } else { path.join(SOCKET) };
+        let socket = socket(name, "class", DESK);
         Self { socket, instructor }
+    }
+
+    /// The crew with a name, or at a path: its folder, or its socket. `host` is the user to whom it must belong; `None` for
+    /// the owner of the folder.
+    pub fn crew(name: &str, host: Option<String>) -> Self {
+        Self {
+            socket: socket(name, "crew", CREW),
+            instructor: host,
+        }
     }
 
     fn folder(&self) -> &Path {
@@ -87,6 +92,17 @@ impl HostPlace {
             instructor,
         })
     }
+}
+
+/// The socket of the class or crew with a name, or at a path.
+fn socket(name: &str, kind: &str, file: &str) -> PathBuf {
+    let path = if name.contains('/') {
+        PathBuf::from(name)
+    } else {
+        Path::new("/tmp").join(format!("sortie-{kind}-{name}"))
+    };
+    let is_socket = fs::metadata(&path).is_ok_and(|found| !found.is_dir());
+    if is_socket { path } else { path.join(file) }
 }
 
 /// The name of the user who runs this program.

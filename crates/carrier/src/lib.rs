@@ -11,7 +11,7 @@
 //! # How the parts fit
 //! - `ports` are the two ends as the console sees them, `place` says where they are, and `fault` why they cannot be.
 //! - `unix` is the carrier on one host: a Unix socket in a folder of the instructor (`host`). `exchange` moves lines
-//!   between a stream and a port.
+//!   between a stream and a port. `on_host` opens and joins such a place for lines of another kind, those of a crew.
 //! - `network` is the carrier on several machines, over Eclipse Zenoh (feature `zenoh`). A seat finds its desk with a
 //!   [`JoinLine`] (`join_line`); `new_class` and `secret_file` are for the files of such a class.
 //! - [`socket`] opens Unix sockets, also for the interface for programs. [`lines`] reads lines up to a limit.
@@ -24,6 +24,7 @@ pub mod lines;
 #[cfg(feature = "zenoh")]
 mod network;
 mod new_class;
+mod on_host;
 mod place;
 mod ports;
 mod secret_file;

@@ -39,15 +39,30 @@ impl Outbox {
         self.0.capacity() > 0
     }
 
+    /// The number of messages for which there is room.
+    pub fn room(&self) -> usize {
+        self.0.capacity()
+    }
+
     /// Queues a message; without room, it is dropped. The end of the connection is reported by its port.
     pub fn send(&self, message: &impl Serialize) {
-        drop(self.0.try_send(protocol::line(message)));
+        self.offer(message);
+    }
+
+    /// Queues a message; returns whether there was room for it.
+    pub fn offer(&self, message: &impl Serialize) -> bool {
+        self.0.try_send(protocol::line(message)).is_ok()
+    }
+
+    /// Whether the connection has ended.
+    pub fn is_closed(&self) -> bool {
+        self.0.is_closed()
     }
 }
 
-/// What arrives at a desk.
+/// What arrives at a desk; `M` are the messages of seats.
 #[derive(Debug)]
-pub enum DeskArrival {
+pub enum DeskArrival<M = SeatMessage> {
     Opened {
         connection: ConnectionId,
         peer: CarrierPeer,
@@ -55,19 +70,19 @@ pub enum DeskArrival {
     },
     Line {
         from: ConnectionId,
-        line: Result<SeatMessage, LineFault>,
+        line: Result<M, LineFault>,
     },
     Closed(ConnectionId),
 }
 
 /// The desk's end. Dropping it closes all connections.
 #[derive(Debug)]
-pub struct DeskPort {
-    pub(super) arrivals: mpsc::Receiver<DeskArrival>,
+pub struct DeskPort<M = SeatMessage> {
+    pub(super) arrivals: mpsc::Receiver<DeskArrival<M>>,
     pub(super) task: JoinHandle<()>,
 }
 
-impl DeskPort {
+impl<M> DeskPort<M> {
     /// Closes all connections, and waits a moment until the seats have been told.
     pub async fn close(self) {
         drop(self.arrivals);
@@ -75,20 +90,20 @@ impl DeskPort {
     }
 
     /// Waits for the next arrival; `None` if the carrier has ended.
-    pub async fn next(&mut self) -> Option<DeskArrival> {
+    pub async fn next(&mut self) -> Option<DeskArrival<M>> {
         self.arrivals.recv().await
     }
 }
 
-/// What arrives at a seat.
+/// What arrives at a seat; `M` are the messages of the desk.
 #[derive(Debug)]
-pub enum SeatArrival {
+pub enum SeatArrival<M = DeskMessage> {
     /// A desk has been found.
     Found {
         desk: CarrierPeer,
         outbox: Outbox,
     },
-    Line(Result<DeskMessage, LineFault>),
+    Line(Result<M, LineFault>),
     /// The connection has ended; another one is tried.
     Lost,
     /// There is a desk to which the seat must not connect. Reported once for each reason.
@@ -97,12 +112,12 @@ pub enum SeatArrival {
 
 /// The seat's end. It connects again until it is dropped.
 #[derive(Debug)]
-pub struct SeatPort {
-    pub(super) arrivals: mpsc::Receiver<SeatArrival>,
+pub struct SeatPort<M = DeskMessage> {
+    pub(super) arrivals: mpsc::Receiver<SeatArrival<M>>,
     pub(super) task: JoinHandle<()>,
 }
 
-impl SeatPort {
+impl<M> SeatPort<M> {
     /// Ends the connection, and waits a moment until the desk has been told.
     pub async fn close(self) {
         drop(self.arrivals);
@@ -110,7 +125,7 @@ impl SeatPort {
     }
 
     /// Waits for the next arrival; `None` if the carrier has ended.
-    pub async fn next(&mut self) -> Option<SeatArrival> {
+    pub async fn next(&mut self) -> Option<SeatArrival<M>> {
         self.arrivals.recv().await
     }
 }

@@ -6,6 +6,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use nix::unistd::geteuid;
+use serde::de::DeserializeOwned;
 use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::mpsc;
 
@@ -25,11 +26,16 @@ const ARRIVALS: usize = 64;
 /// The time between two attempts to connect grows from the first of these to the second.
 const RETRY: std::ops::RangeInclusive<Duration> = Duration::from_secs(1)..=Duration::from_secs(4);
 
+/// A kind of message that one side receives.
+pub trait Message: DeserializeOwned + Send + 'static {}
+
+impl<M: DeserializeOwned + Send + 'static> Message for M {}
+
 /// Opens the desk of a class.
 ///
 /// # Errors
 /// Its folder or its socket cannot be used.
-pub fn open(place: &HostPlace) -> Result<DeskPort, ClassFault> {
+pub fn open<M: Message>(place: &HostPlace) -> Result<DeskPort<M>, ClassFault> {
     place.prepare()?;
     let listener =
         socket::open(&place.socket, SOCKET_MODE).map_err(|fault| ClassFault::Socket {
@@ -92,7 +98,7 @@ impl Drop for TakenPlace {
     }
 }
 
-async fn accept(listener: UnixListener, arrived: &mpsc::Sender<DeskArrival>) {
+async fn accept<M: Message>(listener: UnixListener, arrived: &mpsc::Sender<DeskArrival<M>>) {
     let places = Places::default();
     // Dropping the set ends the connections.
     let mut connections = tokio::task::JoinSet::new();
@@ -118,11 +124,11 @@ async fn accept(listener: UnixListener, arrived: &mpsc::Sender<DeskArrival>) {
     }
 }
 
-async fn serve(
+async fn serve<M: Message>(
     stream: UnixStream,
     connection: ConnectionId,
     uid: u32,
-    arrived: &mpsc::Sender<DeskArrival>,
+    arrived: &mpsc::Sender<DeskArrival<M>>,
 ) {
     let (outbox, lines) = Outbox::new();
     let user = user_name(uid);
@@ -144,7 +150,7 @@ async fn serve(
 }
 
 /// Connects to the desk of a class, and again whenever the connection ends.
-pub fn join(place: HostPlace) -> SeatPort {
+pub fn join<M: Message>(place: HostPlace) -> SeatPort<M> {
     let (arrived, arrivals) = mpsc::channel(ARRIVALS);
     let task = tokio::spawn(async move {
         tokio::select! {
@@ -155,7 +161,7 @@ pub fn join(place: HostPlace) -> SeatPort {
     SeatPort { arrivals, task }
 }
 
-async fn keep_connected(place: &HostPlace, arrived: &mpsc::Sender<SeatArrival>) {
+async fn keep_connected<M: Message>(place: &HostPlace, arrived: &mpsc::Sender<SeatArrival<M>>) {
     let mut wait = *RETRY.start();
     let mut stranger = None;
     loop {
@@ -201,10 +207,10 @@ async fn connect(
 }
 
 /// Passes lines until the connection ends; `None` if the console has ended.
-async fn converse(
+async fn converse<M: Message>(
     stream: UnixStream,
     desk: CarrierPeer,
-    arrived: &mpsc::Sender<SeatArrival>,
+    arrived: &mpsc::Sender<SeatArrival<M>>,
 ) -> Option<()> {
     let (outbox, lines) = Outbox::new();
     arrived

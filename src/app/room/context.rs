@@ -36,7 +36,8 @@ impl Names for Known<'_> {
             | NameList::PlanFile
             | NameList::Seat
             | NameList::SeatInject
-            | NameList::Situation => self.0.listed(list),
+            | NameList::Situation
+            | NameList::Crew => self.0.listed(list),
             NameList::Lesson => lessons(self.0),
             NameList::Trainee => trainees(self.0),
             NameList::Exam => exams(self.0),

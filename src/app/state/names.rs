@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::State;
+use super::{CrewPart, State};
 use crate::app::lines::themes;
 use crate::app::room_list::Room;
 use crate::class::SeatRecord;
+use crate::crew::Role;
 use crate::language::{Listed, NameList, Named, Names};
 use crate::text;
 use crate::text::{Text, clock_s};
@@ -32,6 +33,7 @@ impl<R: fmt::Debug> Names for State<R> {
             NameList::Seat => self.seats(),
             NameList::SeatInject => self.seat_injects(),
             NameList::Situation => self.seat_situations(),
+            NameList::Crew => self.crew_names(),
             NameList::Macro => {
                 let macros = self.config.macros.iter();
                 let meaning = |lines: &[String]| Text::verbatim(lines.join("; "));
@@ -101,6 +103,34 @@ impl<R> State<R> {
             .into_iter()
             .map(|(name, meaning)| named(&name, meaning));
         Listed::Names(named.collect())
+    }
+
+    /// Everybody on the crew but the user of this console.
+    fn crew_names(&self) -> Listed {
+        let names: Vec<Named> = match &self.crew {
+            CrewPart::None => return Listed::Nothing(text!("crew-none")),
+            CrewPart::Host(crew) => {
+                let members = crew.members();
+                members
+                    .map(|it| named(it.person.name(), it.role.text()))
+                    .collect()
+            }
+            CrewPart::Member(place) => {
+                let own = place.viewpoint.as_ref().map(|it| it.own.name());
+                let others = place.roster.iter();
+                let others = others.filter(|it| Some(it.name.as_str()) != own);
+                others
+                    .map(|it| {
+                        let role = it.role.map_or_else(|| text!("crew-role-host"), Role::text);
+                        named(it.name.as_str(), role)
+                    })
+                    .collect()
+            }
+        };
+        if names.is_empty() {
+            return Listed::Nothing(text!("crew-alone"));
+        }
+        Listed::Names(names)
     }
 
     fn injects(&self) -> Listed {

@@ -41,6 +41,8 @@ pub struct ReplayView {
     pub review: Review,
     /// Whether the recording was opened for its review.
     pub is_review: bool,
+    /// Whether the flight is still being flown by the host of a crew: this console follows its record.
+    pub is_live: bool,
 }
 
 /// The position and the rate of a replay. Times count from the start of the recording.
@@ -95,6 +97,7 @@ impl ReplayView {
             report: None,
             review: Review::default(),
             is_review: false,
+            is_live: false,
         }
     }
 

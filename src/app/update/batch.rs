@@ -1,16 +1,21 @@
 //! Parameters set one after another.
 
-use super::order;
+use super::{order, relay};
 use crate::app::State;
 use crate::app::effect::Effects;
 use crate::app::room::parameters::setting_line;
 use crate::app::state::ParameterSetting;
+use crate::crew::protocol::Confirmed;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
 /// Starts setting values, or adds them to the batch that is under way.
 pub fn begin(state: &mut State, settings: Vec<ParameterSetting>) -> Effects {
+    if let Some(reason) = relay::own_files(state) {
+        state.say(Severity::Warning, reason);
+        return Effects::none();
+    }
     let room = &mut state.rooms.parameters;
     if let Some(comparison) = &mut room.comparison {
         let names = settings.iter().map(|setting| setting.name.clone());
@@ -62,5 +67,5 @@ pub fn advance(state: &mut State) -> Effects {
 /// The fault of the line, such as a missing target vehicle.
 pub fn give(state: &mut State, line: &str) -> Result<Effects, Text> {
     let order = order::prepare(state, line).map_err(|fault| fault.message)?;
-    Ok(Effects::from(order::send(state, order).effect))
+    Ok(order::dispatch(state, order, Confirmed::Danger))
 }

@@ -11,7 +11,7 @@ use crate::vehicle::Severity;
 /// Carries out an action that has been confirmed, or that needs no confirmation.
 pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
     match consequence {
-        Consequence::Order(order) => Effects::from(order::send(state, order).effect),
+        Consequence::Order(order) => order::dispatch_confirmed(state, order),
         Consequence::Uploads(orders) => order::upload(state, orders),
         Consequence::CloseDraft => {
             plans::close(state);

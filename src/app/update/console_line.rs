@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::show::{brief, look_back, show};
 use super::{
-    alert_line, class, drafts, ending, forget, forwards, ghost, links, macros, mission, pace,
+    alert_line, class, crew, drafts, ending, forget, forwards, ghost, links, macros, mission, pace,
     radio, replay, review, selection,
 };
 use crate::app::State;
@@ -99,6 +99,7 @@ fn obey(state: &mut State, own: ConsoleLine) -> Result<Effects, Text> {
         ConsoleLine::Review(line) => return review::carry_out(state, line),
         ConsoleLine::Ghost(line) => return ghost::carry_out(state, line),
         ConsoleLine::Class(line) => return class::carry_out(state, line),
+        ConsoleLine::Crew(line) => return crew::carry_out(state, line),
         ConsoleLine::Abandon => return Ok(mission::abandon(state)),
         ConsoleLine::Restart => return Ok(mission::restart(state, false)),
         ConsoleLine::Leave => return Ok(ending::leave(state)),

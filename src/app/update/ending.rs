@@ -9,6 +9,7 @@ use crate::app::state::Consequence;
 use crate::class_text::exam_title;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle::Severity;
 
 /// Quits the program; asks first if something would be lost.
 pub fn quit(state: &mut State) -> Effects {
@@ -57,6 +58,10 @@ fn open_exam(state: &State) -> Option<Text> {
 
 /// Carries out an effect that ends the session; asks first if something would be lost.
 pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Effects {
+    if state.crew.member().is_some() && effect != Effect::Quit {
+        state.say(Severity::Notice, text!("crew-stay"));
+        return Effects::none();
+    }
     match loss(state) {
         Some(reason) => ask(state, question, reason, effect),
         None => consequence::carry_out(state, Consequence::Effect(effect)),

@@ -9,6 +9,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
 use crate::vehicle_id::ranges;
+use crate::verb::CrewDuty;
 
 /// Forgets vehicles whose link is lost: the chosen ones, or all.
 ///
@@ -41,7 +42,7 @@ pub fn forget(state: &mut State, choice: Option<&VehicleChoice>) -> Result<Effec
     }
     let taken = ids
         .iter()
-        .find_map(|&id| state.session.pilots.refusal(id, None));
+        .find_map(|&id| state.session.pilots.refusal(id, None, CrewDuty::Flying));
     if let Some(reason) = taken {
         return Err(reason);
     }

@@ -146,10 +146,8 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     if state.is_deaf() {
         return Effects::none();
     }
-    let in_replay = state
-        .replay
-        .as_ref()
-        .and_then(|_| state.keymap.resolve(key, Place::Replay));
+    let resolved = || state.keymap.resolve(key, Place::Replay);
+    let in_replay = state.shows_past().then(resolved).flatten();
     let meaning = in_replay.or_else(|| in_room(state, key));
     match meaning.cloned() {
         Some(Meaning::Do(action)) => act::act(state, action),

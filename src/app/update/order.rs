@@ -1,7 +1,7 @@
 //! Commands to vehicles: their targets, the question before a dangerous command, and their ledger
 //! entries.
 
-use super::own_fence;
+use super::{own_fence, relay};
 use crate::app::State;
 use crate::app::action::Action;
 use crate::app::effect::{Effect, Effects};
@@ -10,13 +10,15 @@ use crate::app::room::{Room, files, parameters};
 use crate::app::state::{Confirm, Consequence, Overlay};
 use crate::class::{self, Words};
 use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed};
+use crate::crew::protocol::Confirmed;
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ClassLine, ConsoleLine, Meaning, SeatChoice, Statement, words};
 use crate::ledger::EntryId;
 use crate::operator::{first_word, order_of};
+use crate::pilot_in_command::Person;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::VehicleId;
+use crate::vehicle::{Severity, VehicleId};
 use crate::vehicle_id::ranges;
 use crate::verb::{CountsAs, Danger};
 
@@ -110,9 +112,12 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
 }
 
 fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagnostic> {
-    if state.replay.is_some() {
+    if state.shows_past() {
         return Err(Diagnostic::new(first_word(line), text!("replay-refuses"))
             .with_help(text!("replay-refuses-help")));
+    }
+    if let Some(reason) = relay::obstacle(state, statement) {
+        return Err(Diagnostic::new(first_word(line), reason));
     }
     if state.session.is_starting() && state.flown_mission().is_some() {
         return Err(Diagnostic::new(
@@ -198,7 +203,7 @@ fn hint_price(state: &State, order: &Order) -> Option<Text> {
 pub fn give(state: &mut State, order: Order) -> Effects {
     let hazard = hazard(state, &order);
     if order.verb.danger == Danger::None && hazard.is_none() {
-        return Effects::from(send(state, order).effect);
+        return dispatch(state, order, Confirmed::Nothing);
     }
     if order.verb.counts_as.is_said_to_mission() {
         return ask_about_saying(state, order, hazard);
@@ -248,6 +253,73 @@ pub fn give_uploads(state: &mut State, orders: Vec<Order>) -> Effects {
     effects
 }
 
+/// Sends an order that needs no further question; at a member of a crew, asks the host to do so.
+pub fn dispatch(state: &mut State, order: Order, confirmed: Confirmed) -> Effects {
+    if state.crew.member().is_some() {
+        return relay::say(state, &order, confirmed);
+    }
+    Effects::from(send(state, order).effect)
+}
+
+/// Sends an order that was confirmed.
+pub fn dispatch_confirmed(state: &mut State, order: Order) -> Effects {
+    let confirmed = match hazard(state, &order) {
+        Some(_) => Confirmed::Hazard,
+        None => Confirmed::Danger,
+    };
+    dispatch(state, order, confirmed)
+}
+
+/// A line that a person other than the user of the console gives.
+#[derive(Clone, Copy)]
+pub struct LineFor<'a> {
+    pub by: &'a Person,
+    pub line: &'a str,
+    /// The targets of a command that names none.
+    pub selection: &'a [VehicleId],
+    /// What that person has confirmed.
+    pub confirmed: Confirmed,
+}
+
+/// Why a line of another person is not carried out.
+pub enum UnfitLine {
+    /// It is no command of a kind that this person may give.
+    NoCommand,
+    /// For this reason.
+    Because(Text),
+}
+
+/// Carries out a line that another person gives, for the vehicles that this person may command: the others refuse it.
+/// `is_open` says whether the person may give such an order at all.
+///
+/// # Errors
+/// It cannot be read, is none that is open, or needs a confirmation.
+pub fn give_for(
+    state: &mut State,
+    said: LineFor<'_>,
+    is_open: impl Fn(&Order) -> bool,
+) -> Result<SentOrder, UnfitLine> {
+    let order = match read_for(state, said.line, said.selection) {
+        Ok(Given::Order(order)) if is_open(&order) => order,
+        Ok(_) => return Err(UnfitLine::NoCommand),
+        Err(fault) => return Err(UnfitLine::Because(fault.message)),
+    };
+    // The user would be asked; the other person may not know of it.
+    if said.confirmed != Confirmed::Hazard
+        && let Some(hazard) = hazard(state, &order)
+    {
+        return Err(UnfitLine::Because(hazard));
+    }
+    if said.confirmed == Confirmed::Nothing && order.verb.danger == Danger::Confirm {
+        return Err(UnfitLine::Because(text!(
+            "crew-unconfirmed",
+            verb = order.verb.name
+        )));
+    }
+    let by = Some(said.by.clone());
+    Ok(send(state, Order { by, ..order }))
+}
+
 /// An order entered in the ledger, and the effect that sends it.
 #[must_use = "the shell has to carry the effect out"]
 pub struct SentOrder {
@@ -276,6 +348,10 @@ pub fn send(state: &mut State, order: Order) -> SentOrder {
 
 /// Sends the uploads of a draft's lists.
 pub fn upload(state: &mut State, orders: Vec<Order>) -> Effects {
+    if let Some(reason) = relay::own_files(state) {
+        state.say(Severity::Warning, reason);
+        return Effects::none();
+    }
     let mut sent = Vec::new();
     for order in orders {
         sent.push(send(state, order));

@@ -169,6 +169,7 @@ fn reason(state: &State, event: &Event) -> Option<Text> {
         | Event::Replay(_)
         | Event::Career(_)
         | Event::Class(_)
+        | Event::Crew(_)
         | Event::File(_)
         | Event::Tried(_)
         | Event::NoticesDropped(_)

@@ -15,6 +15,7 @@ use crate::commands::stick_obstacle;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
+use crate::verb::CrewDuty;
 
 /// The interval at which unchanged positions are sent: a vehicle's session drops them after a second without any.
 const SENT_EVERY: Duration = Duration::from_millis(200);
@@ -39,7 +40,7 @@ fn obstacle(state: &State) -> Option<Text> {
     {
         return Some(text!("refused-protected-sticks"));
     }
-    let by_pilot = |id| state.session.pilots.refusal(id, None);
+    let by_pilot = |id| state.session.pilots.refusal(id, None, CrewDuty::Flying);
     let vehicle = state.session.choice.cursor;
     let vehicle = vehicle.and_then(|id| state.session.vehicles.get(&id));
     match vehicle {

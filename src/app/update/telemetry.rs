@@ -196,7 +196,7 @@ fn watch(state: &mut State) {
 /// The signals that are due.
 pub fn signals(state: &mut State) -> Effects {
     let due = state.session.alerts.due(state.now);
-    if state.replay.is_some() {
+    if state.shows_past() {
         // The bell rang during the flight itself.
         return Effects::none();
     }
@@ -290,7 +290,7 @@ pub fn ended(state: &mut State, mut report: Box<Report>) {
     let is_replay = state.replay.is_some();
     state.rooms.debrief.store(debrief, is_replay);
     state.session.task.over = true;
-    if state.replay.is_some() {
+    if state.shows_past() {
         return;
     }
     state.room = Room::Debrief;

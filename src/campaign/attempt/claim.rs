@@ -76,6 +76,8 @@ impl FlightClaim<'_> {
                 flown_by: self.flown_by.unwrap_or_default(),
                 has_own_airframes: false,
                 speedup: 1.0,
+                // Such a flight was recorded as practice.
+                has_crew: false,
             },
             day,
             random: None,

@@ -28,6 +28,8 @@ pub enum PracticeReason {
     },
     /// The airframes are the user's own files.
     OwnAirframes,
+    /// A crew flies a mission that is meant for one person.
+    Crew,
     /// Time runs slower than in reality.
     SlowMotion,
     /// The record of the flight cannot be confirmed by the files beside it.
@@ -61,6 +63,7 @@ impl PracticeReason {
                 text!("practice-parts", design = design.as_str(), parts = parts)
             }
             Self::OwnAirframes => text!("practice-airframes"),
+            Self::Crew => text!("practice-crew"),
             Self::SlowMotion => text!("practice-slow"),
             Self::UnconfirmedRecord => text!("practice-unconfirmed"),
         }

@@ -17,6 +17,7 @@ const USUAL: AttemptMeans = AttemptMeans {
     flown_by: FlownBy::Hand,
     has_own_airframes: false,
     speedup: 1.0,
+    has_crew: false,
 };
 
 fn mission(text: &str) -> Mission {
@@ -293,6 +294,7 @@ proptest! {
                 flown_by: if is_by_hand { FlownBy::Hand } else { FlownBy::Script },
                 has_own_airframes,
                 speedup,
+                has_crew: false,
             },
             day,
             random,

@@ -56,6 +56,7 @@ pub(in crate::cli) fn load(options: &LoadArguments) -> Result<ExitCode, Failure>
         typed_by: FlownBy::Hand,
         api: None,
         class: None,
+        crew: None,
         backend: crate::hangar::VehicleBackend::default(),
         ardupilot: None,
         opening: Opening::Free,

@@ -136,6 +136,7 @@ impl<'a> RunTrainee<'a> {
                 | PracticeReason::AlteredMission
                 | PracticeReason::OwnAirframes
                 | PracticeReason::SlowMotion
+                | PracticeReason::Crew
                 | PracticeReason::UnconfirmedRecord => {}
             }
         }

@@ -10,7 +10,7 @@ use crate::commands::{
 use crate::language::argument::{Argument, Arguments, Kind, Switch, Unit};
 use crate::language::verb::{Form, Meaning, Scope, VerbRow};
 use crate::signing::SigningChange;
-use crate::verb::{CountsAs, Verb};
+use crate::verb::{CountsAs, CrewDuty, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[
     SERVO,
@@ -235,6 +235,7 @@ fn download(which: LogChoice, given: &Arguments) -> Meaning {
 const SIGNING: VerbRow = VerbRow {
     verb: Verb {
         counts_as: CountsAs::Setting,
+        duty: CrewDuty::Flying,
         unsuited: &[],
         ..confirmed("signing")
     },

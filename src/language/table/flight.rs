@@ -4,7 +4,7 @@ use super::{AT_ONCE, Built, CHANGE, COME_DOWN, STOP_MOTORS, command};
 use crate::commands::{ArmingCommand, Command, FlightCommand};
 use crate::language::argument::{Argument, Arguments, Kind, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
-use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Unsuited, Verb};
+use crate::verb::{Arrival, CountsAs, CrewDuty, Danger, Movement, Precedence, Unsuited, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[ARM, DISARM, KILL, MODE, TAKEOFF, LAND, RTL, HOLD, RESUME];
 
@@ -16,6 +16,7 @@ const ARM: VerbRow = VerbRow {
         precedence: Precedence::Awaited,
         movement: Movement::None,
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -34,6 +35,7 @@ const DISARM: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Safety,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -52,6 +54,7 @@ const KILL: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Safety,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -70,6 +73,7 @@ const MODE: VerbRow = VerbRow {
         precedence: Precedence::ByMode,
         movement: Movement::To(Arrival::Mode),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -96,6 +100,7 @@ const TAKEOFF: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[
             Unsuited::surface("unsuited-takeoff-surface"),
             Unsuited::fixed_wing("unsuited-takeoff-plane"),
@@ -128,6 +133,7 @@ const LAND: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Safety,
         unsuited: &[
             Unsuited::surface("unsuited-land-surface"),
             Unsuited::plane("unsuited-land-plane"),
@@ -149,6 +155,7 @@ const RTL: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Landed),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Safety,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -167,6 +174,7 @@ const HOLD: VerbRow = VerbRow {
         precedence: Precedence::Urgent,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Safety,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -185,6 +193,7 @@ const RESUME: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::AtTarget),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[
             Unsuited::surface("unsuited-resume"),
             Unsuited::plane("unsuited-resume"),

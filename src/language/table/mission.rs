@@ -8,7 +8,7 @@ use super::{Built, ONCE, deed};
 use crate::commands::{Deed, FindKind, Goal, GoalComponent, Spot, Subject};
 use crate::language::argument::{Argument, Arguments, Kind, Switch, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
-use crate::verb::{CountsAs, Danger, Movement, Precedence, Verb};
+use crate::verb::{CountsAs, CrewDuty, Danger, Movement, Precedence, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[
     MARK, UNMARK, SAMPLE, DROP, SPRAY, PREDICT, GOAL, HINT, WORKLOAD,
@@ -44,6 +44,7 @@ const MARK: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Report,
+        duty: CrewDuty::Sensors,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -82,6 +83,7 @@ const UNMARK: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Report,
+        duty: CrewDuty::Sensors,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -109,6 +111,7 @@ const SAMPLE: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Sensors,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -125,6 +128,7 @@ const DROP: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Sensors,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -141,6 +145,7 @@ const SPRAY: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        duty: CrewDuty::Sensors,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -164,6 +169,7 @@ const PREDICT: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Pledge,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -186,6 +192,7 @@ const GOAL: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Pledge,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -249,6 +256,7 @@ const WORKLOAD: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::SelfReport,
+        duty: CrewDuty::Sensors,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -275,6 +283,7 @@ const HINT: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Word,
+        duty: CrewDuty::Sensors,
         unsuited: &[],
     },
     scope: Scope::Everywhere,

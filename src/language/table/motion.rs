@@ -10,7 +10,7 @@ use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::text;
 use crate::vehicle::SpeedAxis;
-use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Unsuited, Verb};
+use crate::verb::{Arrival, CountsAs, CrewDuty, Danger, Movement, Precedence, Unsuited, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[GOTO, ALTITUDE, SPEED, YAW, VELOCITY, ORBIT, ROI, HOME];
 
@@ -32,6 +32,7 @@ const GOTO: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -132,6 +133,7 @@ const ALTITUDE: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[Unsuited::surface("unsuited-altitude-surface")],
     },
     scope: Scope::Everywhere,
@@ -155,6 +157,7 @@ const SPEED: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     },
     scope: Scope::Everywhere,
@@ -182,6 +185,7 @@ const YAW: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Turn,
         counts_as: CountsAs::Setting,
+        duty: CrewDuty::Flying,
         unsuited: &[
             Unsuited::surface("unsuited-yaw"),
             Unsuited::plane("unsuited-yaw"),
@@ -238,6 +242,7 @@ const VELOCITY: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[Unsuited::plane("unsuited-velocity-plane")],
     },
     scope: Scope::Everywhere,
@@ -286,6 +291,7 @@ const ORBIT: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Station,
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: &[
             Unsuited::surface("unsuited-orbit-surface"),
             Unsuited::plane("unsuited-orbit-plane"),
@@ -334,6 +340,7 @@ const ROI: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        duty: CrewDuty::Sensors,
         unsuited: &[],
     },
     scope: Scope::Everywhere,

@@ -10,7 +10,7 @@ use crate::commands::{Act, Command, DeviceCommand, PlanCommand, PlanDeed, PlanFl
 use crate::language::Meaning;
 use crate::plan::ListKind;
 use crate::vehicle::Wind;
-use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Verb};
+use crate::verb::{Arrival, CountsAs, CrewDuty, Danger, Movement, Precedence, Verb};
 
 pub(super) mod tasks;
 
@@ -25,6 +25,7 @@ const fn list_verb(name: &'static str) -> Verb {
         precedence: Precedence::InTurn,
         movement: Movement::None,
         counts_as: CountsAs::Setting,
+        duty: CrewDuty::Flying,
         unsuited: &[],
     }
 }

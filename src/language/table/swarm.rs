@@ -8,7 +8,7 @@ use crate::language::argument::{Argument, Arguments, Kind, Problem, Unit};
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::vehicle::VehicleId;
 use crate::vehicle_id::HIGHEST_VEHICLE;
-use crate::verb::{Arrival, CountsAs, Danger, Movement, Precedence, Unsuited, Verb};
+use crate::verb::{Arrival, CountsAs, CrewDuty, Danger, Movement, Precedence, Unsuited, Verb};
 
 pub(super) static ROWS: &[VerbRow] = &[SURVEY, SEARCH, FORMATION, FOLLOW, SPREAD];
 
@@ -46,6 +46,7 @@ const SURVEY: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
@@ -121,6 +122,7 @@ const FORMATION: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Station,
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
@@ -162,6 +164,7 @@ const FOLLOW: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Station,
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
@@ -194,6 +197,7 @@ const SPREAD: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::To(Arrival::Done),
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
@@ -225,6 +229,7 @@ const SEARCH: VerbRow = VerbRow {
         precedence: Precedence::InTurn,
         movement: Movement::Station,
         counts_as: CountsAs::Task,
+        duty: CrewDuty::Flying,
         unsuited: JOINT_FLIGHT,
     },
     scope: Scope::Everywhere,
@@ -262,6 +267,7 @@ const CHAIN: Verb = Verb {
     precedence: Precedence::InTurn,
     movement: Movement::Station,
     counts_as: CountsAs::Task,
+    duty: CrewDuty::Flying,
     unsuited: JOINT_FLIGHT,
 };
 const DISBAND: Verb = Verb {
@@ -271,6 +277,7 @@ const DISBAND: Verb = Verb {
     precedence: Precedence::InTurn,
     movement: Movement::To(Arrival::Done),
     counts_as: CountsAs::Task,
+    duty: CrewDuty::Flying,
     unsuited: &[],
 };
 

@@ -32,6 +32,7 @@ impl Names for Known {
             NameList::Rubric => &["notechs"],
             NameList::Exam => &["two-missions"],
             NameList::Situation => &["1", "turn"],
+            NameList::Crew => &["anna", "bohdan"],
             NameList::Inject | NameList::SeatInject if self.has_injects => &["gust"],
             NameList::Inject | NameList::SeatInject => {
                 return Listed::Nothing(text!("console-no-mission"));

@@ -33,6 +33,8 @@ pub struct TlogSalvage<R> {
     start: usize,
     offset: u64,
     at_end: bool,
+    /// Whether the file is still being written, so that more may follow its last byte.
+    grows: bool,
     last_us: Option<u64>,
 }
 
@@ -45,7 +47,18 @@ impl<R: Read> TlogSalvage<R> {
             start: 0,
             offset: 0,
             at_end: false,
+            grows: false,
             last_us: None,
+        }
+    }
+
+    /// The same for a file that is still being written: at its end, a record that is not whole yet is no damage, and after
+    /// `None` there may be more.
+    #[must_use]
+    pub fn growing(self) -> Self {
+        Self {
+            grows: true,
+            ..self
         }
     }
 
@@ -71,7 +84,7 @@ impl<R: Read> TlogSalvage<R> {
 
     fn piece(&mut self) -> Result<Option<TlogPiece>, TlogError> {
         self.fill()?;
-        if self.rest().is_empty() {
+        if self.rest().is_empty() || self.awaits_more() {
             return Ok(None);
         }
         if self.is_record() {
@@ -79,7 +92,7 @@ impl<R: Read> TlogSalvage<R> {
         }
         let offset = self.offset;
         let is_cut = is_cut(self.rest());
-        while !self.rest().is_empty() && !self.is_resumption() {
+        while !self.rest().is_empty() && !self.awaits_more() && !self.is_resumption() {
             self.advance(1);
             self.fill()?;
         }
@@ -88,6 +101,11 @@ impl<R: Read> TlogSalvage<R> {
         }
         let len = self.offset - offset;
         Ok(Some(TlogPiece::Damage { offset, len }))
+    }
+
+    /// Whether the file is still being written and ends within the next record.
+    fn awaits_more(&self) -> bool {
+        self.grows && is_cut(self.rest())
     }
 
     fn take_record(&mut self) -> Option<TlogRecord> {
@@ -151,7 +169,7 @@ impl<R: Read> TlogSalvage<R> {
                 offset: self.offset,
                 source,
             })?;
-        self.at_end = got < wanted;
+        self.at_end = got < wanted && !self.grows;
         Ok(())
     }
 }
@@ -245,6 +263,25 @@ mod tests {
         let pieces: Result<Vec<_>, _> = TlogSalvage::new(&bytes[..]).collect();
         let expected: Vec<_> = records.into_iter().map(TlogPiece::Record).collect();
         assert_eq!(pieces.expect("sound"), expected);
+    }
+
+    #[test]
+    fn a_file_that_grows_byte_by_byte_has_all_its_records_and_no_damage() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.tlog");
+        let records = records(3);
+        let mut file = std::fs::File::create(&path).expect("created");
+        let read = std::fs::File::open(&path).expect("it is there");
+        let mut salvage = TlogSalvage::new(read).growing();
+        let mut found = Vec::new();
+        for byte in written(&records) {
+            std::io::Write::write_all(&mut file, &[byte]).expect("written");
+            for piece in salvage.by_ref() {
+                found.push(piece.expect("readable"));
+            }
+        }
+        let expected: Vec<_> = records.into_iter().map(TlogPiece::Record).collect();
+        assert_eq!(found, expected);
     }
 
     proptest! {

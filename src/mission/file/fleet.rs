@@ -65,6 +65,7 @@ impl FleetSection {
             fits: self.fits,
             kinds: self.kinds,
             designs: Vec::new(),
+            crew: Vec::new(),
         }
     }
 }

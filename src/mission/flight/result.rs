@@ -1,8 +1,11 @@
 //! The facts and the report of a flight.
 
+use std::collections::BTreeSet;
+
 use super::{Flight, ObjectiveScene};
 use crate::ledger::{Ledger, LedgerEntry};
 use crate::mission::Clue;
+use crate::pilot_in_command::Person;
 use crate::record::InstructorPart;
 use crate::scoring::{
     AlertReport, CommandTally, ComponentReport, Facts, FlightBackend, FlightOutcome, HintReport,
@@ -60,6 +63,13 @@ fn judged(flight: &Flight, tally: CommandTally) -> CommandTally {
     tally.forgiving(flight.mission.scoring.free_refusals)
 }
 
+/// The other people who gave commands, by name.
+fn crew(ledger: &Ledger) -> Vec<String> {
+    let others = ledger.entries().filter_map(|entry| entry.by.as_ref());
+    let names: BTreeSet<&str> = others.map(Person::name).collect();
+    names.into_iter().map(str::to_owned).collect()
+}
+
 pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
     let mut facts = facts(flight, &flight.final_scene());
     // Rows may have ended after the last step.
@@ -77,6 +87,7 @@ pub(super) fn report(flight: &Flight, ledger: &Ledger) -> Report {
         seed: flight.seed,
         backend: FlightBackend::Embedded,
         flown_by: flight.flown_by,
+        crew: crew(ledger),
         mission_file: None,
         passed: flight.outcome == FlightOutcome::Passed,
         given_up: facts.given_up,

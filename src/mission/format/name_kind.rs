@@ -6,6 +6,7 @@ use crate::text::Text;
 /// The kind of thing that a name refers to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(in crate::mission) enum NameKind {
+    CrewRole,
     EarlierSurvey,
     Event,
     Fault,
@@ -32,6 +33,7 @@ impl NameKind {
     /// The word of the reference, which is English.
     pub fn word(self) -> &'static str {
         match self {
+            Self::CrewRole => "role",
             Self::EarlierSurvey => "earlier sample_cells objective",
             Self::Event => "event",
             Self::Fault => "fault",
@@ -58,6 +60,7 @@ impl NameKind {
     /// The word in the user's language, for faults.
     pub fn text(self) -> Text {
         match self {
+            Self::CrewRole => text!("name-crew-role"),
             Self::EarlierSurvey => text!("name-earlier-survey"),
             Self::Event => text!("name-event"),
             Self::Fault => text!("name-fault"),

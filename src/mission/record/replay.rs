@@ -266,6 +266,17 @@ impl Reenactment {
         std::mem::take(&mut self.said)
     }
 
+    /// Adds whole lines that the record has got since; one that cannot be read is left out, with all after it.
+    pub fn grow(&mut self, lines: &str) {
+        let read = lines
+            .lines()
+            .map_while(|line| serde_json::from_str(line).ok());
+        let lines: Vec<RecordLine> = read.collect();
+        if !lines.is_empty() {
+            Arc::make_mut(&mut self.lines).extend(lines);
+        }
+    }
+
     /// Whether the record has ended.
     pub fn is_over(&self) -> bool {
         self.next == self.lines.len()

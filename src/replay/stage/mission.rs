@@ -21,6 +21,14 @@ impl MissionStage {
         })
     }
 
+    /// The mission of a run that is still being recorded: `lines` are those so far, with the head.
+    pub fn growing(lines: &str) -> Option<Self> {
+        let head = lines.split_inclusive('\n').next()?;
+        let mut stage = Self::new(&Stored::read(head).ok()?)?;
+        stage.flight.grow(&lines[head.len()..]);
+        Some(stage)
+    }
+
     /// Flies up to a mission time, beginning again at the start if that time is in the past.
     pub fn go_to(&mut self, elapsed: Duration) {
         if elapsed < self.elapsed

@@ -13,6 +13,8 @@ use crate::text::Text;
 
 /// The time between writes, and so the most that a crash can lose.
 const WRITE_EVERY: Duration = Duration::from_secs(1);
+/// The time between writes while others follow the record.
+const WRITE_EVERY_FOR_OTHERS: Duration = Duration::from_millis(100);
 
 /// Writes the record of a flight.
 pub(super) struct Logbook {
@@ -26,6 +28,8 @@ pub(super) struct Logbook {
     /// the flight for one that was left.
     cut: Option<RunFile>,
     written: Option<Duration>,
+    /// The time between writes.
+    every: Duration,
 }
 
 impl Logbook {
@@ -58,7 +62,13 @@ impl Logbook {
             file: file.map_err(|error| Some(unwritable(&error))),
             cut: None,
             written: None,
+            every: WRITE_EVERY,
         }
+    }
+
+    /// Writes more often from now on, because others follow the record.
+    pub fn note_followed(&mut self) {
+        self.every = WRITE_EVERY_FOR_OTHERS;
     }
 
     /// Writes the lines that are due, and all lines once the flight is over; returns a notice, if
@@ -69,7 +79,7 @@ impl Logbook {
             Err(fault) => return fault.take(),
         };
         let since = self.written.map(|written| now.saturating_sub(written));
-        let is_due = since.is_none_or(|since| since >= WRITE_EVERY);
+        let is_due = since.is_none_or(|since| since >= self.every);
         if !is_due && !flight.is_over() {
             return None;
         }

@@ -113,6 +113,13 @@ impl MissionRun {
         self.logbook = Some(logbook);
     }
 
+    /// Writes the record more often, because others follow it.
+    pub fn note_followed(&mut self) {
+        if let Some(logbook) = &mut self.logbook {
+            logbook.note_followed();
+        }
+    }
+
     /// The situation of the mission.
     pub fn situation(&self) -> MissionSituation {
         MissionSituation {

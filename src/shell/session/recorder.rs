@@ -1,6 +1,6 @@
 //! The record of a session: its frames and its journal.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use crate::app::event::{Started, VehicleEvent};
@@ -17,6 +17,9 @@ const LAST_INPUTS_WITHIN: Duration = Duration::from_millis(250);
 
 /// How long a mission is still recorded after its end, so that a replay shows the result.
 const AFTER_MISSION: Duration = Duration::from_secs(2);
+
+/// How long what has happened may still be in memory while others follow the record.
+const WRITTEN_AFTER: Duration = Duration::from_millis(250);
 
 /// How long after its end a record may still be in memory.
 const WRITTEN_WITHIN: Duration = Duration::from_secs(1);
@@ -147,6 +150,22 @@ impl FlightRecorder {
         }
     }
 
+    /// Writes more often from now on, because others follow the record.
+    pub fn note_followed(&self) {
+        if let Some(recording) = &self.recording {
+            recording.note_followed();
+        }
+    }
+
+    /// The path of the frames, and the time up to which the files are complete; `None` if nothing is recorded.
+    pub fn sight(&self, now: Duration) -> Option<(PathBuf, Duration)> {
+        let frames = self.frames()?.to_owned();
+        let written = now.saturating_sub(WRITTEN_AFTER);
+        // Nothing is recorded after its end, when the vehicles would only seem to be silent.
+        let to = self.ends_at.map_or(written, |end| end.min(written));
+        Some((frames, to.saturating_sub(self.began_at)))
+    }
+
     /// The path of the frames, if recorded.
     pub fn frames(&self) -> Option<&Path> {
         self.recording.as_ref().map(Recording::frames)
@@ -189,6 +208,8 @@ pub(super) fn happening(event: &VehicleEvent) -> Option<Happening> {
         | VehicleEvent::Folder(_)
         | VehicleEvent::Rehearsed(_)
         | VehicleEvent::Parameters { .. }
+        // The change that led to it is.
+        | VehicleEvent::Pilots(_)
         | VehicleEvent::Given { .. } => None,
     }
 }

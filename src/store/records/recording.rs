@@ -13,6 +13,8 @@ use crate::text;
 use crate::text::Text;
 
 const WRITE_EVERY: Duration = Duration::from_millis(250);
+/// The time between writes while others follow the record.
+const WRITE_EVERY_FOR_OTHERS: Duration = Duration::from_millis(100);
 
 /// A record being written. Dropping it writes the remaining data.
 #[derive(Debug)]
@@ -37,6 +39,8 @@ struct RecordingState {
     inputs: String,
     last_at: Duration,
     is_over: bool,
+    /// Whether others follow the record while it is written.
+    is_followed: bool,
     /// The number of bytes written so far.
     bytes: u64,
     fault: Option<RecordingFault>,
@@ -73,9 +77,13 @@ impl Shared {
         loop {
             let (lines, inputs, is_over) = {
                 let wait = |state: &mut RecordingState| !state.is_over;
-                let waited = self
-                    .changed
-                    .wait_timeout_while(self.state(), WRITE_EVERY, wait);
+                let state = self.state();
+                let pause = if state.is_followed {
+                    WRITE_EVERY_FOR_OTHERS
+                } else {
+                    WRITE_EVERY
+                };
+                let waited = self.changed.wait_timeout_while(state, pause, wait);
                 let (mut state, _) = waited.unwrap_or_else(PoisonError::into_inner);
                 let lines = std::mem::take(&mut state.lines);
                 (lines, std::mem::take(&mut state.inputs), state.is_over)
@@ -127,6 +135,11 @@ impl Recording {
     /// The path of the record's frames.
     pub fn frames(&self) -> &Path {
         &self.frames
+    }
+
+    /// Writes more often from now on, because others follow the record.
+    pub fn note_followed(&self) {
+        self.shared.state().is_followed = true;
     }
 
     /// Adds a line to the journal; a time earlier than that of the last line is replaced by the

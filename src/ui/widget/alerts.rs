@@ -25,7 +25,7 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     };
     let clock = short_clock(state.session().time(pressing.first.since));
     // In a replay, the flight with its alerts is over.
-    let hint = if state.replay().is_some() {
+    let hint = if state.shows_past() {
         String::new()
     } else {
         let key = state.key(Action::Acknowledge);

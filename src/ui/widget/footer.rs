@@ -24,7 +24,7 @@ const GAP: usize = 2;
 /// stays in the last row, below the keys of rooms that are used apart from the flight.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
     let row = below(panel.area, panel.area.height.saturating_sub(1));
-    let mut lines = match (message(state, panel), state.replay()) {
+    let mut lines = match (message(state, panel), recorded(state)) {
         (None, _) => vec![line(state, panel.at(row))],
         (Some(lines), None) => lines,
         (Some(lines), Some(view)) => with_timeline(state, view, lines, panel.at(row)),
@@ -97,10 +97,25 @@ fn line<'a>(state: &'a State, panel: Panel<'_>) -> Line<'a> {
     if state.is_deaf() {
         return Line::from(muted(format!(" {}", look.say("footer-deaf"))));
     }
-    if let Some(view) = state.replay() {
+    if let Some(view) = recorded(state) {
         return replay::bar(state, view, panel);
     }
+    if let Some(text) = awaited(state) {
+        return Line::from(muted(format!(" {}", look.text(&text))));
+    }
     hints(state, room::hints(state), panel)
+}
+
+/// The flight of the past that is shown, if any: it has a timeline.
+fn recorded(state: &State) -> Option<&ReplayView> {
+    state.replay().filter(|view| !view.is_live)
+}
+
+/// What a member of a crew waits for, before it sees a flight.
+fn awaited(state: &State) -> Option<Text> {
+    let place = state.crew().member()?;
+    let is_waiting = state.session().activity().is_none();
+    is_waiting.then(|| place.awaited())
 }
 
 /// Keys with their meaning, as far as there is room.

@@ -8,7 +8,7 @@ use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::state::{LinkSummary, Room, rate};
+use crate::app::state::{LinkSummary, ReplayView, Room, rate};
 use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
@@ -30,8 +30,15 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let title = activity.map_or_else(String::new, |activity| panel.text(&activity.title()));
     let room = usize::from(panel.area.width);
     let session = state.session();
-    let pace = if let Some(view) = state.replay() {
+    let pace = if let Some(view) = recorded(state) {
         replay::badge(view, panel.look)
+    } else if let Some(place) = state.crew().member() {
+        let badge = if place.is_connected() {
+            "header-crew"
+        } else {
+            "header-crew-lost"
+        };
+        format!(" {} ", panel.say(badge))
     } else if session.is_paused() && state.class_role().is_frozen() {
         format!(" {} ", panel.say("header-frozen"))
     } else if session.is_paused() {
@@ -219,8 +226,16 @@ fn exam_try(state: &State, short: bool) -> Option<Figure> {
     Some(Figure { text, role })
 }
 
-/// Who else flies vehicles of this console.
+/// Who else flies vehicles of this console; at a member of a crew, what its user flies.
 fn pilots(state: &State) -> Option<Figure> {
+    if let Some(own) = state.session().pilots().own() {
+        let text = if own.is_empty() {
+            text!("header-own-none")
+        } else {
+            text!("header-own", vehicles = ranges(own))
+        };
+        return Some(text.into());
+    }
     let others = state.session().pilots().others();
     let parts = others.into_iter().map(|(pilot, vehicles)| {
         let (pilot, vehicles) = (pilot.name(), ranges(vehicles));
@@ -231,6 +246,11 @@ fn pilots(state: &State) -> Option<Figure> {
         text: Text::joined(", ", parts),
         role: Some(Role::Warning),
     })
+}
+
+/// The flight of the past that is shown, if any.
+fn recorded(state: &State) -> Option<&ReplayView> {
+    state.replay().filter(|view| !view.is_live)
 }
 
 /// Who watches this seat of a class.
@@ -252,7 +272,7 @@ fn watched(state: &State, short: bool) -> Option<Text> {
 }
 
 fn recorded_at(state: &State, short: bool) -> Option<Text> {
-    let view = state.replay()?;
+    let view = recorded(state)?;
     Some(replay::time_of_day(view, short).into())
 }
 

@@ -83,7 +83,7 @@ pub fn lines_within<'a>(
 
 /// The text shown while there are no commands.
 pub fn none(state: &State) -> Text {
-    if state.replay().is_some() {
+    if state.shows_past() {
         text!("commands-none-replayed")
     } else {
         text!("commands-none", key = state.key(Action::CommandLine))

@@ -7,6 +7,26 @@ use super::folder;
 /// The replaced text of the valid file, its replacement, and the resulting faults.
 const REFUSALS: &[(&str, &str, &str)] = &[
     (
+        "[scoring]",
+        "[[crew]]\nrole = \"cook\"\n[scoring]",
+        "50:8: unknown role `cook`; known: pilot, sensors, safety",
+    ),
+    (
+        "[scoring]",
+        "[[crew]]\nrole = \"pilot\"\nvehicles = \"1-2\"\n[scoring]",
+        "51:12: no vehicle 2: the fleet has 1",
+    ),
+    (
+        "[scoring]",
+        "[[crew]]\nrole = \"pilot\"\nvehicles = \"1\"\n[[crew]]\nrole = \"pilot\"\nvehicles = \"1\"\n[scoring]",
+        "54:12: 1 has a pilot already",
+    ),
+    (
+        "[scoring]",
+        "[[crew]]\nrole = \"safety\"\nvehicles = \"1\"\n[scoring]",
+        "51:12: `safety` flies no vehicles: leave `vehicles` out",
+    ),
+    (
         "sensors = [\"s_voc\"]",
         "sensors = [\"s_voc\"]\nloads = { bal = 4 }",
         "27:11: unknown field `bal`; known: ball, spray, kit, node (did you mean `ball`?)",

@@ -4,6 +4,8 @@ use std::fs::{self, Permissions};
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 
+use sortie_class::protocol::{DeskMessage, SeatMessage};
+
 use super::opened;
 use crate::host::{HostPlace, own_user_name};
 use crate::{ClassFault, DeskArrival, SeatArrival, socket, unix};
@@ -17,7 +19,7 @@ fn place(folder: &Path) -> HostPlace {
 async fn the_folder_can_be_entered_but_only_its_owner_changes_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let place = place(folder.path());
-    let desk = unix::open(&place).expect("it opens");
+    let desk = unix::open::<SeatMessage>(&place).expect("it opens");
     let mode = |path: &Path| {
         fs::metadata(path)
             .expect("it is there")
@@ -27,7 +29,7 @@ async fn the_folder_can_be_entered_but_only_its_owner_changes_it() {
     };
     assert_eq!(mode(&folder.path().join("class")), 0o711);
     assert_eq!(mode(&place.socket), 0o666);
-    let again = unix::open(&place);
+    let again = unix::open::<SeatMessage>(&place);
     let in_use = |it: &ClassFault| {
         let fault = socket::SocketFault::InUse;
         let expected = std::mem::discriminant(&fault);
@@ -44,12 +46,12 @@ async fn a_folder_that_others_may_change_is_refused() {
     let class = folder.path().join("class");
     fs::create_dir(&class).expect("made");
     fs::set_permissions(&class, Permissions::from_mode(0o777)).expect("set");
-    let opened = unix::open(&place);
+    let opened = unix::open::<SeatMessage>(&place);
     assert!(matches!(opened, Err(ClassFault::Folder(_))), "{opened:?}");
     let link = folder.path().join("link");
     std::os::unix::fs::symlink(&class, &link).expect("made");
     let path = link.display().to_string();
-    let opened = unix::open(&HostPlace::named(&path, None));
+    let opened = unix::open::<SeatMessage>(&HostPlace::named(&path, None));
     assert!(matches!(opened, Err(ClassFault::Folder(_))), "{opened:?}");
 }
 
@@ -57,12 +59,12 @@ async fn a_folder_that_others_may_change_is_refused() {
 async fn a_seat_does_not_speak_to_a_desk_of_somebody_else() {
     let folder = tempfile::tempdir().expect("a folder");
     let place = place(folder.path());
-    let mut desk = unix::open(&place).expect("it opens");
+    let mut desk = unix::open::<SeatMessage>(&place).expect("it opens");
     let other = HostPlace {
         instructor: Some("nobody-of-that-name".to_owned()),
         ..place.clone()
     };
-    let mut seat = unix::join(other);
+    let mut seat = unix::join::<DeskMessage>(other);
     let arrival = seat.next().await;
     let Some(SeatArrival::Refused(ClassFault::Stranger { user, .. })) = arrival else {
         panic!("{arrival:?}");

@@ -20,7 +20,7 @@ use crate::link::{Endpoint, LinkStatus, Simulator, StartedSimulator, Transport};
 use crate::session::{Report, Stream, VehicleCommand};
 use crate::sim::{SYSTEMS, Start, World, WorldConfig};
 use crate::vehicle::{Vehicle, VehicleId};
-use crate::verb::{CountsAs, Danger, Movement, Precedence, Retry, Verb};
+use crate::verb::{CountsAs, CrewDuty, Danger, Movement, Precedence, Retry, Verb};
 
 /// The streamed messages: `GLOBAL_POSITION_INT` and `ATTITUDE`.
 pub(super) const STREAMS: &[Stream] = &[stream(33, 10.0), stream(30, 10.0)];
@@ -34,6 +34,7 @@ const VERB: Verb = Verb {
     precedence: Precedence::InTurn,
     movement: Movement::None,
     counts_as: CountsAs::Task,
+    duty: CrewDuty::Flying,
     unsuited: &[],
 };
 /// The longest wait for a fleet to accept a command.

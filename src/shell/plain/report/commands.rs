@@ -114,5 +114,5 @@ fn outcome(entry: &LedgerEntry) -> Text {
         Text::joined(", ", std::iter::once(state).chain(explanation).collect())
     });
     let parts = Text::joined("; ", parts.collect());
-    Text::joined(": ", vec![entry.line.as_str().into(), parts])
+    Text::joined(": ", vec![entry.said(), parts])
 }

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::super::super::order::{self, Given};
+use super::super::super::order::{self, LineFor, UnfitLine};
 use super::super::tell;
 use super::{BegunOrder, Ended, OrderFault, instructor, note};
 use crate::app::State;
@@ -10,6 +10,7 @@ use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::state::{Activity, OrderTrace, PendingOrder, SeatPlace};
 use crate::class::{Deed, Outcome, Refusal};
 use crate::commands::Order;
+use crate::crew::protocol::Confirmed;
 use crate::ledger::{LedgerEntry, RowState};
 use crate::pilot_in_command::Person;
 use crate::record::DeskRecord;
@@ -70,26 +71,23 @@ pub(super) fn command(state: &mut State, line: &str) -> Result<BegunOrder, Order
     if flown.is_empty() {
         return Err(Refusal::NotTaken.into());
     }
-    match order::read_for(state, line, &flown) {
-        Ok(Given::Order(asked)) if asked.verb.counts_as.is_for_vehicles() => {
-            // The trainee would be asked; the desk cannot know of it.
-            if let Some(hazard) = order::hazard(state, &asked) {
-                return Err(OrderFault {
-                    refusal: Refusal::Line,
-                    why: Some(state.locale.text(&hazard).as_str().into()),
-                });
-            }
-            let by = Some(person);
-            let sent = order::send(state, Order { by, ..asked });
-            Ok(BegunOrder {
-                effects: sent.effect.into(),
-                trace: OrderTrace::Entry(sent.entry),
-            })
-        }
-        Ok(_) => Err(Refusal::Line.into()),
-        Err(fault) => Err(OrderFault {
+    let said = LineFor {
+        by: &person,
+        line,
+        selection: &flown,
+        // The desk has asked about the danger of the verb, but cannot know of any other hazard.
+        confirmed: Confirmed::Danger,
+    };
+    let is_open = |order: &Order| order.verb.counts_as.is_for_vehicles();
+    match order::give_for(state, said, is_open) {
+        Ok(sent) => Ok(BegunOrder {
+            effects: sent.effect.into(),
+            trace: OrderTrace::Entry(sent.entry),
+        }),
+        Err(UnfitLine::NoCommand) => Err(Refusal::Line.into()),
+        Err(UnfitLine::Because(why)) => Err(OrderFault {
             refusal: Refusal::Line,
-            why: Some(state.locale.text(&fault.message).as_str().into()),
+            why: Some(state.locale.text(&why).as_str().into()),
         }),
     }
 }

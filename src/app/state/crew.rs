@@ -1,0 +1,138 @@
+//! The console's part in a crew: the host, or a member.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use super::{Activity, State};
+use crate::crew::protocol::RosterLine;
+use crate::crew::{Crew, CrewViewpoint, Role};
+use crate::mission::Stake;
+use crate::text;
+use crate::text::Text;
+
+/// What a console is in a crew.
+#[derive(Debug, Clone, Default)]
+pub enum CrewPart {
+    /// Nothing: the console flies alone.
+    #[default]
+    None,
+    /// The console that flies the session.
+    Host(Box<Crew>),
+    /// A member's console.
+    Member(Box<MemberPlace>),
+}
+
+/// A member's place in a crew.
+#[derive(Debug, Clone, Default)]
+pub struct MemberPlace {
+    /// The name of the crew, as the user wrote it.
+    pub(in crate::app) crew: String,
+    /// Who looks at whose flight; `None` until the host has let the member in.
+    pub(in crate::app) viewpoint: Option<CrewViewpoint>,
+    pub(in crate::app) role: Role,
+    pub(in crate::app) roster: Vec<RosterLine>,
+    /// The lines that the host has not answered yet, by number.
+    pub(in crate::app) asked: BTreeMap<u32, String>,
+    pub(in crate::app) next: u32,
+    /// When the member last said something, by the wall clock.
+    pub(in crate::app) said_at: Duration,
+    /// Whether there is a connection.
+    pub(in crate::app) is_connected: bool,
+}
+
+impl MemberPlace {
+    /// A place in a crew that is not joined yet.
+    pub fn new(crew: impl Into<String>) -> Self {
+        Self {
+            crew: crew.into(),
+            ..Self::default()
+        }
+    }
+
+    /// Who looks at whose flight; `None` until the host has let the member in.
+    pub fn viewpoint(&self) -> Option<&CrewViewpoint> {
+        self.viewpoint.as_ref()
+    }
+
+    /// The name of the crew, as the user wrote it.
+    pub fn crew(&self) -> &str {
+        &self.crew
+    }
+
+    pub fn role(&self) -> Role {
+        self.role
+    }
+
+    /// What the member waits for while no flight is shown.
+    pub fn awaited(&self) -> Text {
+        match &self.viewpoint {
+            Some(viewpoint) => text!("crew-waiting-flight", host = viewpoint.host.name()),
+            None => text!("crew-waiting", crew = self.crew.as_str()),
+        }
+    }
+
+    /// Whether there is a connection to the host.
+    pub fn is_connected(&self) -> bool {
+        self.is_connected
+    }
+}
+
+impl CrewPart {
+    /// The crew, at its host.
+    pub fn host(&self) -> Option<&Crew> {
+        match self {
+            Self::Host(crew) => Some(crew),
+            Self::None | Self::Member(_) => None,
+        }
+    }
+
+    pub(in crate::app) fn host_mut(&mut self) -> Option<&mut Crew> {
+        match self {
+            Self::Host(crew) => Some(crew),
+            Self::None | Self::Member(_) => None,
+        }
+    }
+
+    /// The place in a crew, at a member.
+    pub fn member(&self) -> Option<&MemberPlace> {
+        match self {
+            Self::Member(place) => Some(place),
+            Self::None | Self::Host(_) => None,
+        }
+    }
+
+    pub(in crate::app) fn member_mut(&mut self) -> Option<&mut MemberPlace> {
+        match self {
+            Self::Member(place) => Some(place),
+            Self::None | Self::Host(_) => None,
+        }
+    }
+}
+
+impl<R> State<R> {
+    /// The console's part in a crew.
+    pub fn crew(&self) -> &CrewPart {
+        &self.crew
+    }
+
+    /// Whether an exam is flown, which everybody flies alone.
+    pub fn is_exam(&self) -> bool {
+        matches!(
+            self.session.activity,
+            Some(Activity::Mission {
+                stake: Stake::Exam,
+                ..
+            })
+        )
+    }
+
+    /// Whether this console follows a flight that the host of a crew is flying.
+    pub fn is_following(&self) -> bool {
+        self.replay.as_ref().is_some_and(|view| view.is_live)
+    }
+
+    /// Whether this console shows a flight of the past.
+    pub fn shows_past(&self) -> bool {
+        self.replay.as_ref().is_some_and(|view| !view.is_live)
+    }
+}

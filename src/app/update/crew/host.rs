@@ -1,0 +1,303 @@
+//! The host of a crew.
+
+use super::super::order::{self, LineFor, UnfitLine};
+use super::super::relay::{not_open, uses_files};
+use super::tell;
+use crate::app::State;
+use crate::app::effect::{CrewEffect, Effect, Effects};
+use crate::class::ConnectionId;
+use crate::commands::Order;
+use crate::crew::protocol::{
+    Confirmed, CrewDenial, CrewHello, HostMessage, MemberMessage, RosterLine, SaidLine, VERSION,
+};
+use crate::crew::{
+    Crew, CrewChange, CrewDeed, CrewFault, CrewRecord, CrewScene, DeedOutcome, Flown, Joining,
+    Member, Proposal,
+};
+use crate::pilot_in_command::Person;
+use crate::text;
+use crate::text::Text;
+use crate::vehicle::Severity;
+use crate::vehicle_id::ranges;
+
+/// Takes in a line of a member, or of somebody who wants to join.
+pub(super) fn heard(
+    state: &mut State,
+    connection: ConnectionId,
+    user: &str,
+    message: MemberMessage,
+) -> Effects {
+    let wall = state.wall;
+    let Some(crew) = state.crew.host_mut() else {
+        return Effects::none();
+    };
+    crew.hear(connection, wall);
+    let member = crew.member(connection).cloned();
+    match (message, member) {
+        (MemberMessage::Hello(hello), None) => join(state, connection, user, hello),
+        (MemberMessage::Hello(_), Some(_)) | (_, None) => deny(connection, CrewDenial::NoHello),
+        (MemberMessage::Here, Some(_)) => Effects::none(),
+        (
+            MemberMessage::Say {
+                id,
+                line,
+                confirmed,
+            },
+            Some(member),
+        ) => {
+            let done = command(state, &member, &line, confirmed);
+            answer(connection, id, done)
+        }
+        (MemberMessage::Act { id, deed }, Some(member)) => {
+            let done = act(state, &member.person, &deed);
+            answer(connection, id, done.map_err(|fault| fault.text()))
+        }
+    }
+}
+
+fn deny(connection: ConnectionId, denial: CrewDenial) -> Effects {
+    Effects::from(Effect::Crew(CrewEffect::Deny { connection, denial }))
+}
+
+fn tell_one(connection: ConnectionId, message: HostMessage) -> Effect {
+    Effect::Crew(CrewEffect::Tell {
+        connection,
+        message,
+    })
+}
+
+/// The answer to a member, after what follows from its line.
+fn answer(connection: ConnectionId, id: u32, done: Result<Effects, Text>) -> Effects {
+    let (mut effects, fault) = match done {
+        Ok(effects) => (effects, None),
+        Err(fault) => (Effects::none(), Some((&fault).into())),
+    };
+    effects.extend([tell_one(connection, HostMessage::Answer { id, fault })]);
+    effects
+}
+
+fn join(state: &mut State, connection: ConnectionId, user: &str, hello: CrewHello) -> Effects {
+    if hello.protocol != VERSION {
+        return deny(connection, CrewDenial::Version { host: VERSION });
+    }
+    let wall = state.wall;
+    let pilots = &mut state.session.pilots;
+    let Some(crew) = state.crew.host_mut() else {
+        return Effects::none();
+    };
+    let joining = Joining {
+        connection,
+        user,
+        role: hello.role,
+    };
+    let joined = crew.join(joining, pilots, wall);
+    let (Ok(change), Some(member)) = (joined, crew.member(connection)) else {
+        return deny(connection, CrewDenial::Full);
+    };
+    let welcome = HostMessage::Welcome {
+        protocol: VERSION,
+        crew: crew.name().into(),
+        host: crew.host().name().into(),
+        name: member.person.name().into(),
+        role: member.role,
+    };
+    let mut effects = Effects::from(Effect::Crew(CrewEffect::Admit {
+        connection,
+        welcome,
+        has: hello.has,
+    }));
+    effects.extend(changed(state, change));
+    effects
+}
+
+/// A connection has ended.
+pub(super) fn left(state: &mut State, connection: ConnectionId) -> Effects {
+    let pilots = &mut state.session.pilots;
+    let crew = state.crew.host_mut();
+    let change = crew.and_then(|crew| crew.leave(connection, pilots));
+    change.map_or_else(Effects::none, |change| changed(state, change))
+}
+
+/// Tells everybody of a change, and notes it.
+fn changed(state: &mut State, change: CrewChange) -> Effects {
+    let has_lost_pilot =
+        matches!(&change, CrewChange::Left { vehicles, .. } if !vehicles.is_empty());
+    let severity = if has_lost_pilot {
+        Severity::Warning
+    } else {
+        Severity::Notice
+    };
+    if let Some(text) = change.text() {
+        tell(state, severity, text);
+    }
+    let Some(crew) = state.crew.host() else {
+        return Effects::none();
+    };
+    let record = CrewRecord {
+        change,
+        flown: Flown::all(&state.session.pilots),
+    };
+    let roster = HostMessage::Roster(roster(crew));
+    [CrewEffect::Note(record), CrewEffect::TellAll(roster)]
+        .into_iter()
+        .map(Effect::Crew)
+        .collect()
+}
+
+fn roster(crew: &Crew) -> Vec<RosterLine> {
+    let host = RosterLine {
+        name: crew.host().name().into(),
+        role: None,
+    };
+    let members = crew.members().map(|member| RosterLine {
+        name: member.person.name().into(),
+        role: Some(member.role),
+    });
+    std::iter::once(host).chain(members).collect()
+}
+
+/// Carries out a member's command.
+///
+/// # Errors
+/// Why it is not possible.
+fn command(
+    state: &mut State,
+    member: &Member,
+    line: &SaidLine,
+    confirmed: Confirmed,
+) -> Result<Effects, Text> {
+    let session = &state.session;
+    if session.activity.is_none() || state.replay.is_some() || session.task.over {
+        return Err(text!("crew-not-flying"));
+    }
+    if state.is_exam() {
+        return Err(text!("crew-exam"));
+    }
+    if session.is_reading() {
+        return Err(text!("crew-not-begun"));
+    }
+    let flown = session.pilots.flown_by(&member.person);
+    let said = LineFor {
+        by: &member.person,
+        line: line.as_str(),
+        selection: &flown,
+        confirmed,
+    };
+    let is_open = |order: &Order| member.role.may_say(order.verb) && !uses_files(&order.act);
+    match order::give_for(state, said, is_open) {
+        Ok(sent) => Ok(sent.effect.into()),
+        Err(UnfitLine::NoCommand) => Err(not_open(member.role)),
+        Err(UnfitLine::Because(why)) => Err(why),
+    }
+}
+
+/// Carries out a deed of the host's own user.
+///
+/// # Errors
+/// Why it is not possible.
+pub(super) fn act_here(state: &mut State, deed: &CrewDeed) -> Result<Effects, Text> {
+    let host = state.crew.host().map(|crew| crew.host().clone());
+    let host = host.ok_or_else(|| text!("crew-none"))?;
+    act(state, &host, deed).map_err(|fault| fault.text())
+}
+
+fn act(state: &mut State, who: &Person, deed: &CrewDeed) -> Result<Effects, CrewFault> {
+    let wall = state.wall;
+    let vehicles: Vec<_> = state.session.all().collect();
+    let is_open = !state.is_exam() && !state.session.task.over && state.replay.is_none();
+    let pilots = &mut state.session.pilots;
+    let Some(crew) = state.crew.host_mut().filter(|_| is_open) else {
+        return Err(CrewFault::NoVehicle);
+    };
+    let mut scene = CrewScene {
+        vehicles: &vehicles,
+        pilots,
+        now: wall,
+    };
+    let outcome = crew.act(who, deed, &mut scene)?;
+    Ok(match outcome {
+        DeedOutcome::Changed(change) => changed(state, change),
+        DeedOutcome::Proposed(proposal) => {
+            let waits = text!(
+                "crew-waits",
+                who = proposal.answerer().name(),
+                vehicles = ranges(proposal.vehicles.iter().copied())
+            );
+            let mut effects = tell_person(state, proposal.answerer(), proposal.text());
+            effects.extend(tell_person(state, proposal.proposer(), waits));
+            effects
+        }
+        DeedOutcome::Declined(proposal) => {
+            let text = text!(
+                "crew-declined",
+                who = proposal.answerer().name(),
+                vehicles = ranges(proposal.vehicles.iter().copied())
+            );
+            let mut effects = tell_person(state, proposal.proposer(), text.clone());
+            effects.extend(tell_person(state, proposal.answerer(), text));
+            effects
+        }
+    })
+}
+
+/// Tells somebody on the crew something.
+fn tell_person(state: &mut State, person: &Person, text: Text) -> Effects {
+    let Some(crew) = state.crew.host() else {
+        return Effects::none();
+    };
+    if crew.host() == person {
+        tell(state, Severity::Notice, text);
+        return Effects::none();
+    }
+    let connection = crew.connection(person);
+    let message = HostMessage::Notice((&text).into());
+    connection.map_or_else(Effects::none, |it| tell_one(it, message).into())
+}
+
+/// Sends silent members away, and ends the proposals that nobody has answered.
+pub(super) fn tick(state: &mut State) -> Effects {
+    let wall = state.wall;
+    let pilots = &state.session.pilots;
+    let Some(crew) = state.crew.host_mut() else {
+        return Effects::none();
+    };
+    let silent = crew.silent(wall);
+    let ended = crew.settle(pilots, wall);
+    let mut effects = Effects::none();
+    for connection in silent {
+        effects.extend([Effect::Crew(CrewEffect::Drop(connection))]);
+        effects.extend(left(state, connection));
+    }
+    for proposal in ended {
+        effects.extend(unanswered(state, &proposal));
+    }
+    effects
+}
+
+fn unanswered(state: &mut State, proposal: &Proposal) -> Effects {
+    let text = text!(
+        "crew-unanswered",
+        who = proposal.answerer().name(),
+        vehicles = ranges(proposal.vehicles.iter().copied())
+    );
+    tell_person(state, proposal.proposer(), text)
+}
+
+/// A session has begun: the mission's posts go to members.
+pub fn began(state: &mut State) -> Effects {
+    let is_exam = state.is_exam();
+    let mission = state.session.task.listing.as_ref();
+    let posts = mission.filter(|_| !is_exam).map(|it| it.crew.clone());
+    let pilots = &mut state.session.pilots;
+    let Some(crew) = state.crew.host_mut() else {
+        return Effects::none();
+    };
+    crew.begin(posts.unwrap_or_default(), pilots);
+    let roles: Vec<Effect> = crew
+        .connections()
+        .map(|(connection, member)| tell_one(connection, HostMessage::Role(member.role)))
+        .collect();
+    let mut effects: Effects = roles.into_iter().collect();
+    effects.extend(changed(state, CrewChange::Began));
+    effects
+}

@@ -1,0 +1,302 @@
+//! A crew: several people on one swarm.
+//!
+//! The host's console flies the session; members watch a live copy of its record and ask it to carry out their commands.
+//! A [`Crew`] is the host's list of members with their roles, and of the proposals to hand vehicles over. Who flies a
+//! vehicle is in [`PilotsInCommand`] alone: every change here goes there.
+//!
+//! [`protocol`] has the lines between host and members.
+
+use std::collections::BTreeMap;
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use crate::class::ConnectionId;
+use crate::pilot_in_command::{Person, PilotsInCommand};
+use crate::vehicle_id::VehicleId;
+use crate::verb::{CountsAs, CrewDuty, Verb};
+
+mod change;
+mod fault;
+mod handover;
+pub mod protocol;
+
+#[cfg(test)]
+mod tests;
+
+pub use change::{CrewChange, CrewRecord, CrewViewpoint, Flown};
+pub use fault::CrewFault;
+pub use handover::{CrewDeed, CrewScene, DeedOutcome, Proposal};
+
+/// The maximum number of members.
+pub const MOST_MEMBERS: usize = 16;
+/// The time without a line of a member, which says something every 2 s, after which the member counts as gone.
+const SILENT: Duration = Duration::from_secs(10);
+
+/// What a member does in a crew.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Role {
+    /// Flies own vehicles.
+    #[default]
+    Pilot,
+    /// Reports, and operates the payloads of every vehicle.
+    Sensors,
+    /// May make every vehicle safe.
+    Safety,
+    /// Only looks on.
+    Observer,
+}
+
+impl Role {
+    /// All roles.
+    pub const ALL: [Self; 4] = [Self::Pilot, Self::Sensors, Self::Safety, Self::Observer];
+
+    /// The name in files and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Pilot => "pilot",
+            Self::Sensors => "sensors",
+            Self::Safety => "safety",
+            Self::Observer => "observer",
+        }
+    }
+
+    /// The role with a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|role| role.name() == name)
+    }
+
+    /// The names of the roles that a mission may provide: anybody may look on.
+    pub fn in_missions() -> Vec<&'static str> {
+        let roles = Self::ALL.into_iter().filter(|it| *it != Self::Observer);
+        roles.map(Self::name).collect()
+    }
+
+    /// The role with a name, if a mission may provide it.
+    pub fn in_mission(name: &str) -> Option<Self> {
+        Self::named(name).filter(|it| *it != Self::Observer)
+    }
+
+    /// The duty with which the role reaches every vehicle, whoever flies it.
+    fn duty(self) -> Option<CrewDuty> {
+        match self {
+            Self::Sensors => Some(CrewDuty::Sensors),
+            Self::Safety => Some(CrewDuty::Safety),
+            Self::Pilot | Self::Observer => None,
+        }
+    }
+
+    /// Whether members with the role may give orders with a verb at all; for which vehicles is another question.
+    pub fn may_say(self, verb: &Verb) -> bool {
+        match (self, verb.counts_as) {
+            (Self::Observer, _) => false,
+            // The answers for the whole flight are those of the host: a prediction, a goal.
+            (Self::Pilot, CountsAs::Pledge | CountsAs::SelfReport | CountsAs::Word) => {
+                verb.duty == CrewDuty::Sensors
+            }
+            (Self::Pilot, _) => true,
+            (Self::Sensors | Self::Safety, _) => self.duty() == Some(verb.duty),
+        }
+    }
+}
+
+/// A place in the crew that the mission provides.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Post {
+    pub role: Role,
+    /// The vehicles that its holder flies from the beginning.
+    pub vehicles: Vec<VehicleId>,
+}
+
+/// Somebody on the crew besides the host.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Member {
+    pub person: Person,
+    pub role: Role,
+    /// The number of the mission's post that the member holds.
+    post: Option<usize>,
+    /// Whether the member asked for the role; otherwise it is that of a free post.
+    is_role_wanted: bool,
+    /// When the member last said something, by the wall clock.
+    heard_at: Duration,
+}
+
+/// The members of a crew, at the host.
+#[derive(Debug, Clone)]
+pub struct Crew {
+    name: String,
+    host: Person,
+    posts: Vec<Post>,
+    members: BTreeMap<ConnectionId, Member>,
+    /// Proposals that wait for an answer, oldest first.
+    proposals: Vec<Proposal>,
+}
+
+impl Crew {
+    /// A crew of the host alone.
+    pub fn new(name: impl Into<String>, host: Person) -> Self {
+        Self {
+            name: name.into(),
+            host,
+            posts: Vec::new(),
+            members: BTreeMap::new(),
+            proposals: Vec::new(),
+        }
+    }
+
+    /// Its name.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The user of the host's console.
+    pub fn host(&self) -> &Person {
+        &self.host
+    }
+
+    /// The members, by the order in which they joined.
+    pub fn members(&self) -> impl Iterator<Item = &Member> {
+        self.members.values()
+    }
+
+    /// The member at the other end of a connection.
+    pub fn member(&self, connection: ConnectionId) -> Option<&Member> {
+        self.members.get(&connection)
+    }
+
+    /// The members with their connections, by the order in which they joined.
+    pub fn connections(&self) -> impl Iterator<Item = (ConnectionId, &Member)> {
+        self.members
+            .iter()
+            .map(|(&connection, it)| (connection, it))
+    }
+
+    /// The connection to a member.
+    pub fn connection(&self, person: &Person) -> Option<ConnectionId> {
+        let mut members = self.connections();
+        let found = members.find(|(_, member)| member.person == *person);
+        found.map(|(connection, _)| connection)
+    }
+
+    /// The proposals that wait for an answer, oldest first.
+    pub fn proposals(&self) -> &[Proposal] {
+        &self.proposals
+    }
+
+    /// Takes a user in. The name is the user's, with a number if it is taken.
+    ///
+    /// # Errors
+    /// The crew is full, or the connection has a member already.
+    pub fn join(
+        &mut self,
+        joining: Joining<'_>,
+        pilots: &mut PilotsInCommand,
+        now: Duration,
+    ) -> Result<CrewChange, CrewFault> {
+        if self.members.contains_key(&joining.connection) {
+            return Err(CrewFault::JoinedTwice);
+        }
+        if self.members.len() >= MOST_MEMBERS {
+            return Err(CrewFault::Full);
+        }
+        let person = self.free_name(joining.user);
+        let member = Member {
+            person: person.clone(),
+            role: joining.role.unwrap_or_default(),
+            post: None,
+            is_role_wanted: joining.role.is_some(),
+            heard_at: now,
+        };
+        self.members.insert(joining.connection, member);
+        self.assign(joining.connection, pilots);
+        let role = self.members[&joining.connection].role;
+        Ok(CrewChange::Joined { who: person, role })
+    }
+
+    /// The first name for a user that nobody here has: `anna`, `anna-2`.
+    fn free_name(&self, user: &str) -> Person {
+        let names = std::iter::once(user.to_owned());
+        let mut names = names.chain((2..).map(|number| format!("{user}-{number}")));
+        let is_free = |name: &String| {
+            self.host.name() != name && self.members().all(|it| it.person.name() != name)
+        };
+        Person::named(names.find(is_free).unwrap_or_default())
+    }
+
+    /// Gives a member a free post of the mission that suits, and the vehicles and the duty that follow.
+    fn assign(&mut self, connection: ConnectionId, pilots: &mut PilotsInCommand) {
+        let taken: Vec<usize> = self.members().filter_map(|it| it.post).collect();
+        let Some(member) = self.members.get_mut(&connection) else {
+            return;
+        };
+        let wanted = member.is_role_wanted.then_some(member.role);
+        let suits = |(number, post): &(usize, &Post)| {
+            !taken.contains(number) && wanted.is_none_or(|role| role == post.role)
+        };
+        let free = self.posts.iter().enumerate().find(suits);
+        if let Some((number, post)) = free {
+            (member.post, member.role) = (Some(number), post.role);
+            // What somebody has got by a hand-over meanwhile stays there.
+            let is_of_host = |vehicle: &VehicleId| pilots.of(*vehicle).is_none();
+            let vehicles: Vec<_> = post.vehicles.iter().copied().filter(is_of_host).collect();
+            pilots.take_over(&vehicles, &member.person);
+        }
+        if let Some(duty) = member.role.duty() {
+            pilots.put_on_duty(&member.person, duty);
+        }
+    }
+
+    /// A member is gone: the vehicles are the host's again.
+    pub fn leave(
+        &mut self,
+        connection: ConnectionId,
+        pilots: &mut PilotsInCommand,
+    ) -> Option<CrewChange> {
+        let who = self.members.remove(&connection)?.person;
+        let vehicles = pilots.flown_by(&who);
+        pilots.hand_back(&vehicles, &who);
+        pilots.relieve(&who);
+        self.proposals
+            .retain(|it| it.giver != who && it.taker != who);
+        Some(CrewChange::Left { who, vehicles })
+    }
+
+    /// Notes that a member has said something.
+    pub fn hear(&mut self, connection: ConnectionId, now: Duration) {
+        if let Some(member) = self.members.get_mut(&connection) {
+            member.heard_at = now;
+        }
+    }
+
+    /// The members that have said nothing for too long.
+    pub fn silent(&self, now: Duration) -> Vec<ConnectionId> {
+        let members = self.members.iter();
+        let silent = members.filter(|(_, it)| now >= it.heard_at + SILENT);
+        silent.map(|(&connection, _)| connection).collect()
+    }
+
+    /// A session begins, with these posts: its vehicles are the host's, except for those of members that have a post.
+    pub fn begin(&mut self, posts: Vec<Post>, pilots: &mut PilotsInCommand) {
+        *pilots = PilotsInCommand::of_user(self.host.clone());
+        self.posts = posts;
+        self.proposals.clear();
+        for member in self.members.values_mut() {
+            member.post = None;
+        }
+        let connections: Vec<_> = self.members.keys().copied().collect();
+        for connection in connections {
+            self.assign(connection, pilots);
+        }
+    }
+}
+
+/// Who asks to join.
+#[derive(Debug, Clone, Copy)]
+pub struct Joining<'a> {
+    pub connection: ConnectionId,
+    /// The user at the other end, from the system.
+    pub user: &'a str,
+    /// The role that the user wants; `None` for that of a free post.
+    pub role: Option<Role>,
+}

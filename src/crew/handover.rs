@@ -1,0 +1,282 @@
+//! Handing vehicles over, with the consent of both sides.
+
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+use super::{Crew, CrewChange, CrewFault, Role};
+use crate::pilot_in_command::{Person, PilotsInCommand};
+use crate::text;
+use crate::text::Text;
+use crate::vehicle_id::{VehicleId, ranges};
+
+/// How long a proposal waits for an answer.
+const WAITS: Duration = Duration::from_secs(60);
+/// The maximum number of proposals that wait.
+const MOST_PROPOSALS: usize = 32;
+
+/// What somebody on a crew does about the pilots of vehicles.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum CrewDeed {
+    /// Offer own vehicles to somebody.
+    Offer {
+        vehicles: Vec<VehicleId>,
+        to: String,
+    },
+    /// Ask for the vehicles of somebody.
+    Ask { vehicles: Vec<VehicleId> },
+    /// Accept the newest proposal.
+    Accept,
+    /// Decline the newest proposal.
+    Decline,
+}
+
+/// A proposal to hand vehicles over.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Proposal {
+    pub vehicles: Vec<VehicleId>,
+    /// Who flies them now.
+    pub giver: Person,
+    pub taker: Person,
+    /// Whether the taker asks; otherwise the giver offers.
+    pub is_asked: bool,
+    /// When it ends, by the wall clock.
+    ends_at: Duration,
+}
+
+impl Proposal {
+    /// Who has to answer.
+    pub fn answerer(&self) -> &Person {
+        if self.is_asked {
+            &self.giver
+        } else {
+            &self.taker
+        }
+    }
+
+    /// Who has made it.
+    pub fn proposer(&self) -> &Person {
+        if self.is_asked {
+            &self.taker
+        } else {
+            &self.giver
+        }
+    }
+
+    /// The proposal, for the one who has to answer.
+    pub fn text(&self) -> Text {
+        let who = self.proposer().name();
+        let vehicles = ranges(self.vehicles.iter().copied());
+        if self.is_asked {
+            text!("crew-asks", who = who, vehicles = vehicles)
+        } else {
+            text!("crew-offers", who = who, vehicles = vehicles)
+        }
+    }
+}
+
+/// What came of a deed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum DeedOutcome {
+    /// Somebody has to answer.
+    Proposed(Proposal),
+    /// The vehicles have another pilot.
+    Changed(CrewChange),
+    /// The proposal was declined.
+    Declined(Proposal),
+}
+
+impl Crew {
+    /// Carries out what somebody on the crew wants. `all` are the vehicles of the session.
+    ///
+    /// # Errors
+    /// It is not possible.
+    pub fn act(
+        &mut self,
+        who: &Person,
+        deed: &CrewDeed,
+        scene: &mut CrewScene<'_>,
+    ) -> Result<DeedOutcome, CrewFault> {
+        match deed {
+            CrewDeed::Offer { vehicles, to } => self.offer(who, vehicles, to, scene),
+            CrewDeed::Ask { vehicles } => self.ask(who, vehicles, scene),
+            CrewDeed::Accept => self.accept(who, scene),
+            CrewDeed::Decline => {
+                let declined = self.take_proposal(who, scene)?;
+                Ok(DeedOutcome::Declined(declined))
+            }
+        }
+    }
+
+    fn offer(
+        &mut self,
+        giver: &Person,
+        vehicles: &[VehicleId],
+        to: &str,
+        scene: &CrewScene<'_>,
+    ) -> Result<DeedOutcome, CrewFault> {
+        scene.check(vehicles)?;
+        let taker = self.person(to)?;
+        if taker == *giver {
+            return Err(CrewFault::Oneself);
+        }
+        self.check_pilot(&taker)?;
+        let is_other = |vehicle: &VehicleId| self.pilot(*vehicle, scene.pilots) != giver;
+        let others: Vec<_> = vehicles.iter().copied().filter(is_other).collect();
+        if !others.is_empty() {
+            return Err(CrewFault::NotYours(others));
+        }
+        Ok(self.propose(Proposal {
+            vehicles: vehicles.to_vec(),
+            giver: giver.clone(),
+            taker,
+            is_asked: false,
+            ends_at: scene.now + WAITS,
+        }))
+    }
+
+    fn ask(
+        &mut self,
+        taker: &Person,
+        vehicles: &[VehicleId],
+        scene: &CrewScene<'_>,
+    ) -> Result<DeedOutcome, CrewFault> {
+        scene.check(vehicles)?;
+        self.check_pilot(taker)?;
+        let pilot = |vehicle: &VehicleId| self.pilot(*vehicle, scene.pilots).clone();
+        let own = |vehicle: &VehicleId| pilot(vehicle) == *taker;
+        let own: Vec<_> = vehicles.iter().copied().filter(own).collect();
+        if !own.is_empty() {
+            return Err(CrewFault::YoursAlready(own));
+        }
+        let mut givers = vehicles.iter().map(pilot);
+        let giver = givers.next().ok_or(CrewFault::NoVehicle)?;
+        if givers.any(|it| it != giver) {
+            return Err(CrewFault::SeveralPilots);
+        }
+        Ok(self.propose(Proposal {
+            vehicles: vehicles.to_vec(),
+            giver,
+            taker: taker.clone(),
+            is_asked: true,
+            ends_at: scene.now + WAITS,
+        }))
+    }
+
+    /// Adds a proposal; it takes the place of those that the same person has made to the same one.
+    fn propose(&mut self, proposal: Proposal) -> DeedOutcome {
+        let is_other = |it: &Proposal| {
+            it.proposer() != proposal.proposer() || it.answerer() != proposal.answerer()
+        };
+        self.proposals.retain(is_other);
+        if self.proposals.len() >= MOST_PROPOSALS {
+            self.proposals.remove(0);
+        }
+        self.proposals.push(proposal.clone());
+        DeedOutcome::Proposed(proposal)
+    }
+
+    fn accept(
+        &mut self,
+        who: &Person,
+        scene: &mut CrewScene<'_>,
+    ) -> Result<DeedOutcome, CrewFault> {
+        let Proposal {
+            vehicles,
+            giver,
+            taker,
+            ..
+        } = self.take_proposal(who, scene)?;
+        if taker == self.host {
+            scene.pilots.hand_back(&vehicles, &giver);
+        } else {
+            scene.pilots.take_over(&vehicles, &taker);
+        }
+        // Other proposals about these vehicles are void now.
+        self.settle(scene.pilots, scene.now);
+        Ok(DeedOutcome::Changed(CrewChange::HandedOver {
+            vehicles,
+            from: giver,
+            to: taker,
+        }))
+    }
+
+    /// Takes the newest proposal that a person has to answer.
+    fn take_proposal(
+        &mut self,
+        who: &Person,
+        scene: &CrewScene<'_>,
+    ) -> Result<Proposal, CrewFault> {
+        let newest = self.proposals.iter().rposition(|it| it.answerer() == who);
+        let proposal = self
+            .proposals
+            .remove(newest.ok_or(CrewFault::NothingProposed)?);
+        if self.stands(&proposal, scene.pilots, scene.now) {
+            Ok(proposal)
+        } else {
+            Err(CrewFault::Overtaken)
+        }
+    }
+
+    /// Whether a proposal can still be accepted.
+    fn stands(&self, proposal: &Proposal, pilots: &PilotsInCommand, now: Duration) -> bool {
+        let mut vehicles = proposal.vehicles.iter();
+        now < proposal.ends_at && vehicles.all(|it| self.pilot(*it, pilots) == &proposal.giver)
+    }
+
+    /// Drops the proposals that have ended: after their time, or because the vehicles have another pilot. Returns those
+    /// that nobody has answered in time.
+    pub fn settle(&mut self, pilots: &PilotsInCommand, now: Duration) -> Vec<Proposal> {
+        let all = std::mem::take(&mut self.proposals);
+        let (standing, over): (Vec<_>, Vec<_>) =
+            all.into_iter().partition(|it| self.stands(it, pilots, now));
+        self.proposals = standing;
+        over.into_iter().filter(|it| now >= it.ends_at).collect()
+    }
+
+    /// Who flies a vehicle.
+    pub fn pilot<'a>(&'a self, vehicle: VehicleId, pilots: &'a PilotsInCommand) -> &'a Person {
+        pilots.of(vehicle).unwrap_or(&self.host)
+    }
+
+    /// The person with a name.
+    fn person(&self, name: &str) -> Result<Person, CrewFault> {
+        let persons = self.members().map(|it| &it.person);
+        let mut persons = std::iter::once(&self.host).chain(persons);
+        let found = persons.find(|it| it.name() == name);
+        found
+            .cloned()
+            .ok_or_else(|| CrewFault::Nobody(name.to_owned()))
+    }
+
+    /// Checks that a person may fly vehicles: the host, and members who are pilots.
+    fn check_pilot(&self, person: &Person) -> Result<(), CrewFault> {
+        let mut members = self.members();
+        let is_pilot = members.any(|it| it.person == *person && it.role == Role::Pilot);
+        if is_pilot || *person == self.host {
+            return Ok(());
+        }
+        Err(CrewFault::NoPilot(person.name().to_owned()))
+    }
+}
+
+/// The vehicles, their pilots and the time at which something happens in a crew.
+#[derive(Debug)]
+pub struct CrewScene<'a> {
+    /// The vehicles of the session.
+    pub vehicles: &'a [VehicleId],
+    pub pilots: &'a mut PilotsInCommand,
+    /// The wall clock.
+    pub now: Duration,
+}
+
+impl CrewScene<'_> {
+    fn check(&self, vehicles: &[VehicleId]) -> Result<(), CrewFault> {
+        let mut named = vehicles.iter();
+        if vehicles.is_empty() || named.any(|it| !self.vehicles.contains(it)) {
+            return Err(CrewFault::NoVehicle);
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,165 @@
+//! A crew: what a member and the host see.
+
+use std::time::Duration;
+
+use sortie::app::event::{CrewEvent, ReplayEvent, VehicleEvent};
+use sortie::app::state::{Activity, CrewPart, MemberPlace, ReplayPosition, ReplayView};
+use sortie::campaign::Stake;
+use sortie::class::ConnectionId;
+use sortie::crew::protocol::{CrewHello, HostMessage, MemberMessage, RosterLine, VERSION};
+use sortie::crew::{Crew, Role};
+use sortie::language::verb;
+use sortie::ledger::{EntryId, Risk, RowState, RowUpdate};
+use sortie::pilot_in_command::{Person, PilotsInCommand};
+use sortie::text::{Language, Locale};
+
+use super::check;
+use crate::fixtures;
+use crate::harness::Console;
+
+fn mission() -> Activity {
+    Activity::Mission {
+        id: "m01".to_owned(),
+        title: "Air sample at the yard".into(),
+        stake: Stake::Practice,
+    }
+}
+
+/// A member before the host has let it in.
+fn waiting(language: Language) -> Console {
+    Console::set_up(|setup| {
+        setup.locale = Locale::new(language).into();
+        setup.crew = CrewPart::Member(Box::new(MemberPlace::new("alpha")));
+    })
+}
+
+/// A member that sees the host's flight: anna flies 1 and 2, bohdan the others.
+fn following(language: Language, role: Role) -> Console {
+    let mut console = waiting(language);
+    console.hear(CrewEvent::Said(HostMessage::Welcome {
+        protocol: VERSION,
+        crew: "alpha".into(),
+        host: "bohdan".into(),
+        name: "anna".into(),
+        role,
+    }));
+    let line = |name: &str, role| RosterLine {
+        name: name.into(),
+        role,
+    };
+    console.hear(CrewEvent::Said(HostMessage::Roster(vec![
+        line("bohdan", None),
+        line("anna", Some(role)),
+        line("olena", Some(Role::Safety)),
+    ])));
+    let view = ReplayView {
+        is_live: true,
+        ..ReplayView::new(
+            "2026-11-27_m01".to_owned(),
+            1_763_647_402_000_000,
+            Duration::ZERO,
+        )
+    };
+    console.replay(view, mission());
+    let [anna, bohdan] = ["anna", "bohdan"].map(Person::named);
+    let flown = [(anna.clone(), vec![1, 2])];
+    let pilots = PilotsInCommand::seen_by(&anna, &bohdan, &flown);
+    console.hear(VehicleEvent::Pilots(pilots));
+    for id in 1..=4 {
+        console.vehicle(fixtures::airborne(id, 20.0, 60.0));
+    }
+    let position = ReplayPosition {
+        at: Duration::from_secs(95),
+        ..ReplayPosition::default()
+    };
+    console.hear(ReplayEvent::At(position));
+    for (number, (line, by, vehicles)) in [
+        ("all takeoff 20", Some(bohdan), vec![3, 4]),
+        ("1-2 takeoff 20", None, vec![1, 2]),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        console.hear(VehicleEvent::Given {
+            at: Duration::from_secs(80),
+            line: line.to_owned(),
+            verb: verb("takeoff").expect("a verb"),
+            risk: Risk::None,
+            by,
+            vehicles: vehicles.clone(),
+        });
+        for vehicle in vehicles {
+            console.hear(VehicleEvent::Row(RowUpdate {
+                entry: EntryId(number as u32),
+                vehicle,
+                state: RowState::Done,
+                tries: 1,
+                at: Duration::from_secs(90),
+                explanation: None,
+            }));
+        }
+    }
+    // The welcome on the last line has been read.
+    console.at(20);
+    console
+}
+
+#[test]
+fn a_member_sees_the_flight_and_who_flies_what() {
+    check("crew_member", &following(Language::English, Role::Pilot));
+    check(
+        "crew_member_uk",
+        &following(Language::Ukrainian, Role::Pilot),
+    );
+}
+
+#[test]
+fn a_member_waits_for_its_crew() {
+    check("crew_waiting", &waiting(Language::English));
+}
+
+#[test]
+fn the_crew_is_listed_with_roles_and_vehicles() {
+    let mut console = following(Language::English, Role::Pilot);
+    console.give("crew");
+    check("crew_list", &console);
+}
+
+#[test]
+fn a_proposal_has_the_words_to_type() {
+    let mut console = following(Language::English, Role::Pilot);
+    let offer = sortie::text!("crew-offers", who = "bohdan", vehicles = "3");
+    console.hear(CrewEvent::Said(HostMessage::Notice((&offer).into())));
+    check("crew_offer", &console);
+}
+
+#[test]
+fn the_host_sees_who_flies_what() {
+    let mut console = Console::set_up(|setup| {
+        let crew = Crew::new("alpha", Person::named("bohdan"));
+        setup.crew = CrewPart::Host(Box::new(crew));
+    })
+    .in_flight(4);
+    for (number, user, role) in [(1, "anna", Role::Pilot), (2, "olena", Role::Safety)] {
+        console.hear(CrewEvent::Heard {
+            connection: ConnectionId(number),
+            user: user.to_owned(),
+            message: MemberMessage::Hello(CrewHello {
+                protocol: VERSION,
+                role: Some(role),
+                has: None,
+            }),
+        });
+    }
+    console.give("crew offer 1-2 to anna");
+    console.hear(CrewEvent::Heard {
+        connection: ConnectionId(1),
+        user: "anna".to_owned(),
+        message: MemberMessage::Act {
+            id: 1,
+            deed: sortie::crew::CrewDeed::Accept,
+        },
+    });
+    console.at(5);
+    check("crew_host", &console);
+}
