@@ -387,10 +387,11 @@ impl Ledger {
         }
     }
 
-    /// The commands of the console's user, oldest first: those that are judged. Commands that other persons gave at
-    /// this console are not among them.
-    pub fn own_entries(&self) -> impl DoubleEndedIterator<Item = &LedgerEntry> {
-        self.entries.iter().filter(|entry| entry.by.is_none())
+    /// The commands that are judged, oldest first: all except those of an instructor.
+    pub fn judged_entries(&self) -> impl DoubleEndedIterator<Item = &LedgerEntry> {
+        let is_judged = |by: &Person| !by.is_instructor();
+        let entries = self.entries.iter();
+        entries.filter(move |entry| entry.by.as_ref().is_none_or(is_judged))
     }
 
     /// The commands that were given at this console, oldest first.

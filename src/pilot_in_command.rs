@@ -14,26 +14,76 @@ use crate::text::Text;
 use crate::vehicle_id::VehicleId;
 use crate::verb::CrewDuty;
 
-/// A person other than the user of this console, by name.
+/// A person other than the user of this console: an instructor, or somebody on the crew.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(transparent)]
-pub struct Person(String);
+#[serde(from = "WrittenPerson", into = "WrittenPerson")]
+pub struct Person {
+    name: String,
+    is_instructor: bool,
+}
+
+/// A person as records have it.
+#[derive(Serialize, Deserialize)]
+#[serde(untagged)]
+enum WrittenPerson {
+    Crew(String),
+    Instructor { instructor: String },
+}
+
+impl From<WrittenPerson> for Person {
+    fn from(written: WrittenPerson) -> Self {
+        match written {
+            WrittenPerson::Crew(name) => Self::named(name),
+            WrittenPerson::Instructor { instructor } => Self::instructor(instructor),
+        }
+    }
+}
+
+impl From<Person> for WrittenPerson {
+    fn from(person: Person) -> Self {
+        let Person {
+            name,
+            is_instructor,
+        } = person;
+        if is_instructor {
+            Self::Instructor { instructor: name }
+        } else {
+            Self::Crew(name)
+        }
+    }
+}
 
 impl Person {
-    /// A person with this name.
+    /// Somebody on the crew.
     pub fn named(name: impl Into<String>) -> Self {
-        Self(name.into())
+        Self {
+            name: name.into(),
+            is_instructor: false,
+        }
+    }
+
+    /// An instructor, whose commands are not judged: the score is the trainee's.
+    pub fn instructor(name: impl Into<String>) -> Self {
+        Self {
+            name: name.into(),
+            is_instructor: true,
+        }
     }
 
     /// The user name, as the ledger and the refusals show it.
     pub fn name(&self) -> &str {
-        &self.0
+        &self.name
+    }
+
+    /// Whether it is an instructor.
+    pub fn is_instructor(&self) -> bool {
+        self.is_instructor
     }
 }
 
 impl fmt::Display for Person {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        self.name.fmt(f)
     }
 }
 
@@ -151,6 +201,15 @@ impl PilotsInCommand {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn records_tell_instructors_from_the_crew() {
+        let people = [Person::named("anna"), Person::instructor("petro")];
+        let written = serde_json::to_string(&people).expect("plain data");
+        assert_eq!(written, r#"["anna",{"instructor":"petro"}]"#);
+        let back: [Person; 2] = serde_json::from_str(&written).expect("what was written");
+        assert_eq!(back, people);
+    }
 
     #[test]
     fn a_vehicle_gets_commands_from_its_pilot_only() {

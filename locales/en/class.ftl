@@ -187,7 +187,7 @@ class-quit-held = trainees can start their held missions themselves ({ $seats })
 class-quit-lesson = lessons wait until the desk is open again ({ $seats })
 
 class-ask-recall = RECALL “{ $situation }” for { $seats }
-class-ask-recall-seat = { $seat } goes back to { $at }: { $lost } of the flight are thrown away
+class-ask-recall-seat = { $seat } goes back to { $at }: the last { $lost } of the flight will be lost
 class-ask-recall-practice = what follows is practice, and not recorded
 
 # At a seat

@@ -140,7 +140,7 @@ impl CommandLog {
         ledger: &Ledger,
     ) -> Vec<CommandEvent> {
         let mut events = Vec::new();
-        for entry in ledger.own_entries() {
+        for entry in ledger.judged_entries() {
             if let btree_map::Entry::Vacant(unseen) = self.given_at.entry(entry.id) {
                 unseen.insert(now);
                 if entry.verb.counts_as != CountsAs::SelfReport {
@@ -193,7 +193,7 @@ impl CommandLog {
         ledger: &'a Ledger,
     ) -> impl Iterator<Item = (Duration, &'a LedgerEntry)> {
         ledger
-            .own_entries()
+            .judged_entries()
             .filter_map(|entry| Some((*self.given_at.get(&entry.id)?, entry)))
     }
 

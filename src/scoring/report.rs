@@ -34,7 +34,7 @@ pub struct Report {
     /// The source of the commands; `None` if unknown, as in old records.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flown_by: Option<FlownBy>,
-    /// The other people who gave commands: those of a crew, and an instructor.
+    /// The members of a crew who gave commands; the host is not among them.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub crew: Vec<String>,
     /// How the mission compares with that of the course; set by the shell.

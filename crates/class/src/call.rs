@@ -64,6 +64,10 @@ impl Calls {
         self.0.retain_mut(|call| {
             let ends = call.ends(seats);
             let states: Vec<OrderState> = ends.iter().map(|end| end.state).collect();
+            if states.is_empty() {
+                // The seats have had so many orders since then that none remembers this one.
+                return false;
+            }
             let is_answered = !states.contains(&OrderState::Waiting);
             if is_answered && call.told.as_ref() != Some(&states) {
                 ended.push(CallEnd {

@@ -187,7 +187,7 @@ impl SeatPlace {
 
     /// The instructor at the desk, also of one that is gone.
     pub(in crate::app) fn instructor(&self) -> Option<Person> {
-        self.seat.last_instructor().map(Person::named)
+        self.seat.last_instructor().map(Person::instructor)
     }
 
     /// Whether the desk has said something lately: one that has not holds neither the flight nor its vehicles.

@@ -53,7 +53,7 @@ impl<R> State<R> {
             .map(|(_, standing)| standing.since)
             .min();
         let place = self.class.seat();
-        let own_commands = || session.ledger().own_entries().rev();
+        let own_commands = || session.ledger().judged_entries().rev();
         FlightReport {
             mission: session
                 .task

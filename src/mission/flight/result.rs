@@ -63,9 +63,10 @@ fn judged(flight: &Flight, tally: CommandTally) -> CommandTally {
     tally.forgiving(flight.mission.scoring.free_refusals)
 }
 
-/// The other people who gave commands, by name.
+/// The members of the crew who gave commands, by name.
 fn crew(ledger: &Ledger) -> Vec<String> {
-    let others = ledger.entries().filter_map(|entry| entry.by.as_ref());
+    let members = ledger.judged_entries();
+    let others = members.filter_map(|entry| entry.by.as_ref());
     let names: BTreeSet<&str> = others.map(Person::name).collect();
     names.into_iter().map(str::to_owned).collect()
 }

@@ -93,7 +93,7 @@ impl SwarmAccount {
     /// Records new commands; returns the vehicles that they addressed.
     fn note_orders(&mut self, ledger: &Ledger, now: Duration) -> Vec<VehicleId> {
         let newest = self.newest.as_ref().map(|order| order.id);
-        let entries = ledger.own_entries().rev();
+        let entries = ledger.judged_entries().rev();
         let mut new: Vec<&LedgerEntry> = entries
             .take_while(|entry| Some(entry.id) > newest)
             .collect();

@@ -5,8 +5,9 @@ use std::collections::BTreeMap;
 use proptest::prelude::*;
 
 use super::*;
-use crate::ledger::{Ledger, RowState, RowUpdate};
+use crate::ledger::{Given, Ledger, RowState, RowUpdate};
 use crate::mission::fake::given;
+use crate::pilot_in_command::Person;
 
 /// Gives lines to vehicle 1, each at a mission time in ms, with the program's clock slowed down by `slower`.
 fn logged(slower: u64, lines: &[(u64, &str, RowState)]) -> (Ledger, CommandLog, Vec<CommandEvent>) {
@@ -110,6 +111,34 @@ fn commands_that_change_nothing_dilute_no_fault() {
     );
     let tally = log.tally(&ledger);
     assert_eq!((tally.accepted, tally.empty), (5, 2), "{tally:?}");
+}
+
+#[test]
+fn commands_of_the_crew_count_and_those_of_an_instructor_do_not() {
+    let people = [Person::named("anna"), Person::instructor("petro")];
+    for (person, counted) in people.iter().zip([1, 0]) {
+        let (mut ledger, mut log) = (Ledger::new(), CommandLog::default());
+        let given = Given {
+            by: Some(person),
+            ..given("1 rtl")
+        };
+        let entry = ledger.open(Duration::ZERO, given, &[1]);
+        ledger.apply(&RowUpdate {
+            entry,
+            vehicle: 1,
+            state: RowState::Refused,
+            tries: 1,
+            at: Duration::ZERO,
+            explanation: None,
+        });
+        log.step(Duration::ZERO, &BTreeMap::new(), &ledger);
+        let tally = log.tally(&ledger);
+        assert_eq!(
+            (tally.given, tally.rejected),
+            (counted, counted),
+            "{person}"
+        );
+    }
 }
 
 #[test]

@@ -33,7 +33,7 @@ pub(super) fn take_over(state: &mut State, vehicles: &[VehicleId]) -> Result<Beg
     if vehicles.is_empty() || vehicles.iter().any(|id| !all.contains(id)) {
         return Err(Refusal::NoVehicle);
     }
-    let person = Person::named(instructor(state));
+    let person = Person::instructor(instructor(state));
     state.session.pilots.take_over(vehicles, &person);
     Ok(BegunOrder::default())
 }
@@ -46,13 +46,13 @@ pub(super) fn all(state: &State) -> Vec<VehicleId> {
 
 /// The vehicles that the instructor flies.
 pub(super) fn flown(state: &State) -> Vec<VehicleId> {
-    let person = Person::named(instructor(state));
+    let person = Person::instructor(instructor(state));
     state.session.pilots.flown_by(&person)
 }
 
 /// Hands vehicles that the instructor flies back to the trainee.
 pub(super) fn hand_back(state: &mut State, vehicles: &[VehicleId]) -> Result<BegunOrder, Refusal> {
-    let person = Person::named(instructor(state));
+    let person = Person::instructor(instructor(state));
     let flown = state.session.pilots.flown_by(&person);
     if vehicles.is_empty() || vehicles.iter().any(|id| !flown.contains(id)) {
         return Err(Refusal::NotTaken);
@@ -66,7 +66,7 @@ pub(super) fn command(state: &mut State, line: &str) -> Result<BegunOrder, Order
     if state.session.activity.is_none() || state.session.is_reading() {
         return Err(Refusal::NotFlying.into());
     }
-    let person = Person::named(instructor(state));
+    let person = Person::instructor(instructor(state));
     let flown = state.session.pilots.flown_by(&person);
     if flown.is_empty() {
         return Err(Refusal::NotTaken.into());
