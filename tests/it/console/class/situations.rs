@@ -156,7 +156,7 @@ fn a_recall_is_asked_about_with_what_it_throws_away() {
     };
     assert_eq!(asked.question().to_string(), "RECALL “2” for anna, bohdan");
     let reason = asked.reason().to_string();
-    let lost = "anna goes back to 03:09: 01:22 of the flight are thrown away";
+    let lost = "anna goes back to 03:09: the last 01:22 of the flight will be lost";
     assert!(reason.contains(lost), "{reason}");
     console.press("y");
     assert_eq!(deeds(&console).len(), 3);
