@@ -54,9 +54,12 @@ pub enum RowState {
     TimedOut,
     /// A later command took its place.
     Superseded,
-    /// Another source has control: another ground station, a failsafe, a pilot's stick, another person at this flight. The vehicle's mode and arming
+    /// Another source has control: another ground station, a failsafe, a pilot's stick. The vehicle's mode and arming
     /// show it ([`Claim`](crate::commands::Claim)); a takeover that changes neither is not detected.
     Overtaken,
+    /// It was not sent, because another person flies the vehicle
+    /// ([`PilotsInCommand`](crate::pilot_in_command::PilotsInCommand)). No mistake that would cost points.
+    Barred,
 }
 
 impl RowState {
@@ -77,7 +80,7 @@ impl RowState {
     pub fn is_failure(self) -> bool {
         matches!(
             self,
-            Self::NoEffect | Self::Refused | Self::TimedOut | Self::Overtaken
+            Self::NoEffect | Self::Refused | Self::TimedOut | Self::Overtaken | Self::Barred
         )
     }
 }
@@ -100,7 +103,7 @@ impl RowState {
             Self::Accepted => text!("state-accepted"),
             Self::Done => text!("state-done"),
             Self::NoEffect => text!("state-no-effect"),
-            Self::Refused => text!("state-refused"),
+            Self::Refused | Self::Barred => text!("state-refused"),
             Self::TimedOut => text!("state-timed-out"),
             Self::Superseded => text!("state-superseded"),
             Self::Overtaken => text!("state-overtaken"),
@@ -223,6 +226,11 @@ pub struct LedgerEntry {
 }
 
 impl LedgerEntry {
+    /// Whether it counts in a score: commands of an instructor do not.
+    pub fn is_judged(&self) -> bool {
+        !self.by.as_ref().is_some_and(Person::is_instructor)
+    }
+
     /// The line; that of another person begins with the name, as those of other stations do.
     pub fn said(&self) -> Text {
         match &self.by {
@@ -387,11 +395,9 @@ impl Ledger {
         }
     }
 
-    /// The commands that are judged, oldest first: all except those of an instructor.
+    /// The commands that are judged, oldest first.
     pub fn judged_entries(&self) -> impl DoubleEndedIterator<Item = &LedgerEntry> {
-        let is_judged = |by: &Person| !by.is_instructor();
-        let entries = self.entries.iter();
-        entries.filter(move |entry| entry.by.as_ref().is_none_or(is_judged))
+        self.entries.iter().filter(|entry| entry.is_judged())
     }
 
     /// The commands that were given at this console, oldest first.

@@ -345,8 +345,7 @@ fn barred(
         let row = Dispatch::Row(RowUpdate {
             entry,
             vehicle,
-            // Another person is in control: the refusal is no mistake that would cost points.
-            state: RowState::Overtaken,
+            state: RowState::Barred,
             tries: 0,
             at: scene.now,
             explanation: Some(reason),

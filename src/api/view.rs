@@ -133,7 +133,8 @@ impl RowView {
                 | RowState::Refused
                 | RowState::TimedOut
                 | RowState::Superseded
-                | RowState::Overtaken => None,
+                | RowState::Overtaken
+                | RowState::Barred => None,
             },
             is_final: row.state.is_final(),
             tries: row.tries,

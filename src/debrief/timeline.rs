@@ -236,7 +236,12 @@ fn event_row(event: &EventReport) -> TimelineRow {
 /// The row of a command that at least one vehicle neither refused nor left unanswered; `None`
 /// otherwise, since a refusal has its own row.
 fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
-    let not_taken = |state| matches!(state, RowState::Refused | RowState::TimedOut);
+    let not_taken = |state| {
+        matches!(
+            state,
+            RowState::Refused | RowState::Barred | RowState::TimedOut
+        )
+    };
     let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;
     let line = entry.line.as_str();
     let said = match &entry.by {

@@ -164,6 +164,8 @@ pub(super) struct Recorder {
     /// The number of simulator steps so far, if the simulator's time is not the mission's.
     simulated: Option<u64>,
     is_step_written: bool,
+    /// Whether the last line is the end: nothing follows it.
+    has_ended: bool,
 }
 
 impl Recorder {
@@ -178,6 +180,7 @@ impl Recorder {
             stepped: None,
             simulated: None,
             is_step_written: true,
+            has_ended: false,
         };
         recorder.write(head);
         recorder
@@ -278,9 +281,14 @@ impl Recorder {
             end,
             checksum,
         });
+        self.has_ended = true;
     }
 
     fn write(&mut self, line: &impl Serialize) {
+        // What is said in the debrief is no part of the flight.
+        if self.has_ended {
+            return;
+        }
         // Plain data with string keys only: serialising cannot fail.
         if let Ok(mut line) = serde_json::to_string(line) {
             line.push('\n');

@@ -243,7 +243,7 @@ fn a_vehicle_that_somebody_else_flies_takes_no_part_and_says_who_flies_it() {
         });
         let commanded: Vec<VehicleId> = commanded.collect();
         let refused = work.iter().filter_map(|work| match work {
-            Dispatch::Row(row) if row.state == RowState::Overtaken => row.explanation.clone(),
+            Dispatch::Row(row) if row.state == RowState::Barred => row.explanation.clone(),
             _ => None,
         });
         let refused: Vec<String> = refused.map(|it| it.to_string()).collect();

@@ -1,6 +1,6 @@
 //! Command quality: how many commands were refused, unsafe or given twice.
 
-use std::collections::{BTreeMap, btree_map};
+use std::collections::BTreeMap;
 use std::time::Duration;
 
 use crate::ledger::{EntryId, Ledger, LedgerEntry, LedgerRow, Risk, RowState};
@@ -140,9 +140,13 @@ impl CommandLog {
         ledger: &Ledger,
     ) -> Vec<CommandEvent> {
         let mut events = Vec::new();
-        for entry in ledger.judged_entries() {
-            if let btree_map::Entry::Vacant(unseen) = self.given_at.entry(entry.id) {
-                unseen.insert(now);
+        for entry in ledger.entries() {
+            let is_new = !self.given_at.contains_key(&entry.id);
+            self.given_at.entry(entry.id).or_insert(now);
+            if !entry.is_judged() {
+                continue;
+            }
+            if is_new {
                 if entry.verb.counts_as != CountsAs::SelfReport {
                     self.last_given = Some(now);
                 }
@@ -193,7 +197,7 @@ impl CommandLog {
         ledger: &'a Ledger,
     ) -> impl Iterator<Item = (Duration, &'a LedgerEntry)> {
         ledger
-            .judged_entries()
+            .entries()
             .filter_map(|entry| Some((*self.given_at.get(&entry.id)?, entry)))
     }
 
@@ -203,7 +207,7 @@ impl CommandLog {
         let mut last: BTreeMap<(VehicleId, &str), (Duration, bool)> = BTreeMap::new();
         let mut standing: BTreeMap<(VehicleId, Slot), &str> = BTreeMap::new();
         let orders = self.entries(ledger);
-        for (given_at, entry) in orders.filter(|(_, entry)| !is_word(entry)) {
+        for (given_at, entry) in orders.filter(|(_, entry)| entry.is_judged() && !is_word(entry)) {
             for row in &entry.rows {
                 let before = last.insert((row.vehicle, &entry.line), (given_at, is_rejected(row)));
                 // A retry after a refusal is not a duplicate.

@@ -146,7 +146,7 @@ pub fn row_role(state: RowState) -> Role {
         RowState::SentOnly => Role::Text,
         RowState::Queued | RowState::Superseded => Role::Muted,
         RowState::Sent | RowState::InProgress(_) | RowState::Accepted => Role::Accent,
-        RowState::NoEffect | RowState::Overtaken => Role::Warning,
+        RowState::NoEffect | RowState::Overtaken | RowState::Barred => Role::Warning,
         RowState::Refused | RowState::TimedOut => Role::Danger,
     }
 }

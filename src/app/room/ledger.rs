@@ -350,5 +350,6 @@ fn became(state: RowState) -> &'static str {
         RowState::TimedOut => "timed-out failed",
         RowState::Superseded => "superseded",
         RowState::Overtaken => "superseded overtaken failed",
+        RowState::Barred => "refused barred failed",
     }
 }

@@ -35,7 +35,7 @@ impl SessionLedger {
     }
 
     /// A vehicle's current command and its row: the newest one under way; otherwise the one that ended last, so that
-    /// the end of a survey is not hidden by a `speed` given meanwhile.
+    /// the end of a survey is not hidden by a `speed` given meanwhile. Commands of others than its pilot do not reach it.
     pub fn latest(&self, vehicle: VehicleId) -> Option<(&LedgerEntry, &LedgerRow)> {
         let recent = self.recent.get(&vehicle)?;
         let found = |&id: &EntryId| row(&self.ledger, id, vehicle);
@@ -44,7 +44,8 @@ impl SessionLedger {
             .find(|(_, row)| !row.state.is_final())
             .or_else(|| {
                 let all = recent.iter().filter_map(found);
-                all.max_by_key(|(_, row)| (!row.is_over(), row.changed_at))
+                let reached = all.filter(|(_, row)| row.state != RowState::Barred);
+                reached.max_by_key(|(_, row)| (!row.is_over(), row.changed_at))
             })
     }
 

@@ -61,6 +61,17 @@ fn a_record_scores_again_as_it_was_scored() {
 }
 
 #[test]
+fn what_is_said_in_the_debrief_is_not_recorded() {
+    let mut pilot = recorded();
+    pilot.take_off(20.0);
+    pilot.flight.abandon();
+    drop(pilot.flight.close(&pilot.ledger));
+    drop(pilot.flight.act(EntryId(0), &Deed::Hint, &[1]));
+    let stored = Stored::read(&pilot.flight.take_record()).expect("a good record");
+    assert_eq!(stored.damage, None);
+}
+
+#[test]
 fn a_record_that_was_changed_afterwards_has_another_checksum() {
     let (_, text) = eventful();
     let is_altered = |text: &str| Stored::read(text).expect("a good record").is_altered();

@@ -8,7 +8,7 @@ use serde::{Deserialize, Deserializer, Serializer};
 
 use crate::ledger::RowState;
 
-const WITHOUT_FIGURE: [RowState; 10] = [
+const WITHOUT_FIGURE: [RowState; 11] = [
     RowState::Queued,
     RowState::Sent,
     RowState::SentOnly,
@@ -19,6 +19,7 @@ const WITHOUT_FIGURE: [RowState; 10] = [
     RowState::TimedOut,
     RowState::Superseded,
     RowState::Overtaken,
+    RowState::Barred,
 ];
 
 fn name(state: RowState) -> Cow<'static, str> {
@@ -34,6 +35,7 @@ fn name(state: RowState) -> Cow<'static, str> {
         RowState::TimedOut => "timed out".into(),
         RowState::Superseded => "superseded".into(),
         RowState::Overtaken => "overtaken".into(),
+        RowState::Barred => "barred".into(),
     }
 }
 

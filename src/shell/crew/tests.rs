@@ -184,7 +184,7 @@ async fn a_member_flies_a_vehicle_that_was_handed_over_and_both_see_who_commande
     host.say("3 land").await;
     anna.say("1 arm").await;
     until(&mut [&mut host, &mut anna], |aboard| {
-        aboard[1].has_ended("1 arm", None, RowState::Overtaken)
+        aboard[1].has_ended("1 arm", None, RowState::Barred)
     })
     .await;
     let (entry, _) = anna.last().expect("a command");
@@ -195,7 +195,7 @@ async fn a_member_flies_a_vehicle_that_was_handed_over_and_both_see_who_commande
         .ledger()
         .entries()
         .find(|it| it.line == "3 land");
-    assert_eq!(landed.map(|it| it.rows[0].state), Some(RowState::Overtaken));
+    assert_eq!(landed.map(|it| it.rows[0].state), Some(RowState::Barred));
 
     // Who leaves gives the vehicles back.
     let copy = std::fs::read_dir(folder.path().join("anna/crew")).expect("a copy");

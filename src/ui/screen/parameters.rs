@@ -103,7 +103,7 @@ fn edited(
             (text!("parameters-state-sent"), Role::Accent)
         }
         RowState::Done | RowState::NoEffect => (text!("parameters-state-confirmed"), Role::Ok),
-        RowState::Refused => (text!("parameters-state-refused"), Role::Danger),
+        RowState::Refused | RowState::Barred => (text!("parameters-state-refused"), Role::Danger),
         RowState::TimedOut => (text!("parameters-state-unanswered"), Role::Danger),
         RowState::Superseded | RowState::Overtaken => {
             (text!("parameters-state-replaced"), Role::Muted)

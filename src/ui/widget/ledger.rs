@@ -309,8 +309,9 @@ fn order(state: RowState) -> u8 {
         RowState::Superseded => 5,
         RowState::Overtaken => 6,
         RowState::NoEffect => 7,
-        RowState::Refused => 8,
-        RowState::TimedOut => 9,
+        RowState::Barred => 8,
+        RowState::Refused => 9,
+        RowState::TimedOut => 10,
     }
 }
 
@@ -334,7 +335,8 @@ pub fn entry_role(entry: &LedgerEntry) -> Role {
             | RowState::NoEffect
             | RowState::Refused
             | RowState::TimedOut
-            | RowState::Overtaken => 2,
+            | RowState::Overtaken
+            | RowState::Barred => 2,
         });
     worst.map_or(Role::Muted, row_role)
 }

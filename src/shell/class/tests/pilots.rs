@@ -43,7 +43,7 @@ async fn the_instructor_takes_a_vehicle_over_flies_it_and_hands_it_back() {
     run(&mut [&mut desk, &mut anna], 1).await;
     let entries = ledger(&anna);
     let row = &entries[0].rows[0];
-    assert_eq!(row.state, RowState::Overtaken);
+    assert_eq!(row.state, RowState::Barred);
     let why = row.explanation.as_ref().expect("a reason").to_string();
     assert!(why.ends_with(" flies 1"), "{why}");
 
@@ -77,7 +77,7 @@ async fn the_instructor_takes_a_vehicle_over_flies_it_and_hands_it_back() {
     anna.say("1 land").await;
     run(&mut [&mut desk, &mut anna], 2).await;
     let last = ledger(&anna).pop().expect("an entry");
-    assert_ne!(last.rows[0].state, RowState::Overtaken);
+    assert_ne!(last.rows[0].state, RowState::Barred);
     assert_eq!(last.by, None);
 }
 

@@ -20,7 +20,7 @@ use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
 pub type Cell = (String, Role);
 
 /// The states of a command that are shown without a figure.
-const STATES: [RowState; 9] = [
+const STATES: [RowState; 10] = [
     RowState::Queued,
     RowState::Sent,
     RowState::SentOnly,
@@ -30,6 +30,7 @@ const STATES: [RowState; 9] = [
     RowState::TimedOut,
     RowState::Superseded,
     RowState::Overtaken,
+    RowState::Barred,
 ];
 
 /// Words that many rows contain, looked up once.

@@ -121,7 +121,8 @@ fn outcome_of(entry: &LedgerEntry) -> (Outcome, Option<Text>) {
             Text::joined(": ", vec![row.vehicle.to_string().into(), reason])
         })
         .collect();
-    let is_refused = entry.rows.iter().any(|row| row.state == RowState::Refused);
+    let not_taken = [RowState::Refused, RowState::Barred];
+    let is_refused = entry.rows.iter().any(|row| not_taken.contains(&row.state));
     match (reasons.is_empty(), is_refused) {
         (true, _) => (Outcome::Done, None),
         (false, true) => (

@@ -130,6 +130,7 @@ fn is_admitted(state: RowState) -> bool {
         RowState::Refused
         | RowState::Superseded
         | RowState::Overtaken
+        | RowState::Barred
         | RowState::TimedOut
         | RowState::NoEffect => true,
         RowState::Queued
