@@ -4,7 +4,7 @@ use crate::app::State;
 use crate::app::event::{Event, SessionEvent, Started, VehicleEvent};
 use crate::app::state::{Activity, ClassRole};
 use crate::class::Happening;
-use crate::ledger::RowUpdate;
+use crate::ledger::{RowState, RowUpdate};
 use crate::mission::{ObjectiveProgress, Progress};
 
 /// What happens with an event that the console has not handled yet. A replay is not a flight, so nothing happens.
@@ -51,7 +51,9 @@ fn failed(state: &State, update: &RowUpdate) -> Option<Happening> {
     let entry = state.session.ledger().entry(update.entry)?;
     let row = entry.rows.iter().find(|it| it.vehicle == update.vehicle)?;
     let is_own = entry.by.is_none();
-    let is_new = is_own && update.state.is_failure() && !row.state.is_final();
+    // What another person's vehicle does not take is no mistake.
+    let is_mistake = update.state.is_failure() && update.state != RowState::Barred;
+    let is_new = is_own && is_mistake && !row.state.is_final();
     is_new.then(|| Happening::Failed {
         line: entry.line.as_str().into(),
         vehicle: update.vehicle,
