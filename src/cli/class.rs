@@ -1,6 +1,6 @@
 //! `sortie class`: the instructor's desk, and the results of a class.
 //!
-//! `open` is the desk, `new` makes the keys of one for several machines (`network`), `lessons` and `exams` list the
+//! `open` is the desk, `new` makes the keys of one for several machines (`network`), `remove` takes a seat out of it, `lessons` and `exams` list the
 //! plans that it can go through, `key` shows that of its seals. `report` prints the results, and `export` writes them
 //! for other programs; both read the records that the trainees have handed in. Their tables are in `tables`, and the
 //! statements for learning record stores in
@@ -17,7 +17,7 @@ use crate::carrier::{DeskPlace, HostPlace, own_user_name};
 use crate::shell::{ClassOptions, ConsoleOptions, Opening};
 use export::ExportArguments;
 use grades::GradesArguments;
-use network::NewArguments;
+use network::{NewArguments, RemoveArguments};
 use report::ReportArguments;
 
 mod exams;
@@ -41,6 +41,8 @@ pub(super) struct ClassArguments {
 enum ClassTask {
     /// Makes a class for several machines: the keys of its desk, and a file for each seat with which a trainee joins.
     New(NewArguments),
+    /// Takes a seat out of a class for several machines: its file was lost, or its trainee is to be kept out.
+    Remove(RemoveArguments),
     /// Opens the instructor's desk: a board of all trainees who join the class, on this host or on several machines.
     #[command(after_help = "Examples:\n  \
                             sortie class open                  a class with your user name\n  \
@@ -52,8 +54,8 @@ enum ClassTask {
         #[arg(value_name = "NAME|PATH")]
         name: Option<String>,
         /// Open the desk for several machines at this address, instead of for this host.
-        #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = network::EVERYWHERE)]
-        listen: Option<String>,
+        #[arg(long, value_name = "HOST:PORT")]
+        listen: Option<Option<String>>,
         /// Keep grades under this name, so that several graders can be compared; by default your user name.
         #[arg(long, value_name = "NAME", value_parser = grader_name)]
         grader: Option<String>,
@@ -94,6 +96,7 @@ pub(super) fn class(
         ClassTask::Key => exams::key(&settings),
         ClassTask::Lessons => lessons::lessons(&settings),
         ClassTask::New(arguments) => network::new(arguments, &settings),
+        ClassTask::Remove(arguments) => network::remove(arguments, &settings),
         ClassTask::Open {
             name,
             listen,
@@ -102,11 +105,15 @@ pub(super) fn class(
             let own = own_user_name();
             let name = name.as_ref().unwrap_or(&own);
             let place = match listen {
-                Some(listen) => network::desk(name, listen, &settings)?,
+                Some(listen) => network::desk(name, listen.as_deref(), &settings)?,
                 None => DeskPlace::Host(HostPlace::named(name, None)),
             };
             let grader = grader.as_ref().unwrap_or(&own);
-            open(place, results::class_name(name), grader, settings)
+            let class = place
+                .class()
+                .unwrap_or(results::class_name(name))
+                .to_owned();
+            open(place, class, grader, settings)
         }
         ClassTask::Rubrics => grades::rubrics(&settings),
         ClassTask::Grades(arguments) => grades::grades(arguments, &settings),
@@ -127,13 +134,13 @@ fn grader_name(text: &str) -> Result<String, String> {
 
 fn open(
     place: DeskPlace,
-    name: &str,
+    name: String,
     grader: &str,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
     let class = ClassOptions::Desk {
         place,
-        name: name.to_owned(),
+        name,
         grader: grader.to_owned(),
     };
     let options = ConsoleOptions {

@@ -10,7 +10,7 @@ use clap::Args;
 use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
 use super::free::FreeOptions;
-use super::seat::{JoinArguments, SeatArguments};
+use super::seat::{JoinArguments, SeatArguments, Seating};
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
 use crate::forward::{ForwardFault, ForwardSpec};
@@ -151,10 +151,9 @@ impl HomeArguments {
 /// Opens the home screen. The options apply to every mission chosen there.
 pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let options = ConsoleOptions {
-        class: arguments.seat.or_configured(&settings)?,
         seed: arguments.seed,
         speedup: arguments.speedup.unwrap_or(1.0),
-        ..options(Opening::Home, settings)?
+        ..seated(&arguments.seat, Opening::Home, settings)?
     };
     open(options, false)
 }
@@ -186,7 +185,6 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
     let options = ConsoleOptions {
         forwards: arguments.forwards.or_configured(&settings)?,
         api: arguments.api.options(),
-        class: arguments.seat.or_configured(&settings)?,
         backend: VehicleBackend {
             free: arguments.free.flight(backend.ardupilot.is_some())?,
             ..backend
@@ -194,7 +192,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
         vehicles: arguments.vehicles,
         seed: arguments.seed,
         speedup: arguments.speedup,
-        ..options(opening, settings)?
+        ..seated(&arguments.seat, opening, settings)?
     };
     open(options, arguments.plain)
 }
@@ -217,8 +215,7 @@ pub(super) fn connect(
     let options = ConsoleOptions {
         forwards: joined.forwards.or_configured(&settings)?,
         api: joined.api.options(),
-        class: joined.seat.or_configured(&settings)?,
-        ..options(Opening::Connect(addresses), settings)?
+        ..seated(joined.seat, Opening::Connect(addresses), settings)?
     };
     open(options, plain)
 }
@@ -295,6 +292,19 @@ pub(super) fn options(
             themes: settings.themes,
         },
     })
+}
+
+/// The options of a trainee's console, which may be in a class.
+fn seated(
+    seat: &SeatArguments,
+    opening: Opening,
+    settings: CliSettings,
+) -> Result<ConsoleOptions, Failure> {
+    let Seating { class, warning } = seat.or_configured(&settings)?;
+    let mut options = options(opening, settings)?;
+    options.class = class;
+    options.preferences.warnings.extend(warning);
+    Ok(options)
 }
 
 /// A signer with the user's keys. If they cannot be used, a warning gives the reason.
