@@ -1,10 +1,9 @@
 //! `sortie class`: the instructor's desk, and the results of a class.
 //!
-//! `open` is the desk, `new` makes the keys of one for several machines (`network`), `remove` takes a seat out of it, `lessons` and `exams` list the
-//! plans that it can go through, `key` shows that of its seals. `report` prints the results, and `export` writes them
-//! for other programs; both read the records that the trainees have handed in. Their tables are in `tables`, and the
-//! statements for learning record stores in
-//! `xapi`.
+//! `open` is the desk, `new` makes the keys of one for several machines, and `remove` takes a seat out of it (`network`).
+//! `lessons` and `exams` list the plans that the desk can go through, `key` shows that of its seals. `report` prints the
+//! results, and `export` writes them for other programs; both read the records that the trainees have handed in. Their
+//! tables are in `tables`, and the statements for learning record stores in `xapi`.
 
 use std::process::ExitCode;
 

@@ -83,7 +83,7 @@ pub enum NetworkFault {
     /// Something answers at the address, but not as the desk of the class.
     #[error("{0}: not the desk")]
     NotTheDesk(String),
-    /// The desk was reached, but does not answer to this seat.
+    /// The desk was reached, but does not answer this seat.
     #[error("the desk does not know {seat}")]
     Unknown { class: String, seat: String },
     /// Something could not be signed or made: the system gives no random numbers.

@@ -140,8 +140,8 @@ fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
     ]
 }
 
-/// The desk of a class on several machines, by name or by the path of its folder. By default, it listens at all addresses
-/// of the machine.
+/// The desk of a class on several machines, by name or by the path of its folder. By default, it listens at all
+/// addresses of the machine.
 pub(super) fn desk(
     name: &str,
     listen: Option<&str>,

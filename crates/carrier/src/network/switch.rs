@@ -50,8 +50,8 @@ struct SwitchLines {
 
 /// What a seat sends, on all its connections.
 struct Traffic {
-    /// Whether a greeting waits to be answered. Another one is dropped, so that a seat that floods the desk with greetings
-    /// does not keep the others out.
+    /// Whether a greeting waits to be answered. Another one is dropped, so that a seat that floods the desk with
+    /// greetings does not keep the others out.
     has_greeted: bool,
     greetings: Allowance,
     frames: Allowance,

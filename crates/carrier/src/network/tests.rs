@@ -56,7 +56,7 @@ mod folder {
 
     use super::*;
     use crate::fault::{ClassFault, NetworkFault};
-    use crate::place::ClassPlace;
+    use crate::place::{ClassPlace, DeskPlace};
 
     #[test]
     fn only_the_owner_can_read_the_keys_of_a_class() {
@@ -128,6 +128,15 @@ mod folder {
         let found = fs::metadata(lab.folder.join("desk.json")).expect("it is there");
         assert_eq!(found.permissions().mode() & 0o777, 0o600);
         assert!(!lab.folder.join("desk.json.new").exists());
+    }
+
+    #[test]
+    fn a_class_has_the_name_that_it_was_made_with_wherever_its_folder_is() {
+        let (parent, lab) = lab(1);
+        let folder = parent.path().join("keys-of-9-A");
+        fs::rename(&lab.folder, &folder).expect("renamed");
+        let desk = DeskPlace::on_network(&folder, &lab.listen).expect("a desk");
+        assert_eq!(desk.class(), Some("9-A"));
     }
 
     #[test]

@@ -288,7 +288,7 @@ async fn false_router(listen: &str, certificate: &[u8], key: &[u8]) -> zenoh::Re
 async fn a_false_desk_is_not_found() {
     let (_parent, lab) = lab(2);
     let (_other_parent, other) = super::lab(1);
-    // A desk of the same name with other keys, and a seat that plays the desk.
+    // A desk of the same name with other keys, and a seat that poses as the desk.
     let line = lab.line(2);
     for (certificate, key) in [
         (
