@@ -12,7 +12,7 @@ use clap::{Args, Subcommand};
 use super::Failure;
 use super::fly;
 use super::settings::CliSettings;
-use crate::carrier::{DeskPlace, HostPlace, own_user_name};
+use crate::carrier::{DeskPlace, EVERY_ADDRESS, HostPlace, own_user_name};
 use crate::shell::{ClassOptions, ConsoleOptions, Opening};
 use export::ExportArguments;
 use grades::GradesArguments;
@@ -53,8 +53,8 @@ enum ClassTask {
         #[arg(value_name = "NAME|PATH")]
         name: Option<String>,
         /// Open the desk for several machines at this address, instead of for this host.
-        #[arg(long, value_name = "HOST:PORT")]
-        listen: Option<Option<String>>,
+        #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = EVERY_ADDRESS)]
+        listen: Option<String>,
         /// Keep grades under this name, so that several graders can be compared; by default your user name.
         #[arg(long, value_name = "NAME", value_parser = grader_name)]
         grader: Option<String>,
@@ -104,7 +104,7 @@ pub(super) fn class(
             let own = own_user_name();
             let name = name.as_ref().unwrap_or(&own);
             let place = match listen {
-                Some(listen) => network::desk(name, listen.as_deref(), &settings)?,
+                Some(listen) => network::desk(name, listen, &settings)?,
                 None => DeskPlace::Host(HostPlace::named(name, None)),
             };
             let grader = grader.as_ref().unwrap_or(&own);

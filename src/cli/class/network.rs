@@ -140,16 +140,13 @@ fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
     ]
 }
 
-/// The desk of a class on several machines, by name or by the path of its folder. By default, it listens at all
-/// addresses of the machine.
-pub(super) fn desk(
-    name: &str,
-    listen: Option<&str>,
-    settings: &CliSettings,
-) -> Result<DeskPlace, Failure> {
+/// The desk of a class on several machines, by name or by the path of its folder.
+pub(super) fn desk(name: &str, listen: &str, settings: &CliSettings) -> Result<DeskPlace, Failure> {
     let folder = folder_of(name, settings)?;
     let everywhere = format!("{EVERY_ADDRESS}:{DEFAULT_PORT}");
-    DeskPlace::on_network(&folder, listen.unwrap_or(&everywhere)).map_err(refused)
+    let is_everywhere = listen == EVERY_ADDRESS;
+    let listen = if is_everywhere { &everywhere } else { listen };
+    DeskPlace::on_network(&folder, listen).map_err(refused)
 }
 
 /// The folder of the keys of a class, by name or by path.
