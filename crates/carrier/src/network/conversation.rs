@@ -141,10 +141,11 @@ impl Conversation {
 
     /// Takes in a frame; `false` if the other side is gone or has sent what it may not.
     fn take_in(&mut self, bytes: Option<Vec<u8>>, heard: &mut Heard) -> bool {
-        let frame = bytes.and_then(|bytes| self.hear(&bytes));
-        let is_next = frame.is_some();
-        frame.into_iter().for_each(|frame| heard.note(frame));
-        is_next
+        let Some(frame) = bytes.and_then(|bytes| self.hear(&bytes)) else {
+            return false;
+        };
+        heard.note(frame);
+        true
     }
 
     /// Hands a line over to the console; `false` if it is no message.
