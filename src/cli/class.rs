@@ -1,10 +1,9 @@
 //! `sortie class`: the instructor's desk, and the results of a class.
 //!
-//! `open` is the desk, `new` makes the keys of one for several machines (`network`), `lessons` and `exams` list the
-//! plans that it can go through, `key` shows that of its seals. `report` prints the results, and `export` writes them
-//! for other programs; both read the records that the trainees have handed in. Their tables are in `tables`, and the
-//! statements for learning record stores in
-//! `xapi`.
+//! `open` is the desk, `new` makes the keys of one for several machines, and `remove` takes a seat out of it (`network`).
+//! `lessons` and `exams` list the plans that the desk can go through, `key` shows that of its seals. `report` prints the
+//! results, and `export` writes them for other programs; both read the records that the trainees have handed in. Their
+//! tables are in `tables`, and the statements for learning record stores in `xapi`.
 
 use std::process::ExitCode;
 
@@ -13,11 +12,11 @@ use clap::{Args, Subcommand};
 use super::Failure;
 use super::fly;
 use super::settings::CliSettings;
-use crate::carrier::{DeskPlace, HostPlace, own_user_name};
+use crate::carrier::{DeskPlace, EVERY_ADDRESS, HostPlace, own_user_name};
 use crate::shell::{ClassOptions, ConsoleOptions, Opening};
 use export::ExportArguments;
 use grades::GradesArguments;
-use network::NewArguments;
+use network::{NewArguments, RemoveArguments};
 use report::ReportArguments;
 
 mod exams;
@@ -41,6 +40,8 @@ pub(super) struct ClassArguments {
 enum ClassTask {
     /// Makes a class for several machines: the keys of its desk, and a file for each seat with which a trainee joins.
     New(NewArguments),
+    /// Takes a seat out of a class for several machines: its file was lost, or its trainee is to be kept out.
+    Remove(RemoveArguments),
     /// Opens the instructor's desk: a board of all trainees who join the class, on this host or on several machines.
     #[command(after_help = "Examples:\n  \
                             sortie class open                  a class with your user name\n  \
@@ -52,7 +53,7 @@ enum ClassTask {
         #[arg(value_name = "NAME|PATH")]
         name: Option<String>,
         /// Open the desk for several machines at this address, instead of for this host.
-        #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = network::EVERYWHERE)]
+        #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = EVERY_ADDRESS)]
         listen: Option<String>,
         /// Keep grades under this name, so that several graders can be compared; by default your user name.
         #[arg(long, value_name = "NAME", value_parser = grader_name)]
@@ -94,6 +95,7 @@ pub(super) fn class(
         ClassTask::Key => exams::key(&settings),
         ClassTask::Lessons => lessons::lessons(&settings),
         ClassTask::New(arguments) => network::new(arguments, &settings),
+        ClassTask::Remove(arguments) => network::remove(arguments, &settings),
         ClassTask::Open {
             name,
             listen,
@@ -106,7 +108,11 @@ pub(super) fn class(
                 None => DeskPlace::Host(HostPlace::named(name, None)),
             };
             let grader = grader.as_ref().unwrap_or(&own);
-            open(place, results::class_name(name), grader, settings)
+            let class = place
+                .class()
+                .unwrap_or(results::class_name(name))
+                .to_owned();
+            open(place, class, grader, settings)
         }
         ClassTask::Rubrics => grades::rubrics(&settings),
         ClassTask::Grades(arguments) => grades::grades(arguments, &settings),
@@ -127,13 +133,13 @@ fn grader_name(text: &str) -> Result<String, String> {
 
 fn open(
     place: DeskPlace,
-    name: &str,
+    name: String,
     grader: &str,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
     let class = ClassOptions::Desk {
         place,
-        name: name.to_owned(),
+        name,
         grader: grader.to_owned(),
     };
     let options = ConsoleOptions {

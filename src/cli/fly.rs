@@ -11,7 +11,7 @@ use super::backend::{self, BackendArguments};
 use super::designs::DesignArguments;
 use super::free::FreeOptions;
 use super::hosting::HostArguments;
-use super::seat::{JoinArguments, SeatArguments};
+use super::seat::{JoinArguments, SeatArguments, Seating};
 use super::settings::CliSettings;
 use super::{Failure, parse_speedup, runtime};
 use crate::forward::{ForwardFault, ForwardSpec};
@@ -155,10 +155,9 @@ impl HomeArguments {
 /// Opens the home screen. The options apply to every mission chosen there.
 pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let options = ConsoleOptions {
-        class: arguments.seat.or_configured(&settings)?,
         seed: arguments.seed,
         speedup: arguments.speedup.unwrap_or(1.0),
-        ..options(Opening::Home, settings)?
+        ..seated(&arguments.seat, Opening::Home, settings)?
     };
     open(options, false)
 }
@@ -187,15 +186,9 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
     let backend = arguments
         .backend
         .choose(&arguments.free.asked(), &settings)?;
-    let crew = arguments.crew.options();
     let options = ConsoleOptions {
         forwards: arguments.forwards.or_configured(&settings)?,
         api: arguments.api.options(),
-        class: match &crew {
-            Some(_) => None,
-            None => arguments.seat.or_configured(&settings)?,
-        },
-        crew,
         backend: VehicleBackend {
             free: arguments.free.flight(backend.ardupilot.is_some())?,
             ..backend
@@ -203,7 +196,7 @@ pub(super) fn fly(arguments: &FlyArguments, settings: CliSettings) -> Result<Exi
         vehicles: arguments.vehicles,
         seed: arguments.seed,
         speedup: arguments.speedup,
-        ..options(opening, settings)?
+        ..together(&arguments.seat, &arguments.crew, opening, settings)?
     };
     open(options, arguments.plain)
 }
@@ -224,16 +217,15 @@ pub(super) fn connect(
     plain: bool,
     settings: CliSettings,
 ) -> Result<ExitCode, Failure> {
-    let crew = joined.crew.options();
     let options = ConsoleOptions {
         forwards: joined.forwards.or_configured(&settings)?,
         api: joined.api.options(),
-        class: match &crew {
-            Some(_) => None,
-            None => joined.seat.or_configured(&settings)?,
-        },
-        crew,
-        ..options(Opening::Connect(addresses), settings)?
+        ..together(
+            joined.seat,
+            joined.crew,
+            Opening::Connect(addresses),
+            settings,
+        )?
     };
     open(options, plain)
 }
@@ -311,6 +303,35 @@ pub(super) fn options(
             themes: settings.themes,
         },
     })
+}
+
+/// The console's options with the crew or in the class of the arguments: a console with a crew is in no class.
+fn together(
+    seat: &SeatArguments,
+    crew: &HostArguments,
+    opening: Opening,
+    settings: CliSettings,
+) -> Result<ConsoleOptions, Failure> {
+    match crew.options() {
+        None => seated(seat, opening, settings),
+        crew => Ok(ConsoleOptions {
+            crew,
+            ..options(opening, settings)?
+        }),
+    }
+}
+
+/// The options of a trainee's console, which may be in a class.
+fn seated(
+    seat: &SeatArguments,
+    opening: Opening,
+    settings: CliSettings,
+) -> Result<ConsoleOptions, Failure> {
+    let Seating { class, warning } = seat.or_configured(&settings)?;
+    let mut options = options(opening, settings)?;
+    options.class = class;
+    options.preferences.warnings.extend(warning);
+    Ok(options)
 }
 
 /// A signer with the user's keys. If they cannot be used, a warning gives the reason.

@@ -6,6 +6,7 @@ use super::Failure;
 use super::settings::CliSettings;
 use crate::carrier::{ClassFault, ClassPlace};
 use crate::shell::ClassOptions;
+use crate::text;
 use crate::text::Text;
 
 /// The class of `sortie`, `sortie fly` and `sortie connect`.
@@ -47,15 +48,37 @@ impl SeatArguments {
     /// The class that was named, otherwise that of the configuration, which asks first.
     ///
     /// # Errors
-    /// A join line is meant that cannot be used.
-    pub fn or_configured(&self, settings: &CliSettings) -> Result<Option<ClassOptions>, Failure> {
+    /// The options name a class or a desk that cannot be used.
+    pub fn or_configured(&self, settings: &CliSettings) -> Result<Seating, Failure> {
         let configured = settings.config.class.join.as_ref();
         let Some(name) = self.class.as_ref().or(configured) else {
-            return Ok(None);
+            return match self.desk.address {
+                Some(_) => Err(Failure::Wrong(vec![text!("class-desk-alone")])),
+                None => Ok(Seating::default()),
+            };
         };
-        let asks = self.class.is_none();
-        self.desk.seat(name, asks, settings).map(Some)
+        let class = self.desk.seat(name, self.class.is_none(), settings);
+        match class {
+            // The administrator's configuration may be meant for others.
+            Err(fault) if self.is_default() => Ok(Seating {
+                class: None,
+                warning: Some(text!("class-join-unusable", fault = Text::from(&fault))),
+            }),
+            class => Ok(Seating {
+                class: Some(class.map_err(refused)?),
+                warning: None,
+            }),
+        }
     }
+}
+
+/// The place of a trainee's console.
+#[derive(Default)]
+pub(super) struct Seating {
+    /// `None` outside of any class.
+    pub class: Option<ClassOptions>,
+    /// Why the class of the configuration cannot be joined.
+    pub warning: Option<Text>,
 }
 
 impl JoinArguments {
@@ -64,7 +87,8 @@ impl JoinArguments {
     /// # Errors
     /// It cannot be used.
     pub fn class(&self, settings: &CliSettings) -> Result<ClassOptions, Failure> {
-        self.desk.seat(&self.line, false, settings)
+        let class = self.desk.seat(&self.line, false, settings);
+        class.map_err(refused)
     }
 }
 
@@ -74,11 +98,11 @@ impl DeskAddress {
         name: &str,
         asks: bool,
         settings: &CliSettings,
-    ) -> Result<ClassOptions, Failure> {
+    ) -> Result<ClassOptions, ClassFault> {
         let instructor = settings.config.class.instructor.clone();
-        let place = ClassPlace::named(name, instructor).map_err(refused)?;
+        let place = ClassPlace::named(name, instructor)?;
         let place = match &self.address {
-            Some(address) => place.at(address).map_err(refused)?,
+            Some(address) => place.at(address)?,
             None => place,
         };
         Ok(ClassOptions::Seat { place, asks })

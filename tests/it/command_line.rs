@@ -338,6 +338,11 @@ fn faults_say_what_and_what_to_do() {
             2,
             &["`192.168.1.5` is not an address: write HOST:PORT"],
         ),
+        (
+            &["fly", "00", "--desk", "192.168.1.5:7447"],
+            2,
+            &["`--desk` needs a class: name its join file"],
+        ),
         (&["bench", "decode", "Cargo.toml"], 1, &["byte 0", "tlog"]),
     ];
     for (arguments, code, words) in cases {

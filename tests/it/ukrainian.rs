@@ -35,7 +35,7 @@ const NAMES: &[&str] = &[
     // Formats of plans, and the programs that write them.
     "MPC_Z_VEL_MAX_UP MPC_Z_VEL_MAX_DN MPC_YAWRAUTO_MAX GF_ACTION OFFBOARD QGC WPL plan MAVProxy KML KMZ kml GeoJSON XML QGroundControl SRTM deflate NAV_DELAY DISARM_DELAY",
     // Units that are not part of an argument.
-    "B B/s cr g in kB/s kB MB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kW kg rpm/V uSv MiB",
+    "B B/s cr g in kB/s kB MB kg mm min Hz V A dB km mAh ms Wh PM2 CO CH4 e7 NaN Ah GHz MHz mW W kW kg rpm/V uSv MiB GiB",
     // Kinds of batteries and radios.
     "LiPo Li ion LoRa Wi Fi S C",
     // Placeholders in a line to type.

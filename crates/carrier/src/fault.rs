@@ -9,7 +9,7 @@ use super::join_line::JoinLineFault;
 use super::socket::SocketFault;
 
 /// Why a class cannot be opened or joined.
-#[derive(Debug, Error)]
+#[derive(Debug, PartialEq, Error)]
 pub enum ClassFault {
     /// The path leads to something else.
     #[error("{}: {fault:?}", socket.display())]
@@ -32,14 +32,14 @@ pub enum ClassFault {
 }
 
 /// Why a class on several machines cannot be made, opened or joined.
-#[derive(Debug, Error)]
+#[derive(Debug, PartialEq, Error)]
 pub enum NetworkFault {
     /// This program was built without the carrier.
     #[error("this build has no carrier for several machines")]
     NotBuilt,
     /// A file cannot be read or written.
     #[error("{}: {error}", file.display())]
-    File { file: PathBuf, error: io::Error },
+    File { file: PathBuf, error: SystemError },
     /// A file with a secret key can be read by other users.
     #[error("{}: other users can read it", .0.display())]
     Exposed(PathBuf),
@@ -56,6 +56,9 @@ pub enum NetworkFault {
     /// There is no class in the folder.
     #[error("{}: no class", .0.display())]
     NoClass(PathBuf),
+    /// The class has no seat of this name.
+    #[error("{}: no {seat}", folder.display())]
+    NoSeat { folder: PathBuf, seat: String },
     /// There is a class of this name already.
     #[error("{}: exists", .0.display())]
     Exists(PathBuf),
@@ -73,17 +76,40 @@ pub enum NetworkFault {
     NoAddress,
     /// The address cannot be listened at.
     #[error("{address}: {error}")]
-    NotOpen { address: String, error: io::Error },
+    NotOpen { address: String, error: SystemError },
     /// Zenoh does not start.
-    #[error("{0}: Zenoh does not start")]
-    NotStarted(String),
+    #[error("{address}: {fault:?}")]
+    NotStarted { address: String, fault: StartFault },
     /// Something answers at the address, but not as the desk of the class.
     #[error("{0}: not the desk")]
     NotTheDesk(String),
-    /// The desk was reached, but does not answer to this seat.
+    /// The desk was reached, but does not answer this seat.
     #[error("the desk does not know {seat}")]
     Unknown { class: String, seat: String },
     /// Something could not be signed or made: the system gives no random numbers.
     #[error("{0}")]
     Crypto(String),
+}
+
+/// Why Zenoh does not start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StartFault {
+    /// The address is free, so what remains are the keys and the certificates.
+    Certificates,
+    /// It took too long.
+    Timeout,
+    /// It ended again at once.
+    Ended,
+}
+
+/// An error of the system.
+#[derive(Debug, Error)]
+#[error(transparent)]
+pub struct SystemError(#[from] pub io::Error);
+
+/// Two errors are the same if they are of the same kind.
+impl PartialEq for SystemError {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.kind() == other.0.kind()
+    }
 }

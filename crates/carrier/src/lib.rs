@@ -34,11 +34,13 @@ mod unix;
 #[cfg(test)]
 mod tests;
 
-pub use fault::{ClassFault, NetworkFault};
+pub use fault::{ClassFault, NetworkFault, StartFault, SystemError};
 pub use host::{HostPlace, own_user_name};
 pub use join_line::{JoinLine, JoinLineFault};
 #[cfg(feature = "zenoh")]
 pub use network::NetworkDesk;
 pub use new_class::NewClass;
-pub use place::{ClassPlace, DeskPlace, make_class, own_address};
+pub use place::{
+    ClassPlace, DEFAULT_PORT, DeskPlace, EVERY_ADDRESS, make_class, own_address, remove_seat,
+};
 pub use ports::{CarrierPeer, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};

@@ -27,7 +27,8 @@
 //! # How the parts fit
 //! - `folder` is the class on disk, and `certificates` makes keys and certificates.
 //! - `frame` signs, `flow` counts, `conversation` moves lines between a port and Zenoh.
-//! - `desk` and `seat` are the two ends, and `config` are their settings of Zenoh.
+//! - `desk` and `seat` are the two ends, and `config` are their settings of Zenoh. `switch` passes what arrives at the desk
+//!   to its connections, and limits what a seat may send.
 
 mod certificates;
 mod config;
@@ -37,13 +38,14 @@ mod flow;
 mod folder;
 mod frame;
 mod seat;
+mod switch;
 
 #[cfg(test)]
 pub(crate) mod tests;
 
 pub(crate) use desk::open;
 pub use folder::NetworkDesk;
-pub(crate) use folder::make;
+pub(crate) use folder::{make, remove_seat};
 pub(crate) use seat::join;
 
 use std::time::Duration;
@@ -66,9 +68,7 @@ impl OpenSession {
     fn get(&self) -> zenoh::Result<&Session> {
         self.0.as_ref().ok_or_else(|| "closed".into())
     }
-}
 
-impl OpenSession {
     /// Closes the session, and waits a moment until what was sent has left.
     async fn close(mut self) {
         let closed = self.begin_to_close();

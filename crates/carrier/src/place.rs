@@ -15,7 +15,9 @@ use super::secret_file::read_secret;
 use super::unix;
 
 /// The port of a desk for several machines unless another one is said: that of Zenoh.
-const DEFAULT_PORT: u16 = 7447;
+pub const DEFAULT_PORT: u16 = 7447;
+/// The addresses of a desk for several machines unless others are said: all that the machine has.
+pub const EVERY_ADDRESS: &str = "0.0.0.0";
 
 /// Where a seat finds the desk of its class.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -49,6 +51,21 @@ pub fn make_class(class: &NewClass<'_>, folder: &Path) -> Result<Vec<PathBuf>, C
     #[cfg(not(feature = "zenoh"))]
     {
         let _ = (class, folder);
+        Err(NetworkFault::NotBuilt.into())
+    }
+}
+
+/// Takes a seat out of the class in a folder: a desk that is opened afterwards does not let it in.
+///
+/// # Errors
+/// There is no such class or seat, its file cannot be read or written, or this program has no carrier for several
+/// machines.
+pub fn remove_seat(folder: &Path, seat: &str) -> Result<(), ClassFault> {
+    #[cfg(feature = "zenoh")]
+    return Ok(network::remove_seat(folder, seat)?);
+    #[cfg(not(feature = "zenoh"))]
+    {
+        let _ = (folder, seat);
         Err(NetworkFault::NotBuilt.into())
     }
 }
@@ -153,6 +170,15 @@ impl DeskPlace {
         }
     }
 
+    /// The name of the class, if its files say one.
+    pub fn class(&self) -> Option<&str> {
+        match self {
+            Self::Host(_) => None,
+            #[cfg(feature = "zenoh")]
+            Self::Network(desk) => Some(desk.class()),
+        }
+    }
+
     /// Opens the desk.
     ///
     /// # Errors
@@ -180,7 +206,7 @@ impl DeskPlace {
 /// There is no such route.
 pub fn own_address() -> Result<String, NetworkFault> {
     // An address for documentation, to which nobody answers.
-    let route = UdpSocket::bind("0.0.0.0:0").and_then(|socket| {
+    let route = UdpSocket::bind((EVERY_ADDRESS, 0)).and_then(|socket| {
         socket.connect("192.0.2.1:9")?;
         socket.local_addr()
     });

@@ -1,5 +1,6 @@
 //! The two ends of a class's connections.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use serde::Serialize;
@@ -13,6 +14,12 @@ use sortie_class::protocol::{self, DeskMessage, LineFault, SeatMessage};
 
 /// The maximum number of lines that wait to be written on one connection.
 const OUTBOX: usize = 64;
+/// The maximum number of arrivals, from all connections together, that wait for the console.
+pub(super) const ARRIVALS: usize = 64;
+
+/// The time between two attempts of a seat to connect grows from the first of these to the second.
+pub(super) const RETRY: std::ops::RangeInclusive<Duration> =
+    Duration::from_secs(1)..=Duration::from_secs(4);
 
 /// How long a port that is closed waits for its carrier to say goodbye.
 const GOODBYE: Duration = Duration::from_secs(1);
@@ -107,7 +114,7 @@ pub enum SeatArrival<M = DeskMessage> {
     /// The connection has ended; another one is tried.
     Lost,
     /// There is a desk to which the seat must not connect. Reported once for each reason.
-    Refused(ClassFault),
+    Refused(Arc<ClassFault>),
 }
 
 /// The seat's end. It connects again until it is dropped.

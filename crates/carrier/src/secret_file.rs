@@ -1,7 +1,7 @@
 //! Files that only their owner may read.
 
 use std::fs;
-use std::io::Read;
+use std::io::{self, Read};
 use std::os::unix::fs::MetadataExt as _;
 use std::path::Path;
 
@@ -18,9 +18,9 @@ pub(crate) fn read_secret<T>(
     path: &Path,
     parse: impl FnOnce(&str) -> Result<T, NetworkFault>,
 ) -> Result<T, NetworkFault> {
-    let of_system = |error| NetworkFault::File {
+    let of_system = |error: io::Error| NetworkFault::File {
         file: path.to_owned(),
-        error,
+        error: error.into(),
     };
     let mut file = fs::File::open(path).map_err(of_system)?;
     let found = file.metadata().map_err(of_system)?;

@@ -18,6 +18,17 @@ pub enum SocketFault {
     Io(io::Error),
 }
 
+/// Two errors of the system are the same if they are of the same kind.
+impl PartialEq for SocketFault {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Io(one), Self::Io(other)) => one.kind() == other.kind(),
+            (Self::NoSocket, Self::NoSocket) | (Self::InUse, Self::InUse) => true,
+            _ => false,
+        }
+    }
+}
+
 impl From<io::Error> for SocketFault {
     fn from(error: io::Error) -> Self {
         Self::Io(error)

@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
 
 use nix::unistd::geteuid;
 use serde::de::DeserializeOwned;
@@ -13,7 +12,9 @@ use tokio::sync::mpsc;
 use super::exchange::exchange;
 use super::fault::ClassFault;
 use super::host::{HostPlace, user_name};
-use super::ports::{CarrierPeer, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};
+use super::ports::{
+    ARRIVALS, CarrierPeer, DeskArrival, DeskPort, Outbox, RETRY, SeatArrival, SeatPort,
+};
 use super::socket;
 use sortie_class::{ConnectionId, SEATS};
 
@@ -21,10 +22,6 @@ use sortie_class::{ConnectionId, SEATS};
 const SOCKET_MODE: u32 = 0o666;
 /// The maximum number of connections of one user, except for the instructor's own.
 const OF_ONE_USER: usize = 16;
-/// The maximum number of arrivals, from all connections together, that wait for the console.
-const ARRIVALS: usize = 64;
-/// The time between two attempts to connect grows from the first of these to the second.
-const RETRY: std::ops::RangeInclusive<Duration> = Duration::from_secs(1)..=Duration::from_secs(4);
 
 /// A kind of message that one side receives.
 pub trait Message: DeserializeOwned + Send + 'static {}
@@ -176,10 +173,10 @@ async fn keep_connected<M: Message>(place: &HostPlace, arrived: &mpsc::Sender<Se
             // There is no desk, which is no fault: it may open later.
             Ok(None) => {}
             Err(fault) => {
-                let found = fault.to_string();
+                let found = Arc::new(fault);
                 if stranger.as_ref() != Some(&found) {
-                    stranger = Some(found);
-                    if arrived.send(SeatArrival::Refused(fault)).await.is_err() {
+                    stranger = Some(Arc::clone(&found));
+                    if arrived.send(SeatArrival::Refused(found)).await.is_err() {
                         return;
                     }
                 }

@@ -5,17 +5,17 @@ use std::process::ExitCode;
 
 use clap::Args;
 
-use crate::carrier::{DeskPlace, NewClass, make_class, own_address};
+use crate::carrier::{
+    DEFAULT_PORT, DeskPlace, EVERY_ADDRESS, NewClass, make_class, own_address, remove_seat,
+};
 use crate::cli::Failure;
 use crate::cli::seat::refused;
 use crate::cli::settings::CliSettings;
+use crate::sitl::quoted;
+use crate::store::ClassRecords;
 use crate::text;
 use crate::text::{Locale, Text};
 
-/// All addresses of the machine.
-const EVERY_ADDRESS: &str = "0.0.0.0";
-/// Where a desk listens unless an address is given.
-pub(super) const EVERYWHERE: &str = "0.0.0.0:7447";
 /// The folder of the keys of all classes, in the data folder.
 const KEYS: &str = "class-keys";
 
@@ -48,6 +48,7 @@ pub(super) fn new(arguments: &NewArguments, settings: &CliSettings) -> Result<Ex
         Some(folder) => folder.clone(),
         None => keys(settings, &locale)?.join(name),
     };
+    check_records(name, settings)?;
     let addresses = match arguments.addresses.as_slice() {
         [] => vec![own_address().map_err(refused)?],
         some => some.to_owned(),
@@ -69,6 +70,50 @@ pub(super) fn new(arguments: &NewArguments, settings: &CliSettings) -> Result<Ex
     Ok(ExitCode::SUCCESS)
 }
 
+/// Checks that an earlier class has left no records, to which those of a new one would be added.
+fn check_records(class: &str, settings: &CliSettings) -> Result<(), Failure> {
+    let records = settings
+        .data
+        .path()
+        .map(|data| ClassRecords::within(data, class));
+    match records.filter(ClassRecords::exist) {
+        Some(records) => Err(Failure::Wrong(vec![text!(
+            "class-records-exist",
+            class = class,
+            folder = shown(records.folder())
+        )])),
+        None => Ok(()),
+    }
+}
+
+/// Options of `sortie class remove`.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:\n  \
+    sortie class remove 9-A seat-07           afterwards, open the desk again\n  \
+    sortie class remove /srv/9-A seat-07")]
+pub(super) struct RemoveArguments {
+    /// The name of the class, or the path of its folder.
+    #[arg(value_name = "NAME|PATH")]
+    class: String,
+    /// The seat, as its file is named without the ending.
+    #[arg(value_name = "SEAT")]
+    seat: String,
+}
+
+/// Takes a seat out of a class.
+pub(super) fn remove(
+    arguments: &RemoveArguments,
+    settings: &CliSettings,
+) -> Result<ExitCode, Failure> {
+    let locale = Locale::new(settings.language());
+    let RemoveArguments { class, seat } = arguments;
+    let folder = folder_of(class, settings)?;
+    remove_seat(&folder, seat).map_err(refused)?;
+    let removed = text!("class-removed", class = class, seat = seat);
+    say!("{}", locale.text(&removed))?;
+    Ok(ExitCode::SUCCESS)
+}
+
 fn shown(path: &Path) -> String {
     path.display().to_string()
 }
@@ -80,6 +125,7 @@ fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
     let folder = lines.parent().unwrap_or(lines);
     let port = class.addresses.first().and_then(|it| it.rsplit(':').next());
     let listen = format!("{EVERY_ADDRESS}:{}", port.unwrap_or_default());
+    let named = quoted(named).into_owned();
     let file = first.file_name().unwrap_or_default().display().to_string();
     vec![
         text!(
@@ -96,13 +142,20 @@ fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
 
 /// The desk of a class on several machines, by name or by the path of its folder.
 pub(super) fn desk(name: &str, listen: &str, settings: &CliSettings) -> Result<DeskPlace, Failure> {
-    let locale = Locale::new(settings.language());
-    let folder = if name.contains('/') {
-        PathBuf::from(name)
-    } else {
-        keys(settings, &locale)?.join(name)
-    };
+    let folder = folder_of(name, settings)?;
+    let everywhere = format!("{EVERY_ADDRESS}:{DEFAULT_PORT}");
+    let is_everywhere = listen == EVERY_ADDRESS;
+    let listen = if is_everywhere { &everywhere } else { listen };
     DeskPlace::on_network(&folder, listen).map_err(refused)
+}
+
+/// The folder of the keys of a class, by name or by path.
+fn folder_of(name: &str, settings: &CliSettings) -> Result<PathBuf, Failure> {
+    if name.contains('/') {
+        return Ok(PathBuf::from(name));
+    }
+    let locale = Locale::new(settings.language());
+    Ok(keys(settings, &locale)?.join(name))
 }
 
 /// The folder of the keys of all classes.

@@ -4,7 +4,7 @@ use std::io::{self, ErrorKind};
 use std::path::Path;
 
 use crate::carrier::socket::SocketFault;
-use crate::carrier::{ClassFault, JoinLineFault, NetworkFault};
+use crate::carrier::{ClassFault, JoinLineFault, NetworkFault, StartFault};
 use crate::text;
 use crate::text::Text;
 
@@ -46,7 +46,8 @@ fn network_text(fault: &NetworkFault) -> Text {
     match fault {
         NetworkFault::NotBuilt => text!("class-not-built"),
         NetworkFault::File { file, error } => {
-            text!("class-file", file = shown(file), error = Text::from(error))
+            let error = Text::from(&error.0);
+            text!("class-file", file = shown(file), error = error)
         }
         NetworkFault::Exposed(file) => text!("class-exposed", file = shown(file)),
         NetworkFault::JoinLine { file, fault } => {
@@ -60,13 +61,19 @@ fn network_text(fault: &NetworkFault) -> Text {
             text!("class-no-keys", file = shown(file), reason = reason)
         }
         NetworkFault::NoClass(folder) => text!("class-no-class", folder = shown(folder)),
+        NetworkFault::NoSeat { folder, seat } => {
+            text!("class-unknown-file", folder = shown(folder), seat = seat)
+        }
         NetworkFault::Exists(folder) => text!("class-exists", folder = shown(folder)),
         NetworkFault::Name(name) => text!("class-name", name = name),
         NetworkFault::Address(address) => text!("class-address", address = address),
         NetworkFault::OnHost(socket) => text!("class-on-host", socket = shown(socket)),
         NetworkFault::NoAddress => text!("class-no-address"),
-        NetworkFault::NotOpen { address, error } => not_open_text(address, error),
-        NetworkFault::NotStarted(address) => text!("class-not-started", address = address),
+        NetworkFault::NotOpen { address, error } => not_open_text(address, &error.0),
+        NetworkFault::NotStarted { address, fault } => {
+            let reason = start_text(*fault);
+            text!("class-not-started", address = address, reason = reason)
+        }
         NetworkFault::NotTheDesk(address) => text!("class-not-the-desk", address = address),
         NetworkFault::Unknown { class, seat } => {
             text!("class-unknown", class = class, seat = seat)
@@ -83,6 +90,14 @@ fn not_open_text(address: &str, error: &io::Error) -> Text {
             let reason = Text::from(error);
             text!("class-not-listening", address = address, reason = reason)
         }
+    }
+}
+
+fn start_text(fault: StartFault) -> Text {
+    match fault {
+        StartFault::Certificates => text!("class-start-certificates"),
+        StartFault::Timeout => text!("class-start-timeout"),
+        StartFault::Ended => text!("class-start-ended"),
     }
 }
 

@@ -211,7 +211,7 @@ impl Console {
                 self.feed(ClassEvent::Lost).await;
             }
             SeatArrival::Refused(fault) => {
-                self.feed(ClassEvent::Refused(Text::from(&fault))).await;
+                self.feed(ClassEvent::Refused(Text::from(&*fault))).await;
             }
         }
     }

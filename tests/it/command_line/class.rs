@@ -25,6 +25,36 @@ fn class_folder() -> tempfile::TempDir {
     folder
 }
 
+/// The configuration may be the administrator's, and meant for others.
+#[test]
+fn a_class_in_the_configuration_that_cannot_be_joined_is_only_reported() {
+    let configuration = "[class]\njoin = \"nowhere.join\"\n";
+    let folder = folder_with(&[("sortie/config.toml", configuration)]);
+    let fly = ["fly", "--plain", "--vehicles", "1"];
+    let output = sortie_in(folder.path(), &fly);
+    let said = text(&output.stdout) + &text(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{said}");
+    assert!(
+        said.contains("`class.join` in the configuration cannot be used"),
+        "{said}"
+    );
+    let named = [&fly[..], &["--class", "nowhere.join"]].concat();
+    let output = sortie_in(folder.path(), &named);
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+}
+
+#[test]
+fn a_new_class_does_not_get_the_name_of_one_that_has_records() {
+    let folder = class_folder();
+    let output = sortie_in(folder.path(), &["class", "new", "9-A"]);
+    let said = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{said}");
+    assert!(
+        said.contains("sortie/classes/9-A has records of an earlier class 9-A"),
+        "{said}"
+    );
+}
+
 #[test]
 fn a_class_is_reported_and_exported_and_no_file_is_replaced() {
     let folder = class_folder();

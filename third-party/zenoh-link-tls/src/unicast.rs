@@ -11,12 +11,12 @@
 // Contributors:
 //   ZettaScale Zenoh Team, <zenoh@zettascale.tech>
 //
-// This file has been changed in sortie: reading and writing share a lock. See ../README.md.
+// This file has been changed in sortie: reading and writing share a lock, sockets do not linger, closing
+// ends after a second, and the number of handshakes under way is limited. See ../README.md.
 //
 #[cfg(all(feature = "uring", target_os = "linux"))]
 use std::os::fd::RawFd;
 use std::{
-    convert::TryInto,
     fmt::{self, Debug},
     net::SocketAddr,
     sync::Arc,
@@ -28,7 +28,9 @@ use time::OffsetDateTime;
 use tokio::{
     io::{AsyncReadExt, AsyncWriteExt, ReadHalf, WriteHalf},
     net::{TcpListener, TcpStream},
-    sync::Mutex as AsyncMutex,
+    sync::{Mutex as AsyncMutex, Semaphore},
+    task::JoinSet,
+    time::timeout,
 };
 use tokio_rustls::{TlsAcceptor, TlsConnector, TlsStream};
 use tokio_util::sync::CancellationToken;
@@ -49,8 +51,15 @@ use zenoh_result::{zerror, ZResult};
 
 use crate::{
     utils::{get_tls_addr, get_tls_host, get_tls_server_name, TlsClientConfig, TlsServerConfig},
-    TLS_ACCEPT_THROTTLE_TIME, TLS_DEFAULT_MTU, TLS_LINGER_TIMEOUT, TLS_LOCATOR_PREFIX,
+    TLS_ACCEPT_THROTTLE_TIME, TLS_DEFAULT_MTU, TLS_LOCATOR_PREFIX,
 };
+
+// The maximum number of TLS handshakes that are under way at a listener. More connections wait in the
+// kernel, where they take no files of this process.
+const MAX_HANDSHAKES: usize = 128;
+
+// The time for a link to send what is left, and to say goodbye. A peer that is gone takes neither.
+const CLOSE_TIMEOUT: Duration = Duration::from_secs(1);
 
 #[derive(Default, Debug, PartialEq, Eq, Hash)]
 pub struct TlsCommonName(String);
@@ -91,18 +100,8 @@ impl LinkUnicastTls {
             );
         }
 
-        // Set the TLS linger option
-        #[allow(deprecated)]
-        if let Err(err) = tcp_stream.set_linger(Some(Duration::from_secs(
-            (*TLS_LINGER_TIMEOUT).try_into().unwrap(),
-        ))) {
-            tracing::warn!(
-                "Unable to set LINGER option on TLS link {} => {}: {}",
-                src_addr,
-                dst_addr,
-                err
-            );
-        }
+        // The LINGER option is not set: with it, dropping a socket whose peer is gone blocks the thread, and
+        // with it the reading of all links. What is left is flushed in close().
 
         // Compute the MTU
         // See IETF RFC6691: https://datatracker.ietf.org/doc/rfc6691/
@@ -144,14 +143,20 @@ impl LinkUnicastTls {
 
     async fn close(&self) -> ZResult<()> {
         tracing::trace!("Closing TLS link: {}", self);
-        // Flush the TLS stream
-        let mut tls_stream = zasynclock!(self.write_half);
-        let res = tls_stream.flush().await;
-        tracing::trace!("TLS link flush {}: {:?}", self, res);
-        // Close the TLS stream and the underlying TCP stream
-        let res = tls_stream.shutdown().await;
-        tracing::trace!("TLS link shutdown {}: {:?}", self, res);
-        res.map_err(|e| zerror!(e).into())
+        let close = async {
+            // Flush the TLS stream
+            let mut tls_stream = zasynclock!(self.write_half);
+            let res = tls_stream.flush().await;
+            tracing::trace!("TLS link flush {}: {:?}", self, res);
+            // Close the TLS stream and the underlying TCP stream
+            let res = tls_stream.shutdown().await;
+            tracing::trace!("TLS link shutdown {}: {:?}", self, res);
+            res
+        };
+        match timeout(CLOSE_TIMEOUT, close).await {
+            Ok(res) => res.map_err(|e| zerror!(e).into()),
+            Err(_) => bail!("TLS link {} was not closed in time", self),
+        }
     }
 }
 
@@ -476,101 +481,132 @@ async fn accept_task(
         e
     })?;
 
-    let mut listener = tls_listener::builder(acceptor)
-        .handshake_timeout(tls_handshake_timeout)
-        .listen(socket);
-
     tracing::trace!("Ready to accept TLS connections on: {:?}", src_addr);
+    let places = Arc::new(Semaphore::new(MAX_HANDSHAKES));
+    // Dropping the set ends the handshakes.
+    let mut handshakes = JoinSet::new();
     loop {
-        tokio::select! {
+        // The place comes first: without one, a connection must not take a file.
+        let next = async {
+            let place = places.clone().acquire_owned().await;
+            (place, socket.accept().await)
+        };
+        let (place, accepted) = tokio::select! {
             _ = token.cancelled() => break,
-
-            res = listener.accept() => {
-                match res {
-                    Ok((tls_stream, dst_addr)) => {
-                        let (tcp_stream, tls_conn) = tls_stream.get_ref();
-                        let src_addr =  match tcp_stream.local_addr()  {
-                            Ok(sa) => sa,
-                            Err(e) => {
-                                tracing::debug!("Can not accept TLS connection: {}", e);
-                                continue;
-                            }
-                        };
-                        let auth_identifier = match get_client_cert_common_name(tls_conn) {
-                            Ok(auth_id) => auth_id,
-                            Err(e) => {
-                                tracing::warn!("Error getting client cert common name: {e}");
-                                continue;
-                            }
-                        };
-
-                        // Get certificate chain expiration
-                        let mut maybe_expiration_time = None;
-                        if tls_close_link_on_expiration {
-                            let exp = match get_cert_chain_expiration(&tls_conn.peer_certificates()) {
-                                Ok(exp) => exp,
-                                Err(e) => {
-                                    tracing::warn!("Error getting client cert expiration: {e}");
-                                    continue;
-                                }
-                            };
-                            match exp {
-                                exp @ Some(_) => maybe_expiration_time = exp,
-                                None => tracing::warn!(
-                                    "Cannot monitor expiration for TLS link {:?} => {:?}: client does not have certificates",
-                                    src_addr,
-                                    dst_addr,
-                                ),
-                            }
+            next = next => next,
+        };
+        while handshakes.try_join_next().is_some() {}
+        match accepted {
+            Ok((tcp_stream, dst_addr)) => {
+                let acceptor = acceptor.clone();
+                let manager = manager.clone();
+                handshakes.spawn(async move {
+                    let handshake = timeout(tls_handshake_timeout, acceptor.accept(tcp_stream));
+                    match handshake.await {
+                        Ok(Ok(tls_stream)) => {
+                            accept_link(tls_stream, dst_addr, manager, tls_close_link_on_expiration)
+                                .await
                         }
-
-                        tracing::debug!("Accepted TLS connection on {:?}: {:?}. {:?}.", src_addr, dst_addr, auth_identifier);
-                        // Create the new link object
-                        let link = Arc::<LinkUnicastTls>::new_cyclic(|weak_link| {
-                            let mut expiration_manager = None;
-                            if let Some(certchain_expiration_time) = maybe_expiration_time {
-                                // setup expiration manager
-                                expiration_manager = Some(LinkCertExpirationManager::new(
-                                    weak_link.clone(),
-                                    src_addr,
-                                    dst_addr,
-                                    TLS_LOCATOR_PREFIX,
-                                    certchain_expiration_time,
-                                ));
-                            }
-                            LinkUnicastTls::new(
-                                tokio_rustls::TlsStream::Server(tls_stream),
-                                src_addr,
-                                dst_addr,
-                                auth_identifier.into(),
-                                expiration_manager,
-                            )
-                        });
-
-                        // Communicate the new link to the initial transport manager
-                        if let Err(e) = manager
-                            .send_async(LinkUnicast::from(link as Arc<dyn LinkUnicastTrait>))
-                            .await
-                        {
-                            tracing::error!("{}-{}: {}", file!(), line!(), e)
-                        }
+                        Ok(Err(e)) => tracing::debug!("TLS handshake with {}: {}", dst_addr, e),
+                        Err(_) => tracing::debug!("TLS handshake with {}: timeout", dst_addr),
                     }
-                    Err(e) => {
-                        tracing::warn!("{}. Hint: increase the system open file limit.", e);
-                        // Throttle the accept loop upon an error
-                        // NOTE: This might be due to various factors. However, the most common case is that
-                        //       the process has reached the maximum number of open files in the system. On
-                        //       Linux systems this limit can be changed by using the "ulimit" command line
-                        //       tool. In case of systemd-based systems, this can be changed by using the
-                        //       "sysctl" command line tool.
-                        tokio::time::sleep(Duration::from_micros(*TLS_ACCEPT_THROTTLE_TIME)).await;
-                    }
-                }
+                    drop(place);
+                });
+            }
+            Err(e) => {
+                tracing::warn!("{}. Hint: increase the system open file limit.", e);
+                // Throttle the accept loop upon an error
+                // NOTE: This might be due to various factors. However, the most common case is that
+                //       the process has reached the maximum number of open files in the system. On
+                //       Linux systems this limit can be changed by using the "ulimit" command line
+                //       tool. In case of systemd-based systems, this can be changed by using the
+                //       "sysctl" command line tool.
+                tokio::time::sleep(Duration::from_micros(*TLS_ACCEPT_THROTTLE_TIME)).await;
             }
         }
     }
 
     Ok(())
+}
+
+/// Makes a link of a TLS connection, and passes it on.
+async fn accept_link(
+    tls_stream: tokio_rustls::server::TlsStream<TcpStream>,
+    dst_addr: SocketAddr,
+    manager: NewLinkChannelSender,
+    tls_close_link_on_expiration: bool,
+) {
+    let (tcp_stream, tls_conn) = tls_stream.get_ref();
+    let src_addr = match tcp_stream.local_addr() {
+        Ok(sa) => sa,
+        Err(e) => {
+            tracing::debug!("Can not accept TLS connection: {}", e);
+            return;
+        }
+    };
+    let auth_identifier = match get_client_cert_common_name(tls_conn) {
+        Ok(auth_id) => auth_id,
+        Err(e) => {
+            tracing::warn!("Error getting client cert common name: {e}");
+            return;
+        }
+    };
+
+    // Get certificate chain expiration
+    let mut maybe_expiration_time = None;
+    if tls_close_link_on_expiration {
+        let exp = match get_cert_chain_expiration(&tls_conn.peer_certificates()) {
+            Ok(exp) => exp,
+            Err(e) => {
+                tracing::warn!("Error getting client cert expiration: {e}");
+                return;
+            }
+        };
+        match exp {
+            exp @ Some(_) => maybe_expiration_time = exp,
+            None => tracing::warn!(
+                "Cannot monitor expiration for TLS link {:?} => {:?}: client does not have certificates",
+                src_addr,
+                dst_addr,
+            ),
+        }
+    }
+
+    tracing::debug!(
+        "Accepted TLS connection on {:?}: {:?}. {:?}.",
+        src_addr,
+        dst_addr,
+        auth_identifier
+    );
+    // Create the new link object
+    let link = Arc::<LinkUnicastTls>::new_cyclic(|weak_link| {
+        let mut expiration_manager = None;
+        if let Some(certchain_expiration_time) = maybe_expiration_time {
+            // setup expiration manager
+            expiration_manager = Some(LinkCertExpirationManager::new(
+                weak_link.clone(),
+                src_addr,
+                dst_addr,
+                TLS_LOCATOR_PREFIX,
+                certchain_expiration_time,
+            ));
+        }
+        LinkUnicastTls::new(
+            tokio_rustls::TlsStream::Server(tls_stream),
+            src_addr,
+            dst_addr,
+            auth_identifier.into(),
+            expiration_manager,
+        )
+    });
+
+    // Communicate the new link to the initial transport manager
+    if let Err(e) = manager
+        .send_async(LinkUnicast::from(link as Arc<dyn LinkUnicastTrait>))
+        .await
+    {
+        tracing::error!("{}-{}: {}", file!(), line!(), e)
+    }
 }
 
 fn get_client_cert_common_name(tls_conn: &rustls::CommonState) -> ZResult<TlsAuthId> {

@@ -603,5 +603,8 @@ pub fn get_tls_host<'a>(address: &'a Address<'a>) -> ZResult<&'a str> {
 }
 
 pub fn get_tls_server_name<'a>(address: &'a Address<'a>) -> ZResult<ServerName<'a>> {
-    Ok(ServerName::try_from(get_tls_host(address)?).map_err(|e| zerror!(e))?)
+    // An IPv6 address has brackets only in an endpoint.
+    let host = get_tls_host(address)?;
+    let inner = host.strip_prefix('[').and_then(|it| it.strip_suffix(']'));
+    Ok(ServerName::try_from(inner.unwrap_or(host)).map_err(|e| zerror!(e))?)
 }

@@ -22,6 +22,8 @@ const KEEP_ALIVE: u64 = 4;
 const BATCHES: u64 = 16;
 /// The time in ms for connecting to a desk.
 const CONNECT_MS: u64 = 5000;
+/// The time in ms for a TLS handshake at the desk: a connection that says nothing takes the place of others.
+const HANDSHAKE_MS: u64 = 3000;
 
 /// The maximum number of consoles of one seat.
 pub(super) const CONSOLES_OF_A_SEAT: usize = 4;
@@ -30,9 +32,13 @@ pub(super) const CONSOLES_OF_A_SEAT: usize = 4;
 pub(super) fn of_desk(desk: &NetworkDesk) -> Result<Config, NetworkFault> {
     let keys = &desk.keys;
     let certificate = desk_certificate(&keys.class, &keys.key.0, hosts(desk))?;
+    let endpoint = format!(
+        "tls/{}#tls_handshake_timeout_ms={HANDSHAKE_MS}",
+        desk.listen
+    );
     config(&json!({
         "mode": "router",
-        "listen": { "endpoints": [format!("tls/{}", desk.listen)] },
+        "listen": { "endpoints": [endpoint] },
         "access_control": access_list(&keys.class, keys.seats.keys()),
         "low_pass_filter": [{
             "id": "longest",
@@ -80,7 +86,9 @@ fn config(own: &Value) -> Result<Config, NetworkFault> {
     if let (Some(all), Value::Object(common)) = (all.as_object_mut(), common) {
         all.extend(common);
     }
-    Config::from_json5(&all.to_string()).map_err(|fault| NetworkFault::Crypto(fault.to_string()))
+    // Zenoh's own words may contain the settings, and so the key.
+    let refused = |_| NetworkFault::Crypto("the settings of Zenoh".to_owned());
+    Config::from_json5(&all.to_string()).map_err(refused)
 }
 
 fn transport(sessions: usize, tls: &Value) -> Value {
@@ -91,7 +99,13 @@ fn transport(sessions: usize, tls: &Value) -> Value {
             "tx": {
                 "lease": LEASE_MS,
                 "keep_alive": KEEP_ALIVE,
-                "queue": { "size": { "data": BATCHES } },
+                "queue": {
+                    "size": { "data": BATCHES },
+                    // What has no room is dropped at once: a sender that waited would hold up others.
+                    "congestion_control": {
+                        "drop": { "wait_before_drop": 0, "max_wait_before_drop_fragments": 0 },
+                    },
+                },
             },
             "rx": { "max_message_size": 2 * LONGEST_FRAME },
             "tls": tls,

@@ -19,9 +19,9 @@ use super::frame::{Frame, FrameKind};
 /// The time after which a connection has ended without a word of the other side.
 pub(super) const SILENCE: Duration = Duration::from_secs(4);
 /// The time after which a side says that it is still there.
-const BEAT: Duration = Duration::from_secs(1);
-/// How often the two times are looked at.
-const LOOK: Duration = Duration::from_millis(500);
+const KEEP_ALIVE: Duration = Duration::from_secs(1);
+/// How often the two times are checked.
+const POLL: Duration = Duration::from_millis(500);
 /// The maximum number of frames that wait to be read: lines of the window, and frames without lines.
 pub(super) const INBOX: usize = 4 * WINDOW as usize;
 
@@ -49,7 +49,8 @@ pub(super) struct Parties {
 }
 
 impl Conversation {
-    pub async fn new(session: &Session, parties: Parties) -> zenoh::Result<Self> {
+    /// A conversation in which the frames of `flow` have been sent and received.
+    pub async fn new(session: &Session, parties: Parties, flow: Flow) -> zenoh::Result<Self> {
         let publisher = session.declare_publisher(parties.own_key.clone());
         // A frame that the queue has no room for is dropped, which ends the connection: the sender never waits.
         let publisher = publisher.congestion_control(CongestionControl::Drop);
@@ -59,7 +60,7 @@ impl Conversation {
             own_key: parties.own_key,
             other: parties.other,
             other_key: parties.other_key,
-            flow: Flow::default(),
+            flow,
             spoke_at: Instant::now(),
         })
     }
@@ -90,8 +91,8 @@ impl Conversation {
 
     /// Says that this side is still there, if it has said nothing for a while.
     async fn keep_alive(&mut self) {
-        if self.spoke_at.elapsed() >= BEAT {
-            self.say(FrameKind::Beat, Vec::new()).await;
+        if self.spoke_at.elapsed() >= KEEP_ALIVE {
+            self.say(FrameKind::KeepAlive, Vec::new()).await;
         }
     }
 
@@ -99,7 +100,7 @@ impl Conversation {
     async fn acknowledge(&mut self) {
         self.flow.take();
         if self.flow.has_to_tell() {
-            self.say(FrameKind::Beat, Vec::new()).await;
+            self.say(FrameKind::KeepAlive, Vec::new()).await;
         }
     }
 
@@ -112,43 +113,67 @@ impl Conversation {
         arrived: &mpsc::Sender<A>,
         arrival: impl Fn(Result<M, LineFault>) -> A,
     ) {
-        let mut look = interval(LOOK);
-        look.set_missed_tick_behavior(MissedTickBehavior::Delay);
+        let mut poll = interval(POLL);
+        poll.set_missed_tick_behavior(MissedTickBehavior::Delay);
         let mut heard = Heard::nothing();
         while !heard.is_all_taken() {
-            tokio::select! {
-                bytes = inbox.recv(), if !heard.has_left => {
-                    match bytes.and_then(|bytes| self.hear(&bytes)) {
-                        Some(frame) => heard.note(frame),
-                        None => break,
-                    }
-                }
-                permit = arrived.reserve(), if !heard.lines.is_empty() => {
-                    let (Ok(permit), Some(line)) = (permit, heard.lines.pop_front()) else {
-                        break;
-                    };
-                    let message = protocol::read(&line);
-                    let is_faulty = message.is_err();
-                    permit.send(arrival(message));
-                    if is_faulty {
-                        break;
-                    }
-                    self.acknowledge().await;
-                }
-                line = lines.recv(), if self.flow.has_room() && !heard.has_left => match line {
-                    Some(line) => self.say(FrameKind::Line, line.into_bytes()).await,
-                    None => break,
+            let goes_on = tokio::select! {
+                bytes = inbox.recv(), if !heard.has_left => self.take_in(bytes, &mut heard),
+                permit = arrived.reserve(), if !heard.lines.is_empty() => match permit {
+                    Ok(permit) => self.hand_over(&mut heard, permit, &arrival).await,
+                    Err(_) => false,
                 },
-                _ = look.tick() => {
-                    if heard.at.elapsed() >= SILENCE {
-                        break;
-                    }
-                    self.keep_alive().await;
+                line = lines.recv(), if self.flow.has_room() && !heard.has_left => {
+                    self.say_line(line).await
                 }
-                () = arrived.closed() => break,
+                _ = poll.tick() => {
+                    self.keep_alive().await;
+                    heard.at.elapsed() < SILENCE
+                }
+                () = arrived.closed() => false,
+            };
+            if !goes_on {
+                break;
             }
         }
         self.say(FrameKind::Bye, Vec::new()).await;
+    }
+
+    /// Takes in a frame; `false` if the other side is gone or has sent what it may not.
+    fn take_in(&mut self, bytes: Option<Vec<u8>>, heard: &mut Heard) -> bool {
+        let Some(frame) = bytes.and_then(|bytes| self.hear(&bytes)) else {
+            return false;
+        };
+        heard.note(frame);
+        true
+    }
+
+    /// Hands a line over to the console; `false` if it is no message.
+    async fn hand_over<M: DeserializeOwned, A>(
+        &mut self,
+        heard: &mut Heard,
+        permit: mpsc::Permit<'_, A>,
+        arrival: &impl Fn(Result<M, LineFault>) -> A,
+    ) -> bool {
+        let Some(line) = heard.lines.pop_front() else {
+            return true;
+        };
+        let message = protocol::read(&line);
+        let is_message = message.is_ok();
+        permit.send(arrival(message));
+        if is_message {
+            self.acknowledge().await;
+        }
+        is_message
+    }
+
+    /// Sends a line of the console; `false` if it has no more.
+    async fn say_line(&mut self, line: Option<String>) -> bool {
+        match line {
+            Some(line) => self.say(FrameKind::Line, line.into_bytes()).await,
+            None => return false,
+        }
+        true
     }
 }
 
@@ -176,7 +201,7 @@ impl Heard {
         match frame.kind {
             FrameKind::Line => self.lines.push_back(frame.body),
             FrameKind::Bye => self.has_left = true,
-            FrameKind::Beat | FrameKind::Hello | FrameKind::Open => {}
+            FrameKind::KeepAlive | FrameKind::Hello | FrameKind::Open => {}
         }
     }
 

@@ -90,7 +90,7 @@ mod tests {
             to.take();
         }
         assert!(to.has_to_tell());
-        assert!(from.admit(&to.frame(FrameKind::Beat, Vec::new())));
+        assert!(from.admit(&to.frame(FrameKind::KeepAlive, Vec::new())));
         assert!(from.has_room() && !to.has_to_tell());
     }
 

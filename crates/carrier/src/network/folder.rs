@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::fs::{DirBuilder, OpenOptions};
+use std::fs::{self, DirBuilder, OpenOptions};
 use std::io::{self, Write as _};
 use std::os::unix::fs::{DirBuilderExt as _, OpenOptionsExt as _};
 use std::path::{Path, PathBuf};
@@ -18,6 +18,8 @@ use crate::secret_file::read_secret;
 
 /// The file of the desk in the folder of the class.
 const DESK_FILE: &str = "desk.json";
+/// The same, while it is being written.
+const NEW_DESK_FILE: &str = "desk.json.new";
 /// The folder of the join lines in it.
 const SEATS_FOLDER: &str = "seats";
 /// The version of the file.
@@ -105,10 +107,32 @@ pub(crate) fn make(class: &NewClass<'_>, folder: &Path) -> Result<Vec<PathBuf>, 
         files.push(file);
     }
     // Last, so that a class that has a desk is whole.
-    let text = serde_json::to_string_pretty(&keys);
-    let text = text.map_err(|fault| NetworkFault::Crypto(fault.to_string()))?;
-    write(&folder.join(DESK_FILE), &(text + "\n"))?;
+    keys.write(&folder.join(DESK_FILE))?;
     Ok(files)
+}
+
+/// Takes a seat out of the class in a folder: a desk that is opened afterwards does not let it in.
+///
+/// # Errors
+/// There is no such seat, or the file of the desk cannot be read or written.
+pub(crate) fn remove_seat(folder: &Path, seat: &str) -> Result<(), NetworkFault> {
+    let file = folder.join(DESK_FILE);
+    let mut keys = DeskKeys::read(folder)?;
+    if keys.seats.remove(seat).is_none() {
+        return Err(NetworkFault::NoSeat {
+            folder: folder.to_owned(),
+            seat: seat.to_owned(),
+        });
+    }
+    // Beside it first, so that a disk that is full does not cost the class its keys.
+    let new = folder.join(NEW_DESK_FILE);
+    // It may be there if the program was killed.
+    drop(fs::remove_file(&new));
+    keys.write(&new)?;
+    fs::rename(&new, &file).map_err(|error| NetworkFault::File {
+        file,
+        error: error.into(),
+    })
 }
 
 impl DeskKeys {
@@ -147,6 +171,23 @@ impl DeskKeys {
         Ok((keys, lines))
     }
 
+    fn read(folder: &Path) -> Result<Self, NetworkFault> {
+        let file = folder.join(DESK_FILE);
+        let keys = read_secret(&file, |text| Self::parse(text, &file));
+        keys.map_err(|fault| match fault {
+            NetworkFault::File { error, .. } if error.0.kind() == io::ErrorKind::NotFound => {
+                NetworkFault::NoClass(folder.to_owned())
+            }
+            other => other,
+        })
+    }
+
+    fn write(&self, file: &Path) -> Result<(), NetworkFault> {
+        let text = serde_json::to_string_pretty(self);
+        let text = text.map_err(|fault| NetworkFault::Crypto(fault.to_string()))?;
+        write(file, &(text + "\n"))
+    }
+
     fn parse(text: &str, file: &Path) -> Result<Self, NetworkFault> {
         let damaged = |reason| NetworkFault::NoDesk {
             file: file.to_owned(),
@@ -180,18 +221,15 @@ impl NetworkDesk {
         if !is_address(listen) {
             return Err(NetworkFault::Address(listen.to_owned()));
         }
-        let file = folder.join(DESK_FILE);
-        let keys = read_secret(&file, |text| DeskKeys::parse(text, &file));
-        let keys = keys.map_err(|fault| match fault {
-            NetworkFault::File { error, .. } if error.kind() == io::ErrorKind::NotFound => {
-                NetworkFault::NoClass(folder.to_owned())
-            }
-            other => other,
-        })?;
         Ok(Self {
             listen: listen.to_owned(),
-            keys,
+            keys: DeskKeys::read(folder)?,
         })
+    }
+
+    /// The name of the class.
+    pub fn class(&self) -> &str {
+        &self.keys.class
     }
 }
 
@@ -201,7 +239,7 @@ fn make_folder(folder: &Path) -> Result<(), NetworkFault> {
         io::ErrorKind::AlreadyExists => NetworkFault::Exists(folder.to_owned()),
         _ => NetworkFault::File {
             file: folder.to_owned(),
-            error,
+            error: error.into(),
         },
     })
 }
@@ -215,6 +253,6 @@ fn write(file: &Path, text: &str) -> Result<(), NetworkFault> {
     })
     .map_err(|error| NetworkFault::File {
         file: file.to_owned(),
-        error,
+        error: error.into(),
     })
 }

@@ -27,14 +27,20 @@ pub(super) enum FrameKind {
     /// A line of the protocol.
     Line = 3,
     /// Nothing but the sender's counters.
-    Beat = 4,
+    KeepAlive = 4,
     /// The sender ends the connection.
     Bye = 5,
 }
 
 impl FrameKind {
     fn read(byte: u8) -> Option<Self> {
-        let all = [Self::Hello, Self::Open, Self::Line, Self::Beat, Self::Bye];
+        let all = [
+            Self::Hello,
+            Self::Open,
+            Self::Line,
+            Self::KeepAlive,
+            Self::Bye,
+        ];
         all.into_iter().find(|kind| *kind as u8 == byte)
     }
 }
@@ -86,6 +92,11 @@ impl Frame {
     pub fn may_be_hello(bytes: &[u8]) -> bool {
         bytes.get(SIGNATURE) == Some(&(FrameKind::Hello as u8)) && bytes.len() == HEAD
     }
+
+    /// The same of a line.
+    pub fn may_be_line(bytes: &[u8]) -> bool {
+        bytes.get(SIGNATURE) == Some(&(FrameKind::Line as u8))
+    }
 }
 
 fn signed(key: &str, content: &[u8]) -> Vec<u8> {
@@ -97,12 +108,21 @@ pub(super) fn signer(pkcs8: &[u8]) -> Result<Ed25519KeyPair, NetworkFault> {
     Ed25519KeyPair::from_pkcs8(pkcs8).map_err(|fault| NetworkFault::Crypto(fault.to_string()))
 }
 
+/// The number of hexadecimal digits of the number of a connection.
+const NUMBER: usize = 32;
+
+/// Whether a text is the number of a connection.
+pub(super) fn is_number(text: &str) -> bool {
+    let is_digit = |c: u8| c.is_ascii_digit() || (b'a'..=b'f').contains(&c);
+    text.len() == NUMBER && text.bytes().all(is_digit)
+}
+
 /// A number that nobody has used before, in hexadecimal digits.
 pub(super) fn fresh_number() -> Result<String, NetworkFault> {
     let mut bytes = [0; 16];
     let filled = SystemRandom::new().fill(&mut bytes);
     filled.map_err(|_| NetworkFault::Crypto("no random numbers".to_owned()))?;
-    Ok(format!("{:032x}", u128::from_be_bytes(bytes)))
+    Ok(format!("{:0NUMBER$x}", u128::from_be_bytes(bytes)))
 }
 
 #[cfg(test)]
@@ -155,5 +175,6 @@ mod tests {
     fn numbers_of_connections_differ() {
         let number = || fresh_number().expect("random numbers");
         assert_ne!(number(), number());
+        assert!(is_number(&number()));
     }
 }

@@ -10,20 +10,17 @@ use zenoh::pubsub::Subscriber;
 use zenoh::sample::Sample;
 
 use super::conversation::{Conversation, INBOX, Inbox, Parties, SILENCE};
+use super::flow::Flow;
 use super::frame::{FrameKind, fresh_number, signer};
 use super::{Channel, OpenSession, config};
 use crate::fault::{ClassFault, NetworkFault};
 use crate::join_line::JoinLine;
-use crate::ports::{CarrierPeer, Outbox, SeatArrival, SeatPort};
+use crate::ports::{ARRIVALS, CarrierPeer, Outbox, RETRY, SeatArrival, SeatPort};
 
-/// The maximum number of arrivals that wait for the console.
-const ARRIVALS: usize = 64;
-/// The time between two attempts to connect grows from the first of these to the second.
-const RETRY: std::ops::RangeInclusive<Duration> = Duration::from_secs(1)..=Duration::from_secs(4);
 /// How often a greeting is repeated.
 const GREET_AGAIN: Duration = Duration::from_millis(500);
 /// The time for a connection to show that somebody is at an address.
-const KNOCK: Duration = Duration::from_secs(1);
+const PROBE: Duration = Duration::from_secs(1);
 /// The maximum length of the instructor's name.
 const LONGEST_NAME: usize = 64;
 
@@ -51,14 +48,12 @@ async fn keep_connected(line: &JoinLine, arrived: &mpsc::Sender<SeatArrival>) {
             // There is no desk, which is no fault: it may open later.
             Ok(None) => last = None,
             Err(fault) => {
-                let found = Some(fault.to_string());
+                let found = Arc::new(ClassFault::Network(fault));
                 // A desk that is being opened or closed answers once, but not twice in a row.
-                let is_lasting = last == found;
-                last.clone_from(&found);
-                if is_lasting && told != found {
-                    told = found;
-                    let refused = SeatArrival::Refused(ClassFault::Network(fault));
-                    drop(arrived.send(refused).await);
+                let is_lasting = last.replace(Arc::clone(&found)).as_ref() == Some(&found);
+                if is_lasting && told.as_ref() != Some(&found) {
+                    told = Some(Arc::clone(&found));
+                    drop(arrived.send(SeatArrival::Refused(found)).await);
                 }
             }
         }
@@ -83,8 +78,8 @@ struct Call {
 async fn call(line: &JoinLine) -> Result<Option<Call>, NetworkFault> {
     let mut stranger = None;
     for address in &line.addresses {
-        // Without a knock, an attempt at an address where nobody is takes minutes.
-        let Ok(Ok(_)) = timeout(KNOCK, TcpStream::connect(address)).await else {
+        // Without a probe, an attempt at an address where nobody is takes minutes.
+        let Ok(Ok(_)) = timeout(PROBE, TcpStream::connect(address)).await else {
             continue;
         };
         match OpenSession::open(config::of_seat(line, address)?).await {
@@ -122,7 +117,7 @@ async fn greet(session: OpenSession, parties: Parties) -> zenoh::Result<Option<C
         move |sample: Sample| drop(sender.try_send(sample.payload().to_bytes().into_owned()));
     let subscriber = session.get()?.declare_subscriber(parties.other_key.clone());
     let subscriber = subscriber.callback(take).await?;
-    let mut conversation = Conversation::new(session.get()?, parties).await?;
+    let mut conversation = Conversation::new(session.get()?, parties, Flow::default()).await?;
     let hello = conversation.sealed(FrameKind::Hello, Vec::new());
     let answer = async {
         loop {

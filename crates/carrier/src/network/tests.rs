@@ -20,7 +20,12 @@ pub(crate) struct Lab {
 
 /// A class whose desk listens at a free port of this host.
 pub(crate) fn lab(seats: u16) -> (TempDir, Lab) {
-    let free = TcpListener::bind("127.0.0.1:0").expect("a port");
+    lab_at("127.0.0.1", seats)
+}
+
+/// A class whose desk listens at a free port of an address.
+fn lab_at(host: &str, seats: u16) -> (TempDir, Lab) {
+    let free = TcpListener::bind(format!("{host}:0")).expect("a port");
     let listen = free.local_addr().expect("an address").to_string();
     let parent = tempfile::tempdir().expect("a folder");
     let folder = parent.path().join("9-A");
@@ -51,7 +56,7 @@ mod folder {
 
     use super::*;
     use crate::fault::{ClassFault, NetworkFault};
-    use crate::place::ClassPlace;
+    use crate::place::{ClassPlace, DeskPlace};
 
     #[test]
     fn only_the_owner_can_read_the_keys_of_a_class() {
@@ -105,6 +110,33 @@ mod folder {
         assert!(matches!(read, Err(NetworkFault::NoClass(_))), "{read:?}");
         let read = NetworkDesk::read(&lab.folder, "7447");
         assert!(matches!(read, Err(NetworkFault::Address(_))), "{read:?}");
+    }
+
+    #[test]
+    fn a_seat_is_taken_out_once_and_the_file_stays_secret() {
+        let (_parent, lab) = lab(2);
+        // As if the program had been killed.
+        fs::write(lab.folder.join("desk.json.new"), "half").expect("written");
+        remove_seat(&lab.folder, "seat-02").expect("it is removed");
+        let seats = |desk: NetworkDesk| desk.keys.seats.into_keys().collect::<Vec<_>>();
+        assert_eq!(seats(lab.desk()), ["seat-01"]);
+        let again = remove_seat(&lab.folder, "seat-02");
+        assert!(
+            matches!(again, Err(NetworkFault::NoSeat { .. })),
+            "{again:?}"
+        );
+        let found = fs::metadata(lab.folder.join("desk.json")).expect("it is there");
+        assert_eq!(found.permissions().mode() & 0o777, 0o600);
+        assert!(!lab.folder.join("desk.json.new").exists());
+    }
+
+    #[test]
+    fn a_class_has_the_name_that_it_was_made_with_wherever_its_folder_is() {
+        let (parent, lab) = lab(1);
+        let folder = parent.path().join("keys-of-9-A");
+        fs::rename(&lab.folder, &folder).expect("renamed");
+        let desk = DeskPlace::on_network(&folder, &lab.listen).expect("a desk");
+        assert_eq!(desk.class(), Some("9-A"));
     }
 
     #[test]

@@ -66,10 +66,13 @@ async fn a_seat_does_not_speak_to_a_desk_of_somebody_else() {
     };
     let mut seat = unix::join::<DeskMessage>(other);
     let arrival = seat.next().await;
-    let Some(SeatArrival::Refused(ClassFault::Stranger { user, .. })) = arrival else {
+    let Some(SeatArrival::Refused(fault)) = arrival else {
         panic!("{arrival:?}");
     };
-    assert_eq!(user, own_user_name());
+    let ClassFault::Stranger { user, .. } = &*fault else {
+        panic!("{fault:?}");
+    };
+    assert_eq!(*user, own_user_name());
     // Told once; the desk hears nothing from the seat but that it came and went.
     let silence = tokio::time::timeout(std::time::Duration::from_secs(30), seat.next());
     assert!(silence.await.is_err());

@@ -1,5 +1,6 @@
 //! Strangers on the network, and trainees with the certificates of their seats, but other programs.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use serde_json::{Value, json};
@@ -12,7 +13,7 @@ use zenoh::pubsub::Subscriber;
 use zenoh::sample::Locality;
 
 use super::*;
-use crate::fault::{ClassFault, NetworkFault};
+use crate::fault::{ClassFault, NetworkFault, StartFault};
 use crate::network::frame::{Frame, FrameKind, fresh_number, signer};
 use crate::ports::{DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};
 use crate::tests::{found, opened};
@@ -126,10 +127,10 @@ async fn talk(desk: &mut DeskPort, seat: &mut SeatPort) -> (Outbox, Outbox) {
     (to_desk, to_seat)
 }
 
-async fn refused(seat: &mut SeatPort) -> NetworkFault {
+async fn refused(seat: &mut SeatPort) -> Arc<ClassFault> {
     let arrival = timeout(PATIENCE, seat.next()).await.expect("an answer");
     match arrival {
-        Some(SeatArrival::Refused(ClassFault::Network(fault))) => fault,
+        Some(SeatArrival::Refused(fault)) => fault,
         other => panic!("{other:?}"),
     }
 }
@@ -176,6 +177,10 @@ async fn a_seat_cannot_speak_for_another() {
     // With the certificate of the seat, but without its signature.
     let careless = session(&lab.line(1)).await;
     put(&careless, greeting("seat-01", &number(), &lab.line(2))).await;
+    // Rightly signed, but no number that a seat draws.
+    for number in ["7", &"x".repeat(32), &"A".repeat(32), &"5".repeat(10_000)] {
+        put(&careless, greeting("seat-01", number, &lab.line(1))).await;
+    }
     // Later greetings are answered, so the others were not overlooked.
     for (session, seat, line) in [(&thief, "seat-02", 2), (&careless, "seat-01", 1)] {
         let right = greeting(seat, &number(), &lab.line(line));
@@ -283,7 +288,7 @@ async fn false_router(listen: &str, certificate: &[u8], key: &[u8]) -> zenoh::Re
 async fn a_false_desk_is_not_found() {
     let (_parent, lab) = lab(2);
     let (_other_parent, other) = super::lab(1);
-    // A desk of the same name with other keys, and a seat that plays the desk.
+    // A desk of the same name with other keys, and a seat that poses as the desk.
     let line = lab.line(2);
     for (certificate, key) in [
         (
@@ -298,7 +303,10 @@ async fn a_false_desk_is_not_found() {
         let mut greetings = Ear::new(&router, "**").await;
         let mut seat = join(lab.line(1));
         let fault = refused(&mut seat).await;
-        assert!(matches!(fault, NetworkFault::NotTheDesk(_)), "{fault:?}");
+        assert!(
+            matches!(*fault, ClassFault::Network(NetworkFault::NotTheDesk(_))),
+            "{fault:?}"
+        );
         assert!(greetings.is_silent(), "the seat has said nothing");
         router.close().await.expect("it closes");
     }
@@ -338,7 +346,10 @@ async fn what_a_false_desk_has_recorded_opens_no_connection() {
         router.put(&down, bytes).await.expect("sent");
     }
     let fault = refused(&mut deceived).await;
-    assert!(matches!(fault, NetworkFault::Unknown { .. }), "{fault:?}");
+    assert!(
+        matches!(*fault, ClassFault::Network(NetworkFault::Unknown { .. })),
+        "{fault:?}"
+    );
     while let Ok((_, bytes)) = greetings.heard.try_recv() {
         assert!(Frame::may_be_hello(&bytes), "it has said only its greeting");
     }
@@ -370,8 +381,8 @@ async fn without_a_certificate_nobody_is_let_in() {
     let mut refused_seat = join(stranger);
     let fault = refused(&mut refused_seat).await;
     let is_refused = matches!(
-        fault,
-        NetworkFault::NotTheDesk(_) | NetworkFault::Unknown { .. }
+        *fault,
+        ClassFault::Network(NetworkFault::NotTheDesk(_) | NetworkFault::Unknown { .. })
     );
     assert!(is_refused, "{fault:?}");
     // Who has one is let in all the while.
@@ -379,17 +390,66 @@ async fn without_a_certificate_nobody_is_let_in() {
     let _kept = talk(&mut desk, &mut seat).await;
 }
 
+/// Joins, however often it is told that nobody answers.
+async fn found_at_last(seat: &mut SeatPort) -> Outbox {
+    let find = async {
+        loop {
+            if let Some(SeatArrival::Found { outbox, .. }) = seat.next().await {
+                return outbox;
+            }
+        }
+    };
+    timeout(PATIENCE, find).await.expect("the desk is found")
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn connections_that_say_nothing_do_not_use_up_the_files_of_the_desk() {
+    const IDLE: usize = 300;
+    let (_parent, lab) = lab(1);
+    let mut desk = open(&lab.desk()).await.expect("it opens");
+    let mut idle = Vec::new();
+    for _ in 0..IDLE {
+        let connected = tokio::net::TcpStream::connect(&lab.listen).await;
+        idle.push(connected.expect("connected"));
+    }
+    let mut seat = join(lab.line(1));
+    let _to_desk = found_at_last(&mut seat).await;
+    let _to_seat = opened(&mut desk).await;
+    // Both ends of the idle connections are of this process.
+    let files = std::fs::read_dir("/proc/self/fd").expect("it is there");
+    let files = files.count();
+    assert!(files < IDLE + 200, "{files} files are open");
+}
+
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_seat_that_was_taken_out_is_not_let_in() {
     let (_parent, lab) = lab(2);
-    let mut without = lab.desk();
-    without.keys.seats.remove("seat-01");
-    let mut desk = open(&without).await.expect("it opens");
+    remove_seat(&lab.folder, "seat-01").expect("it is removed");
+    let mut desk = open(&lab.desk()).await.expect("it opens");
     let mut seat = join(lab.line(1));
     let fault = refused(&mut seat).await;
-    assert!(matches!(fault, NetworkFault::Unknown { .. }), "{fault:?}");
+    assert!(
+        matches!(*fault, ClassFault::Network(NetworkFault::Unknown { .. })),
+        "{fault:?}"
+    );
     let mut other = join(lab.line(2));
     let _kept = talk(&mut desk, &mut other).await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn certificates_that_cannot_be_used_are_told() {
+    let (_parent, lab) = lab(1);
+    let mut damaged = lab.desk();
+    damaged.keys.seats_certificate.0 = b"nonsense".to_vec();
+    let opened = open(&damaged).await;
+    let expected = NetworkFault::NotStarted {
+        address: lab.listen.clone(),
+        fault: StartFault::Certificates,
+    };
+    assert!(
+        matches!(&opened, Err(ClassFault::Network(fault)) if *fault == expected),
+        "{opened:?}"
+    );
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

@@ -265,7 +265,7 @@ async fn split(weather: Weather) {
     .await;
     room.note(500);
     let now = room.now();
-    room.desk.give(0, Deed::Freeze, now);
+    room.desk.give(&[0], &Deed::Freeze, now);
     net.turn(Weather::Fine);
     room.until("the rest of the journal arrives", |room| {
         let orders = room.desk.seats().iter().flat_map(SeatRecord::orders);
@@ -307,6 +307,13 @@ async fn a_desk_that_opens_again_gets_the_whole_journal() {
     room.desk_port = open(&lab.desk()).await.expect("it opens again");
     room.until("the whole journal arrives", Room::is_complete)
         .await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_desk_at_an_address_of_ip_version_6_is_found() {
+    let (_parent, lab) = lab_at("[::1]", 1);
+    let mut room = Room::new(&lab.desk(), lab.line(1)).await;
+    room.until("it is found", Room::is_complete).await;
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
