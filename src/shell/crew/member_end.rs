@@ -126,7 +126,7 @@ impl Console {
                 }
             }
             SeatArrival::Refused(fault) => {
-                self.feed(CrewEvent::Refused(Text::from(&fault))).await;
+                self.feed(CrewEvent::Refused(Text::from(&*fault))).await;
             }
         }
     }
