@@ -30,8 +30,14 @@ pub use handover::{CrewDeed, CrewScene, DeedOutcome, Proposal};
 
 /// The maximum number of members.
 pub const MOST_MEMBERS: usize = 16;
-/// The time without a line of a member, which says something every 2 s, after which the member counts as gone.
-const SILENT: Duration = Duration::from_secs(10);
+/// The maximum number of members of one user, except for the host's own: nobody takes all places.
+const OF_ONE_USER: usize = 4;
+/// The time without a line of the other side, which says something every 2 s, after which it is silent: a member counts as
+/// gone.
+pub const SILENT: Duration = Duration::from_secs(10);
+/// The longest time between two looks at the clock while the host's console runs. After a longer one, it has been stopped,
+/// as by Ctrl-Z, or was busy: it could hear nobody meanwhile.
+const STALLED: Duration = Duration::from_secs(2);
 
 /// What a member does in a crew.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -113,6 +119,8 @@ pub struct Post {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Member {
     pub person: Person,
+    /// The user at the other end, from the system.
+    user: String,
     pub role: Role,
     /// The number of the mission's post that the member holds.
     post: Option<usize>,
@@ -131,6 +139,8 @@ pub struct Crew {
     members: BTreeMap<ConnectionId, Member>,
     /// Proposals that wait for an answer, oldest first.
     proposals: Vec<Proposal>,
+    /// The last look at the wall clock.
+    seen_at: Option<Duration>,
 }
 
 impl Crew {
@@ -142,6 +152,7 @@ impl Crew {
             posts: Vec::new(),
             members: BTreeMap::new(),
             proposals: Vec::new(),
+            seen_at: None,
         }
     }
 
@@ -187,7 +198,7 @@ impl Crew {
     /// Takes a user in. The name is the user's, with a number if it is taken.
     ///
     /// # Errors
-    /// The crew is full, or the connection has a member already.
+    /// The crew is full, the user has too many places, or the connection has a member already.
     pub fn join(
         &mut self,
         joining: Joining<'_>,
@@ -200,9 +211,14 @@ impl Crew {
         if self.members.len() >= MOST_MEMBERS {
             return Err(CrewFault::Full);
         }
+        let of_user = self.members().filter(|it| it.user == joining.user).count();
+        if of_user >= OF_ONE_USER && joining.user != self.host.name() {
+            return Err(CrewFault::ManyOfUser);
+        }
         let person = self.free_name(joining.user);
         let member = Member {
             person: person.clone(),
+            user: joining.user.to_owned(),
             role: joining.role.unwrap_or_default(),
             post: None,
             is_role_wanted: joining.role.is_some(),
@@ -214,10 +230,11 @@ impl Crew {
         Ok(CrewChange::Joined { who: person, role })
     }
 
-    /// The first name for a user that nobody here has: `anna`, `anna-2`.
+    /// The first name for a user that nobody here has: `anna`, `anna#2`. No user name of the system has a `#`, so a user who
+    /// joins later cannot have the name of a console of somebody else.
     fn free_name(&self, user: &str) -> Person {
         let names = std::iter::once(user.to_owned());
-        let mut names = names.chain((2..).map(|number| format!("{user}-{number}")));
+        let mut names = names.chain((2..).map(|number| format!("{user}#{number}")));
         let is_free = |name: &String| {
             self.host.name() != name && self.members().all(|it| it.person.name() != name)
         };
@@ -262,6 +279,20 @@ impl Crew {
         Some(CrewChange::Left { who, vehicles })
     }
 
+    /// Looks at the clock. While the host's console was stopped, it heard nobody: that time counts neither as silence nor
+    /// as time to answer a proposal.
+    pub fn look(&mut self, now: Duration) {
+        let seen = self.seen_at.replace(now).unwrap_or(now);
+        let unseen = now.saturating_sub(seen);
+        if unseen <= STALLED {
+            return;
+        }
+        for member in self.members.values_mut() {
+            member.heard_at += unseen;
+        }
+        self.postpone(unseen);
+    }
+
     /// Notes that a member has said something.
     pub fn hear(&mut self, connection: ConnectionId, now: Duration) {
         if let Some(member) = self.members.get_mut(&connection) {
@@ -283,6 +314,10 @@ impl Crew {
         self.proposals.clear();
         for member in self.members.values_mut() {
             member.post = None;
+            // The role of a post ends with its mission.
+            if !member.is_role_wanted {
+                member.role = Role::default();
+            }
         }
         let connections: Vec<_> = self.members.keys().copied().collect();
         for connection in connections {

@@ -138,6 +138,24 @@ pub struct Statement {
 }
 
 impl Statement {
+    /// The statement with its vehicles as numbers: other consoles have other groups.
+    ///
+    /// # Errors
+    /// As [`Targets::resolve`].
+    pub fn in_numbers(self, context: &Context) -> Result<Self, Text> {
+        if !matches!(self.targets, Targets::All | Targets::Group(_)) {
+            return Ok(self);
+        }
+        let targets = Targets::Ids(self.targets.resolve(&[], context)?);
+        let after = self.line.strip_prefix(&self.targets.to_string());
+        let line = after.map_or_else(|| self.line.clone(), |after| format!("{targets}{after}"));
+        Ok(Self {
+            targets,
+            line,
+            ..self
+        })
+    }
+
     /// The order that the line gives; the selection replaces missing targets.
     ///
     /// # Errors

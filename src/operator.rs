@@ -10,7 +10,9 @@ use std::ops::Range;
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed, PlanSource, PlanTask};
+use crate::commands::{
+    Act, Command, Deed, Order, PlanCommand, PlanDeed, PlanSource, PlanTask, QueryCommand,
+};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Context, Statement};
 use crate::ledger::{EntryId, RowState, RowUpdate};
@@ -328,17 +330,21 @@ impl Operator {
     }
 }
 
-/// The vehicles that do not get the order, because its giver does not fly them, with the rows that say so. Questions,
-/// rehearsals, and what is said to the mission, change no vehicle.
+/// The vehicles that do not get the order, because its giver does not fly them, with the rows that say so. Rehearsals, what
+/// is said to the mission, and questions concern no pilot, except for the question that changes what a vehicle sends.
 fn barred(
     entry: EntryId,
     order: &Order,
     scene: &OperatorScene<'_>,
 ) -> (Vec<VehicleId>, Vec<Dispatch>) {
-    let changes_vehicles = matches!(
-        order.verb.counts_as,
-        CountsAs::Task | CountsAs::Setting | CountsAs::PlanChange
-    );
+    let concerns_pilots = match order.verb.counts_as {
+        CountsAs::Task | CountsAs::Setting | CountsAs::PlanChange | CountsAs::Report => true,
+        CountsAs::Question => matches!(
+            order.act,
+            Act::Command(Command::Query(QueryCommand::Interval { .. }))
+        ),
+        CountsAs::Rehearsal | CountsAs::Word | CountsAs::Pledge | CountsAs::SelfReport => false,
+    };
     let (by, duty) = (order.by.as_ref(), order.verb.duty);
     let refusal = |&vehicle: &VehicleId| {
         let reason = scene.pilots.refusal(vehicle, by, duty)?;
@@ -352,7 +358,7 @@ fn barred(
         });
         Some((vehicle, row))
     };
-    let targets = order.targets.iter().filter(|_| changes_vehicles);
+    let targets = order.targets.iter().filter(|_| concerns_pilots);
     targets.filter_map(refusal).unzip()
 }
 

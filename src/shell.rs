@@ -67,8 +67,8 @@ use begin::SeedSources;
 use career::Careers;
 use class::ClassEnd;
 pub use class::ClassOptions;
-use crew::CrewEnd;
 pub use crew::CrewOptions;
+use crew::{CrewEnd, RecordPoint};
 pub use drive::drive;
 use input::hear_last_answer;
 pub use missions::mission_faults;
@@ -221,6 +221,8 @@ struct Console {
     class_work: Vec<ClassEffect>,
     /// Work for the console's end of a crew.
     crew_work: Vec<CrewEffect>,
+    /// The record of the flight before, with its end, for the members of a crew.
+    record_before: Option<RecordPoint>,
     /// The unsaved drafts; `None` without a folder for data.
     drafts: Option<UnsavedDrafts>,
 }
@@ -288,6 +290,7 @@ impl Console {
             trial: None,
             class_work: Vec::new(),
             crew_work: Vec::new(),
+            record_before: None,
             drafts,
         };
         console.open_careers(course, false);

@@ -106,6 +106,7 @@ practice-airframes = the airframes are your own files
 practice-slow = time runs slower than real time
 practice-unconfirmed = the record cannot be confirmed (`sortie verify` gives the reason)
 exam-real-time = an exam runs in real time: start sortie without `--speedup`
+exam-alone = an exam is flown alone: start sortie without `--crew`
 exam-by-hand = an exam is flown by hand, not by a script: start it from the home screen
 daily-by-hand = a mission with the seed of the day is flown by hand, because a script would reveal the layout in advance: use `--seed N`
 flight-practice = { $mission }, practice

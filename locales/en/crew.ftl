@@ -14,7 +14,9 @@ crew-list-vehicles = { $name }: { $role }, { $vehicles }
 
 # On screen
 header-crew = CREW
-header-crew-lost = CREW, NO LINK
+header-crew-flight-ended = the flight of { $host } has ended
+crew-lost = CREW, NO LINK
+header-crew-silent = CREW, NO WORD FOR { $seconds } s
 header-own = you fly { $vehicles }
 header-own-none = you fly no vehicle
 
@@ -39,6 +41,7 @@ crew-copy = your record of the flight: { $file }
 crew-none = this console is in no crew: start it with `sortie fly --crew NAME`, or join one with `sortie crew join NAME`
 crew-alone = you are the only one on the crew
 crew-full = the crew is full
+crew-full-user = your user has four consoles on the crew already: end one of them
 crew-joined-twice = this console is on the crew already
 crew-nobody = { $name } is not on the crew: `crew` shows the names
 crew-oneself = these vehicles are yours already
@@ -62,6 +65,7 @@ crew-stay = this console shows the flight of the host: `quit` leaves the crew
 crew-live = the host is flying this: it cannot be paused or moved in time
 crew-denied-version = the host speaks version { $host } of the protocol: use the same version of sortie
 crew-denied-hello = the host did not understand this console
+crew-many-records = the host begins too many records: join the crew again
 crew-unrecorded = a crew needs the record of the flight: allow records (`records.enabled`)
 crew-not-opened = the crew cannot be opened: { $fault }
 crew-not-there = there is no crew { $name }: its host opens it with `sortie fly MISSION --crew { $name }`

@@ -228,10 +228,6 @@ impl<'l> RunRequest<'_, 'l> {
     fn agree(&self, mission: Mission) -> Result<(Arc<Mission>, Attempt), Failure> {
         let options = self.options;
         let wanted = options.wanted(self.trainee.is_some());
-        let speedup = options.speedup.least();
-        if let Some(refusal) = AttemptRefusal::of(wanted, self.flown_by, speedup) {
-            return Err(trainee::invalid(&refusal.text(), self.locale));
-        }
         let mission = mission.flown_for(wanted);
         let terms = AttemptTerms {
             drawn: None,
@@ -243,12 +239,15 @@ impl<'l> RunRequest<'_, 'l> {
                 mission_file: store::mission_file(&mission),
                 flown_by: self.flown_by,
                 has_own_airframes: !self.backend.airframes.is_empty(),
-                speedup,
+                speedup: options.speedup.least(),
                 has_crew: false,
             },
             day: day_of(SystemTime::now()),
             random: SysRng.try_next_u64().ok(),
         };
+        if let Some(refusal) = AttemptRefusal::of(wanted, &terms.means) {
+            return Err(trainee::invalid(&refusal.text(), self.locale));
+        }
         let attempt = terms.decide();
         if let Some(trainee) = self.trainee {
             if options.record.is_some() || options.attempt.is_some() {

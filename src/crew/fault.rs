@@ -9,6 +9,8 @@ use crate::vehicle_id::{VehicleId, ranges};
 pub enum CrewFault {
     /// No more members fit.
     Full,
+    /// The user has as many places as one may have.
+    ManyOfUser,
     /// The connection has a member already.
     JoinedTwice,
     /// Nobody of this name is on the crew.
@@ -36,6 +38,7 @@ impl CrewFault {
     pub fn text(&self) -> Text {
         match self {
             Self::Full => text!("crew-full"),
+            Self::ManyOfUser => text!("crew-full-user"),
             Self::JoinedTwice => text!("crew-joined-twice"),
             Self::Nobody(name) => text!("crew-nobody", name = name),
             Self::Oneself => text!("crew-oneself"),

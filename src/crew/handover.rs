@@ -235,6 +235,13 @@ impl Crew {
         over.into_iter().filter(|it| now >= it.ends_at).collect()
     }
 
+    /// Gives the proposals more time.
+    pub(super) fn postpone(&mut self, time: Duration) {
+        for proposal in &mut self.proposals {
+            proposal.ends_at += time;
+        }
+    }
+
     /// Who flies a vehicle.
     pub fn pilot<'a>(&'a self, vehicle: VehicleId, pilots: &'a PilotsInCommand) -> &'a Person {
         pilots.of(vehicle).unwrap_or(&self.host)

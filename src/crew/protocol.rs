@@ -127,6 +127,8 @@ pub enum HostMessage {
     Piece { part: RecordPart, data: PieceBytes },
     /// Everything up to this time of the record, in microseconds, has been sent.
     Now { us: u64 },
+    /// The record has ended, and all of it has been sent.
+    Ended,
     /// Who is on the crew.
     Roster(Vec<RosterLine>),
     /// Something for the member to read: a proposal, or what came of one.
@@ -158,6 +160,8 @@ pub enum CrewDenial {
     Version { host: u32 },
     /// The crew is full.
     Full,
+    /// The user has as many places as one may have.
+    FullForUser,
     /// Something else was said before the hello, or a second hello.
     NoHello,
 }

@@ -84,8 +84,36 @@ fn members_of_one_user_have_names_of_their_own() {
     }
     let names = flying.crew.members().map(|it| it.person.name().to_owned());
     let names: Vec<_> = names.collect();
-    assert_eq!(names, ["anna", "anna-2", "bohdan-2", "anna-3"]);
+    assert_eq!(names, ["anna", "anna#2", "bohdan#2", "anna#3"]);
     assert_eq!(flying.join(1, "petro", None), Err(CrewFault::JoinedTwice));
+}
+
+#[test]
+fn one_user_does_not_take_all_places() {
+    let mut flying = Flying::new(Vec::new());
+    for number in 0..4 {
+        flying.join(number, "anna", None).expect("there is room");
+    }
+    assert_eq!(flying.join(4, "anna", None), Err(CrewFault::ManyOfUser));
+    flying.join(4, "petro", None).expect("there is room");
+    // The host's own user does no harm to others.
+    for number in 5..10 {
+        flying.join(number, "bohdan", None).expect("there is room");
+    }
+}
+
+#[test]
+fn the_role_of_a_post_ends_with_its_mission() {
+    let mut flying = Flying::new(vec![post(Role::Safety, &[]), post(Role::Sensors, &[])]);
+    flying.join(1, "anna", None).expect("there is room");
+    let wanted = Some(Role::Sensors);
+    flying.join(2, "olena", wanted).expect("there is room");
+    flying.crew.begin(Vec::new(), &mut flying.pilots);
+    let roles: Vec<_> = flying.crew.members().map(|it| it.role).collect();
+    assert_eq!(roles, [Role::Pilot, Role::Sensors]);
+    let refusal = |by, duty| flying.pilots.refusal(1, Some(&Person::named(by)), duty);
+    assert!(refusal("anna", CrewDuty::Safety).is_some());
+    assert!(refusal("olena", CrewDuty::Sensors).is_none());
 }
 
 #[test]
@@ -208,6 +236,27 @@ fn who_says_nothing_for_ten_seconds_is_silent() {
 }
 
 #[test]
+fn while_the_host_is_stopped_nobody_is_silent_and_no_proposal_ends() {
+    let mut flying = Flying::new(Vec::new());
+    flying.join(1, "anna", None).expect("there is room");
+    flying.act("bohdan", &offer(1, "anna")).expect("proposed");
+    let s = Duration::from_secs;
+    for seconds in 0..5 {
+        flying.crew.look(NOW + s(seconds));
+    }
+    flying.now = NOW + s(4 + 300);
+    flying.crew.look(flying.now);
+    assert!(flying.crew.silent(flying.now).is_empty());
+    assert!(flying.crew.settle(&flying.pilots, flying.now).is_empty());
+    flying.act("anna", &CrewDeed::Accept).expect("accepted");
+    // Silence counts on from there.
+    for seconds in 1..=6 {
+        flying.crew.look(flying.now + s(seconds));
+    }
+    assert_eq!(flying.crew.silent(flying.now + s(6)), [ConnectionId(1)]);
+}
+
+#[test]
 fn each_role_has_its_verbs() {
     let open = |role: Role, name: &str| role.may_say(verb(name).expect("a verb"));
     for (name, [pilot, sensors, safety]) in [
@@ -266,7 +315,7 @@ enum Step {
 }
 
 fn deed() -> impl Strategy<Value = CrewDeed> {
-    let names = prop::sample::select(vec!["bohdan", "anna", "anna-2", "anna-3"]);
+    let names = prop::sample::select(vec!["bohdan", "anna", "anna#2", "anna#3"]);
     let vehicles = prop::collection::vec(0..6u16, 0..3);
     prop_oneof![
         (vehicles.clone(), names).prop_map(|(vehicles, to)| CrewDeed::Offer {
@@ -301,7 +350,7 @@ proptest! {
                 Step::Join(number, role) => drop(flying.join(number, "anna", role)),
                 Step::Leave(number) => drop(flying.leave(number)),
                 Step::Act(who, deed) => {
-                    let names = ["bohdan", "anna", "anna-2", "anna-3"];
+                    let names = ["bohdan", "anna", "anna#2", "anna#3"];
                     drop(flying.act(names[who], &deed));
                 }
                 Step::Begin(has_posts) => {

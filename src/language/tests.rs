@@ -287,6 +287,25 @@ fn targets_are_read_sorted_and_written_back_short() {
 }
 
 #[test]
+fn the_vehicles_of_a_line_can_be_written_as_numbers() {
+    let (groups, places) = (groups(), places());
+    let context = context(&groups, &places);
+    for (line, numbers) in [
+        ("@red takeoff 20", "1,3 takeoff 20"),
+        ("all land", "1-8 land"),
+        ("2 land", "2 land"),
+        ("land", "land"),
+    ] {
+        let statement = parse(line, &context).expect(line);
+        let written = statement.in_numbers(&context).expect(line);
+        assert_eq!(written.line, numbers);
+        assert_eq!(parse(numbers, &context), Ok(written), "{line}");
+    }
+    let empty = parse("@none land", &context).expect("a line");
+    assert!(empty.in_numbers(&context).is_err());
+}
+
+#[test]
 fn every_example_parses_to_its_own_verb() {
     let (groups, places) = (groups(), places());
     let anywhere = Context {

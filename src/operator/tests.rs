@@ -259,6 +259,17 @@ fn a_vehicle_that_somebody_else_flies_takes_no_part_and_says_who_flies_it() {
         (commanded, refused.as_str()),
         (vec![], "vehicle 1 is not taken over")
     );
+    // Nor does it for questions that change what the vehicle sends, and for reports of what it sees.
+    for line in ["2 interval GLOBAL_POSITION_INT 0", "2 mark"] {
+        let (commanded, refused) = carry_out(line, None);
+        assert_eq!(
+            (commanded, refused.as_str()),
+            (vec![], "petro flies 2"),
+            "{line}"
+        );
+    }
+    let (commanded, refused) = carry_out("2 request HOME_POSITION", None);
+    assert_eq!((commanded, refused.as_str()), (vec![2], ""));
     // Joint manoeuvres go on without it.
     let (_, refused) = carry_out("all formation line spacing 10", None);
     assert!(refused.starts_with("petro flies 2"), "{refused}");

@@ -37,6 +37,7 @@ impl Replay {
         self.stage.grow();
         self.player.go_to(to);
         let mut events = self.approach();
+        events.extend(self.stage.read_late());
         events.extend(self.news());
         events
     }

@@ -11,6 +11,9 @@ use crate::text::Text;
 
 /// The maximum number of bytes that are read of a file at once, so that a long recording does not hold the console.
 const READ_AT_ONCE: u64 = 4 * 1024 * 1024;
+/// The maximum length of a line, in bytes. A longer one is damage, and nothing after it is read: it comes from another
+/// console.
+const LONGEST_LINE: usize = 8 * 1024 * 1024;
 
 /// The journal and the run of a recording that grows.
 #[derive(Debug)]
@@ -62,6 +65,8 @@ struct GrowingLines {
     file: File,
     /// The bytes after the last line end.
     rest: Vec<u8>,
+    /// Whether a line was too long.
+    is_cut: bool,
 }
 
 impl GrowingLines {
@@ -70,23 +75,30 @@ impl GrowingLines {
         Ok(Self {
             file,
             rest: Vec::new(),
+            is_cut: false,
         })
     }
 
     /// The whole lines since the last call.
     fn take(&mut self) -> String {
+        if self.is_cut {
+            return String::new();
+        }
         let mut part = self.file.by_ref().take(READ_AT_ONCE);
         // What cannot be read now may be later.
         drop(part.read_to_end(&mut self.rest));
         let end = self.rest.iter().rposition(|byte| *byte == b'\n');
         let whole: Vec<u8> = self.rest.drain(..end.map_or(0, |at| at + 1)).collect();
+        if self.rest.len() > LONGEST_LINE {
+            (self.rest, self.is_cut) = (Vec::new(), true);
+        }
         String::from_utf8_lossy(&whole).into_owned()
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use std::io::Write as _;
+    use std::io::{Seek as _, SeekFrom, Write as _};
 
     use super::*;
 
@@ -102,5 +114,21 @@ mod tests {
             taken.push(lines.take());
         }
         assert_eq!(taken, ["a\n", "", "bc\nd\n", ""]);
+    }
+
+    #[test]
+    fn a_line_without_end_is_given_up() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("lines");
+        let mut file = File::create(&path).expect("created");
+        let mut lines = GrowingLines::open(&path).expect("it is there");
+        file.set_len(3 * READ_AT_ONCE).expect("it grows");
+        for _ in 0..3 {
+            assert_eq!(lines.take(), "");
+            assert!(lines.rest.len() <= LONGEST_LINE);
+        }
+        file.seek(SeekFrom::End(0)).expect("its end");
+        file.write_all(b"\nb\n").expect("written");
+        assert_eq!(lines.take(), "");
     }
 }

@@ -193,6 +193,12 @@ impl Stage {
         events
     }
 
+    /// The events of journal lines that were added after their time had been played: while the clock of a flight stands
+    /// still, its lines have the same time.
+    pub fn read_late(&mut self) -> Vec<Event> {
+        self.read_journal(self.cast.now)
+    }
+
     /// Passes all frames before a time to the vehicles.
     fn hear(&mut self, until: Duration) {
         loop {

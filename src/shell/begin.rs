@@ -8,7 +8,7 @@ use rand::rngs::SysRng;
 
 use super::Console;
 use super::career::today;
-use super::crew::CrewOptions;
+use super::crew::{CrewOptions, RecordPoint};
 use super::session::{RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
 use crate::app::event::{ClassEvent, Event, SessionEvent, Started};
@@ -19,6 +19,7 @@ use crate::class::Refusal;
 use crate::link::{Address, AddressError};
 use crate::mission::Mission;
 use crate::mission::record::Occasion;
+use crate::replay::FRAME;
 use crate::store;
 use crate::text;
 use crate::text::Text;
@@ -81,15 +82,14 @@ impl Console {
         wanted: Stake,
         seeds: SeedSources,
     ) -> Result<(), Text> {
-        let (flown_by, speedup) = (self.options.flown_by(), self.options.speedup);
-        if let Some(refusal) = AttemptRefusal::of(wanted, flown_by, speedup) {
-            return Err(refusal.text());
-        }
         let seeds = SeedSources {
             chosen: seeds.chosen.or(self.options.seed),
             ..seeds
         };
         let terms = self.terms(&mission, wanted, seeds);
+        if let Some(refusal) = AttemptRefusal::of(wanted, &terms.means) {
+            return Err(refusal.text());
+        }
         let reasons = terms.practice_reasons();
         let misfits = mission.misfits();
         let attempt = terms.decide();
@@ -197,6 +197,11 @@ impl Console {
         self.ghost = None;
         let record = self.running.as_mut().and_then(RunningSession::take_record);
         self.end_flight();
+        if let Some(end) = self.record_point() {
+            // The frame that has begun is complete too.
+            let at = end.at + FRAME;
+            self.record_before = Some(RecordPoint { at, ..end });
+        }
         if let Some(running) = self.running.take() {
             self.ending = running.ending();
             // Its files are complete only now.

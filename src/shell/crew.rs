@@ -25,6 +25,7 @@ use member_end::MemberEnd;
 mod host_end;
 mod member_end;
 mod tail;
+pub(super) use tail::RecordPoint;
 #[cfg(test)]
 mod tests;
 
@@ -151,7 +152,7 @@ impl Console {
             CrewEnd::None => {}
             CrewEnd::Host(end) => {
                 end.carry_out(work);
-                end.show(self.record_sight());
+                end.show(self.record_point(), self.record_before.clone());
             }
             CrewEnd::Member(end) => end.carry_out(work),
         }

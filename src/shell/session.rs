@@ -256,8 +256,7 @@ impl RunningSession {
         }
     }
 
-    /// The path of the recorded frames, and the time up to which the record is complete; `None` if the session is not
-    /// recorded.
+    /// The path of the recorded frames, and how far the record has got; `None` if the session is not recorded.
     pub fn record_sight(&self, now: Duration) -> Option<(std::path::PathBuf, Duration)> {
         self.recorder.as_ref()?.sight(now)
     }

@@ -67,6 +67,16 @@ impl RecordCopy {
         parts.map(|(part, file)| (*part, file.len())).collect()
     }
 
+    /// Ends the copy; an empty one is removed.
+    pub fn close(self) {
+        if self.parts.iter().all(|(_, file)| file.len() == 0) {
+            for (_, file) in &self.parts {
+                // What cannot be removed does no harm.
+                drop(std::fs::remove_file(file.path()));
+            }
+        }
+    }
+
     /// Appends bytes to a part.
     ///
     /// # Errors
@@ -115,5 +125,10 @@ mod tests {
         assert_eq!(std::fs::read(journal).expect("written"), b"one\ntwo\n");
         let held = first.held();
         assert!(held.contains(&(RecordPart::Journal, 8)), "{held:?}");
+        // Only an empty one is removed.
+        let (full, empty) = (first.frames(), second.frames());
+        first.close();
+        second.close();
+        assert!(full.exists() && !empty.exists());
     }
 }

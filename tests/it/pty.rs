@@ -329,7 +329,7 @@ fn a_crew_of_two_flies_one_swarm_and_hands_a_vehicle_over() {
     let name = named
         .split_whitespace()
         .filter(|word| word.starts_with(char::is_alphabetic))
-        .find_map(|word| word.strip_suffix(':').filter(|it| it.ends_with("-2")))
+        .find_map(|word| word.strip_suffix(':').filter(|it| it.ends_with("#2")))
         .expect("the name of the member")
         .to_owned();
     host.command(&format!("crew offer 2 to {name}"));
@@ -342,7 +342,7 @@ fn a_crew_of_two_flies_one_swarm_and_hands_a_vehicle_over() {
     host.see(&format!("{name}: 2 arm"));
     host.command("2 disarm").see(&format!("{name} flies 2"));
     member.command("1 arm").see("flies 1");
-    member.command(&format!("crew offer 2 to {}", name.trim_end_matches("-2")));
+    member.command(&format!("crew offer 2 to {}", name.trim_end_matches("#2")));
     host.see("crew accept").command("crew accept");
     member.see("you fly no vehicle");
     member.command("quit");

@@ -129,8 +129,12 @@ fn item_fields(state: &State) -> Vec<Named> {
 const DRAWN: &str = "drawn";
 
 /// The areas of the current draft by name: the one under the cursor as `drawn`, and each as
-/// `drawn-N` if there are several.
+/// `drawn-N` if there are several. At a member of a crew there are none: its lines are read again by the host, who has
+/// other drafts.
 fn drawn(state: &State) -> Vec<(String, Outline)> {
+    if state.crew.member().is_some() {
+        return Vec::new();
+    }
     let (areas, at) = state.rooms.plans.drawn();
     let own = areas.get(at).map(|area| (DRAWN.to_owned(), area.clone()));
     let numbered = areas.iter().enumerate().filter(|_| areas.len() > 1);

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::{Activity, State};
 use crate::crew::protocol::RosterLine;
-use crate::crew::{Crew, CrewViewpoint, Role};
+use crate::crew::{Crew, CrewViewpoint, Role, SILENT};
 use crate::mission::Stake;
 use crate::text;
 use crate::text::Text;
@@ -36,6 +36,8 @@ pub struct MemberPlace {
     pub(in crate::app) next: u32,
     /// When the member last said something, by the wall clock.
     pub(in crate::app) said_at: Duration,
+    /// When the host last said something, by the wall clock; it says something every 2 s.
+    pub(in crate::app) heard_at: Duration,
     /// Whether there is a connection.
     pub(in crate::app) is_connected: bool,
 }
@@ -69,6 +71,12 @@ impl MemberPlace {
             Some(viewpoint) => text!("crew-waiting-flight", host = viewpoint.host.name()),
             None => text!("crew-waiting", crew = self.crew.as_str()),
         }
+    }
+
+    /// For how long the host has said nothing, if that is too long: it has been stopped, or is busy.
+    pub fn host_silent_for(&self, wall: Duration) -> Option<Duration> {
+        let silent = wall.saturating_sub(self.heard_at);
+        (self.is_connected && silent >= SILENT).then_some(silent)
     }
 
     /// Whether there is a connection to the host.

@@ -12,7 +12,9 @@ use crate::class::{self, Words};
 use crate::commands::{Act, Command, Deed, Order, PlanCommand, PlanDeed};
 use crate::crew::protocol::Confirmed;
 use crate::diagnostic::Diagnostic;
-use crate::language::{self, ClassLine, ConsoleLine, Meaning, SeatChoice, Statement, words};
+use crate::language::{
+    self, ClassLine, ConsoleLine, Context, Meaning, SeatChoice, Statement, words,
+};
 use crate::ledger::EntryId;
 use crate::operator::{first_word, order_of};
 use crate::pilot_in_command::Person;
@@ -54,6 +56,7 @@ pub fn read_for(state: &State, line: &str, selection: &[VehicleId]) -> Result<Gi
             return Ok(Given::Own(own));
         }
         permit(state, line, &statement)?;
+        let statement = as_sent(state, line, statement, context)?;
         let order = order_of(statement, line, context, selection)?;
         check_file(&order, line)?;
         Ok(Given::Order(order))
@@ -107,8 +110,23 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
     state.with_context(|context| {
         let statement = language::parse(line, context)?;
         permit(state, line, &statement)?;
+        let statement = as_sent(state, line, statement, context)?;
         order_of(statement, line, context, &state.addressed())
     })
+}
+
+/// A statement as it is carried out. The host of a crew reads the lines of members again, and has other groups than they.
+fn as_sent(
+    state: &State,
+    line: &str,
+    statement: Statement,
+    context: &Context<'_>,
+) -> Result<Statement, Diagnostic> {
+    if state.crew.member().is_none() {
+        return Ok(statement);
+    }
+    let refused = |text: Text| Diagnostic::new(first_word(line), text);
+    statement.in_numbers(context).map_err(refused)
 }
 
 fn permit(state: &State, line: &str, statement: &Statement) -> Result<(), Diagnostic> {

@@ -1,7 +1,8 @@
 //! Why an attempt counts only as practice, and why it may not be flown at all.
 
+use super::AttemptMeans;
 use crate::campaign::{LockReason, PartState, Stake};
-use crate::scoring::{FlownBy, MissionFile};
+use crate::scoring::MissionFile;
 use crate::text;
 use crate::text::Text;
 use crate::workshop::Part;
@@ -81,6 +82,8 @@ impl PracticeReason {
 pub enum AttemptRefusal {
     /// Exams are flown by hand.
     ExamByScript,
+    /// Exams are flown alone.
+    ExamByCrew,
     /// Exams run in real time.
     ExamSpedUp,
     /// The layout of the day is flown by hand: a script would show it in advance.
@@ -88,10 +91,14 @@ pub enum AttemptRefusal {
 }
 
 impl AttemptRefusal {
-    /// The refusal of an attempt with this stake, source of commands and speed-up; `None` if the
-    /// attempt may be flown.
-    pub fn of(wanted: Stake, flown_by: FlownBy, speedup: f64) -> Option<Self> {
+    /// The refusal of an attempt with this stake under these circumstances; `None` if the attempt may be flown.
+    pub fn of(wanted: Stake, means: &AttemptMeans) -> Option<Self> {
+        let &AttemptMeans {
+            flown_by, speedup, ..
+        } = means;
         match wanted {
+            // Practice would show the layout of the exam.
+            Stake::Exam if means.has_crew => Some(Self::ExamByCrew),
             Stake::Exam if !flown_by.is_by_hand() => Some(Self::ExamByScript),
             Stake::Exam if speedup > 1.0 => Some(Self::ExamSpedUp),
             Stake::Daily if !flown_by.is_by_hand() => Some(Self::DailyByScript),
@@ -102,6 +109,7 @@ impl AttemptRefusal {
     pub fn text(self) -> Text {
         match self {
             Self::ExamByScript => text!("exam-by-hand"),
+            Self::ExamByCrew => text!("exam-alone"),
             Self::ExamSpedUp => text!("exam-real-time"),
             Self::DailyByScript => text!("daily-by-hand"),
         }

@@ -404,7 +404,7 @@ fn a_claim_holds_only_if_the_career_would_have_allowed_it() {
 
 #[test]
 fn exams_and_the_layout_of_the_day_are_flown_by_hand() {
-    use AttemptRefusal::{DailyByScript, ExamByScript, ExamSpedUp};
+    use AttemptRefusal::{DailyByScript, ExamByCrew, ExamByScript, ExamSpedUp};
     for (stake, flown_by, speedup, expected) in [
         (Stake::Exam, FlownBy::Hand, 1.0, None),
         (Stake::Exam, FlownBy::Hand, 2.0, Some(ExamSpedUp)),
@@ -419,9 +419,21 @@ fn exams_and_the_layout_of_the_day_are_flown_by_hand() {
         (Stake::Graded, FlownBy::Script, 2.0, None),
         (Stake::Practice, FlownBy::Script, 2.0, None),
     ] {
-        let refusal = AttemptRefusal::of(stake, flown_by, speedup);
+        let means = AttemptMeans {
+            flown_by,
+            speedup,
+            ..USUAL
+        };
+        let refusal = AttemptRefusal::of(stake, &means);
         assert_eq!(refusal, expected, "{stake:?} {flown_by:?} {speedup}");
     }
+    let crew = AttemptMeans {
+        has_crew: true,
+        ..USUAL
+    };
+    let refusal = |stake| AttemptRefusal::of(stake, &crew);
+    assert_eq!(refusal(Stake::Exam), Some(ExamByCrew));
+    assert_eq!(refusal(Stake::Graded), None);
 }
 
 #[test]

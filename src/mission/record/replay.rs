@@ -202,6 +202,7 @@ impl Stored {
             entries: BTreeMap::new(),
             now: None,
             lines: Arc::clone(&self.lines),
+            is_broken: false,
             next: 0,
             said: Vec::new(),
         })
@@ -242,7 +243,9 @@ pub struct Reenactment {
     /// The recorded ids of ledger entries, with their ids in this flight.
     entries: BTreeMap<u32, EntryId>,
     now: Option<Duration>,
-    lines: Arc<Vec<RecordLine>>,
+    pub(super) lines: Arc<Vec<RecordLine>>,
+    /// Whether a line that was added cannot be read.
+    is_broken: bool,
     next: usize,
     said: Vec<Notice>,
 }
@@ -266,14 +269,19 @@ impl Reenactment {
         std::mem::take(&mut self.said)
     }
 
-    /// Adds whole lines that the record has got since; one that cannot be read is left out, with all after it.
+    /// Adds whole lines that the record has got since; one that cannot be read is left out, with all that ever follow.
     pub fn grow(&mut self, lines: &str) {
-        let read = lines
-            .lines()
-            .map_while(|line| serde_json::from_str(line).ok());
-        let lines: Vec<RecordLine> = read.collect();
-        if !lines.is_empty() {
-            Arc::make_mut(&mut self.lines).extend(lines);
+        let mut read: Vec<RecordLine> = Vec::new();
+        for line in lines.lines() {
+            if self.is_broken {
+                break;
+            }
+            let line = serde_json::from_str(line);
+            self.is_broken = line.is_err();
+            read.extend(line.ok());
+        }
+        if !read.is_empty() {
+            Arc::make_mut(&mut self.lines).extend(read);
         }
     }
 

@@ -27,6 +27,26 @@ fn recorded() -> Pilot {
     pilot
 }
 
+#[test]
+fn nothing_is_added_to_a_record_after_a_line_that_cannot_be_read() {
+    let (_, text) = eventful();
+    let mut lines = text.split_inclusive('\n');
+    let head = lines.next().expect("the head");
+    let first = lines.next().expect("a line");
+    let grown = |parts: &[&str]| {
+        let mut flight = Stored::read(head)
+            .and_then(|it| it.reenact())
+            .expect("a head");
+        for part in parts {
+            flight.grow(part);
+        }
+        flight.lines.len()
+    };
+    assert_eq!(grown(&[first, first]), 2);
+    assert_eq!(grown(&[first, "damage\n", first]), 1);
+    assert_eq!(grown(&[&format!("damage\n{first}"), first]), 0);
+}
+
 /// Flies a few cells, with a refusal, a deed and an alert; gives up at the end.
 fn eventful() -> (Report, String) {
     let mut pilot = recorded();

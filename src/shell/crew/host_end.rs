@@ -1,17 +1,18 @@
 //! The connections of the host.
 
-use std::collections::{BTreeMap, VecDeque};
+use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::time::{Duration, Instant};
 
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
-use super::tail::{RecordSight, send_record};
+use super::tail::{RecordPoint, RecordSight, send_record};
 use crate::app::effect::CrewEffect;
 use crate::app::event::CrewEvent;
 use crate::carrier::{DeskArrival, DeskPort, Outbox};
 use crate::class::ConnectionId;
 use crate::crew::protocol::{HostMessage, MemberMessage};
+use crate::replay::FRAME;
 use crate::shell::Console;
 
 /// The maximum number of messages that wait for one member; one that does not read them is sent away.
@@ -20,13 +21,43 @@ const MOST_WAITING: usize = 256;
 const MOST_LINES: u32 = 50;
 const SECOND: Duration = Duration::from_secs(1);
 /// How long the members may take for the end of the record when the host closes.
-const LAST_PIECES: Duration = Duration::from_millis(300);
+const LAST_PIECES: Duration = Duration::from_secs(3);
+/// How long what has happened may still be in memory while others follow the record.
+const WRITTEN_AFTER: Duration = Duration::from_millis(250);
 
 /// The connections of the host.
 pub(in crate::shell) struct HostEnd {
     pub(super) port: DeskPort<MemberMessage>,
     open: BTreeMap<ConnectionId, MemberConnection>,
     sight: watch::Sender<RecordSight>,
+    written: Written,
+}
+
+/// How far the record had got at each of the last moments, to tell up to which time its files are complete.
+#[derive(Default)]
+struct Written {
+    /// Oldest first.
+    seen: VecDeque<(Instant, RecordPoint)>,
+}
+
+impl Written {
+    /// Takes in how far the record has got; returns how far it is complete.
+    fn up_to(&mut self, point: RecordPoint, now: Instant) -> RecordPoint {
+        self.seen.retain(|(_, it)| it.frames == point.frames);
+        self.seen.push_back((now, point.clone()));
+        let is_written = |at: &Instant| now.duration_since(*at) >= WRITTEN_AFTER;
+        while self.seen.get(1).is_some_and(|(at, _)| is_written(at)) {
+            self.seen.pop_front();
+        }
+        let oldest = self.seen.front().filter(|(at, _)| is_written(at));
+        let at = oldest.map_or(Duration::ZERO, |(_, it)| it.at);
+        // While time stands still, the frame that has begun is complete too.
+        let stands = !at.is_zero() && at == point.at;
+        RecordPoint {
+            at: if stands { at + FRAME } else { at },
+            ..point
+        }
+    }
 }
 
 /// A connection to a member.
@@ -88,24 +119,45 @@ impl HostEnd {
             port,
             open: BTreeMap::new(),
             sight: watch::Sender::default(),
+            written: Written::default(),
         }
     }
 
-    /// Ends all connections.
+    /// Ends all connections, after the members have got what is left of the record.
     pub(super) async fn close(mut self) {
-        if self.open.values().any(|it| it.tail.is_some()) {
-            tokio::time::sleep(LAST_PIECES).await;
-        }
         for connection in self.open.values_mut() {
             connection.send();
         }
+        // A member that does not read keeps the console only for a while.
+        drop(tokio::time::timeout(LAST_PIECES, self.send_rest()).await);
         self.open.clear();
         self.port.close().await;
     }
 
-    /// Shows the members how far the record has got.
-    pub(super) fn show(&mut self, sight: RecordSight) {
-        self.sight.send_replace(sight);
+    async fn send_rest(&mut self) {
+        // Without it, the tails end once they have sent everything.
+        drop(std::mem::take(&mut self.sight));
+        for connection in self.open.values_mut() {
+            if let Some(tail) = &mut connection.tail {
+                drop(tail.await);
+            }
+        }
+        // What waits to be written is written before a connection closes.
+        let mut closing: BTreeSet<_> = std::mem::take(&mut self.open).into_keys().collect();
+        while !closing.is_empty()
+            && let Some(arrival) = self.port.next().await
+        {
+            if let DeskArrival::Closed(connection) = arrival {
+                closing.remove(&connection);
+            }
+        }
+    }
+
+    /// Shows the members how far the record has got, and the one of the flight before.
+    pub(super) fn show(&mut self, point: Option<RecordPoint>, before: Option<RecordPoint>) {
+        let now = Instant::now();
+        let current = point.map(|point| self.written.up_to(point, now));
+        self.sight.send_replace(RecordSight { current, before });
         for connection in self.open.values_mut() {
             connection.send();
         }
@@ -201,15 +253,38 @@ impl Console {
         }
     }
 
-    /// The record of this flight, as far as members may see it.
-    pub(super) fn record_sight(&self) -> RecordSight {
+    /// How far the record of this flight has got, if members may see it.
+    pub(in crate::shell) fn record_point(&self) -> Option<RecordPoint> {
         let running = self.running.as_ref();
         // An exam is flown alone.
         let shown = running.filter(|_| !self.app.state().is_exam());
-        shown
-            .and_then(|running| running.record_sight(self.clock.now()))
-            .map_or_else(RecordSight::default, |(frames, complete_to)| {
-                RecordSight::new(frames, complete_to)
-            })
+        let (frames, at) = shown?.record_sight(self.clock.now())?;
+        Some(RecordPoint { frames, at })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_is_complete_a_moment_later_and_to_the_end_when_time_stands() {
+        let began = Instant::now();
+        let ms = Duration::from_millis;
+        let mut written = Written::default();
+        let mut up_to = |after: u64, name: &str, at: u64| {
+            let frames = name.into();
+            let point = RecordPoint { frames, at: ms(at) };
+            written.up_to(point, began + ms(after)).at
+        };
+        assert_eq!(up_to(0, "a", 1000), Duration::ZERO);
+        assert_eq!(up_to(100, "a", 1100), Duration::ZERO);
+        assert_eq!(up_to(260, "a", 1260), ms(1000));
+        assert_eq!(up_to(360, "a", 1360), ms(1100));
+        // A pause.
+        assert_eq!(up_to(500, "a", 1360), ms(1100));
+        assert_eq!(up_to(620, "a", 1360), ms(1360) + FRAME);
+        // The next record.
+        assert_eq!(up_to(640, "b", 10), Duration::ZERO);
     }
 }

@@ -15,6 +15,9 @@ use crate::store::{RecordCopy, RecordFiles};
 use crate::text;
 use crate::text::Text;
 
+/// The maximum number of records of one connection: a host that begins one after the other fills no disk with files.
+const MOST_RECORDS: u32 = 200;
+
 /// The connection of a member, and its copy of the host's record.
 pub(in crate::shell) struct MemberEnd {
     pub(super) port: SeatPort<HostMessage>,
@@ -23,6 +26,8 @@ pub(in crate::shell) struct MemberEnd {
     /// The program's data folder.
     data: PathBuf,
     copy: Option<RecordCopy>,
+    /// The number of records since the connection opened.
+    records: u32,
     /// Whether the copy is shown.
     is_shown: bool,
 }
@@ -35,6 +40,7 @@ impl MemberEnd {
             role,
             data,
             copy: None,
+            records: 0,
             is_shown: false,
         }
     }
@@ -69,7 +75,14 @@ impl MemberEnd {
         if self.copy.as_ref().is_some_and(|copy| *copy.name() == name) {
             return Ok(());
         }
-        (self.copy, self.is_shown) = (None, false);
+        self.is_shown = false;
+        if let Some(copy) = self.copy.take() {
+            copy.close();
+        }
+        self.records += 1;
+        if self.records > MOST_RECORDS {
+            return Err(text!("crew-many-records"));
+        }
         let copy = RecordCopy::create(&self.data, name).map_err(|error| Text::from(&error))?;
         self.copy = Some(copy);
         Ok(())
@@ -81,7 +94,8 @@ impl MemberEnd {
         };
         let written = copy.append(part, bytes);
         written.map_err(|error| {
-            self.copy = None;
+            // It is not played any further.
+            (self.copy, self.is_shown) = (None, false);
             Text::from(&error)
         })
     }
@@ -111,7 +125,7 @@ impl Console {
         match arrival {
             SeatArrival::Found { outbox, .. } => {
                 outbox.send(&end.hello());
-                end.outbox = Some(outbox);
+                (end.outbox, end.records) = (Some(outbox), 0);
             }
             SeatArrival::Line(Ok(message)) => self.hear_host(end, message).await,
             // The carrier ends the connection.
@@ -132,6 +146,11 @@ impl Console {
     }
 
     async fn hear_host(&mut self, end: &mut MemberEnd, message: HostMessage) {
+        if let HostMessage::Record(_) | HostMessage::Piece { .. } | HostMessage::Now { .. } =
+            message
+        {
+            self.feed(CrewEvent::Said(HostMessage::Here)).await;
+        }
         let taken = match message {
             HostMessage::Record(name) => end.begin(name),
             HostMessage::Piece { part, data } => end.append(part, &data.0),

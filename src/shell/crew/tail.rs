@@ -19,30 +19,33 @@ const HERE_EVERY: Duration = Duration::from_secs(2);
 /// The time between two readings of the record.
 const READ_EVERY: Duration = Duration::from_millis(50);
 
-/// How far the host's record has got.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
-pub(super) struct RecordSight {
-    /// The path of its frames; `None` without a flight.
-    frames: Option<PathBuf>,
-    /// The time up to which its files are complete.
-    complete_to: Duration,
+/// How far a record has got.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(in crate::shell) struct RecordPoint {
+    /// The path of its frames.
+    pub frames: PathBuf,
+    /// A time since its beginning.
+    pub at: Duration,
 }
 
-impl RecordSight {
-    pub fn new(frames: PathBuf, complete_to: Duration) -> Self {
-        Self {
-            frames: Some(frames),
-            complete_to,
-        }
-    }
-
+impl RecordPoint {
     fn name(&self) -> Option<RecordName> {
-        let stem = self.frames.as_ref()?.file_stem()?.to_str()?;
+        let stem = self.frames.file_stem()?.to_str()?;
         RecordName::try_from(stem.to_owned()).ok()
     }
 }
 
-/// Sends the record until the connection ends or the host closes. `has` is what the member has of it already.
+/// What the members may see of the host's records.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct RecordSight {
+    /// The record that is being written, up to the time up to which its files are complete; `None` without a flight.
+    pub current: Option<RecordPoint>,
+    /// The record of the flight before, with its end.
+    pub before: Option<RecordPoint>,
+}
+
+/// Sends the records until the connection ends; once the host closes, what is left of them. `has` is what the member has
+/// of the record already.
 pub(super) async fn send_record(
     outbox: Outbox,
     mut sight: watch::Receiver<RecordSight>,
@@ -56,12 +59,12 @@ pub(super) async fn send_record(
     };
     while !sending.outbox.is_closed() {
         let seen = sight.borrow_and_update().clone();
-        sending.follow(&seen).await;
+        let is_all = sending.follow(&seen).await;
         tokio::time::sleep(READ_EVERY).await;
         let changed = tokio::time::timeout(HERE_EVERY, sight.changed()).await;
         match changed {
-            Ok(Ok(())) => {}
-            Ok(Err(_)) => return,
+            Ok(Err(_)) if is_all => return,
+            Ok(Ok(()) | Err(_)) => {}
             Err(_) => sending.outbox.send(&HostMessage::Here),
         }
     }
@@ -77,25 +80,43 @@ struct Sending {
 }
 
 impl Sending {
-    /// Sends what the record has got since, as far as there is room, and then up to which time it is complete.
-    async fn follow(&mut self, seen: &RecordSight) {
-        let (Some(frames), Some(name)) = (&seen.frames, seen.name()) else {
-            // The flight is over; the rest of its record is not.
-            self.send_pieces().await;
-            return;
+    /// Sends what the records have got since, as far as there is room, and up to which time they are complete; returns
+    /// whether that was everything. A record that is not written any more is sent to its end before the next one begins.
+    async fn follow(&mut self, seen: &RecordSight) -> bool {
+        let current = seen.current.as_ref();
+        let shown = self.shown.as_ref().map(|(frames, _)| frames);
+        let is_over = shown.is_some_and(|shown| current.is_none_or(|it| it.frames != *shown));
+        if is_over && !self.finish(seen.before.as_ref()).await {
+            return false;
+        }
+        let Some((current, name)) = current.and_then(|it| Some((it, it.name()?))) else {
+            return true;
         };
-        if self.shown.as_ref().is_none_or(|(shown, _)| shown != frames) {
+        if self.shown.is_none() {
             if !self.outbox.offer(&HostMessage::Record(name.clone())) {
-                return;
+                return false;
             }
             let has = self.has.take().filter(|it| it.record == name);
             let has = has.map_or_else(Vec::new, |it| it.bytes);
-            let tail = RecordTail::new(frames, &has);
-            (self.shown, self.told) = (Some((frames.clone(), tail)), None);
+            let tail = RecordTail::new(&current.frames, &has);
+            (self.shown, self.told) = (Some((current.frames.clone(), tail)), None);
         }
-        if self.send_pieces().await {
-            self.tell_time(seen.complete_to);
+        self.send_pieces().await && self.tell_time(current.at)
+    }
+
+    /// Sends the rest of the shown record, and that it has ended; returns whether all of it was sent.
+    async fn finish(&mut self, ended: Option<&RecordPoint>) -> bool {
+        if !self.send_pieces().await {
+            return false;
         }
+        let shown = self.shown.as_ref().map(|(frames, _)| frames);
+        let end = ended.filter(|it| shown == Some(&it.frames)).map(|it| it.at);
+        let is_told = end.is_none_or(|end| self.tell_time(end));
+        if !is_told || !self.outbox.offer(&HostMessage::Ended) {
+            return false;
+        }
+        self.shown = None;
+        true
     }
 
     /// Sends pieces while there is room; returns whether everything so far was sent.
@@ -127,10 +148,12 @@ impl Sending {
         false
     }
 
-    fn tell_time(&mut self, complete_to: Duration) {
+    /// Tells up to which time the record is complete; returns whether there was room.
+    fn tell_time(&mut self, complete_to: Duration) -> bool {
         let us = u64::try_from(complete_to.as_micros()).unwrap_or(u64::MAX);
         if self.told != Some(us) && self.outbox.offer(&HostMessage::Now { us }) {
             self.told = Some(us);
         }
+        self.told == Some(us)
     }
 }

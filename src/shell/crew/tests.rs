@@ -1,5 +1,6 @@
 //! Host and members over real sockets, by the system's clock: threads write and read the record.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::Duration;
@@ -137,7 +138,7 @@ async fn member(folder: &Path, name: &str, role: Option<Role>) -> Aboard {
 
 /// The name of a member of the user who runs the tests.
 fn named(number: u32) -> String {
-    format!("{}-{number}", own_user_name())
+    format!("{}#{number}", own_user_name())
 }
 
 #[tokio::test]
@@ -206,6 +207,86 @@ async fn a_member_flies_a_vehicle_that_was_handed_over_and_both_see_who_commande
     })
     .await;
     assert_eq!(host.session().pilots().of(3), None);
+}
+
+/// The files in a folder and below, by name.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        let path = entry.expect("an entry").path();
+        if path.is_dir() {
+            found.extend(files(&path));
+        } else {
+            let name = path.file_name().expect("a name").to_string_lossy();
+            found.insert(name.into_owned(), std::fs::read(&path).expect("a file"));
+        }
+    }
+    found
+}
+
+/// The copies of a member that differ from the host's files.
+fn differing(folder: &Path, member: &str) -> Vec<String> {
+    let (own, theirs) = (
+        files(&folder.join("host")),
+        files(&folder.join(member).join("crew")),
+    );
+    let differs = theirs
+        .iter()
+        .filter(|(name, bytes)| own.get(*name) != Some(bytes));
+    differs.map(|(name, _)| name.clone()).collect()
+}
+
+#[tokio::test]
+async fn a_member_gets_every_flight_to_its_end() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut host = Box::pin(host(folder.path(), THREE)).await;
+    let mut anna = Box::pin(member(folder.path(), "anna", None)).await;
+    until(&mut [&mut host, &mut anna], |aboard| {
+        !aboard[1].is_waiting(3)
+    })
+    .await;
+    host.say("all arm").await;
+    Box::pin(host.console.start_again(true))
+        .await
+        .expect("it starts");
+    let copies = folder.path().join("anna/crew");
+    let first: Vec<_> = files(&copies).into_keys().collect();
+    until(&mut [&mut host, &mut anna], |aboard| {
+        files(&copies).len() == 6 && !aboard[1].is_waiting(3)
+    })
+    .await;
+    let differing_now = differing(folder.path(), "anna");
+    assert!(first.iter().all(|name| !differing_now.contains(name)));
+    host.say("all guided").await;
+    Box::pin(host.turn()).await;
+    // The host quits.
+    let Aboard {
+        mut console,
+        mut end,
+    } = host;
+    Box::pin(console.close()).await;
+    console.tell_crew(&mut end);
+    let turns = async {
+        while anna
+            .console
+            .app
+            .state()
+            .crew()
+            .member()
+            .is_some_and(MemberPlace::is_connected)
+        {
+            Box::pin(anna.turn()).await;
+        }
+    };
+    tokio::join!(end.close(), turns);
+    assert_eq!(differing(folder.path(), "anna"), [""; 0]);
+    until(&mut [&mut anna], |aboard| {
+        aboard[0].has_notice("has ended")
+            && aboard[0]
+                .last()
+                .is_some_and(|(entry, _)| entry.line == "all guided")
+    })
+    .await;
 }
 
 #[tokio::test]

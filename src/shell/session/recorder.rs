@@ -18,9 +18,6 @@ const LAST_INPUTS_WITHIN: Duration = Duration::from_millis(250);
 /// How long a mission is still recorded after its end, so that a replay shows the result.
 const AFTER_MISSION: Duration = Duration::from_secs(2);
 
-/// How long what has happened may still be in memory while others follow the record.
-const WRITTEN_AFTER: Duration = Duration::from_millis(250);
-
 /// How long after its end a record may still be in memory.
 const WRITTEN_WITHIN: Duration = Duration::from_secs(1);
 
@@ -157,12 +154,11 @@ impl FlightRecorder {
         }
     }
 
-    /// The path of the frames, and the time up to which the files are complete; `None` if nothing is recorded.
+    /// The path of the frames, and how far the record has got; `None` if nothing is recorded.
     pub fn sight(&self, now: Duration) -> Option<(PathBuf, Duration)> {
         let frames = self.frames()?.to_owned();
-        let written = now.saturating_sub(WRITTEN_AFTER);
         // Nothing is recorded after its end, when the vehicles would only seem to be silent.
-        let to = self.ends_at.map_or(written, |end| end.min(written));
+        let to = self.ends_at.map_or(now, |end| end.min(now));
         Some((frames, to.saturating_sub(self.began_at)))
     }
 

@@ -33,12 +33,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let pace = if let Some(view) = recorded(state) {
         replay::badge(view, panel.look)
     } else if let Some(place) = state.crew().member() {
-        let badge = if place.is_connected() {
-            "header-crew"
-        } else {
-            "header-crew-lost"
+        let badge = match place.host_silent_for(state.wall()) {
+            Some(silent) => text!("header-crew-silent", seconds = silent.as_secs()),
+            None if place.is_connected() => text!("header-crew"),
+            None => text!("header-crew-lost"),
         };
-        format!(" {} ", panel.say(badge))
+        format!(" {} ", panel.text(&badge))
     } else if session.is_paused() && state.class_role().is_frozen() {
         format!(" {} ", panel.say("header-frozen"))
     } else if session.is_paused() {

@@ -101,6 +101,7 @@ fn following(language: Language, role: Role) -> Console {
     }
     // The welcome on the last line has been read.
     console.at(20);
+    console.hear(CrewEvent::Said(HostMessage::Here));
     console
 }
 
@@ -111,6 +112,17 @@ fn a_member_sees_the_flight_and_who_flies_what() {
         "crew_member_uk",
         &following(Language::Ukrainian, Role::Pilot),
     );
+}
+
+#[test]
+fn a_member_sees_that_the_host_says_nothing() {
+    let mut console = following(Language::English, Role::Pilot);
+    console.at(29);
+    let header = |console: &Console| console.screen(80, 24).lines().next().map(str::to_owned);
+    assert!(!header(&console).is_some_and(|it| it.contains("NO WORD")));
+    console.at(31);
+    let shown = header(&console).unwrap_or_default();
+    assert!(shown.contains("CREW, NO WORD FOR 11 s"), "{shown}");
 }
 
 #[test]

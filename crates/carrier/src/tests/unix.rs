@@ -55,6 +55,47 @@ async fn a_folder_that_others_may_change_is_refused() {
     assert!(matches!(opened, Err(ClassFault::Folder(_))), "{opened:?}");
 }
 
+#[test]
+fn a_socket_of_the_own_user_may_be_in_a_folder_of_anybody() {
+    let own = nix::unistd::geteuid();
+    let folder = tempfile::tempdir().expect("a folder");
+    let folder = if own.is_root() {
+        std::os::unix::fs::chown(folder.path(), Some(65_534), None).expect("given away");
+        folder.path()
+    } else {
+        Path::new("/")
+    };
+    let place = HostPlace {
+        socket: folder.join("alpha"),
+        instructor: None,
+    };
+    place.check(own.as_raw()).expect("it is the own user's");
+    let stranger = place.check(4_000_000);
+    assert!(
+        matches!(stranger, Err(ClassFault::Stranger { .. })),
+        "{stranger:?}"
+    );
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_desk_that_sends_no_more_is_rid_of_who_does_not_read() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = place(folder.path());
+    let mut desk = unix::open::<SeatMessage>(&place).expect("it opens");
+    let _silent = tokio::net::UnixStream::connect(&place.socket).await;
+    let (connection, _, outbox) = opened(&mut desk).await;
+    for _ in 0..100 {
+        outbox.send(&"x".repeat(100_000));
+        tokio::task::yield_now().await;
+    }
+    drop(outbox);
+    let arrival = desk.next().await;
+    assert!(
+        matches!(arrival, Some(DeskArrival::Closed(closed)) if closed == connection),
+        "{arrival:?}"
+    );
+}
+
 #[tokio::test(start_paused = true)]
 async fn a_seat_does_not_speak_to_a_desk_of_somebody_else() {
     let folder = tempfile::tempdir().expect("a folder");

@@ -50,7 +50,7 @@ pub(super) fn heard(
         }
         (MemberMessage::Act { id, deed }, Some(member)) => {
             let done = act(state, &member.person, &deed);
-            answer(connection, id, done.map_err(|fault| fault.text()))
+            answer(connection, id, done)
         }
     }
 }
@@ -90,9 +90,13 @@ fn join(state: &mut State, connection: ConnectionId, user: &str, hello: CrewHell
         user,
         role: hello.role,
     };
-    let joined = crew.join(joining, pilots, wall);
-    let (Ok(change), Some(member)) = (joined, crew.member(connection)) else {
-        return deny(connection, CrewDenial::Full);
+    let change = match crew.join(joining, pilots, wall) {
+        Ok(change) => change,
+        Err(CrewFault::ManyOfUser) => return deny(connection, CrewDenial::FullForUser),
+        Err(_) => return deny(connection, CrewDenial::Full),
+    };
+    let Some(member) = crew.member(connection) else {
+        return Effects::none();
     };
     let welcome = HostMessage::Welcome {
         protocol: VERSION,
@@ -156,6 +160,15 @@ fn roster(crew: &Crew) -> Vec<RosterLine> {
     std::iter::once(host).chain(members).collect()
 }
 
+/// Why the crew can do nothing about the host's flight; `None` while it is flown.
+fn closed(state: &State) -> Option<Text> {
+    let session = &state.session;
+    if session.activity.is_none() || state.replay.is_some() || session.task.over {
+        return Some(text!("crew-not-flying"));
+    }
+    state.is_exam().then(|| text!("crew-exam"))
+}
+
 /// Carries out a member's command.
 ///
 /// # Errors
@@ -166,13 +179,10 @@ fn command(
     line: &SaidLine,
     confirmed: Confirmed,
 ) -> Result<Effects, Text> {
+    if let Some(why) = closed(state) {
+        return Err(why);
+    }
     let session = &state.session;
-    if session.activity.is_none() || state.replay.is_some() || session.task.over {
-        return Err(text!("crew-not-flying"));
-    }
-    if state.is_exam() {
-        return Err(text!("crew-exam"));
-    }
     if session.is_reading() {
         return Err(text!("crew-not-begun"));
     }
@@ -198,23 +208,26 @@ fn command(
 pub(super) fn act_here(state: &mut State, deed: &CrewDeed) -> Result<Effects, Text> {
     let host = state.crew.host().map(|crew| crew.host().clone());
     let host = host.ok_or_else(|| text!("crew-none"))?;
-    act(state, &host, deed).map_err(|fault| fault.text())
+    act(state, &host, deed)
 }
 
-fn act(state: &mut State, who: &Person, deed: &CrewDeed) -> Result<Effects, CrewFault> {
+fn act(state: &mut State, who: &Person, deed: &CrewDeed) -> Result<Effects, Text> {
+    if let Some(why) = closed(state) {
+        return Err(why);
+    }
     let wall = state.wall;
     let vehicles: Vec<_> = state.session.all().collect();
-    let is_open = !state.is_exam() && !state.session.task.over && state.replay.is_none();
     let pilots = &mut state.session.pilots;
-    let Some(crew) = state.crew.host_mut().filter(|_| is_open) else {
-        return Err(CrewFault::NoVehicle);
+    let Some(crew) = state.crew.host_mut() else {
+        return Err(text!("crew-none"));
     };
     let mut scene = CrewScene {
         vehicles: &vehicles,
         pilots,
         now: wall,
     };
-    let outcome = crew.act(who, deed, &mut scene)?;
+    let outcome = crew.act(who, deed, &mut scene);
+    let outcome = outcome.map_err(|fault| fault.text())?;
     Ok(match outcome {
         DeedOutcome::Changed(change) => changed(state, change),
         DeedOutcome::Proposed(proposal) => {
@@ -261,6 +274,7 @@ pub(super) fn tick(state: &mut State) -> Effects {
     let Some(crew) = state.crew.host_mut() else {
         return Effects::none();
     };
+    crew.look(wall);
     let silent = crew.silent(wall);
     let ended = crew.settle(pilots, wall);
     let mut effects = Effects::none();

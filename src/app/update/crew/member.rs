@@ -6,6 +6,7 @@ use super::super::relay;
 use super::tell;
 use crate::app::State;
 use crate::app::effect::{CrewEffect, Effect, Effects};
+use crate::app::state::MemberPlace;
 use crate::crew::protocol::{CrewDenial, HostMessage, MemberMessage};
 use crate::crew::{CrewDeed, CrewViewpoint};
 use crate::pilot_in_command::Person;
@@ -18,6 +19,10 @@ const HERE_EVERY: Duration = Duration::from_secs(2);
 
 /// Takes in what the host has said.
 pub(super) fn said(state: &mut State, message: HostMessage) {
+    let wall = state.wall;
+    if let Some(place) = state.crew.member_mut() {
+        place.heard_at = wall;
+    }
     match message {
         HostMessage::Welcome {
             crew,
@@ -54,6 +59,13 @@ pub(super) fn said(state: &mut State, message: HostMessage) {
         }
         HostMessage::Notice(text) => tell(state, Severity::Notice, text.text()),
         HostMessage::Answer { id, fault } => answered(state, id, fault.map(|it| it.text())),
+        HostMessage::Ended => {
+            let host = state.crew.member().and_then(MemberPlace::viewpoint);
+            if let Some(host) = host.map(|it| it.host.clone()) {
+                let text = text!("crew-flight-ended", host = host.name());
+                tell(state, Severity::Notice, text);
+            }
+        }
         // The shell takes in the record.
         HostMessage::Record(_)
         | HostMessage::Piece { .. }
@@ -66,6 +78,7 @@ fn denial_text(denial: &CrewDenial) -> Text {
     match denial {
         CrewDenial::Version { host } => text!("crew-denied-version", host = *host),
         CrewDenial::Full => text!("crew-full"),
+        CrewDenial::FullForUser => text!("crew-full-user"),
         CrewDenial::NoHello => text!("crew-denied-hello"),
     }
 }
