@@ -14,8 +14,7 @@ crew-list-vehicles = { $name }: { $role }, { $vehicles }
 
 # On screen
 header-crew = CREW
-header-crew-flight-ended = the flight of { $host } has ended
-crew-lost = CREW, NO LINK
+header-crew-lost = CREW, NO LINK
 header-crew-silent = CREW, NO WORD FOR { $seconds } s
 header-own = you fly { $vehicles }
 header-own-none = you fly no vehicle
@@ -33,6 +32,7 @@ crew-unanswered = no answer from { $who } within a minute: { $vehicles }
 crew-welcome = crew { $crew } of { $host }: you are { $name }, { $role }
 crew-waiting = waiting for the crew { $crew }
 crew-waiting-flight = waiting for the flight of { $host }
+crew-flight-ended = the flight of { $host } has ended
 crew-lost = the connection to the host is lost; the console tries again
 crew-refused = { $line }: { $reason }
 crew-copy = your record of the flight: { $file }

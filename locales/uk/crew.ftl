@@ -14,8 +14,7 @@ crew-list-vehicles = { $name }: { $role }, { $vehicles }
 
 # На екрані
 header-crew = ЕКІПАЖ
-header-crew-flight-ended = політ, який проводить { $host }, завершено
-crew-lost = ЕКІПАЖ, БЕЗ ЗВ’ЯЗКУ
+header-crew-lost = ЕКІПАЖ, БЕЗ ЗВ’ЯЗКУ
 header-crew-silent = ЕКІПАЖ, { $seconds } с БЕЗ ВІДПОВІДІ
 header-own = ви керуєте { $vehicles }
 header-own-none = ви не керуєте апаратами
@@ -33,6 +32,7 @@ crew-unanswered = { $who } не відповідає протягом хвили
 crew-welcome = екіпаж { $crew }, господар польоту { $host }: ви { $name }, { $role }
 crew-waiting = очікування екіпажу { $crew }
 crew-waiting-flight = очікування польоту, який проводить { $host }
+crew-flight-ended = політ, який проводить { $host }, завершено
 crew-lost = зв’язок із господарем польоту втрачено; консоль пробує ще раз
 crew-refused = { $line }: { $reason }
 crew-copy = ваш запис польоту: { $file }
