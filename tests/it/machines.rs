@@ -267,7 +267,10 @@ fn flights_on_several_machines_go_on_without_network_and_without_desk() {
     first.see("FROZEN");
     second.see("FROZEN");
     lab.check_sockets();
-    // It asks, as flights are frozen.
+    // It asks, once it knows that flights are frozen.
+    desk.wait("two frozen flights", |screen| {
+        screen.matches(" frozen").count() == 2
+    });
     desk.press("q").see("QUIT").press("y");
     assert_eq!(desk.end(), 0);
 }
