@@ -43,19 +43,19 @@ const STALLED: Duration = Duration::from_secs(2);
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Role {
-    /// Flies own vehicles.
+    /// Flies the vehicles that are the member's own.
     #[default]
     Pilot,
     /// Reports, and operates the payloads of every vehicle.
     Sensors,
     /// May make every vehicle safe.
     Safety,
-    /// Only looks on.
+    /// Only looks on, and gives no commands.
     Observer,
 }
 
 impl Role {
-    /// All roles.
+    /// All roles, in the order in which they are listed.
     pub const ALL: [Self; 4] = [Self::Pilot, Self::Sensors, Self::Safety, Self::Observer];
 
     /// The name in files and on the command line.
@@ -156,7 +156,7 @@ impl Crew {
         }
     }
 
-    /// Its name.
+    /// The name of the crew.
     pub fn name(&self) -> &str {
         &self.name
     }

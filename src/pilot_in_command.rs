@@ -14,7 +14,7 @@ use crate::text::Text;
 use crate::vehicle_id::VehicleId;
 use crate::verb::CrewDuty;
 
-/// A person other than the user of this console: an instructor, or somebody on the crew.
+/// A person other than the user of this console: an instructor, or a person on the crew.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(from = "WrittenPerson", into = "WrittenPerson")]
 pub struct Person {
@@ -54,7 +54,7 @@ impl From<Person> for WrittenPerson {
 }
 
 impl Person {
-    /// Somebody on the crew.
+    /// A person on the crew, whose commands are judged.
     pub fn named(name: impl Into<String>) -> Self {
         Self {
             name: name.into(),

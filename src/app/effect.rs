@@ -198,7 +198,7 @@ pub enum CrewEffect {
         welcome: HostMessage,
         has: Option<HeldRecord>,
     },
-    /// At the host: tell somebody why joining is not possible, and end the connection.
+    /// At the host: send the reason why a user cannot join, and end the connection.
     Deny {
         connection: ConnectionId,
         denial: CrewDenial,

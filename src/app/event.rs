@@ -362,7 +362,7 @@ pub enum ExamEvent {
 /// What happens between the host of a crew and its members.
 #[derive(Debug, Clone)]
 pub enum CrewEvent {
-    /// At the host: a member, or somebody who wants to join, has said something.
+    /// At the host: a line of a member, or of a user who asks to join.
     Heard {
         connection: ConnectionId,
         /// The user at the other end, from the system.

@@ -14,7 +14,7 @@ use crate::vehicle_id::{VehicleId, VehicleIds, ranges};
 pub enum CrewChange {
     /// A flight began with a crew that was there already.
     Began,
-    /// Somebody has joined.
+    /// A member has joined, with this role.
     Joined { who: Person, role: Role },
     /// Somebody has left, or is not heard any more; the vehicles went back to the host.
     Left {

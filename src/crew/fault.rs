@@ -19,7 +19,7 @@ pub enum CrewFault {
     Oneself,
     /// This person's role does not fly vehicles.
     NoPilot(String),
-    /// These vehicles are flown by somebody else.
+    /// These vehicles have another pilot.
     NotYours(Vec<VehicleId>),
     /// These vehicles are flown by the one who asks already.
     YoursAlready(Vec<VehicleId>),

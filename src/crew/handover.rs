@@ -15,16 +15,16 @@ const WAITS: Duration = Duration::from_secs(60);
 /// The maximum number of proposals that wait.
 const MOST_PROPOSALS: usize = 32;
 
-/// What somebody on a crew does about the pilots of vehicles.
+/// What the host or a member does about the pilots of vehicles.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum CrewDeed {
-    /// Offer own vehicles to somebody.
+    /// Offer own vehicles to the host or to another pilot.
     Offer {
         vehicles: Vec<VehicleId>,
         to: String,
     },
-    /// Ask for the vehicles of somebody.
+    /// Ask the pilot of vehicles for them.
     Ask { vehicles: Vec<VehicleId> },
     /// Accept the newest proposal.
     Accept,
@@ -88,7 +88,7 @@ pub enum DeedOutcome {
 }
 
 impl Crew {
-    /// Carries out what somebody on the crew wants. `all` are the vehicles of the session.
+    /// Carries out what the host or a member wants. `all` are the vehicles of the session.
     ///
     /// # Errors
     /// It is not possible.
@@ -274,7 +274,7 @@ pub struct CrewScene<'a> {
     /// The vehicles of the session.
     pub vehicles: &'a [VehicleId],
     pub pilots: &'a mut PilotsInCommand,
-    /// The wall clock.
+    /// The time now, by the wall clock.
     pub now: Duration,
 }
 

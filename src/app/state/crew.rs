@@ -18,7 +18,7 @@ pub enum CrewPart {
     None,
     /// The console that flies the session.
     Host(Box<Crew>),
-    /// A member's console.
+    /// The console of a member, which follows the host's flight.
     Member(Box<MemberPlace>),
 }
 

@@ -39,7 +39,7 @@ pub fn happened(state: &mut State, event: CrewEvent) -> Effects {
     Effects::none()
 }
 
-/// What time brings: members that are silent, and proposals that nobody answers.
+/// Ends what has timed out: the membership of silent members, and proposals without an answer.
 pub fn tick(state: &mut State) -> Effects {
     match &state.crew {
         CrewPart::None => Effects::none(),

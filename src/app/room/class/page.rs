@@ -47,7 +47,7 @@ pub enum BesideScreen {
     Injects,
 }
 
-/// The page with the screen of one seat, and what stands beside it.
+/// The page with the screen of one seat, and the state of its flight beside it.
 #[derive(Debug, Clone)]
 pub struct ScreenPage {
     seat: usize,

@@ -45,7 +45,8 @@ pub(super) fn end(state: &mut State, id: OrderId, deed: Deed, ended: impl Into<E
     Effects::from(Effect::Class(ClassEffect::Note(line)))
 }
 
-/// Whether the trainee is told: what failed concerns the desk only, and commands of the instructor are in the ledger.
+/// Whether the trainee gets a notice of an order: not of one that failed, which concerns the desk only, nor of a
+/// command of the instructor, which is in the ledger.
 fn concerns_trainee(line: &DeskRecord) -> bool {
     // The trainee has just read a message.
     let is_known = matches!(line.deed, Deed::Message { .. } | Deed::Command { .. });
