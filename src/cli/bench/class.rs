@@ -1,8 +1,8 @@
 //! `sortie bench class`: an instructor's desk and its seats, as processes on this machine.
 //!
-//! The desk runs in a terminal, and the seats are plain consoles whose vehicles fly. Everything is seen from outside:
-//! an order from the key that gives it to the line that the seat prints, and the age of the board from a trainee's
-//! command to its text on the desk's screen.
+//! The desk runs in a terminal, and the seats are plain consoles whose vehicles fly, or only say what such consoles
+//! would say. Everything is seen from outside: an order from the key that gives it to the line that the seat shows, and
+//! the age of the board from a trainee's command to its text on the desk's screen.
 
 use std::ffi::OsString;
 use std::net::{TcpListener, TcpStream};
@@ -18,10 +18,12 @@ use super::super::Failure;
 use super::super::seat::refused;
 use super::cost::{self, Machine};
 use super::terminal::{Terminal, own_program};
-use crate::carrier::{NewClass, make_class};
+use crate::carrier::{ClassPlace, NewClass, make_class};
 use seats::Seats;
+use simulated::SimulatedSeats;
 
 mod seats;
+mod simulated;
 
 /// The longest wait for the desk to open, and for all seats to join.
 const STARTING: Duration = Duration::from_secs(120);
@@ -40,6 +42,7 @@ const HEADINGS: [&str; 3] = ["123", "231", "312"];
 #[command(after_help = "Examples:\n  \
     sortie bench class\n  \
     sortie bench class --network                      over Zenoh, as on several machines\n  \
+    sortie bench class --seats 300 --simulated        the desk alone, with seats that only report\n  \
     sortie bench class --seats 4 --vehicles 1 --seconds 10 --json")]
 pub(in crate::cli) struct BenchClassArguments {
     /// Start this many seats.
@@ -54,6 +57,9 @@ pub(in crate::cli) struct BenchClassArguments {
     /// Connect the seats as on several machines, through a port of this host.
     #[arg(long)]
     network: bool,
+    /// Simulate the seats: they report and answer orders, but have no consoles and no vehicles.
+    #[arg(long)]
+    simulated: bool,
     /// Print one JSON document instead of the table.
     #[arg(long)]
     json: bool,
@@ -75,12 +81,17 @@ struct ClassCost {
     /// `unix` or `zenoh`.
     carrier: &'static str,
     seats: u16,
+    /// Whether the seats have neither consoles nor vehicles.
+    simulated: bool,
     vehicles: u8,
     window_s: f64,
     desk_core_percent: f64,
     desk_memory_mb: f64,
     /// The share of the whole machine that was busy: figures of a busy machine say little.
     machine_busy_percent: Option<f64>,
+    /// The bytes per second between the desk and all seats, in both directions; `None` where they cannot be seen, which
+    /// is between consoles and a desk on one host. Over a network they include what the network's protocols add.
+    traffic_bytes_per_s: Option<f64>,
     order: Delays,
     board: Delays,
 }
@@ -137,8 +148,13 @@ fn print(cost: &ClassCost) -> Result<(), Failure> {
         ..
     } = cost;
     say!(
-        "{seats} seats with {vehicles} flying vehicles each, over {:.0} s, carrier {carrier}",
-        cost.window_s
+        "{seats} {kind} with {vehicles} flying vehicles each, over {:.0} s, carrier {carrier}",
+        cost.window_s,
+        kind = if cost.simulated {
+            "simulated seats"
+        } else {
+            "seats"
+        },
     )?;
     say!(
         "desk: {:.1} % of a core, {:.0} MB",
@@ -147,6 +163,14 @@ fn print(cost: &ClassCost) -> Result<(), Failure> {
     )?;
     if let Some(busy) = cost.machine_busy_percent {
         say!("all processors of the machine: {busy:.0} % busy")?;
+    }
+    if let Some(bytes) = cost.traffic_bytes_per_s {
+        let of_one = bytes / f64::from(*seats);
+        say!(
+            "traffic: {:.1} kB/s, {:.2} kB/s per seat",
+            bytes / 1e3,
+            of_one / 1e3
+        )?;
     }
     say!("delay, ms                  count   lost   median     99 %     most")?;
     for (name, delays) in [
@@ -178,13 +202,15 @@ fn measure(options: &BenchClassArguments, folder: &Path) -> Result<ClassCost, Fa
     };
     let mut room = ClassRoom::open(options, folder, &way)?;
     room.gather()?;
-    for (line, seconds) in FLIGHT {
-        room.seats.give_all(line)?;
-        room.pass(Duration::from_secs(seconds));
+    if !options.simulated {
+        for (line, seconds) in FLIGHT {
+            room.seats.give_all(line)?;
+            room.pass(Duration::from_secs(seconds));
+        }
     }
     let desk = room.desk.process();
     let (begun, spent) = (Instant::now(), cost::of_process(desk)?);
-    let machine = Machine::now();
+    let (machine, bytes) = (Machine::now(), room.bytes(options.network));
     let (mut orders, mut board) = (Vec::new(), Vec::new());
     let rounds = usize::from(options.seconds).div_ceil(ROUND.as_secs() as usize);
     for round in 0..rounds {
@@ -193,14 +219,17 @@ fn measure(options: &BenchClassArguments, folder: &Path) -> Result<ClassCost, Fa
     let window = begun.elapsed();
     let spent = cost::of_process(desk)?.saturating_sub(spent);
     let busy = machine.and_then(|before| Some(Machine::now()?.busy_percent_since(before)));
+    let bytes = bytes.and_then(|before| room.bytes(options.network)?.checked_sub(before));
     Ok(ClassCost {
         carrier: if options.network { "zenoh" } else { "unix" },
         seats: options.seats,
+        simulated: options.simulated,
         vehicles: options.vehicles,
         window_s: window.as_secs_f64(),
         desk_core_percent: spent.as_secs_f64() / window.as_secs_f64() * 100.0,
         desk_memory_mb: cost::most_memory_of(desk)? as f64 / 1e6,
         machine_busy_percent: busy,
+        traffic_bytes_per_s: bytes.map(|bytes| bytes as f64 / window.as_secs_f64()),
         order: Delays::of(orders, rounds * usize::from(options.seats)),
         board: Delays::of(board, rounds),
     })
@@ -238,6 +267,15 @@ impl Way {
 struct ClassRoom {
     desk: Terminal,
     seats: Seats,
+    /// What the seats run on, if they are simulated.
+    simulated: Option<SimulatedSeats>,
+}
+
+/// A command for one seat.
+struct Probe {
+    line: String,
+    /// Its part that is looked for on the board.
+    sought: String,
 }
 
 impl ClassRoom {
@@ -252,16 +290,53 @@ impl ClassRoom {
             anyhow::ensure!(begun.elapsed() < STARTING, "the desk does not open");
             desk.next(GLANCE);
         }
-        let seat = |(number, class)| {
-            let mut seat = own_program(&folder.join(format!("seat{number}")))?;
-            seat.args(["fly", "--plain", "--no-record", "--vehicles"]);
-            seat.arg(options.vehicles.to_string());
-            seat.arg("--class").arg::<&OsString>(class);
-            Ok(seat)
-        };
-        let seats =
-            Seats::start((0..).zip(&way.seats).map(seat)).context("a seat does not start")?;
-        Ok(Self { desk, seats })
+        let simulated = options
+            .simulated
+            .then(|| SimulatedSeats::start(options.vehicles))
+            .transpose()?;
+        let seats = Seats::start(way.seats.len(), |seat, output| {
+            let class = &way.seats[seat];
+            if let Some(simulated) = &simulated {
+                let place = ClassPlace::named(&class.to_string_lossy(), None)?;
+                return Ok(simulated.seat(place, seat, output));
+            }
+            let mut console = own_program(&folder.join(format!("seat{seat}")))?;
+            console.args(["fly", "--plain", "--no-record", "--vehicles"]);
+            console.arg(options.vehicles.to_string());
+            console.arg("--class").arg(class);
+            Ok(seats::console(console, seat, output)?)
+        });
+        Ok(Self {
+            desk,
+            seats: seats.context("a seat does not start")?,
+            simulated,
+        })
+    }
+
+    /// The bytes that the desk and the seats have exchanged so far, if they can be seen.
+    fn bytes(&self, network: bool) -> Option<u64> {
+        if network {
+            return cost::loopback_bytes();
+        }
+        self.simulated.as_ref().map(SimulatedSeats::bytes)
+    }
+
+    /// The command of a round.
+    fn probe(&self, round: usize) -> Probe {
+        if self.simulated.is_some() {
+            // One letter, so that no part of it stands on the screen already.
+            let letter = char::from(b'a' + (round % 26) as u8);
+            let line: String = std::iter::repeat_n(letter, 6).collect();
+            return Probe {
+                sought: line.clone(),
+                line,
+            };
+        }
+        let heading = HEADINGS[round / self.seats.count() % HEADINGS.len()];
+        Probe {
+            line: format!("all yaw {heading}"),
+            sought: heading.to_owned(),
+        }
     }
 
     /// Waits until all seats have joined: until each has shown a message.
@@ -298,7 +373,7 @@ impl ClassRoom {
         let ordered = Instant::now();
         self.say_to_all(&text)?;
         let count = self.seats.count();
-        let heading = HEADINGS[number / count % HEADINGS.len()];
+        let probe = self.probe(number);
         // The delay varies, so that commands do not fall into step with the seat's reports.
         let command_at = ordered + Duration::from_millis((number as u64 * 137) % 500);
         let (mut commanded, mut shown, mut is_seen) = (None, Vec::new(), false);
@@ -306,8 +381,7 @@ impl ClassRoom {
         while ordered.elapsed() < ROUND {
             if commanded.is_none() && Instant::now() >= command_at {
                 commanded = Some(Instant::now());
-                let line = format!("all yaw {heading}");
-                self.seats.give(number % count, &line)?;
+                self.seats.give(number % count, &probe.line)?;
             }
             for line in self.seats.lines() {
                 if line.text.contains(&text) && !std::mem::replace(&mut heard[line.seat], true) {
@@ -319,8 +393,8 @@ impl ClassRoom {
                 continue;
             };
             shown.extend_from_slice(&output.bytes);
-            let mut places = shown.windows(heading.len());
-            is_seen = places.any(|place| place == heading.as_bytes());
+            let mut places = shown.windows(probe.sought.len());
+            is_seen = places.any(|place| place == probe.sought.as_bytes());
             if is_seen {
                 board.push(output.at.saturating_duration_since(begun));
             }

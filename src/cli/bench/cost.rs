@@ -77,6 +77,17 @@ pub(in crate::cli::bench) fn most_memory_of(pid: u32) -> io::Result<u64> {
         .ok_or_else(|| io::Error::other("this system does not report the memory of a process"))
 }
 
+/// The bytes that have passed the loopback interface of this machine.
+pub(in crate::cli::bench) fn loopback_bytes() -> Option<u64> {
+    received_bytes(&fs::read_to_string("/proc/net/dev").ok()?, "lo:")
+}
+
+fn received_bytes(devices: &str, name: &str) -> Option<u64> {
+    let mut lines = devices.lines().map(str::trim_start);
+    let line = lines.find_map(|line| line.strip_prefix(name))?;
+    line.split_whitespace().next()?.parse().ok()
+}
+
 /// The number of processors.
 pub(in crate::cli::bench) fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
@@ -136,6 +147,13 @@ impl Machine {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_bytes_of_a_device_are_its_first_number() {
+        let devices = " face |bytes    packets errs\n    lo:   53729      39    0\n  eth0: 7 1 0\n";
+        assert_eq!(received_bytes(devices, "lo:"), Some(53729));
+        assert_eq!(received_bytes(devices, "wlan0:"), None);
+    }
 
     #[test]
     fn what_the_processors_did_is_read_as_linux_tells_it() {

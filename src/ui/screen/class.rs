@@ -79,7 +79,10 @@ fn draw_board(state: &State, desk: &Desk, panel: Panel<'_>, buffer: &mut Buffer)
     let room = state.rooms().class();
     let board = desk.board();
     let most = panel.area.height.saturating_sub(DETAIL);
-    let rows = (board.len().max(1) as u16 + 2).min(most);
+    let rows = match board.len() {
+        0 => panel.area.height,
+        seats => (seats as u16 + 2).min(most),
+    };
     board::draw(state, desk, &board, panel.upper(rows), buffer);
     let Some(seat) = room.cursor().and_then(|seat| desk.seats().get(seat)) else {
         return;

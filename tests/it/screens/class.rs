@@ -187,3 +187,16 @@ fn without_a_desk_the_room_says_how_to_join() {
     let screen = console.screen(80, 24);
     assert!(screen.contains("`--class` and the name"), "{screen}");
 }
+
+#[test]
+fn an_empty_board_says_whole_how_trainees_join() {
+    for (width, height) in [(80, 24), (120, 40)] {
+        let screen = desk(Language::English).screen(width, height);
+        let words: Vec<&str> = screen.split_whitespace().collect();
+        let text = words.join(" ");
+        assert!(
+            text.contains("with `sortie join` and their join lines."),
+            "{screen}"
+        );
+    }
+}
