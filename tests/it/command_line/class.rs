@@ -209,3 +209,30 @@ fn the_rubrics_are_listed_and_checked() {
         "{said}"
     );
 }
+
+#[test]
+fn a_class_of_simulated_seats_is_measured() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let bench = [
+        "bench",
+        "class",
+        "--simulated",
+        "--seats",
+        "2",
+        "--seconds",
+        "4",
+        "--json",
+    ];
+    let output = sortie_in(folder.path(), &bench);
+    let said = text(&output.stderr);
+    let cost: serde_json::Value =
+        serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("no document: {said}"));
+    assert_eq!(cost["carrier"], "unix");
+    // Two rounds, each with an order to two seats and one command; a busy machine may be late with them.
+    for (delays, expected) in [("order", 4), ("board", 2)] {
+        let part = |name: &str| cost[delays][name].as_u64();
+        let all = part("count").zip(part("lost")).map(|(a, b)| a + b);
+        assert_eq!(all, Some(expected), "{cost}");
+    }
+    assert!(cost["traffic_bytes_per_s"].as_f64() > Some(0.0), "{cost}");
+}
