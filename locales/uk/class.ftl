@@ -283,6 +283,7 @@ instructor-flies = { $by }: керування { $vehicles } з { $from } до �
 instructor-recalled = { $by }: повернення до ситуації «{ $situation }» о { $at }
 class-report-instructed = Польоти за участю інструктора
 class-report-instructor = інструктор
+instructor-continued = { $by }: повернення до ситуації «{ $situation }», політ продовжено з { $from }
 
 # Сторінка результатів
 class-results-title = клас { $class }, { $number } з { $count }: { $page }
