@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use sortie::app::effect::{ClassEffect, Effect};
 use sortie::app::event::{ClassEvent, Event};
-use sortie::app::state::{ClassRole, Room};
+use sortie::app::state::{ClassRole, Overlay, Room};
 use sortie::class::protocol::{Hello, SeatMessage, VERSION};
 use sortie::class::{
     ConnectionId, Deed, Desk, Entry, FlightReport, Happening, JournalBatch, LastCommand, OrderId,
@@ -144,6 +144,109 @@ fn a_line_names_a_seat_or_all_of_them() {
         assert!(screen.contains("nobody"), "{screen}");
         assert_eq!(deeds(&console).len(), 5, "{line}");
     }
+}
+
+/// `class capture NAME @all` once made `@all` a part of the name, and captured only the flight under the cursor.
+#[test]
+fn a_seat_may_be_the_last_word_of_a_line() {
+    let message = |text: &str| Deed::Message { text: text.into() };
+    let inject = |when: Option<&str>| Deed::Inject {
+        name: "gust".into(),
+        when: when.map(Into::into),
+    };
+    let fly = super::start::fly("m01", true);
+    let name = "low battery".into();
+    let capture = Deed::Capture { name };
+    let text = "in the air".into();
+    let vehicles = vec![1, 2];
+    let line = "3 takeoff 20".into();
+    let both = &["bohdan", "vira"][..];
+    for (line, seats, deed) in [
+        (
+            "class capture low battery @bohdan",
+            &["bohdan"][..],
+            capture,
+        ),
+        (
+            "class mark in the air @vira",
+            &["vira"],
+            Deed::Mark { text },
+        ),
+        (
+            "class message land now @bohdan",
+            &["bohdan"],
+            message("land now"),
+        ),
+        (
+            "class message @bohdan ask @vira",
+            &["bohdan"],
+            message("ask @vira"),
+        ),
+        (
+            "class message ask @vira first",
+            both,
+            message("ask @vira first"),
+        ),
+        (
+            "class message write to me@lab",
+            both,
+            message("write to me@lab"),
+        ),
+        ("class inject gust @bohdan", &["bohdan"], inject(None)),
+        (
+            "class inject gust when t > 60 @bohdan",
+            &["bohdan"],
+            inject(Some("t > 60")),
+        ),
+        ("class fly m01 hold @bohdan", &["bohdan"], fly),
+        (
+            "class take 1-2 @bohdan",
+            &["bohdan"],
+            Deed::TakeOver { vehicles },
+        ),
+        (
+            "class say 3 takeoff 20 @bohdan",
+            &["bohdan"],
+            Deed::Command { line },
+        ),
+        (
+            "class freeze @all",
+            &["anna", "bohdan", "vira"],
+            Deed::Freeze,
+        ),
+    ] {
+        let mut console = desk(Language::English);
+        report(&mut console, 1, "anna", super::flight_with_injects());
+        // With bohdan and vira marked, a line without seats goes to both.
+        console
+            .press("down")
+            .press("space")
+            .press("down")
+            .press("space");
+        console.give(line);
+        let given = seats.iter().map(|seat| ((*seat).to_owned(), deed.clone()));
+        assert_eq!(deeds(&console), given.collect::<Vec<_>>(), "{line}");
+    }
+    let mut console = desk(Language::English);
+    for line in [
+        "class capture low battery @nobody",
+        "class message ask @nobody",
+    ] {
+        console.give(line);
+        let screen = console.screen(120, 40);
+        assert!(
+            screen.contains("no seat of the class is called @nobody"),
+            "{screen}"
+        );
+        assert_eq!(deeds(&console), [], "{line}");
+        console.press("esc");
+    }
+    console.press(":").write("class capture low battery @b");
+    let Some(Overlay::Palette(palette)) = console.state().overlay() else {
+        panic!("the command line is not open");
+    };
+    let offered = palette.completions().iter().map(|it| it.text.as_str());
+    assert_eq!(offered.collect::<Vec<_>>(), ["@bohdan"]);
 }
 
 #[test]
