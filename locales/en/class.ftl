@@ -159,6 +159,7 @@ class-did-start = { $instructor } has started the mission
 class-did-capture = { $instructor } keeps this situation
 class-did-show = { $instructor } shows a replay
 class-did-fly = { $instructor } has opened { $mission }
+class-did-exam = { $instructor } has opened the exam “{ $exam }”: { $mission }, try { $number } of { $tries }
 class-did-recall = { $instructor } has returned to the situation “{ $situation }”
 class-did-take = { $instructor } now flies { $vehicles }
 class-did-give = { $instructor } has handed back { $vehicles }

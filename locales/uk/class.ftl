@@ -160,6 +160,7 @@ class-did-start = { $instructor }: завдання розпочато
 class-did-capture = { $instructor }: ситуацію збережено
 class-did-show = { $instructor } показує відтворення
 class-did-fly = { $instructor }: відкрито { $mission }
+class-did-exam = { $instructor }: відкрито іспит «{ $exam }»: { $mission }, спроба { $number } з { $tries }
 class-did-recall = { $instructor }: повернення до ситуації «{ $situation }»
 class-did-take = тепер { $instructor } керує { $vehicles }
 class-did-give = { $instructor } більше не керує { $vehicles }

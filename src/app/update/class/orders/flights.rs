@@ -11,6 +11,7 @@ use crate::app::room::Room;
 use crate::app::state::{Activity, OpenTry, SeatPlace};
 use crate::campaign::{MissionStage, Stake};
 use crate::class::{ExamTry, Outcome, Refusal, TryName};
+use crate::class_text::try_title;
 use crate::text;
 use crate::vehicle::Severity;
 
@@ -66,6 +67,7 @@ pub(super) fn examine(state: &mut State, opened: &ExamTry) -> Result<BegunOrder,
     if let Some(place) = state.class.seat_mut() {
         place.exam = Some(OpenTry {
             name: opened.name.clone(),
+            title: try_title(opened),
             tries: opened.tries,
             flight: place.flights + 1,
             until,
