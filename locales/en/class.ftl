@@ -181,7 +181,7 @@ class-unknown-seat = no seat of the class is called { $word }
 class-unknown-seat-help = if the text begins or ends with such a word, name its seats first: @anna or @all
 class-no-seat = no connected seat is meant: move the cursor to one, mark some, or name one, such as @anna
 class-ask-end = END MISSION for { $seats }
-class-ask-end-reason = the flights of these trainees end now and are scored
+class-ask-end-reason = the flights of these trainees end now and are scored; a brief is left without a score
 
 class-quit-taken = the vehicles that you fly go back to their trainees ({ $seats })
 class-quit-frozen = trainees can resume their frozen flights themselves ({ $seats })
