@@ -383,6 +383,56 @@ fn the_end_of_the_desk_is_asked_about_while_seats_depend_on_it() {
     }
 }
 
+/// A desk that was quit within half a second after a freeze once left the flight frozen without a word.
+#[test]
+fn what_was_just_ordered_counts_before_a_seat_reports_it() {
+    let quits = |console: &mut Console| {
+        console.effects.clear();
+        console.press("q");
+        let quits = console.effects.contains(&Effect::Quit);
+        console.press("esc");
+        quits
+    };
+    for (line, reason) in [
+        (
+            "class freeze @anna",
+            "resume their frozen flights themselves",
+        ),
+        (
+            "class fly m01 hold @anna",
+            "start their held missions themselves",
+        ),
+        ("class take @anna", "go back to their trainees (anna)"),
+    ] {
+        let mut console = desk(Language::English);
+        console.give(line);
+        console.press("q");
+        let screen = console.screen(120, 40);
+        assert!(screen.contains(reason), "{screen}");
+    }
+
+    let mut console = desk(Language::English);
+    report(&mut console, 1, "anna", flight(5.0));
+    assert!(quits(&mut console));
+    console.give("class freeze @anna");
+    assert!(!quits(&mut console), "it may be on its way");
+    // A report that was on its way does not count.
+    report(&mut console, 1, "anna", flight(5.0));
+    assert!(!quits(&mut console));
+    let order = orders_to(&console)[0];
+    answer(&mut console, 1, order, Outcome::Done);
+    assert!(!quits(&mut console), "the next report will show it");
+    report(&mut console, 1, "anna", flight(5.0));
+    assert!(quits(&mut console), "the trainee has resumed it");
+
+    let mut console = desk(Language::English);
+    console.give("class freeze @anna");
+    let order = orders_to(&console)[0];
+    let refused = Outcome::Refused(Refusal::NotFlying);
+    answer(&mut console, 1, order, refused);
+    assert!(quits(&mut console));
+}
+
 #[test]
 fn the_injects_of_a_named_seat_are_listed() {
     let mut console = desk(Language::English);
