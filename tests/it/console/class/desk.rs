@@ -444,6 +444,26 @@ fn the_injects_of_a_named_seat_are_listed() {
 }
 
 #[test]
+fn entries_that_a_seat_has_dropped_are_counted_on_the_board() {
+    let mut console = desk(Language::English);
+    let what = Happening::Started { mission: None };
+    let (number, clock_s) = (41, None);
+    let entry = Entry {
+        number,
+        clock_s,
+        what,
+    };
+    let batch = JournalBatch {
+        kept_from: number,
+        entries: vec![entry],
+    };
+    say(&mut console, 1, "anna", SeatMessage::Entries(batch));
+    let screen = console.screen(120, 40);
+    let told = "40 earlier entries are no longer available";
+    assert!(screen.contains(told), "{screen}");
+}
+
+#[test]
 fn a_need_that_is_over_has_no_age() {
     let mut console = desk(Language::English);
     report(&mut console, 1, "anna", flight(90.0));
