@@ -280,9 +280,9 @@ class-all-vehicles = all vehicles
 instructor-flew = { $by } flew { $vehicles } from { $from } to { $until }
 instructor-flies = { $by } flew { $vehicles } from { $from } to the end
 instructor-recalled = { $by } returned to the situation “{ $situation }” at { $at }
+instructor-continued = { $by } returned to the situation “{ $situation }”: the flight continued from { $from }
 class-report-instructed = Flights in which the instructor took part
 class-report-instructor = instructor
-instructor-continued = { $by } returned to the situation “{ $situation }”: the flight continued from { $from }
 
 # The page with the results
 class-results-title = class { $class }, { $number } of { $count }: { $page }

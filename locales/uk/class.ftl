@@ -283,9 +283,9 @@ class-all-vehicles = усіма апаратами
 instructor-flew = { $by }: керування { $vehicles } з { $from } до { $until }
 instructor-flies = { $by }: керування { $vehicles } з { $from } до кінця
 instructor-recalled = { $by }: повернення до ситуації «{ $situation }» о { $at }
+instructor-continued = { $by }: повернення до ситуації «{ $situation }», політ продовжено з { $from }
 class-report-instructed = Польоти за участю інструктора
 class-report-instructor = інструктор
-instructor-continued = { $by }: повернення до ситуації «{ $situation }», політ продовжено з { $from }
 
 # Сторінка результатів
 class-results-title = клас { $class }, { $number } з { $count }: { $page }
