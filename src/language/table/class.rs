@@ -289,9 +289,12 @@ fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
 
 /// Checks that a name that no seat has does not become part of a text to another seat.
 fn check_seat(given: &Arguments, text: &str) -> Result<(), Problem> {
-    let mut ends = text.split_whitespace();
-    let ends = [ends.next(), ends.next_back()].into_iter().flatten();
-    let unknown = ends.filter(|word| word.starts_with('@')).last();
+    let mut words = text.split_whitespace();
+    let ends = [words.next(), words.next_back()];
+    let unknown = ends
+        .into_iter()
+        .flatten()
+        .find(|word| word.starts_with('@'));
     match unknown.filter(|_| given.word("@seat").is_none()) {
         Some(word) => Err(unknown_seat(word)),
         None => Ok(()),
