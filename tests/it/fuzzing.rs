@@ -94,7 +94,7 @@ fn survives(name: &str) {
         let other = random.random_range(0..all.len());
         damaged(&of_folder[seed], all[other], &mut random)
     });
-    for input in all.iter().map(|it| it.to_vec()).chain(damaged) {
+    for input in all.iter().map(|it| (*it).clone()).chain(damaged) {
         let outcome = catch_unwind(AssertUnwindSafe(|| (target.run)(&input)));
         if outcome.is_err() {
             let kept = tempfile::Builder::new()

@@ -33,7 +33,7 @@ fn clocks_that_are_hours_apart_change_nothing() {
         let given: Vec<OrderState> = seat.orders().map(|it| it.state).collect();
         assert_eq!(given, [OrderState::Ended(Outcome::Done)]);
         assert!(seat.journal.entries().eq(rig.seat.journal().entries()));
-        assert!(now - seat.heard_at <= REPORT_EVERY + STEP, "it reports");
+        assert!(now <= seat.heard_at + REPORT_EVERY + STEP, "it reports");
         assert_eq!(rig.kept, 1, "the record was handed in");
     }
 }
