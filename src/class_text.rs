@@ -1,7 +1,7 @@
 //! The orders of an instructor's desk and their outcomes, as text.
 
 use crate::class::{
-    Consent, Deed, ExamPlan, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal, Words,
+    Consent, Deed, ExamPlan, ExamTry, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal, Words,
 };
 use crate::text;
 use crate::text::{Language, Text};
@@ -92,9 +92,17 @@ fn step_text(noted: &NotedStep) -> Text {
 
 /// The title of an exam.
 pub fn exam_title(exam: &ExamPlan) -> Text {
-    let ukrainian = exam.title_uk.iter();
+    title_text(&exam.title, exam.title_uk.as_ref())
+}
+
+/// The title of the exam of a try, for trainees: the name of its file is for the desk only.
+pub fn try_title(opened: &ExamTry) -> Text {
+    title_text(&opened.title, opened.title_uk.as_ref())
+}
+
+fn title_text(title: &Words, ukrainian: Option<&Words>) -> Text {
     let others = ukrainian.map(|title| (Language::Ukrainian, title.to_string()));
-    Text::written(exam.title.as_str(), others)
+    Text::written(title.as_str(), others)
 }
 
 /// What an instructor has done, as a sentence; `None` for orders that are told by their names.
@@ -112,6 +120,14 @@ pub fn done_text(instructor: &str, deed: &Deed) -> Option<Text> {
             "class-did-fly",
             instructor = instructor,
             mission = mission.as_str()
+        ),
+        Deed::Examine(opened) if !opened.title.is_empty() => text!(
+            "class-did-exam",
+            instructor = instructor,
+            exam = try_title(opened),
+            mission = opened.name.mission.as_str(),
+            number = opened.name.number,
+            tries = opened.tries
         ),
         Deed::Recall { situation } => text!(
             "class-did-recall",

@@ -23,6 +23,11 @@ class-exam-unread = exam “{ $exam }”: { $fault }
 class-exam-other = the exam “{ $exam }” is going on; end it first: class exam stop
 class-exam-none = no exam is under way
 class-exam-found = the exam “{ $exam }” continues
+class-exam-ask-begin = BEGIN the exam “{ $exam }” with { $count } of { $here ->
+    [one] { $here } connected seat
+   *[other] { $here } connected seats
+}: { $seats }
+class-exam-ask-begin-reason = their first tries open as soon as the exam is open; a try that has opened is used up
 class-exam-ask-end = End the exam “{ $exam }” of { $began } UTC?
 class-exam-ask-end-reason = the exam is still open; it continues unless you end it
 class-exam-ask-quit-reason = the exam “{ $exam }” ends: no more tries are opened

@@ -25,6 +25,11 @@ class-exam-unread = іспит «{ $exam }»: { $fault }
 class-exam-other = триває іспит «{ $exam }»; спершу закінчіть його: class exam stop
 class-exam-none = зараз немає іспиту
 class-exam-found = іспит «{ $exam }» триває далі
+class-exam-ask-begin = РОЗПОЧАТИ іспит «{ $exam }» на { $count } з { $here ->
+    [one] { $here } місця
+   *[other] { $here } місць
+} на зв'язку: { $seats }
+class-exam-ask-begin-reason = їхні перші спроби відкриються, щойно відкриється іспит; відкрита спроба вважається використаною
 class-exam-ask-end = Завершити іспит «{ $exam }» від { $began } UTC?
 class-exam-ask-end-reason = іспит ще відкритий; він триватиме, якщо його не завершити
 class-exam-ask-quit-reason = іспит «{ $exam }» завершиться: спроб більше не буде

@@ -1,5 +1,6 @@
 //! The arguments of a verb, as the table declares them, and their values.
 
+use super::names::NameList;
 use crate::text::Text;
 
 mod given;
@@ -32,6 +33,11 @@ impl Argument {
     /// are files, addresses, times or settings.
     pub(super) fn is_free_text(&self) -> bool {
         matches!(self.kind, Kind::Rest | Kind::Proposed(_)) && matches!(self.name, "text" | "name")
+    }
+
+    /// Whether it is a seat of the class, which may also be the last word of a line.
+    pub(super) fn is_seat(&self) -> bool {
+        self.kind == Kind::Name(NameList::Seat)
     }
 
     /// A value without a keyword.

@@ -50,18 +50,19 @@ pub fn complete(line: &str, cursor: usize, context: &Context) -> Vec<Completion>
     let of_fields = head(&before, context)
         .ok()
         .and_then(|head| Some(FieldWords::of(&head, &before)?.candidates(written)));
-    ranked(
-        of_fields.unwrap_or_else(|| candidates(&before, context)),
-        written,
-    )
-    .into_iter()
-    .take(SHOWN)
-    .map(|(text, hint)| Completion {
-        text,
-        hint,
-        replaces: replaces.clone(),
-    })
-    .collect()
+    let mut possible = of_fields.unwrap_or_else(|| candidates(&before, context));
+    if written.starts_with('@') {
+        possible.extend(last_seats(&before, context));
+    }
+    ranked(possible, written)
+        .into_iter()
+        .take(SHOWN)
+        .map(|(text, hint)| Completion {
+            text,
+            hint,
+            replaces: replaces.clone(),
+        })
+        .collect()
 }
 
 /// The beginning of the file name at the cursor, if a plan's file is possible there.
@@ -271,6 +272,21 @@ fn following(head: &Head, words: &[Word], context: &Context) -> Vec<(String, Tex
         }
     }
     all
+}
+
+/// The seats that may be the last word after these words, if the line has none yet.
+fn last_seats(words: &[Word], context: &Context) -> Vec<(String, Text)> {
+    let Ok(head) = head(words, context) else {
+        return Vec::new();
+    };
+    let mut forms = head.row.forms.iter();
+    let seat = forms.find_map(|form| {
+        let seat = form.arguments.iter().find(|it| it.is_seat())?;
+        let fit = fit(form, &words[head.len..], context);
+        let is_expected = fit.expected.iter().any(|it| it.argument() == seat);
+        (fit.complete && !is_expected && fit.arguments.span(seat.name).is_none()).then_some(seat)
+    });
+    seat.map_or_else(Vec::new, |seat| names(Expected::Value(seat), context))
 }
 
 fn names(expected: Expected, context: &Context) -> Vec<(String, Text)> {

@@ -87,6 +87,10 @@ enum FormStep {
     Misfit(Misfit),
 }
 
+fn is_seat_word(word: &Word) -> bool {
+    word.text.starts_with('@')
+}
+
 /// Matches words with a form as far as possible.
 pub(super) fn fit(form: &'static Form, words: &[Word], context: &Context) -> Fit {
     let mut reader = FormReader {
@@ -95,6 +99,8 @@ pub(super) fn fit(form: &'static Form, words: &[Word], context: &Context) -> Fit
         filled: vec![false; form.arguments.len()],
         arguments: Arguments::default(),
     };
+    let rest = reader.take_last_seat(words);
+    let words = rest.as_deref().unwrap_or(words);
     let mut at = 0;
     while at < words.len() {
         match reader.step(&words[at..]) {
@@ -131,6 +137,28 @@ impl FormReader<'_> {
             complete,
             misfit,
         }
+    }
+
+    /// Takes a seat that is the last word instead of the first one after the form's own words; returns the words before
+    /// it. After a seat at the beginning, the rest of the line may be a text with any words.
+    fn take_last_seat<'w>(&mut self, words: &[Word<'w>]) -> Option<Vec<Word<'w>>> {
+        let arguments = self.form.arguments;
+        let index = arguments.iter().position(Argument::is_seat)?;
+        let (last, before) = words.split_last()?;
+        let is_first = before.get(index).is_none_or(is_seat_word);
+        if is_first || !is_seat_word(last) {
+            return None;
+        }
+        let (seat, _) = arguments[index]
+            .kind
+            .read(std::slice::from_ref(last), self.context)
+            .ok()?;
+        self.fill(index, seat, std::slice::from_ref(last), 1);
+        let cut = |word: &Word<'w>| Word {
+            tail: word.tail[..last.span.start - word.span.start].trim_end(),
+            ..word.clone()
+        };
+        Some(before.iter().map(cut).collect())
     }
 
     /// The indices of the arguments that may come now: all up to and including the first one that

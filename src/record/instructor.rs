@@ -36,6 +36,12 @@ pub enum InstructorAct {
         situation: String,
         at_s: f64,
     },
+    /// The flight continued from an earlier situation, at its time.
+    Continued {
+        by: String,
+        situation: String,
+        from_s: f64,
+    },
 }
 
 impl InstructorAct {
@@ -75,6 +81,16 @@ impl InstructorAct {
                 by = by,
                 situation = situation,
                 at = minutes(*at_s)
+            ),
+            Self::Continued {
+                by,
+                situation,
+                from_s,
+            } => text!(
+                "instructor-continued",
+                by = by,
+                situation = situation,
+                from = minutes(*from_s)
             ),
         }
     }
@@ -122,6 +138,31 @@ impl InstructorPart {
             }
             _ => {}
         }
+    }
+
+    /// The flight continues from a situation at a mission time: what came after it is left behind, and only turns at
+    /// the vehicles that began before it go on.
+    pub fn go_back(&mut self, to: Duration, by: &str, situation: &str) {
+        let to_s = seconds(to);
+        self.0.retain_mut(|act| match act {
+            InstructorAct::Flew {
+                from_s, until_s, ..
+            } => {
+                if let Some(until_s) = until_s {
+                    *until_s = until_s.min(to_s);
+                }
+                *from_s < to_s
+            }
+            InstructorAct::Recalled { at_s: begun_s, .. }
+            | InstructorAct::Continued {
+                from_s: begun_s, ..
+            } => *begun_s <= to_s,
+        });
+        self.0.push(InstructorAct::Continued {
+            by: by.to_owned(),
+            situation: situation.to_owned(),
+            from_s: to_s,
+        });
     }
 
     /// A person flies these vehicles from a mission time on.
@@ -290,6 +331,42 @@ mod tests {
                 "petro flew 4 from 00:40 to the end",
             ]
         );
+    }
+
+    #[test]
+    fn a_recall_leaves_behind_what_came_after_its_situation() {
+        let at = Duration::from_secs;
+        let mut part = InstructorPart::default();
+        let take = |vehicles: &[VehicleId]| {
+            order(Deed::TakeOver {
+                vehicles: vehicles.to_vec(),
+            })
+        };
+        let back = |vehicles: &[VehicleId]| {
+            order(Deed::HandBack {
+                vehicles: vehicles.to_vec(),
+            })
+        };
+        part.add(at(10), &take(&[1, 2, 3]));
+        part.add(at(20), &back(&[1]));
+        part.add(at(40), &back(&[2]));
+        part.add(at(41), &take(&[4]));
+        part.go_back(at(30), "petro", "the turn");
+        let expected = [
+            "petro flew 1 from 00:10 to 00:20",
+            "petro flew 2 from 00:10 to 00:30",
+            "petro flew 3 from 00:10 to the end",
+            "petro returned to the situation “the turn”: the flight continued from 00:30",
+        ];
+        assert_eq!(told(&part), expected);
+        part.go_back(at(15), "petro", "1");
+        let expected = [
+            "petro flew 1 from 00:10 to 00:15",
+            "petro flew 2 from 00:10 to 00:15",
+            "petro flew 3 from 00:10 to the end",
+            "petro returned to the situation “1”: the flight continued from 00:15",
+        ];
+        assert_eq!(told(&part), expected);
     }
 
     #[test]

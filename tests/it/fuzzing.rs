@@ -1,6 +1,6 @@
 //! Every target of `fuzz/` with its seeds and with damaged seeds: the part of fuzzing that every run of the tests does.
 //!
-//! `SORTIE_MUTATIONS` sets the number of damaged inputs per target. An input that once failed is kept in
+//! `SORTIE_MUTATIONS` sets the number of damaged inputs per folder of seeds. An input that once failed is kept in
 //! `fuzz/seeds/NAME/`, and so is tried again by every run.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -31,10 +31,9 @@ fn folders(target: &str) -> Vec<PathBuf> {
     line.split_whitespace().map(|it| root().join(it)).collect()
 }
 
-fn seeds(target: &str) -> Vec<Vec<u8>> {
-    let mut files: Vec<PathBuf> = folders(target)
-        .iter()
-        .flat_map(|folder| folder.read_dir().expect("a folder of seeds"))
+fn seeds(folder: &Path) -> Vec<Vec<u8>> {
+    let entries = folder.read_dir().expect("a folder of seeds");
+    let mut files: Vec<PathBuf> = entries
         .map(|entry| entry.expect("an entry").path())
         .filter(|path| path.is_file())
         .collect();
@@ -83,14 +82,19 @@ fn mutations() -> usize {
 fn survives(name: &str) {
     let target = TARGETS.iter().find(|target| target.name == name);
     let target = target.expect("a target");
-    let seeds = seeds(name);
-    assert!(!seeds.is_empty(), "{name} has seeds");
+    let seeds: Vec<Vec<Vec<u8>>> = folders(name).iter().map(|it| seeds(it)).collect();
+    let all: Vec<&Vec<u8>> = seeds.iter().flatten().collect();
     let mut random = ChaCha8Rng::seed_from_u64(1);
-    let damaged = (0..mutations()).map(|_| {
-        let [seed, other] = [0; 2].map(|_| random.random_range(0..seeds.len()));
-        damaged(&seeds[seed], &seeds[other], &mut random)
+    let each = seeds.iter().flat_map(|of_folder| {
+        assert!(!of_folder.is_empty(), "{name} has seeds");
+        std::iter::repeat_n(of_folder, mutations())
     });
-    for input in seeds.iter().cloned().chain(damaged) {
+    let damaged = each.map(|of_folder| {
+        let seed = random.random_range(0..of_folder.len());
+        let other = random.random_range(0..all.len());
+        damaged(&of_folder[seed], all[other], &mut random)
+    });
+    for input in all.iter().map(|it| (*it).clone()).chain(damaged) {
         let outcome = catch_unwind(AssertUnwindSafe(|| (target.run)(&input)));
         if outcome.is_err() {
             let kept = tempfile::Builder::new()

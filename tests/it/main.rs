@@ -6,6 +6,7 @@ mod ardurover;
 mod bench_scale;
 mod budgets;
 mod catalogue;
+mod class_faults;
 mod clients;
 mod command_line;
 mod comparisons;

@@ -7,6 +7,8 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::{Duration, Instant};
 
+use nix::sys::signal::{Signal, kill};
+use nix::unistd::Pid;
 use portable_pty::{Child, CommandBuilder, MasterPty, PtySize, native_pty_system};
 
 /// The time limit for expected content of a screen. Generous, because a loaded machine is slow and a test waits in full
@@ -300,7 +302,9 @@ impl Terminal {
 
     /// Kills the program without a chance to clean up.
     pub fn kill(&mut self) {
-        self.child.kill().expect("it runs");
+        // The terminal's own way begins with a signal that the program handles.
+        let process = Pid::from_raw(self.process_id().cast_signed());
+        kill(process, Signal::SIGKILL).expect("it runs");
         self.child.wait().expect("it was started");
     }
 

@@ -10,12 +10,14 @@
 //!
 //! # How the parts fit
 //! - `ports` are the two ends as the console sees them, `place` says where they are, and `fault` why they cannot be.
+//! - `calling` connects a seat to its desk again and again, over either carrier.
 //! - `unix` is the carrier on one host: a Unix socket in a folder of the instructor (`host`). `exchange` moves lines
 //!   between a stream and a port. `on_host` opens and joins such a place for lines of another kind, those of a crew.
 //! - `network` is the carrier on several machines, over Eclipse Zenoh (feature `zenoh`). A seat finds its desk with a
 //!   [`JoinLine`] (`join_line`); `new_class` and `secret_file` are for the files of such a class.
 //! - [`socket`] opens Unix sockets, also for the interface for programs. [`lines`] reads lines up to a limit.
 
+mod calling;
 mod exchange;
 mod fault;
 mod host;

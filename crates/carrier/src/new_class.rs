@@ -3,7 +3,7 @@
 /// What a class on several machines is to be.
 #[derive(Debug, Clone)]
 pub struct NewClass<'a> {
-    /// Its name.
+    /// Its name: letters, digits, `-` and `_`; also the name of its folder of records.
     pub name: &'a str,
     /// How many seats it has.
     pub seats: u16,

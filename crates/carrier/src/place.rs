@@ -22,9 +22,9 @@ pub const EVERY_ADDRESS: &str = "0.0.0.0";
 /// Where a seat finds the desk of its class.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum ClassPlace {
-    /// On this host.
+    /// On this host, at the socket of the desk.
     Host(HostPlace),
-    /// On another machine.
+    /// On another machine, which a join line names.
     #[cfg(feature = "zenoh")]
     Network(Box<JoinLine>),
 }
@@ -32,9 +32,9 @@ pub enum ClassPlace {
 /// Where a desk is opened.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum DeskPlace {
-    /// For this host.
+    /// For the users of this host, who connect to its socket.
     Host(HostPlace),
-    /// For several machines.
+    /// For seats on several machines, with the keys of the class.
     #[cfg(feature = "zenoh")]
     Network(Box<network::NetworkDesk>),
 }
@@ -179,7 +179,7 @@ impl DeskPlace {
         }
     }
 
-    /// Opens the desk.
+    /// Opens the desk: seats can connect from then on.
     ///
     /// # Errors
     /// Its socket cannot be opened.

@@ -73,6 +73,7 @@ with_each_carrier! {
     who_does_not_read_fills_only_the_queue_of_its_own_connection
     long_lines_arrive_all_and_in_order
     a_seat_that_ends_is_seen_to_leave
+    two_consoles_of_one_trainee_have_a_connection_each
 }
 
 fn hello(sitting: u64) -> SeatMessage {
@@ -261,4 +262,25 @@ async fn a_seat_that_ends_is_seen_to_leave(tried: Tried) {
         matches!(arrival, Some(DeskArrival::Closed(closed)) if closed == connection),
         "{arrival:?}"
     );
+}
+
+/// As if a trainee joined twice, one console late.
+async fn two_consoles_of_one_trainee_have_a_connection_each(tried: Tried) {
+    let mut desk = tried.open().await;
+    let mut consoles = Vec::new();
+    for sitting in [5, 6] {
+        let mut seat = tried.seats[0].join();
+        let to_desk = found(&mut seat).await;
+        let (connection, user, to_seat) = opened(&mut desk).await;
+        assert_eq!(user, tried.seat_users[0]);
+        consoles.push((seat, to_desk, to_seat, connection, sitting));
+    }
+    for (seat, to_desk, to_seat, connection, sitting) in &mut consoles {
+        to_desk.send(&hello(*sitting));
+        let (from, line) = heard(&mut desk).await;
+        assert_eq!(from, *connection);
+        assert_eq!(line.expect("a message"), hello(*sitting));
+        to_seat.send(&DeskMessage::Ask { from: *sitting });
+        assert_eq!(said(seat).await, DeskMessage::Ask { from: *sitting });
+    }
 }

@@ -1,21 +1,22 @@
 //! The carrier on one host: a Unix socket. The kernel says which user is at the other end.
 
 use std::collections::BTreeMap;
+use std::os::unix::fs::FileTypeExt as _;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::{fs, io};
 
 use nix::unistd::geteuid;
 use serde::de::DeserializeOwned;
 use tokio::net::{UnixListener, UnixStream};
 use tokio::sync::mpsc;
 
+use super::calling::{self, WayToDesk};
 use super::exchange::exchange;
 use super::fault::ClassFault;
 use super::host::{HostPlace, user_name};
-use super::ports::{
-    ARRIVALS, CarrierPeer, DeskArrival, DeskPort, Outbox, RETRY, SeatArrival, SeatPort,
-};
-use super::socket;
+use super::ports::{ARRIVALS, CarrierPeer, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};
+use super::socket::{self, SocketFault};
 use sortie_class::{ConnectionId, SEATS};
 
 /// The permissions of the socket: every user of the host may connect.
@@ -57,7 +58,7 @@ struct Removed(PathBuf);
 impl Drop for Removed {
     fn drop(&mut self) {
         // It may have been removed already.
-        drop(std::fs::remove_file(&self.0));
+        drop(fs::remove_file(&self.0));
     }
 }
 
@@ -148,73 +149,68 @@ async fn serve<M: Message>(
 
 /// Connects to the desk of a class, and again whenever the connection ends.
 pub fn join<M: Message>(place: HostPlace) -> SeatPort<M> {
-    let (arrived, arrivals) = mpsc::channel(ARRIVALS);
-    let task = tokio::spawn(async move {
-        tokio::select! {
-            () = arrived.closed() => {}
-            () = keep_connected(&place, &arrived) => {}
-        }
-    });
-    SeatPort { arrivals, task }
+    calling::join(place)
 }
 
-async fn keep_connected<M: Message>(place: &HostPlace, arrived: &mpsc::Sender<SeatArrival<M>>) {
-    let mut wait = *RETRY.start();
-    let mut stranger = None;
-    loop {
-        match connect(&place.socket, place).await {
-            Ok(Some((stream, desk))) => {
-                wait = *RETRY.start();
-                stranger = None;
-                if converse(stream, desk, arrived).await.is_none() {
-                    return;
-                }
-            }
-            // There is no desk, which is no fault: it may open later.
-            Ok(None) => {}
-            Err(fault) => {
-                let found = Arc::new(fault);
-                if stranger.as_ref() != Some(&found) {
-                    stranger = Some(Arc::clone(&found));
-                    if arrived.send(SeatArrival::Refused(found)).await.is_err() {
-                        return;
-                    }
-                }
-            }
+impl<M: Message> WayToDesk<M> for HostPlace {
+    type Call = UnixStream;
+
+    async fn call(&self) -> Result<Option<(UnixStream, CarrierPeer)>, ClassFault> {
+        let stream = match UnixStream::connect(&self.socket).await {
+            Ok(stream) => stream,
+            Err(error) => return not_connected(&self.socket, error).map_or(Ok(None), Err),
+        };
+        let Ok(cred) = stream.peer_cred() else {
+            return Ok(None);
+        };
+        self.check(cred.uid())?;
+        let user = user_name(cred.uid());
+        Ok(Some((stream, CarrierPeer { user })))
+    }
+
+    async fn pass(
+        &self,
+        call: UnixStream,
+        lines: mpsc::Receiver<String>,
+        arrived: &mpsc::Sender<SeatArrival<M>>,
+    ) {
+        let (read, write) = call.into_split();
+        tokio::select! {
+            () = exchange(read, write, lines, arrived, SeatArrival::Line) => {}
+            () = arrived.closed() => {}
         }
-        tokio::time::sleep(wait).await;
-        wait = (wait * 2).min(*RETRY.end());
     }
 }
 
-/// Connects; `None` if no desk answers.
-async fn connect(
-    socket: &Path,
-    place: &HostPlace,
-) -> Result<Option<(UnixStream, CarrierPeer)>, ClassFault> {
-    let Ok(stream) = UnixStream::connect(socket).await else {
-        return Ok(None);
+/// Why no desk can ever answer there; `None` if one may open later.
+fn not_connected(socket: &Path, error: io::Error) -> Option<ClassFault> {
+    let is_other = fs::metadata(socket).is_ok_and(|found| !found.file_type().is_socket());
+    let fault = if is_other {
+        SocketFault::NoSocket
+    } else if error.kind() == io::ErrorKind::PermissionDenied {
+        SocketFault::Io(error)
+    } else {
+        return None;
     };
-    let Ok(cred) = stream.peer_cred() else {
-        return Ok(None);
-    };
-    place.check(cred.uid())?;
-    let user = user_name(cred.uid());
-    Ok(Some((stream, CarrierPeer { user })))
+    let socket = socket.to_owned();
+    Some(ClassFault::Socket { socket, fault })
 }
 
-/// Passes lines until the connection ends; `None` if the console has ended.
-async fn converse<M: Message>(
-    stream: UnixStream,
-    desk: CarrierPeer,
-    arrived: &mpsc::Sender<SeatArrival<M>>,
-) -> Option<()> {
-    let (outbox, lines) = Outbox::new();
-    arrived
-        .send(SeatArrival::Found { desk, outbox })
-        .await
-        .ok()?;
-    let (read, write) = stream.into_split();
-    exchange(read, write, lines, arrived, SeatArrival::Line).await;
-    arrived.send(SeatArrival::Lost).await.ok()
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn another_user_takes_only_so_many_places_and_nobody_more_than_there_are() {
+        let places = Places::default();
+        let own = geteuid().as_raw();
+        let of_other: Vec<_> = (0..=OF_ONE_USER).map(|_| places.take(own + 1)).collect();
+        let taken = of_other.iter().filter(|it| it.is_some()).count();
+        assert_eq!(taken, OF_ONE_USER);
+        let of_own: Vec<_> = (0..=SEATS).map(|_| places.take(own)).collect();
+        let taken = of_own.iter().filter(|it| it.is_some()).count();
+        assert_eq!(taken, SEATS - OF_ONE_USER);
+        drop(of_other);
+        assert!(places.take(own + 1).is_some());
+    }
 }

@@ -5,8 +5,8 @@ use std::time::Duration;
 use super::call::{CallEnd, Calls};
 use super::protocol::{Denial, Hello, SeatMessage, VERSION};
 use super::{
-    Attention, Deed, Exam, Insight, Need, OrderId, PicturePart, Piece, Presence, SeatRecord,
-    SeatReport, Submission, TryHead, Watching, Words,
+    Attention, Deed, Exam, Insight, OrderId, PicturePart, Piece, Presence, SeatRecord, Submission,
+    TryHead, Watching, Words,
 };
 
 /// The number of empty seats of a user from which one of them is used, whatever name a console claims.
@@ -115,8 +115,9 @@ impl Desk {
         match message {
             SeatMessage::Hello(_) => return Err(Denial::NoHello),
             SeatMessage::Report { last, report } => {
-                self.seats[index].announced = last;
-                self.report(index, *report, now);
+                let seat = &mut self.seats[index];
+                seat.announced = last;
+                seat.take_report(*report, now);
             }
             SeatMessage::Entries(batch) => {
                 let seat = &mut self.seats[index];
@@ -148,17 +149,6 @@ impl Desk {
         if self.watching.seats().contains(&index) {
             self.seats[index].insight = Some(insight.bounded());
         }
-    }
-
-    fn report(&mut self, index: usize, report: SeatReport, now: Duration) {
-        let seat = &mut self.seats[index];
-        seat.attention
-            .observe(Need::of(report.flight.as_ref()), now);
-        if report.flight.is_none() {
-            seat.insight = None;
-        }
-        seat.report = Some(report);
-        seat.heard_at = now;
     }
 
     /// Seats a run of a console: where it sat before, else on a seat of the same user that is free, else on a new one.

@@ -134,7 +134,6 @@ impl Journal {
 pub struct JournalCopy {
     entries: VecDeque<Entry>,
     last: u64,
-    missing: u64,
 }
 
 impl JournalCopy {
@@ -148,9 +147,10 @@ impl JournalCopy {
         self.entries.iter()
     }
 
-    /// The number of entries that the seat had dropped before they were asked for.
+    /// The number of earlier entries that are not there: the seat had dropped them before they were asked for, or the
+    /// desk has dropped them since.
     pub fn missing(&self) -> u64 {
-        self.missing
+        self.last.saturating_sub(self.entries.len() as u64)
     }
 
     /// The number of the entry that comes next.
@@ -162,8 +162,6 @@ impl JournalCopy {
     /// Takes in entries, and returns those that are new. Entries after a gap are left out: they are asked for again.
     pub fn receive(&mut self, batch: JournalBatch) -> Vec<Entry> {
         if batch.kept_from > self.next_number() {
-            let dropped = batch.kept_from - self.next_number();
-            self.missing = self.missing.saturating_add(dropped);
             self.last = batch.kept_from - 1;
         }
         let mut new = Vec::new();

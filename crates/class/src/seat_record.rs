@@ -6,8 +6,8 @@ use std::time::Duration;
 use super::order::ANSWERED_WITHIN;
 use super::watch::{Picture, PicturePart, PictureReceiver};
 use super::{
-    Attention, ConnectionId, Deed, Entry, Happening, Insight, JournalCopy, LessonPosition, Order,
-    OrderId, Outcome, SeatReport, Words,
+    Attention, ConnectionId, Deed, Entry, Happening, Insight, JournalCopy, LessonPosition, Need,
+    Order, OrderId, Outcome, SeatReport, Words,
 };
 
 /// The maximum number of orders to one seat that a desk remembers.
@@ -44,6 +44,8 @@ pub struct GivenOrder {
     pub state: OrderState,
     /// What the seat has said about the outcome.
     pub why: Option<Words>,
+    /// Whether a report of the seat came after its answer, which then shows what has become of the order.
+    pub(super) is_reported: bool,
 }
 
 /// A seat as its desk knows it.
@@ -165,12 +167,38 @@ impl SeatRecord {
         self.orders.iter()
     }
 
+    /// What the desk has asked for lately and no report of the seat shows yet, oldest first: orders that wait, and those
+    /// that were carried out after the newest report.
+    pub fn unreported(&self) -> impl DoubleEndedIterator<Item = &Deed> {
+        let orders = self.orders.iter().filter(|given| match given.state {
+            OrderState::Waiting => true,
+            OrderState::Ended(Outcome::Done) => !given.is_reported,
+            OrderState::Ended(_) | OrderState::Unanswered => false,
+        });
+        orders.map(|given| &given.order.deed)
+    }
+
+    /// Takes in a report.
+    pub(super) fn take_report(&mut self, report: SeatReport, now: Duration) {
+        self.attention
+            .observe(Need::of(report.flight.as_ref()), now);
+        if report.flight.is_none() {
+            self.insight = None;
+        }
+        self.report = Some(report);
+        self.heard_at = now;
+        for given in &mut self.orders {
+            given.is_reported |= given.state != OrderState::Waiting;
+        }
+    }
+
     pub(super) fn give(&mut self, id: OrderId, deed: Deed, now: Duration) {
         self.orders.push_back(GivenOrder {
             order: Order { id, deed },
             at: now,
             state: OrderState::Waiting,
             why: None,
+            is_reported: false,
         });
         if self.orders.len() > REMEMBERED {
             self.orders.pop_front();

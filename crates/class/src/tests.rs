@@ -10,6 +10,7 @@ use super::*;
 use rig::{Rig, fates};
 
 mod exams;
+mod faults;
 mod lessons;
 mod rig;
 
@@ -108,24 +109,6 @@ fn seats_are_named_after_users_and_keep_their_rows() {
     assert_eq!(names(&desk), ["anna", "anna-2", "bohdan"]);
     joined(&mut desk, 5, "anna", 10);
     assert_eq!(names(&desk), ["anna", "anna-2", "anna-3", "bohdan"]);
-}
-
-#[test]
-fn a_console_that_is_back_before_its_old_connection_has_ended_keeps_its_seat() {
-    let mut desk = desk();
-    joined(&mut desk, 1, "anna", 10);
-    joined(&mut desk, 2, "anna", 10);
-    desk.leave(ConnectionId(1), seconds(1));
-    assert_eq!(desk.seats().len(), 1);
-    assert_eq!(desk.seats()[0].presence, Presence::Here(ConnectionId(2)));
-}
-
-#[test]
-fn another_user_cannot_take_a_seat_by_its_number() {
-    let mut desk = desk();
-    joined(&mut desk, 1, "anna", 10);
-    joined(&mut desk, 2, "eve", 10);
-    assert_eq!(names(&desk), ["anna", "eve"]);
 }
 
 #[test]
@@ -334,41 +317,6 @@ fn consoles_of_one_user_keep_their_names_when_the_desk_is_opened_again() {
         "anna-4"
     );
     assert_eq!(desk.seat_of(ConnectionId(9)).expect("it sits").name, "anna");
-}
-
-#[test]
-fn what_a_seat_has_dropped_is_known_to_be_missing() {
-    let mut journal = Journal::default();
-    let what = Happening::Started { mission: None };
-    for _ in 0..KEPT + 10 {
-        journal.note(None, what.clone());
-    }
-    let mut copy = JournalCopy::default();
-    let new = copy.receive(journal.from(1).expect("there are entries"));
-    assert_eq!(copy.missing(), 10);
-    assert_eq!(
-        (new[0].number, new.len(), copy.last()),
-        (11, BATCH, 10 + BATCH as u64)
-    );
-}
-
-#[test]
-fn numbers_beyond_all_reason_do_no_harm() {
-    let what = Happening::Started { mission: None };
-    let entry = |number| Entry {
-        number,
-        clock_s: None,
-        what: what.clone(),
-    };
-    let mut copy = JournalCopy::default();
-    for kept_from in [u64::MAX, u64::MAX - 1, 5] {
-        copy.receive(JournalBatch {
-            kept_from,
-            entries: vec![entry(u64::MAX), entry(0), entry(u64::MAX)],
-        });
-    }
-    assert!(copy.missing() > 0);
-    assert_eq!(copy.next_number(), u64::MAX);
 }
 
 proptest! {

@@ -127,6 +127,8 @@ pub(in crate::app) struct WaitingStep {
 #[derive(Debug, Clone)]
 pub(in crate::app) struct OpenTry {
     pub name: TryName,
+    /// The title of the exam.
+    pub title: Text,
     /// The number of tries at its mission.
     pub tries: u32,
     /// The flight by its number, which may be the next one.
@@ -148,8 +150,10 @@ pub(in crate::app) struct HeldBrief {
 /// The try of an exam, for the trainee.
 #[derive(Debug, Clone, Copy)]
 pub struct ShownTry<'a> {
-    /// Which try it is.
-    pub name: &'a TryName,
+    /// The title of the exam.
+    pub title: &'a Text,
+    /// The number of the try at its mission, from 1.
+    pub number: u32,
     /// The number of tries at its mission.
     pub tries: u32,
     /// The time that is left for it.
@@ -338,7 +342,8 @@ impl<R> State<R> {
     pub fn shown_try(&self) -> Option<ShownTry<'_>> {
         let open = self.class.seat()?.open_try()?;
         self.has_open_try().then(|| ShownTry {
-            name: &open.name,
+            title: &open.title,
+            number: open.name.number,
             tries: open.tries,
             left: open.until.saturating_sub(self.wall),
         })

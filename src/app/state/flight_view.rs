@@ -99,9 +99,13 @@ impl FlightView {
 
     /// Notes an order of an instructor that has just ended.
     pub(in crate::app) fn note_instructor(&mut self, line: &DeskRecord, at: Duration) {
+        self.instructor.add(self.elapsed(at), line);
+    }
+
+    /// The time of the mission; without one, that of the session.
+    pub(in crate::app) fn elapsed(&self, at: Duration) -> Duration {
         let progress = self.task.progress.as_ref();
-        let elapsed = progress.map_or_else(|| self.time(at), |it| it.elapsed);
-        self.instructor.add(elapsed, line);
+        progress.map_or_else(|| self.time(at), |it| it.elapsed)
     }
 
     /// The planned paths of vehicles in a joint manoeuvre.

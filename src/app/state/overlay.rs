@@ -6,7 +6,7 @@ use super::HelpPage;
 use super::sticks::StickMode;
 use crate::app::effect::Effect;
 use crate::app::room_list::Room;
-use crate::class::Deed;
+use crate::class::{Deed, Exam};
 use crate::class_results::FoundFlights;
 use crate::commands::Order;
 use crate::diagnostic::Diagnostic;
@@ -195,6 +195,7 @@ impl Confirm {
             | Consequence::Parameters(_)
             | Consequence::Design(_)
             | Consequence::JoinClass
+            | Consequence::BeginExam { .. }
             | Consequence::EndExam
             | Consequence::EndExamAndQuit
             | Consequence::ReplayHandedIn(_)
@@ -220,6 +221,11 @@ pub enum Consequence {
     Design(Design),
     /// Asks whether the trainee joins the class.
     JoinClass,
+    /// Let these seats of the class take part in an exam.
+    BeginExam {
+        exam: Box<Exam>,
+        seats: Vec<usize>,
+    },
     /// End the exam of the class.
     EndExam,
     /// End the exam of the class, and the program.

@@ -33,7 +33,7 @@ mod witness;
 
 pub use closing::left_behind;
 pub use desk::instruct;
-pub use exams::end_at_desk as end_exam;
+pub use exams::{begin_at_desk as begin_exam, end_at_desk as end_exam};
 pub use orders::{instructed, recalled};
 pub use showing::{look_away, replay_found};
 pub use witness::witnessed;

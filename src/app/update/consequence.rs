@@ -27,6 +27,7 @@ pub fn carry_out(state: &mut State, consequence: Consequence) -> Effects {
             class::join(state);
             Effects::none()
         }
+        Consequence::BeginExam { exam, seats } => class::begin_exam(state, *exam, &seats),
         Consequence::EndExam => class::end_exam(state),
         Consequence::EndExamAndQuit => {
             let mut effects = class::end_exam(state);

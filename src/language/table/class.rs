@@ -29,6 +29,7 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "class injects @anna",
         "class disarm",
         "class capture before the turn",
+        "class capture low battery @all",
         "class recall 1",
         "class take @anna 3",
         "class say @anna 3 takeoff 20",
@@ -209,7 +210,10 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
             let text = given.required_word("text")?;
             let line =
                 Words::whole(text).ok_or_else(|| Problem::new("text", text!("class-line-long")))?;
-            check_seat(given, text)?;
+            // A group at the end belongs to the command; one at the beginning would be the trainee's.
+            if given.word("@seat").is_none() && text.starts_with('@') {
+                return Err(unknown_seat(text.split(' ').next().unwrap_or(text)));
+            }
             instruct(given, Deed::Command { line })
         }),
         Form::new(&[Argument::flag("join", "")], |_| {
@@ -285,10 +289,21 @@ fn give(given: &Arguments, deed: fn(&str) -> Deed) -> Built {
 
 /// Checks that a name that no seat has does not become part of a text to another seat.
 fn check_seat(given: &Arguments, text: &str) -> Result<(), Problem> {
-    if given.word("@seat").is_none() && text.starts_with('@') {
-        return Err(Problem::new("text", text!("class-unknown-seat")));
+    let mut words = text.split_whitespace();
+    let ends = [words.next(), words.next_back()];
+    let unknown = ends
+        .into_iter()
+        .flatten()
+        .find(|word| word.starts_with('@'));
+    match unknown.filter(|_| given.word("@seat").is_none()) {
+        Some(word) => Err(unknown_seat(word)),
+        None => Ok(()),
     }
-    Ok(())
+}
+
+fn unknown_seat(word: &str) -> Problem {
+    Problem::new("text", text!("class-unknown-seat", word = word))
+        .with_help(text!("class-unknown-seat-help"))
 }
 
 /// The vehicles of a seat; empty for all.
@@ -296,7 +311,10 @@ fn flown(given: &Arguments) -> Result<Vec<VehicleId>, Problem> {
     match given.vehicles("vehicles") {
         None | Some(VehicleChoice::All) => Ok(Vec::new()),
         Some(VehicleChoice::Ids(vehicles)) => Ok(vehicles),
-        Some(VehicleChoice::Group(_)) => Err(Problem::new("vehicles", text!("class-unknown-seat"))),
+        Some(VehicleChoice::Group(group)) => {
+            let message = text!("class-unknown-seat", word = format!("@{group}"));
+            Err(Problem::new("vehicles", message))
+        }
         Some(VehicleChoice::None | VehicleChoice::Filter | VehicleChoice::Invert) => {
             Err(Problem::new("vehicles", text!("class-which-vehicles")))
         }

@@ -150,6 +150,38 @@ async fn run(members: &mut [&mut Member], seconds: u32) {
     }
 }
 
+/// A desk, and a seat that flies a mission whose brief is left.
+struct Pair {
+    desk: Member,
+    anna: Member,
+    folder: tempfile::TempDir,
+}
+
+impl Pair {
+    async fn flying(source: &str) -> Self {
+        let folder = tempfile::tempdir().expect("a folder");
+        let desk = Box::pin(desk(folder.path())).await;
+        let anna = Box::pin(flying(folder.path(), source)).await;
+        let mut pair = Self { desk, anna, folder };
+        pair.run(4).await;
+        pair.anna.console.feed(key(KeyCode::Enter)).await;
+        pair.run(2).await;
+        pair
+    }
+
+    async fn run(&mut self, seconds: u32) {
+        run(&mut [&mut self.desk, &mut self.anna], seconds).await;
+    }
+
+    /// The newest order to the seat, and what was said about it.
+    fn newest(&self) -> (OrderState, String) {
+        let order = self.desk.seats()[0].orders().next_back();
+        let order = order.expect("an order");
+        let why = order.why.as_ref().map(ToString::to_string);
+        (order.state, why.unwrap_or_default())
+    }
+}
+
 #[tokio::test(start_paused = true)]
 async fn orders_reach_two_seats_and_a_new_desk_gets_the_whole_journal() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -225,24 +257,53 @@ async fn orders_reach_two_seats_and_a_new_desk_gets_the_whole_journal() {
 }
 
 #[tokio::test(start_paused = true)]
-async fn an_inject_takes_effect_in_the_flight_of_one_seat() {
+async fn a_trainee_is_told_of_a_false_socket_and_of_a_false_desk() {
     let folder = tempfile::tempdir().expect("a folder");
-    let mut desk = Box::pin(self::desk(folder.path())).await;
-    let mut anna = Box::pin(flying(folder.path(), WITH_INJECTS)).await;
-    run(&mut [&mut desk, &mut anna], 4).await;
-    anna.console.feed(key(KeyCode::Enter)).await;
-    run(&mut [&mut desk, &mut anna], 3).await;
-    let seat = desk.seats().first().expect("a seat");
+    let class = folder.path().join("class");
+    std::fs::create_dir(&class).expect("made");
+    std::fs::write(class.join("desk"), "no socket").expect("written");
+    let told = |seat: &Member| {
+        let notices = seat.console.app.state().notices().lines();
+        let notices = notices.map(|it| it.notice.text.to_string());
+        notices.collect::<Vec<_>>().join("\n")
+    };
+    let mut anna = Box::pin(seat(folder.path())).await;
+    run(&mut [&mut anna], 3).await;
+    let text = told(&anna);
+    assert!(text.contains("is not a socket"), "{text}");
+
+    std::fs::remove_file(class.join("desk")).expect("removed");
+    let mut false_desk = Box::pin(desk(folder.path())).await;
+    let place = HostPlace::named(&class.display().to_string(), Some("petro-the-real".into()));
+    let options = ClassOptions::Seat {
+        place: ClassPlace::Host(place),
+        asks: false,
+    };
+    let mut bohdan = Box::pin(Member::new(Opening::Home, options)).await;
+    run(&mut [&mut false_desk, &mut bohdan], 3).await;
+    let text = told(&bohdan);
+    assert!(text.contains("not to petro-the-real"), "{text}");
+    assert!(false_desk.seats().is_empty(), "it hears nothing");
+}
+
+#[tokio::test(start_paused = true)]
+async fn an_inject_takes_effect_in_the_flight_of_one_seat() {
+    let mut pair = Box::pin(Pair::flying(WITH_INJECTS)).await;
+    pair.run(1).await;
+    let seat = pair.desk.seats().first().expect("a seat");
     let user = seat.name.clone();
     let report = seat.report.clone().and_then(|it| it.flight);
     let offered = report.expect("it flies").injects.into_iter();
     assert!(offered.map(|it| it.name).any(|it| it.as_str() == "gust"));
 
-    desk.say(&format!("class inject @{user} gust")).await;
-    desk.say("class inject @all motor_fail when t > 6").await;
-    desk.say("class inject @all link_loss when inside('nowhere') > 0")
+    pair.desk.say(&format!("class inject @{user} gust")).await;
+    pair.desk
+        .say("class inject @all motor_fail when t > 6")
         .await;
-    run(&mut [&mut desk, &mut anna], 1).await;
+    pair.desk
+        .say("class inject @all link_loss when inside('nowhere') > 0")
+        .await;
+    pair.run(1).await;
     let outcomes = |desk: &Member| -> Vec<OrderState> {
         let orders = desk.seats()[0].orders();
         orders.map(|given| given.state).collect()
@@ -250,13 +311,13 @@ async fn an_inject_takes_effect_in_the_flight_of_one_seat() {
     let ended = OrderState::Ended;
     let refused = ended(Outcome::Refused(Refusal::Condition));
     assert_eq!(
-        outcomes(&desk),
+        outcomes(&pair.desk),
         [ended(Outcome::Done), ended(Outcome::Armed), refused]
     );
-    run(&mut [&mut desk, &mut anna], 6).await;
+    pair.run(6).await;
     let done = ended(Outcome::Done);
-    assert_eq!(outcomes(&desk), [done, done, refused]);
-    let progress = anna.console.app.state().session().mission();
+    assert_eq!(outcomes(&pair.desk), [done, done, refused]);
+    let progress = pair.anna.console.app.state().session().mission();
     let injected = progress.expect("it flies").injected.iter();
     let injected: Vec<&str> = injected.map(|it| it.name.as_str()).collect();
     assert_eq!(injected, ["gust", "motor_fail"]);

@@ -218,7 +218,7 @@ fn exam_try(state: &State, short: bool) -> Option<Figure> {
     let text = if short {
         text!("header-try-short", time = time)
     } else {
-        let (number, tries) = (shown.name.number, shown.tries);
+        let (number, tries) = (shown.number, shown.tries);
         text!("header-try", number = number, tries = tries, time = time)
     };
     let is_short = shown.left < TRY_ENDS_SOON;

@@ -7,9 +7,7 @@ use sortie::app::event::{ClassEvent, Event, SessionEvent};
 use sortie::app::state::{Activity, ClassRole, Overlay, SeatPlace};
 use sortie::campaign::Stake;
 use sortie::class::protocol::{DeskMessage, VERSION};
-use sortie::class::{
-    Consent, Deed, ExamTry, Happening, Order, OrderId, Outcome, Refusal, Seat, Stage, TryName,
-};
+use sortie::class::{Consent, Deed, Happening, Order, OrderId, Outcome, Refusal, Seat, Stage};
 use sortie::ledger::RowState;
 use sortie::mission::Progress;
 
@@ -23,6 +21,7 @@ mod lessons;
 mod pilots;
 mod situations;
 mod start;
+mod tries;
 mod watch;
 
 pub use desk::{deeds, desk, flight, join, report, say};
@@ -59,17 +58,22 @@ fn joined() -> Console {
 /// A flight of a mission whose clock runs.
 fn flying_mission(stake: Stake) -> Console {
     let mut console = joined();
-    console.start(Activity::Mission {
-        id: "m01".to_owned(),
-        title: "Air sample at the yard".into(),
-        stake,
-    });
+    start(&mut console, "m01", stake);
     for id in 1..=4 {
         console.vehicle(fixtures::airborne(id, 30.0 * f64::from(id), 20.0));
     }
     console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
     console.press("F");
     console
+}
+
+/// The flight of a mission begins.
+fn start(console: &mut Console, mission: &str, stake: Stake) {
+    console.start(Activity::Mission {
+        id: mission.to_owned(),
+        title: "Air sample at the yard".into(),
+        stake,
+    });
 }
 
 /// Gives an order to the seat.
@@ -117,116 +121,6 @@ fn quiet(console: &mut Console) {
         pass(console, 8);
         console.hear(ClassEvent::Said(DeskMessage::Here));
     }
-}
-
-fn opened_try() -> ExamTry {
-    ExamTry {
-        name: TryName {
-            exam: "final".into(),
-            begun: 1_800_000_000,
-            mission: "00-first-flight".into(),
-            number: 1,
-            opening: 1,
-        },
-        tries: 1,
-        seed: 7,
-        within_s: 600,
-    }
-}
-
-fn start(console: &mut Console, mission: &str) {
-    console.start(Activity::Mission {
-        id: mission.to_owned(),
-        title: "First flight".into(),
-        stake: Stake::Exam,
-    });
-}
-
-#[test]
-fn a_try_is_the_flight_that_the_desk_has_ordered_however_late_it_begins() {
-    let mut console = joined();
-    let opened = opened_try();
-    order(&mut console, 1, Deed::Examine(opened.clone()));
-    assert_eq!(place(&console).flown_try(), None);
-    // The vehicles start slowly, and the desk has given the order up.
-    pass(&mut console, 30);
-    start(&mut console, "00-first-flight");
-    assert_eq!(place(&console).flown_try(), Some(&opened.name));
-    console.give("class leave");
-    assert_eq!(place(&console).seat().consent(), Consent::Given);
-    let screen = console.screen(120, 40);
-    assert!(screen.contains("cannot be left during a try"), "{screen}");
-
-    let mut console = joined();
-    order(&mut console, 1, Deed::Examine(opened));
-    start(&mut console, "01-air-sample");
-    assert_eq!(place(&console).flown_try(), None, "another mission");
-}
-
-#[test]
-fn another_opening_of_a_try_is_refused_while_the_first_is_flown() {
-    let mut console = joined();
-    let opened = opened_try();
-    order(&mut console, 1, Deed::Examine(opened.clone()));
-    start(&mut console, "00-first-flight");
-    let mut again = opened.clone();
-    (again.name.opening, again.seed) = (2, 8);
-    order(&mut console, 2, Deed::Examine(again));
-    assert_eq!(place(&console).flown_try(), Some(&opened.name));
-    let refused = Outcome::Refused(Refusal::Flying);
-    assert_eq!(outcomes(&console), [(2, refused)]);
-}
-
-/// Esc in the brief of a try once used it up without a question.
-#[test]
-fn leaving_the_brief_of_a_try_is_asked_about() {
-    let mut console = joined();
-    order(&mut console, 1, Deed::Examine(opened_try()));
-    start(&mut console, "00-first-flight");
-    console.give("abandon");
-    assert_eq!(session_effects(&console), Vec::<&SessionEffect>::new());
-    let screen = console.screen(120, 40);
-    assert!(screen.contains("uses up the try of the exam"), "{screen}");
-    console.press("y");
-    assert_eq!(session_effects(&console), [&SessionEffect::Leave]);
-}
-
-#[test]
-fn a_try_that_would_be_practice_is_not_used_up() {
-    let mut console = joined();
-    let opened = opened_try();
-    for number in 1..=2 {
-        order(&mut console, number, Deed::Examine(opened.clone()));
-        let begun = session_effects(&console);
-        let [SessionEffect::StartMission(launch)] = begun[..] else {
-            panic!("{begun:?}");
-        };
-        assert_eq!((launch.drawn, &launch.fleet[..]), (Some(7), &[][..]));
-        console.hear(ClassEvent::TryRefused(Refusal::Practice));
-    }
-    // It is no try that another flight could be.
-    start(&mut console, "00-first-flight");
-    assert_eq!(place(&console).flown_try(), None);
-    let refused = Outcome::Refused(Refusal::Practice);
-    assert_eq!(outcomes(&console), [(1, refused), (2, refused)]);
-}
-
-/// The trainee can read the record; with seeds that are the same for all, or for a try that was refused, the seed in it
-/// was once a help.
-#[test]
-fn the_seed_of_a_try_is_not_in_the_record() {
-    let mut console = joined();
-    order(&mut console, 1, Deed::Examine(opened_try()));
-    console.hear(ClassEvent::TryRefused(Refusal::NotRecorded));
-    let notes = console.effects.iter().filter_map(|effect| match effect {
-        Effect::Class(ClassEffect::Note(line)) => Some(line),
-        _ => None,
-    });
-    let notes: Vec<String> = notes
-        .map(|line| serde_json::to_string(line).expect("written"))
-        .collect();
-    assert_eq!(notes.len(), 1);
-    assert!(notes[0].contains("\"seed\":0"), "{notes:?}");
 }
 
 #[test]

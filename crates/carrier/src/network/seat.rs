@@ -3,9 +3,10 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use sortie_class::protocol::DeskMessage;
 use tokio::net::TcpStream;
 use tokio::sync::mpsc;
-use tokio::time::{sleep, timeout};
+use tokio::time::timeout;
 use zenoh::pubsub::Subscriber;
 use zenoh::sample::Sample;
 
@@ -13,9 +14,10 @@ use super::conversation::{Conversation, INBOX, Inbox, Parties, SILENCE};
 use super::flow::Flow;
 use super::frame::{FrameKind, fresh_number, signer};
 use super::{Channel, OpenSession, config};
+use crate::calling::{self, WayToDesk};
 use crate::fault::{ClassFault, NetworkFault};
 use crate::join_line::JoinLine;
-use crate::ports::{ARRIVALS, CarrierPeer, Outbox, RETRY, SeatArrival, SeatPort};
+use crate::ports::{CarrierPeer, SeatArrival, SeatPort};
 
 /// How often a greeting is repeated.
 const GREET_AGAIN: Duration = Duration::from_millis(500);
@@ -26,56 +28,46 @@ const LONGEST_NAME: usize = 64;
 
 /// Connects to the desk of a join line, and again whenever the connection ends.
 pub(crate) fn join(line: JoinLine) -> SeatPort {
-    let (arrived, arrivals) = mpsc::channel(ARRIVALS);
-    let task = tokio::spawn(async move { keep_connected(&line, &arrived).await });
-    SeatPort { arrivals, task }
+    calling::join(line)
 }
 
-async fn keep_connected(line: &JoinLine, arrived: &mpsc::Sender<SeatArrival>) {
-    let mut wait = *RETRY.start();
-    let mut told = None;
-    let mut last = None;
-    while !arrived.is_closed() {
-        let called = tokio::select! {
-            called = call(line) => called,
-            () = arrived.closed() => return,
-        };
-        match called {
-            Ok(Some(call)) => {
-                (wait, told, last) = (*RETRY.start(), None, None);
-                converse(call, arrived).await;
-            }
-            // There is no desk, which is no fault: it may open later.
-            Ok(None) => last = None,
-            Err(fault) => {
-                let found = Arc::new(ClassFault::Network(fault));
-                // A desk that is being opened or closed answers once, but not twice in a row.
-                let is_lasting = last.replace(Arc::clone(&found)).as_ref() == Some(&found);
-                if is_lasting && told.as_ref() != Some(&found) {
-                    told = Some(Arc::clone(&found));
-                    drop(arrived.send(SeatArrival::Refused(found)).await);
-                }
-            }
-        }
-        tokio::select! {
-            () = sleep(wait) => {}
-            () = arrived.closed() => return,
-        }
-        wait = (wait * 2).min(*RETRY.end());
+impl WayToDesk<DeskMessage> for JoinLine {
+    type Call = Call;
+
+    async fn call(&self) -> Result<Option<(Call, CarrierPeer)>, ClassFault> {
+        Ok(call(self).await?)
+    }
+
+    async fn pass(
+        &self,
+        call: Call,
+        lines: mpsc::Receiver<String>,
+        arrived: &mpsc::Sender<SeatArrival>,
+    ) {
+        let Call {
+            conversation,
+            inbox,
+            subscriber,
+            session,
+        } = call;
+        conversation
+            .pass(inbox, lines, arrived, SeatArrival::Line)
+            .await;
+        drop(subscriber);
+        session.close().await;
     }
 }
 
 /// A connection that the desk has opened.
-struct Call {
+pub(crate) struct Call {
     conversation: Conversation,
     inbox: Inbox,
-    desk: CarrierPeer,
     subscriber: Subscriber<()>,
     session: OpenSession,
 }
 
 /// Calls the desk at one address after the other; `None` if nobody is there. Zenoh would stay with the first one.
-async fn call(line: &JoinLine) -> Result<Option<Call>, NetworkFault> {
+async fn call(line: &JoinLine) -> Result<Option<(Call, CarrierPeer)>, NetworkFault> {
     let mut stranger = None;
     for address in &line.addresses {
         // Without a probe, an attempt at an address where nobody is takes minutes.
@@ -90,7 +82,10 @@ async fn call(line: &JoinLine) -> Result<Option<Call>, NetworkFault> {
     stranger.map_or(Ok(None), Err)
 }
 
-async fn call_over(session: OpenSession, line: &JoinLine) -> Result<Option<Call>, NetworkFault> {
+async fn call_over(
+    session: OpenSession,
+    line: &JoinLine,
+) -> Result<Option<(Call, CarrierPeer)>, NetworkFault> {
     let Channel { up, down } = Channel::new(&line.class, &line.seat, &fresh_number()?);
     let parties = Parties {
         signer: Arc::new(signer(&line.key)?),
@@ -110,7 +105,10 @@ async fn call_over(session: OpenSession, line: &JoinLine) -> Result<Option<Call>
 }
 
 /// Greets the desk until it answers; `None` if it does not.
-async fn greet(session: OpenSession, parties: Parties) -> zenoh::Result<Option<Call>> {
+async fn greet(
+    session: OpenSession,
+    parties: Parties,
+) -> zenoh::Result<Option<(Call, CarrierPeer)>> {
     let (sender, mut inbox) = mpsc::channel(INBOX);
     // Only a desk that does not keep to the window fills it, and then the missing frame ends the connection.
     let take =
@@ -134,38 +132,14 @@ async fn greet(session: OpenSession, parties: Parties) -> zenoh::Result<Option<C
     };
     let user = String::from_utf8_lossy(&open.body);
     let user = user.chars().filter(|c| !c.is_control()).take(LONGEST_NAME);
-    Ok(Some(Call {
-        conversation,
-        inbox,
-        desk: CarrierPeer {
-            user: user.collect(),
-        },
-        subscriber,
-        session,
-    }))
-}
-
-async fn converse(call: Call, arrived: &mpsc::Sender<SeatArrival>) {
-    let (outbox, lines) = Outbox::new();
-    let desk = call.desk.clone();
-    if arrived
-        .send(SeatArrival::Found { desk, outbox })
-        .await
-        .is_err()
-    {
-        return;
-    }
-    let Call {
+    let desk = CarrierPeer {
+        user: user.collect(),
+    };
+    let call = Call {
         conversation,
         inbox,
         subscriber,
         session,
-        ..
-    } = call;
-    conversation
-        .pass(inbox, lines, arrived, SeatArrival::Line)
-        .await;
-    drop(subscriber);
-    session.close().await;
-    drop(arrived.send(SeatArrival::Lost).await);
+    };
+    Ok(Some((call, desk)))
 }

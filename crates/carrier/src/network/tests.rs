@@ -10,6 +10,7 @@ use crate::join_line::JoinLine;
 use crate::new_class::NewClass;
 
 mod attacks;
+mod false_desks;
 mod splits;
 
 /// A class on several machines, as files.

@@ -124,3 +124,33 @@ async fn a_seat_does_not_speak_to_a_desk_of_somebody_else() {
         "{arrival:?}"
     );
 }
+
+/// A seat once waited without a word at a path where no desk can ever be.
+#[tokio::test(start_paused = true)]
+async fn a_seat_says_that_its_path_leads_to_something_else() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let place = place(folder.path());
+    fs::create_dir(folder.path().join("class")).expect("made");
+    fs::write(&place.socket, "no socket").expect("written");
+    let mut seat = unix::join::<DeskMessage>(place.clone());
+    let arrival = seat.next().await;
+    let Some(SeatArrival::Refused(fault)) = arrival else {
+        panic!("{arrival:?}");
+    };
+    let fault_of = |fault| ClassFault::Socket {
+        socket: place.socket.clone(),
+        fault,
+    };
+    assert_eq!(*fault, fault_of(socket::SocketFault::NoSocket));
+    // A desk does not replace the file.
+    let second = unix::open::<SeatMessage>(&place);
+    let fault = second.expect_err("it is not a socket");
+    assert_eq!(fault, fault_of(socket::SocketFault::NoSocket));
+    let kept = fs::read_to_string(&place.socket).expect("it is there");
+    assert_eq!(kept, "no socket");
+    // A socket that a killed desk has left is replaced.
+    fs::remove_file(&place.socket).expect("removed");
+    drop(std::os::unix::net::UnixListener::bind(&place.socket).expect("bound"));
+    let mut desk = unix::open::<SeatMessage>(&place).expect("it opens");
+    let _connection = opened(&mut desk).await;
+}

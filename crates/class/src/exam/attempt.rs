@@ -41,6 +41,12 @@ pub struct ExamTry {
     /// Which try it is.
     #[serde(flatten)]
     pub name: TryName,
+    /// What trainees call the exam, in English; empty in records of earlier versions.
+    #[serde(default, skip_serializing_if = "Words::is_empty")]
+    pub title: Words,
+    /// What they call it in Ukrainian, if the exam has such a title.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub title_uk: Option<Words>,
     /// The number of tries at this mission.
     pub tries: u32,
     /// The seed of the mission's world.

@@ -313,6 +313,8 @@ impl Exam {
         Some(ExamMove::Open(ExamTry {
             seed: self.seed(sight.user, &asked.name),
             name: asked.name.clone(),
+            title: self.plan.title.clone(),
+            title_uk: self.plan.title_uk.clone(),
             tries: mission.tries,
             within_s: u32::try_from(within).unwrap_or(u32::MAX),
         }))

@@ -55,6 +55,8 @@ pub(super) struct Rig {
     desk_line: DeskLine,
     connection: u64,
     pub now: Duration,
+    /// How far the clock of the seat's machine is ahead of that of the desk's.
+    pub seat_ahead: Duration,
     pub fates: VecDeque<Fate>,
     delayed: Vec<Vec<u8>>,
     /// How often each order was carried out.
@@ -73,6 +75,7 @@ impl Rig {
             desk_line: DeskLine::default(),
             connection: 1,
             now: Duration::ZERO,
+            seat_ahead: Duration::ZERO,
             fates: fates.into(),
             delayed: Vec::new(),
             done: BTreeMap::new(),
@@ -110,7 +113,8 @@ impl Rig {
 
     pub fn step(&mut self) {
         self.now += STEP;
-        while let Some(message) = self.seat_line.next(&self.seat, &self.source(), self.now) {
+        let at_seat = self.now + self.seat_ahead;
+        while let Some(message) = self.seat_line.next(&self.seat, &self.source(), at_seat) {
             let Some(lines) = self.carry(&line(&message)) else {
                 return self.reconnect();
             };
@@ -199,7 +203,7 @@ impl Rig {
             DeskMessage::Show(part) => self.seat.see(&part),
             DeskMessage::Hide => self.seat.look_on(false),
             DeskMessage::Settled { record, end } => {
-                let now = self.now;
+                let now = self.now + self.seat_ahead;
                 self.seat.hand_in_mut().settle(&record, end, now);
             }
             DeskMessage::Order(_)

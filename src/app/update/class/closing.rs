@@ -1,15 +1,21 @@
 //! What the end of the desk means for its seats.
 
 use crate::app::State;
-use crate::class::{Desk, FlightReport, SeatRecord, Stage};
+use crate::class::{Deed, Desk, FlightReport, SeatRecord, Stage};
 use crate::text;
 use crate::text::Text;
 
 /// What happens to seats if the desk closes now; empty if nothing does, and at consoles that are no desk.
 pub fn left_behind(state: &State) -> Vec<Text> {
-    let flown = flying(state, |flight| !flight.taken.is_empty());
-    let frozen = flying(state, |flight| flight.stage == Stage::Frozen);
-    let held = flying(state, |flight| flight.stage == Stage::Held);
+    let flown = seats(state, |seat| {
+        is_so(seat, |flight| !flight.taken.is_empty(), takes)
+    });
+    let frozen = seats(state, |seat| {
+        is_so(seat, |flight| flight.stage == Stage::Frozen, freezes)
+    });
+    let held = seats(state, |seat| {
+        is_so(seat, |flight| flight.stage == Stage::Held, holds)
+    });
     let taught = seats(state, |seat| {
         seat.lesson
             .as_ref()
@@ -27,12 +33,38 @@ pub fn left_behind(state: &State) -> Vec<Text> {
     .collect()
 }
 
-/// The connected seats whose flight is so.
-fn flying(state: &State, is_so: impl Fn(&FlightReport) -> bool) -> Vec<usize> {
-    seats(state, |seat| {
-        let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
-        flight.is_some_and(&is_so)
-    })
+/// Whether a seat's flight is so, by its newest report or by what was ordered since then: a report comes twice a second.
+fn is_so(
+    seat: &SeatRecord,
+    is_reported: impl Fn(&FlightReport) -> bool,
+    ordered: impl Fn(&Deed) -> Option<bool>,
+) -> bool {
+    let flight = seat.report.as_ref().and_then(|it| it.flight.as_ref());
+    let newest = seat.unreported().rev().find_map(ordered);
+    newest == Some(true) || flight.is_some_and(is_reported)
+}
+
+/// Whether an order stops the time of a flight, or lets it pass.
+fn freezes(deed: &Deed) -> Option<bool> {
+    match deed {
+        Deed::Freeze | Deed::Recall { .. } => Some(true),
+        Deed::Resume | Deed::End => Some(false),
+        _ => None,
+    }
+}
+
+/// Whether an order holds a mission, or no longer does.
+fn holds(deed: &Deed) -> Option<bool> {
+    match deed {
+        Deed::Fly { hold, .. } => Some(*hold),
+        Deed::Start | Deed::End => Some(false),
+        _ => None,
+    }
+}
+
+/// Whether an order takes vehicles over. Only some of them may have been handed back since.
+fn takes(deed: &Deed) -> Option<bool> {
+    matches!(deed, Deed::TakeOver { .. }).then_some(true)
 }
 
 /// The connected seats that are so.

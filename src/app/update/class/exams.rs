@@ -52,50 +52,75 @@ pub(super) fn begin(state: &State, choice: &SeatChoice, exam: String) -> Result<
     Ok(Effect::Class(ClassEffect::ReadExam { name: exam, seats }).into())
 }
 
-/// Handles an exam that was read: it begins, or more seats take part in it.
+/// Handles an exam that was read: asks before it begins, or before more seats take part in it, because a try that has
+/// opened is used up.
 fn read(state: &mut State, name: &str, exam: Result<Box<Exam>, Text>, seats: &[usize]) -> Effects {
-    let wall = state.wall;
-    let meant = state.seat_names(seats);
-    let title = exam.as_ref().ok().map(|exam| exam_title(exam.plan()));
-    let seated = exam.and_then(|exam| {
-        let desk = state.class.desk_mut();
-        let desk = desk.ok_or_else(|| text!("class-no-desk"))?;
-        seat(desk, *exam, seats, wall)
-    });
-    match seated {
-        Ok(true) => state.say(
-            Severity::Notice,
-            text!(
-                "class-exam-begun",
-                exam = title.unwrap_or_default(),
-                seats = meant
-            ),
-        ),
-        Ok(false) => {}
+    let exam = exam.and_then(|exam| may_hold(state, &exam).map(|()| exam));
+    match exam {
+        Ok(exam) => {
+            let question = question(state, &exam, seats);
+            let seats = seats.to_vec();
+            let reason = text!("class-exam-ask-begin-reason");
+            state.ask(question, reason, Consequence::BeginExam { exam, seats });
+        }
         Err(fault) => state.say(
             Severity::Warning,
             text!("class-exam-unread", exam = name, fault = fault),
         ),
     }
-    exam_notes(state)
+    Effects::none()
 }
 
-/// Lets seats take part in an exam; if the desk holds it already, in that one. Returns whether it has begun: a new one
-/// begins once its first note is on disk.
-fn seat(
-    desk: &mut Desk,
-    exam: Exam,
-    seats: &[usize],
-    wall: std::time::Duration,
-) -> Result<bool, Text> {
-    let held = desk.exam().filter(|it| !it.is_stopped());
-    let is_same = held.is_some_and(|it| it.plan().name == exam.plan().name);
-    let held = held.map(|it| exam_title(it.plan()));
-    if !is_same && !desk.hold(exam) {
-        return Err(text!("class-exam-other", exam = held.unwrap_or_default()));
+/// The exam, and who takes part: all names, since nobody is to be forgotten.
+fn question(state: &State, exam: &Exam, seats: &[usize]) -> Text {
+    let known = state.class.desk().map_or(&[][..], Desk::seats);
+    let names = seats.iter().filter_map(|&seat| known.get(seat));
+    let names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
+    let here = known.iter().filter(|seat| seat.is_here()).count();
+    text!(
+        "class-exam-ask-begin",
+        exam = exam_title(exam.plan()),
+        count = names.len(),
+        here = here,
+        seats = names.join(", ")
+    )
+}
+
+/// The exam that the desk holds and that has not ended.
+fn held(desk: &Desk) -> Option<&Exam> {
+    desk.exam().filter(|it| !it.is_stopped())
+}
+
+/// Checks that the desk holds no other exam than this one.
+///
+/// # Errors
+/// It does.
+fn may_hold(state: &State, exam: &Exam) -> Result<(), Text> {
+    let held = state.class.desk().and_then(held);
+    match held.filter(|it| it.plan().name != exam.plan().name) {
+        Some(other) => Err(text!("class-exam-other", exam = exam_title(other.plan()))),
+        None => Ok(()),
+    }
+}
+
+/// Lets seats take part in an exam; if the desk holds it already, in that one. A new one begins once its first note is
+/// on disk.
+pub fn begin_at_desk(state: &mut State, exam: Exam, seats: &[usize]) -> Effects {
+    let wall = state.wall;
+    let Some(desk) = state.class.desk_mut() else {
+        return Effects::none();
+    };
+    let title = exam_title(exam.plan());
+    if held(desk).is_none() {
+        desk.hold(exam);
     }
     desk.seat_candidates(seats, wall);
-    Ok(desk.exam().is_some_and(Exam::has_begun))
+    if desk.exam().is_some_and(Exam::has_begun) {
+        let seats = state.seat_names(seats);
+        let text = text!("class-exam-begun", exam = title, seats = seats);
+        state.say(Severity::Notice, text);
+    }
+    exam_notes(state)
 }
 
 /// Notes of the exam that began at a time are on disk.

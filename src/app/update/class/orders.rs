@@ -135,7 +135,7 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, OrderFault>
         Deed::Disarm { name } => injects::disarm(state, order.id, name.as_ref())?,
         Deed::Capture { name } => situations::capture(state, order.id, name)?,
         Deed::Recall { situation } => situations::recall(state, order, situation)?,
-        Deed::End => stop(state)?,
+        Deed::End => flights::stop(state)?,
         Deed::TakeOver { vehicles } => pilots::take_over(state, vehicles)?,
         Deed::HandBack { vehicles } => pilots::hand_back(state, vehicles)?,
         Deed::Command { line } => pilots::command(state, line.as_str())?,
@@ -247,17 +247,6 @@ fn freeze(state: &mut State) -> Result<BegunOrder, Refusal> {
     } else {
         SessionEffect::Pause.into()
     })
-}
-
-fn stop(state: &State) -> Result<BegunOrder, Refusal> {
-    let session = &state.session;
-    if state.flown_mission().is_none() || session.task.over || state.replay.is_some() {
-        return Err(Refusal::NoMission);
-    }
-    if !session.has_flight_begun() {
-        return Err(Refusal::NotFlying);
-    }
-    Ok(SessionEffect::Stop.into())
 }
 
 /// Ends the orders whose effect is seen, or was not seen in time.

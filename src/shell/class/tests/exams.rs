@@ -42,6 +42,7 @@ impl Hall {
         let desk = hall.desk.as_mut().expect("it is open");
         desk.say(&format!("class exam @all {}", file.display()))
             .await;
+        desk.console.feed(key(KeyCode::Char('y'))).await;
         hall.until(|_, anna| anna.place().flown_try().is_some())
             .await;
         // The brief waits until the vehicle is heard.

@@ -14,83 +14,68 @@ fn clock(seat: &Member) -> Duration {
     progress.expect("it flies").elapsed
 }
 
-fn newest(desk: &Member) -> OrderState {
-    let order = desk.seats()[0].orders().next_back();
-    order.expect("an order").state
-}
-
 #[tokio::test(start_paused = true)]
 async fn a_recalled_flight_goes_on_from_where_it_was_captured() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let mut desk = Box::pin(self::desk(folder.path())).await;
-    let mut anna = Box::pin(seat(folder.path())).await;
-    run(&mut [&mut desk, &mut anna], 4).await;
-    anna.console.feed(key(KeyCode::Enter)).await;
-    run(&mut [&mut desk, &mut anna], 2).await;
+    let mut pair = Box::pin(Pair::flying(FIRST)).await;
     for line in ["1 guided", "1 arm", "1 takeoff 10"] {
-        anna.say(line).await;
-        run(&mut [&mut desk, &mut anna], 3).await;
+        pair.anna.say(line).await;
+        pair.run(3).await;
     }
     let done = OrderState::Ended(Outcome::Done);
-    desk.say("class capture climbing").await;
-    run(&mut [&mut desk, &mut anna], 1).await;
-    assert_eq!(newest(&desk), done);
-    assert!(!anna.console.app.state().session().is_paused());
-    let (then, captured) = (clock(&anna), height(&anna));
+    pair.desk.say("class capture climbing").await;
+    pair.run(1).await;
+    assert_eq!(pair.newest().0, done);
+    assert!(!pair.anna.console.app.state().session().is_paused());
+    let (then, captured) = (clock(&pair.anna), height(&pair.anna));
 
-    run(&mut [&mut desk, &mut anna], 20).await;
-    anna.say("1 land").await;
-    run(&mut [&mut desk, &mut anna], 20).await;
+    pair.run(20).await;
+    pair.anna.say("1 land").await;
+    pair.run(20).await;
     let mut ends = Vec::new();
     for _ in 0..2 {
-        desk.say("class recall climbing").await;
-        desk.console.feed(key(KeyCode::Char('y'))).await;
-        run(&mut [&mut desk, &mut anna], 1).await;
-        assert_eq!(newest(&desk), done);
-        let state = anna.console.app.state();
+        pair.desk.say("class recall climbing").await;
+        pair.desk.console.feed(key(KeyCode::Char('y'))).await;
+        pair.run(1).await;
+        assert_eq!(pair.newest().0, done);
+        let state = pair.anna.console.app.state();
         assert!(state.session().is_paused());
         assert_eq!(state.session().ledger().entries().len(), 3);
-        let (now, recalled) = (clock(&anna), height(&anna));
+        let (now, recalled) = (clock(&pair.anna), height(&pair.anna));
         assert!(
             now.abs_diff(then) <= Duration::from_secs(1),
             "{now:?} {then:?}"
         );
         assert!((recalled - captured).abs() < 3.0, "{recalled} {captured}");
-        run(&mut [&mut desk, &mut anna], 5).await;
-        assert_eq!(clock(&anna), now, "it is frozen");
+        pair.run(5).await;
+        assert_eq!(clock(&pair.anna), now, "it is frozen");
 
-        desk.say("class resume").await;
-        run(&mut [&mut desk, &mut anna], 25).await;
-        assert!(clock(&anna) > now + Duration::from_secs(20));
-        let hovering = height(&anna);
+        pair.desk.say("class resume").await;
+        pair.run(25).await;
+        assert!(clock(&pair.anna) > now + Duration::from_secs(20));
+        let hovering = height(&pair.anna);
         assert!((hovering - 10.0).abs() < 0.5, "{hovering}");
-        let ledger = anna.console.app.state().session().ledger();
+        let ledger = pair.anna.console.app.state().session().ledger();
         let takeoff = ledger.entries().next_back().expect("an entry");
         ends.push((takeoff.rows[0].state, takeoff.line.clone()));
     }
     assert_eq!(ends[0], ends[1]);
     assert_eq!(ends[0].0, crate::ledger::RowState::Done);
     // The vehicle obeys as before.
-    anna.say("1 land").await;
-    run(&mut [&mut desk, &mut anna], 30).await;
-    let landed = height(&anna);
+    pair.anna.say("1 land").await;
+    pair.run(30).await;
+    let landed = height(&pair.anna);
     assert!(landed < 0.5, "{landed}");
 }
 
 #[tokio::test(start_paused = true)]
 async fn two_orders_at_once_are_carried_out_in_their_order() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let mut desk = Box::pin(self::desk(folder.path())).await;
-    let mut anna = Box::pin(seat(folder.path())).await;
-    run(&mut [&mut desk, &mut anna], 4).await;
-    anna.console.feed(key(KeyCode::Enter)).await;
-    run(&mut [&mut desk, &mut anna], 5).await;
-    desk.say("class capture early").await;
-    desk.say("class capture again").await;
-    run(&mut [&mut desk, &mut anna], 2).await;
-    let ends: Vec<OrderState> = desk.seats()[0].orders().map(|it| it.state).collect();
+    let mut pair = Box::pin(Pair::flying(FIRST)).await;
+    pair.desk.say("class capture early").await;
+    pair.desk.say("class capture again").await;
+    pair.run(2).await;
+    let ends: Vec<OrderState> = pair.desk.seats()[0].orders().map(|it| it.state).collect();
     assert_eq!(ends, [OrderState::Ended(Outcome::Done); 2]);
-    let then = clock(&anna);
-    run(&mut [&mut desk, &mut anna], 5).await;
-    assert!(clock(&anna) > then, "mission time continues");
+    let then = clock(&pair.anna);
+    pair.run(5).await;
+    assert!(clock(&pair.anna) > then, "mission time continues");
 }

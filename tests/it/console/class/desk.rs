@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use sortie::app::effect::{ClassEffect, Effect};
 use sortie::app::event::{ClassEvent, Event};
-use sortie::app::state::{ClassRole, Room};
+use sortie::app::state::{ClassRole, Overlay, Room};
 use sortie::class::protocol::{Hello, SeatMessage, VERSION};
 use sortie::class::{
     ConnectionId, Deed, Desk, Entry, FlightReport, Happening, JournalBatch, LastCommand, OrderId,
@@ -146,6 +146,109 @@ fn a_line_names_a_seat_or_all_of_them() {
     }
 }
 
+/// `class capture NAME @all` once made `@all` a part of the name, and captured only the flight under the cursor.
+#[test]
+fn a_seat_may_be_the_last_word_of_a_line() {
+    let message = |text: &str| Deed::Message { text: text.into() };
+    let inject = |when: Option<&str>| Deed::Inject {
+        name: "gust".into(),
+        when: when.map(Into::into),
+    };
+    let fly = super::start::fly("m01", true);
+    let name = "low battery".into();
+    let capture = Deed::Capture { name };
+    let text = "in the air".into();
+    let vehicles = vec![1, 2];
+    let line = "3 takeoff 20".into();
+    let both = &["bohdan", "vira"][..];
+    for (line, seats, deed) in [
+        (
+            "class capture low battery @bohdan",
+            &["bohdan"][..],
+            capture,
+        ),
+        (
+            "class mark in the air @vira",
+            &["vira"],
+            Deed::Mark { text },
+        ),
+        (
+            "class message land now @bohdan",
+            &["bohdan"],
+            message("land now"),
+        ),
+        (
+            "class message @bohdan ask @vira",
+            &["bohdan"],
+            message("ask @vira"),
+        ),
+        (
+            "class message ask @vira first",
+            both,
+            message("ask @vira first"),
+        ),
+        (
+            "class message write to me@lab",
+            both,
+            message("write to me@lab"),
+        ),
+        ("class inject gust @bohdan", &["bohdan"], inject(None)),
+        (
+            "class inject gust when t > 60 @bohdan",
+            &["bohdan"],
+            inject(Some("t > 60")),
+        ),
+        ("class fly m01 hold @bohdan", &["bohdan"], fly),
+        (
+            "class take 1-2 @bohdan",
+            &["bohdan"],
+            Deed::TakeOver { vehicles },
+        ),
+        (
+            "class say 3 takeoff 20 @bohdan",
+            &["bohdan"],
+            Deed::Command { line },
+        ),
+        (
+            "class freeze @all",
+            &["anna", "bohdan", "vira"],
+            Deed::Freeze,
+        ),
+    ] {
+        let mut console = desk(Language::English);
+        report(&mut console, 1, "anna", super::flight_with_injects());
+        // With bohdan and vira marked, a line without seats goes to both.
+        console
+            .press("down")
+            .press("space")
+            .press("down")
+            .press("space");
+        console.give(line);
+        let given = seats.iter().map(|seat| ((*seat).to_owned(), deed.clone()));
+        assert_eq!(deeds(&console), given.collect::<Vec<_>>(), "{line}");
+    }
+    let mut console = desk(Language::English);
+    for line in [
+        "class capture low battery @nobody",
+        "class message ask @nobody",
+    ] {
+        console.give(line);
+        let screen = console.screen(120, 40);
+        assert!(
+            screen.contains("no seat of the class is called @nobody"),
+            "{screen}"
+        );
+        assert_eq!(deeds(&console), [], "{line}");
+        console.press("esc");
+    }
+    console.press(":").write("class capture low battery @b");
+    let Some(Overlay::Palette(palette)) = console.state().overlay() else {
+        panic!("the command line is not open");
+    };
+    let offered = palette.completions().iter().map(|it| it.text.as_str());
+    assert_eq!(offered.collect::<Vec<_>>(), ["@bohdan"]);
+}
+
 #[test]
 fn the_end_of_missions_is_asked_about() {
     let mut console = desk(Language::English);
@@ -280,6 +383,56 @@ fn the_end_of_the_desk_is_asked_about_while_seats_depend_on_it() {
     }
 }
 
+/// A desk that was quit within half a second after a freeze once left the flight frozen without a word.
+#[test]
+fn what_was_just_ordered_counts_before_a_seat_reports_it() {
+    let quits = |console: &mut Console| {
+        console.effects.clear();
+        console.press("q");
+        let quits = console.effects.contains(&Effect::Quit);
+        console.press("esc");
+        quits
+    };
+    for (line, reason) in [
+        (
+            "class freeze @anna",
+            "resume their frozen flights themselves",
+        ),
+        (
+            "class fly m01 hold @anna",
+            "start their held missions themselves",
+        ),
+        ("class take @anna", "go back to their trainees (anna)"),
+    ] {
+        let mut console = desk(Language::English);
+        console.give(line);
+        console.press("q");
+        let screen = console.screen(120, 40);
+        assert!(screen.contains(reason), "{screen}");
+    }
+
+    let mut console = desk(Language::English);
+    report(&mut console, 1, "anna", flight(5.0));
+    assert!(quits(&mut console));
+    console.give("class freeze @anna");
+    assert!(!quits(&mut console), "it may be on its way");
+    // A report that was on its way does not count.
+    report(&mut console, 1, "anna", flight(5.0));
+    assert!(!quits(&mut console));
+    let order = orders_to(&console)[0];
+    answer(&mut console, 1, order, Outcome::Done);
+    assert!(!quits(&mut console), "the next report will show it");
+    report(&mut console, 1, "anna", flight(5.0));
+    assert!(quits(&mut console), "the trainee has resumed it");
+
+    let mut console = desk(Language::English);
+    console.give("class freeze @anna");
+    let order = orders_to(&console)[0];
+    let refused = Outcome::Refused(Refusal::NotFlying);
+    answer(&mut console, 1, order, refused);
+    assert!(quits(&mut console));
+}
+
 #[test]
 fn the_injects_of_a_named_seat_are_listed() {
     let mut console = desk(Language::English);
@@ -288,6 +441,26 @@ fn the_injects_of_a_named_seat_are_listed() {
     let screen = console.screen(120, 40);
     assert!(screen.contains("bohdan (bohdan k.): injects"), "{screen}");
     assert!(screen.contains("gust"), "{screen}");
+}
+
+#[test]
+fn entries_that_a_seat_has_dropped_are_counted_on_the_board() {
+    let mut console = desk(Language::English);
+    let what = Happening::Started { mission: None };
+    let (number, clock_s) = (41, None);
+    let entry = Entry {
+        number,
+        clock_s,
+        what,
+    };
+    let batch = JournalBatch {
+        kept_from: number,
+        entries: vec![entry],
+    };
+    say(&mut console, 1, "anna", SeatMessage::Entries(batch));
+    let screen = console.screen(120, 40);
+    let told = "40 earlier entries are no longer available";
+    assert!(screen.contains(told), "{screen}");
 }
 
 #[test]

@@ -1,39 +1,34 @@
-//! A mission whose brief is held until the desk starts it, and what the trainee sees of a try.
+//! A mission whose brief is held until the desk starts it.
 
-use sortie::app::event::{ClassEvent, SessionEvent};
-use sortie::app::state::{Activity, Room};
+use sortie::app::effect::SessionEffect;
+use sortie::app::event::ClassEvent;
+use sortie::app::state::Room;
 use sortie::campaign::Stake;
-use sortie::class::protocol::DeskMessage;
-use sortie::class::{Deed, ExamTry, Outcome, Stage};
+use sortie::class::{Deed, Happening, Outcome, Stage};
 
-use super::{joined, opened_try, order, outcomes, pass, quiet, start};
+use super::{joined, journal, order, outcomes, pass, quiet, session_effects, start};
 use crate::fixtures;
 use crate::harness::Console;
+
+/// The order to open a mission.
+pub fn fly(mission: &str, hold: bool) -> Deed {
+    Deed::Fly {
+        mission: mission.into(),
+        exam: false,
+        hold,
+    }
+}
 
 /// A seat that reads the brief of a mission which the desk has opened.
 fn reading(hold: bool) -> Console {
     let mut console = joined();
-    let mission = "m01".into();
-    let exam = false;
-    order(
-        &mut console,
-        1,
-        Deed::Fly {
-            mission,
-            exam,
-            hold,
-        },
-    );
-    console.start(Activity::Mission {
-        id: "m01".to_owned(),
-        title: "Air sample at the yard".into(),
-        stake: Stake::Graded,
-    });
+    order(&mut console, 1, fly("m01", hold));
+    start(&mut console, "m01", Stake::Graded);
     console.vehicle(fixtures::airborne(1, 30.0, 20.0));
     console
 }
 
-fn is_reading(console: &Console) -> bool {
+pub fn is_reading(console: &Console) -> bool {
     console.state().session().is_reading()
 }
 
@@ -100,66 +95,25 @@ fn without_the_desk_the_trainee_starts_and_the_time_does_not_begin_by_itself() {
 #[test]
 fn another_flight_than_the_one_that_the_desk_opens_is_not_held() {
     let mut console = joined();
-    let mission = "m02".into();
-    let (exam, hold) = (false, true);
-    order(
-        &mut console,
-        1,
-        Deed::Fly {
-            mission,
-            exam,
-            hold,
-        },
-    );
-    console.start(Activity::Mission {
-        id: "m01".to_owned(),
-        title: "Air sample at the yard".into(),
-        stake: Stake::Graded,
-    });
+    order(&mut console, 1, fly("m02", true));
+    start(&mut console, "m01", Stake::Graded);
     console.press("enter");
     assert!(!is_reading(&console));
 }
 
+/// `class end` was once refused while the brief was held, without a word about what to do.
 #[test]
-fn the_trainee_sees_which_try_it_is_and_the_time_that_is_left() {
-    let mut console = joined();
-    let opened = ExamTry {
-        tries: 2,
-        ..opened_try()
-    };
-    order(&mut console, 1, Deed::Examine(opened));
-    start(&mut console, "00-first-flight");
-    let screen = console.screen(120, 40);
-    assert!(screen.contains("try 1 of 2, 10:00 left"), "{screen}");
-    let screen = console.screen(80, 24);
-    assert!(screen.contains("10:00 left"), "{screen}");
-    console.press("enter");
-    console.hear(ClassEvent::Said(DeskMessage::Here));
-    pass(&mut console, 30);
-    let screen = console.screen(120, 40);
-    assert!(screen.contains("try 1 of 2, 09:30 left"), "{screen}");
-    console.hear(SessionEvent::MissionEnded(Box::new(fixtures::report())));
-    let screen = console.screen(120, 40);
-    assert!(!screen.contains("try 1 of 2"), "{screen}");
-}
-
-/// A hold for the same mission once kept the trainee in the brief of a try, whose time was running.
-#[test]
-fn a_try_of_an_exam_is_not_held() {
-    let mut console = joined();
-    let mission = "00-first-flight".into();
-    let (exam, hold) = (false, true);
-    order(
-        &mut console,
-        1,
-        Deed::Fly {
-            mission,
-            exam,
-            hold,
-        },
-    );
-    order(&mut console, 2, Deed::Examine(opened_try()));
-    start(&mut console, "00-first-flight");
-    console.press("enter");
-    assert!(!is_reading(&console));
+fn the_end_of_a_brief_leaves_it_without_a_score() {
+    for hold in [true, false] {
+        let mut console = reading(hold);
+        order(&mut console, 2, Deed::End);
+        assert_eq!(session_effects(&console), [&SessionEffect::Leave]);
+        assert_eq!(outcomes(&console).last(), Some(&(2, Outcome::Done)));
+        assert_eq!(console.state().room(), Room::Home);
+        let is_end = |what: &Happening| matches!(what, Happening::Ended { .. });
+        assert!(!journal(&console).iter().any(is_end));
+        let notices = console.state().notices().lines();
+        let told = notices.last().expect("a notice").notice.text.to_string();
+        assert_eq!(told, "petro has ended the mission");
+    }
 }

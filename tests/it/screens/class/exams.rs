@@ -5,6 +5,7 @@ use std::time::Duration;
 
 use sortie::app::effect::{ClassEffect, Effect};
 use sortie::app::event::{ClassEvent, ExamEvent};
+use sortie::app::state::Overlay;
 use sortie::class::{
     CandidateStage, Exam, ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret,
 };
@@ -13,8 +14,13 @@ use sortie::text::Language;
 use crate::console::class::{desk, flight, report};
 use crate::harness::Console;
 
-/// An exam that began when the desk was opened.
+/// An exam that began when the desk was opened, in which anna takes part.
 fn exam(name: &str) -> Exam {
+    begun(name, &["anna"])
+}
+
+/// An exam that began when the desk was opened.
+fn begun(name: &str, users: &[&str]) -> Exam {
     let mission = |id: &str, tries| ExamMission {
         mission: id.into(),
         tries,
@@ -38,9 +44,12 @@ fn exam(name: &str) -> Exam {
         source: String::new(),
         secret: ExamSecret::from([7; 32]),
     });
-    let user = "anna".to_owned();
-    let seated = note(ExamDeed::Seated { user });
-    Exam::of(plan, &[begun, seated], 1_800_000_000).expect("it began")
+    let seated = users.iter().map(|user| {
+        let user = (*user).to_owned();
+        note(ExamDeed::Seated { user })
+    });
+    let notes: Vec<ExamNote> = std::iter::once(begun).chain(seated).collect();
+    Exam::of(plan, &notes, 1_800_000_000).expect("it began")
 }
 
 #[test]
@@ -60,6 +69,48 @@ fn the_board_has_the_exam_of_each_seat() {
             insta::assert_snapshot!(name, console.screen(width, height));
         }
     }
+}
+
+/// `E` once began an exam for the seat under the cursor alone, without a question.
+#[test]
+fn an_exam_begins_after_a_question_that_names_it_and_its_seats() {
+    let candidates = |console: &Console| {
+        let desk = console.state().class_role().desk().expect("a desk");
+        desk.exam().map_or(0, |exam| exam.candidates().len())
+    };
+    let read = |console: &mut Console, name: &str, seats: &[usize]| {
+        let exam = Ok(Box::new(begun(name, &[])));
+        let (name, seats) = (name.to_owned(), seats.to_vec());
+        console.hear(ClassEvent::Exam(ExamEvent::Read { name, exam, seats }));
+    };
+    let asks = |console: &Console, question: &str| {
+        let Some(Overlay::Confirm(asked)) = console.state().overlay() else {
+            panic!("nothing is asked");
+        };
+        assert_eq!(asked.question().to_string(), question);
+    };
+    let mut console = desk(Language::English);
+    read(&mut console, "final", &[0]);
+    let one = "BEGIN the exam “Exam final” with 1 of 3 connected seats: anna";
+    asks(&console, one);
+    console.press("esc");
+    let role = console.state().class_role();
+    assert!(role.desk().expect("a desk").exam().is_none());
+
+    read(&mut console, "final", &[0]);
+    console.press("y");
+    assert_eq!(candidates(&console), 1);
+    read(&mut console, "final", &[1, 2]);
+    let others = "BEGIN the exam “Exam final” with 2 of 3 connected seats: bohdan, vira";
+    asks(&console, others);
+    console.press("y");
+    assert_eq!(candidates(&console), 3);
+    // Another one is not asked about: it cannot begin.
+    read(&mut console, "rehearsal", &[0]);
+    assert!(console.state().overlay().is_none());
+    let said = console.state().message().expect("a message");
+    let text = said.text.to_string();
+    assert!(text.contains("the exam “Exam final” is going on"), "{text}");
 }
 
 #[test]

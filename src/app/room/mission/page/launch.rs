@@ -112,8 +112,8 @@ impl MissionPage<'_> {
         let shown = self.state.shown_try()?;
         Some(text!(
             "mission-exam-is",
-            exam = shown.name.exam.as_str(),
-            number = shown.name.number,
+            exam = shown.title.clone(),
+            number = shown.number,
             tries = shown.tries,
             time = clock(shown.left)
         ))

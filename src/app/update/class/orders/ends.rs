@@ -38,7 +38,7 @@ pub(super) fn end(state: &mut State, id: OrderId, deed: Deed, ended: impl Into<E
     if concerns_trainee(&line) {
         tell(state, Severity::Notice, line.text());
     }
-    // Before a recall, the flight was at another time: that is noted there.
+    // What a recall changes is noted with it.
     if !matches!(line.deed, Deed::Recall { .. }) {
         state.session.note_instructor(&line, state.now);
     }

@@ -3,14 +3,15 @@
 use std::time::Duration;
 
 use super::super::super::loss::loss;
-use super::super::super::show;
-use super::{BegunOrder, OrderTrace};
+use super::super::super::{consequence, show};
+use super::{BegunOrder, OrderTrace, is_exam};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
-use crate::app::state::{Activity, OpenTry, SeatPlace};
+use crate::app::state::{Activity, Consequence, OpenTry, SeatPlace};
 use crate::campaign::{MissionStage, Stake};
 use crate::class::{ExamTry, Outcome, Refusal, TryName};
+use crate::class_text::try_title;
 use crate::text;
 use crate::vehicle::Severity;
 
@@ -66,6 +67,7 @@ pub(super) fn examine(state: &mut State, opened: &ExamTry) -> Result<BegunOrder,
     if let Some(place) = state.class.seat_mut() {
         place.exam = Some(OpenTry {
             name: opened.name.clone(),
+            title: try_title(opened),
             tries: opened.tries,
             flight: place.flights + 1,
             until,
@@ -168,6 +170,28 @@ pub(super) fn begin(state: &mut State, flight: u32) -> Option<Outcome> {
         state.session.leave_brief();
     }
     Some(Outcome::Done)
+}
+
+/// Ends the mission; one whose time has not begun is left without a score. In an exam, it has to begin first: the
+/// flight counts.
+pub(super) fn stop(state: &mut State) -> Result<BegunOrder, Refusal> {
+    if !has_mission(state) {
+        return Err(Refusal::NoMission);
+    }
+    if state.session.has_flight_begun() {
+        return Ok(SessionEffect::Stop.into());
+    }
+    if is_exam(state) {
+        return Err(Refusal::NotFlying);
+    }
+    if let Some(place) = state.class.seat_mut() {
+        place.held = None;
+    }
+    let leave = Consequence::Effect(Effect::Session(SessionEffect::Leave));
+    Ok(BegunOrder {
+        effects: consequence::carry_out(state, leave),
+        trace: OrderTrace::State,
+    })
 }
 
 /// Lets the trainee start a mission that the desk wanted to start, when the desk is gone. The brief is shown, so that

@@ -4,7 +4,7 @@ use super::{BegunOrder, injects, instructor, pilots};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect, SituationEffect};
 use crate::app::snapshot::{FlightSnapshot, restore};
-use crate::app::state::{Activity, OrderTrace, PendingOrder, Room, SeatSituation, TimeFlow};
+use crate::app::state::{Activity, OrderTrace, Room, SeatSituation, TimeFlow};
 use crate::class::{Deed, Order, OrderId, Outcome, Refusal, Words};
 use crate::ledger::{RowState, RowUpdate};
 use crate::mission::Stake;
@@ -140,12 +140,13 @@ pub(super) fn recall(
 
 /// The flight continues from an earlier state: frozen, and as practice. Who flies which vehicle stays as it is.
 pub fn recalled(state: &mut State, flight: FlightSnapshot) {
-    note_recall(state);
     let pilots = std::mem::take(&mut state.session.pilots);
     let instructor = std::mem::take(&mut state.session.instructor);
     restore(state, flight);
     let session = &mut state.session;
     (session.pilots, session.instructor) = (pilots, instructor);
+    leave_behind(state);
+    let session = &mut state.session;
     if let Some(Activity::Mission { stake, .. }) = &mut session.activity {
         *stake = Stake::Practice;
     }
@@ -163,20 +164,18 @@ pub fn recalled(state: &mut State, flight: FlightSnapshot) {
     }
 }
 
-/// Notes, while the flight is still at its later time, that it goes back.
-fn note_recall(state: &mut State) {
+/// What the instructor did after the situation is no longer part of the flight.
+fn leave_behind(state: &mut State) {
     let pending = state.class.seat().map_or(&[][..], |place| &place.pending);
-    let is_recall = |one: &&PendingOrder| matches!(one.deed, Deed::Recall { .. });
-    let Some(deed) = pending.iter().find(is_recall).map(|one| one.deed.clone()) else {
-        return;
-    };
-    let line = DeskRecord {
-        by: instructor(state),
-        deed,
-        outcome: Outcome::Done,
-        why: None,
-    };
-    state.session.note_instructor(&line, state.now);
+    let recalled = pending.iter().find_map(|one| match &one.deed {
+        Deed::Recall { situation } => Some(situation.to_string()),
+        _ => None,
+    });
+    if let Some(situation) = recalled {
+        let by = instructor(state);
+        let to = state.session.elapsed(state.now);
+        state.session.instructor.go_back(to, &by, &situation);
+    }
 }
 
 /// Ends the rehearsals that were under way then: their results do not come any more.
