@@ -23,7 +23,7 @@ use crate::plan::ListKind;
 use crate::plan::generate::Idle;
 use crate::preflight::idle_words;
 use crate::session::{Steering, VehicleCommand};
-use crate::swarm::{Conductor, DividedWork, Path, Rules, carrying};
+use crate::swarm::{Conductor, ConductorScene, DividedWork, Path, Rules, carrying};
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
@@ -274,7 +274,12 @@ impl Operator {
     ) -> (Vec<Dispatch>, Vec<VehicleId>) {
         // Earlier setpoints no longer matter.
         self.undelivered.retain(|id, _| !order.targets.contains(id));
-        let assignment = self.conductor.take(entry, order, scene.vehicles, scene.now);
+        let around = ConductorScene {
+            now: scene.now,
+            vehicles: scene.vehicles,
+            pilots: scene.pilots,
+        };
+        let assignment = self.conductor.take(entry, order, around);
         let rows = assignment.rows.into_iter().map(Dispatch::Row);
         (rows.collect(), assignment.alone)
     }
