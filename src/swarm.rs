@@ -247,7 +247,13 @@ impl Conductor {
             });
             for (id, reason) in refused.collect::<Vec<_>>() {
                 let stop = act.stops(&[id], vehicles);
-                act.lose(&[id], RowState::Overtaken, &reason, &view, &mut self.waiting);
+                act.lose(
+                    &[id],
+                    RowState::Overtaken,
+                    &reason,
+                    &view,
+                    &mut self.waiting,
+                );
                 self.waiting.steering.retain(|(other, _)| *other != id);
                 self.waiting.steering.extend(stop);
                 let text = text!("swarm-falls-out", verb = act.verb.name, reason = reason);
@@ -386,7 +392,9 @@ fn is_for_formation(act: &Act) -> bool {
     matches!(
         act,
         Act::Command(Command::Motion(
-            MotionCommand::Goto { .. } | MotionCommand::Altitude { .. } | MotionCommand::Speed { .. }
+            MotionCommand::Goto { .. }
+                | MotionCommand::Altitude { .. }
+                | MotionCommand::Speed { .. }
         ))
     )
 }

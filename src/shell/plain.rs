@@ -404,6 +404,7 @@ impl Plain {
             }
         }
         self.output.finish(told_to_end)?;
+        self.console.require_joined()?;
         self.console.require_stored()?;
         Ok(passed)
     }

@@ -1,7 +1,7 @@
 //! The carrier on one host: a Unix socket. The kernel says which user is at the other end.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use nix::unistd::geteuid;
@@ -40,7 +40,7 @@ pub fn open<M: Message>(place: &HostPlace) -> Result<DeskPort<M>, ClassFault> {
             fault,
         })?;
     let (arrived, arrivals) = mpsc::channel(ARRIVALS);
-    let removed = Removed(place.socket.clone());
+    let removed = Removed(place.clone());
     let task = tokio::spawn(async move {
         tokio::select! {
             () = arrived.closed() => {}
@@ -52,12 +52,11 @@ pub fn open<M: Message>(place: &HostPlace) -> Result<DeskPort<M>, ClassFault> {
 }
 
 /// Removes the socket when the desk closes.
-struct Removed(PathBuf);
+struct Removed(HostPlace);
 
 impl Drop for Removed {
     fn drop(&mut self) {
-        // It may have been removed already.
-        drop(std::fs::remove_file(&self.0));
+        self.0.remove();
     }
 }
 
@@ -152,18 +151,22 @@ pub fn join<M: Message>(place: HostPlace) -> SeatPort<M> {
     let task = tokio::spawn(async move {
         tokio::select! {
             () = arrived.closed() => {}
-            () = keep_connected(&place, &arrived) => {}
+            () = keep_connected(place, &arrived) => {}
         }
     });
     SeatPort { arrivals, task }
 }
 
-async fn keep_connected<M: Message>(place: &HostPlace, arrived: &mpsc::Sender<SeatArrival<M>>) {
+async fn keep_connected<M: Message>(mut place: HostPlace, arrived: &mpsc::Sender<SeatArrival<M>>) {
     let mut wait = *RETRY.start();
     let mut stranger = None;
     loop {
-        match connect(&place.socket, place).await {
+        match connect(&place.socket, &place).await {
             Ok(Some((stream, desk))) => {
+                if place.is_passing {
+                    // Anybody could open a place of this name once its folder is gone.
+                    place = place.of_user(&desk.user);
+                }
                 wait = *RETRY.start();
                 stranger = None;
                 if converse(stream, desk, arrived).await.is_none() {

@@ -240,14 +240,18 @@ pub fn give(state: &mut State, order: Order) -> Effects {
             count = count,
             vehicles = named
         ),
-        reason: hazard
-            .unwrap_or_else(|| Text::new(format!("verb-{}", order.verb.name), Vec::new())),
+        reason: hazard.unwrap_or_else(|| danger(&order)),
         answer: count.to_string(),
         typed: String::new(),
         cancelled: false,
         then: Consequence::Order(order),
     }));
     Effects::none()
+}
+
+/// What a dangerous verb does.
+fn danger(order: &Order) -> Text {
+    Text::new(format!("verb-{}", order.verb.name), Vec::new())
 }
 
 /// Asks before a message to the mission, which concerns no vehicle.
@@ -307,6 +311,14 @@ pub enum UnfitLine {
     Because(Text),
 }
 
+/// An order of another person that was carried out.
+#[must_use = "the shell has to carry the effect out"]
+pub struct OrderFor {
+    pub sent: SentOrder,
+    /// What that person had to confirm before; `None` for an order without danger.
+    pub confirmed: Option<Text>,
+}
+
 /// Carries out a line that another person gives, for the vehicles that this person may command: the others refuse it.
 /// `is_open` says whether the person may give such an order at all.
 ///
@@ -316,26 +328,30 @@ pub fn give_for(
     state: &mut State,
     said: LineFor<'_>,
     is_open: impl Fn(&Order) -> bool,
-) -> Result<SentOrder, UnfitLine> {
+) -> Result<OrderFor, UnfitLine> {
     let order = match read_for(state, said.line, said.selection) {
         Ok(Given::Order(order)) if is_open(&order) => order,
         Ok(_) => return Err(UnfitLine::NoCommand),
         Err(fault) => return Err(UnfitLine::Because(fault.message)),
     };
-    // The user would be asked; the other person may not know of it.
-    if said.confirmed != Confirmed::Hazard
-        && let Some(hazard) = hazard(state, &order)
-    {
-        return Err(UnfitLine::Because(hazard));
-    }
-    if said.confirmed == Confirmed::Nothing && order.verb.danger == Danger::Confirm {
+    let hazard = match hazard(state, &order) {
+        // The user would be asked; the other person may not know of it.
+        Some(hazard) if said.confirmed != Confirmed::Hazard => {
+            return Err(UnfitLine::Because(hazard));
+        }
+        found => found,
+    };
+    let is_dangerous = order.verb.danger == Danger::Confirm;
+    if said.confirmed == Confirmed::Nothing && is_dangerous {
         return Err(UnfitLine::Because(text!(
             "crew-unconfirmed",
             verb = order.verb.name
         )));
     }
+    let confirmed = hazard.or_else(|| is_dangerous.then(|| danger(&order)));
     let by = Some(said.by.clone());
-    Ok(send(state, Order { by, ..order }))
+    let sent = send(state, Order { by, ..order });
+    Ok(OrderFor { sent, confirmed })
 }
 
 /// An order entered in the ledger, and the effect that sends it.

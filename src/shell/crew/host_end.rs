@@ -141,6 +141,7 @@ impl HostEnd {
             if let Some(tail) = &mut connection.tail {
                 drop(tail.await);
             }
+            connection.outbox.send(&HostMessage::Closing);
         }
         // What waits to be written is written before a connection closes.
         let mut closing: BTreeSet<_> = std::mem::take(&mut self.open).into_keys().collect();
@@ -198,7 +199,7 @@ impl HostEnd {
                     let members = self.open.values_mut().filter(|it| it.tail.is_some());
                     members.for_each(|it| it.waiting.push_back(message.clone()));
                 }
-                CrewEffect::Note(_) | CrewEffect::Say(_) => {}
+                CrewEffect::Note(_) | CrewEffect::Say(_) | CrewEffect::GiveUp(_) => {}
             }
         }
     }

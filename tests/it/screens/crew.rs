@@ -7,7 +7,7 @@ use sortie::app::state::{Activity, CrewPart, MemberPlace, ReplayPosition, Replay
 use sortie::campaign::Stake;
 use sortie::class::ConnectionId;
 use sortie::crew::protocol::{CrewHello, HostMessage, MemberMessage, RosterLine, VERSION};
-use sortie::crew::{Crew, Role};
+use sortie::crew::{Crew, CrewDeed, ProposalChoice, Role};
 use sortie::language::verb;
 use sortie::ledger::{EntryId, Risk, RowState, RowUpdate};
 use sortie::pilot_in_command::{Person, PilotsInCommand};
@@ -169,7 +169,7 @@ fn the_host_sees_who_flies_what() {
         user: "anna".to_owned(),
         message: MemberMessage::Act {
             id: 1,
-            deed: sortie::crew::CrewDeed::Accept,
+            deed: CrewDeed::Accept(ProposalChoice::default()),
         },
     });
     console.at(5);
