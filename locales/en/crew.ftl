@@ -18,6 +18,7 @@ header-crew-awaited = CREW, WAITING
 header-crew-ended = CREW, HOST LEFT
 header-crew-lost = CREW, NO LINK
 header-crew-silent = CREW, NO WORD FOR { $seconds } s
+hint-leave-crew = leave the crew
 header-own = you fly { $vehicles }
 header-own-none = you fly no vehicle
 

@@ -18,6 +18,7 @@ header-crew-awaited = ЕКІПАЖ, ОЧІКУВАННЯ
 header-crew-ended = ЕКІПАЖ, ГОСПОДАР ВИЙШОВ
 header-crew-lost = ЕКІПАЖ, БЕЗ ЗВ’ЯЗКУ
 header-crew-silent = ЕКІПАЖ, { $seconds } с БЕЗ ВІДПОВІДІ
+hint-leave-crew = вийти з екіпажу
 header-own = ви керуєте { $vehicles }
 header-own-none = ви не керуєте апаратами
 

@@ -27,7 +27,6 @@ mod faults;
 mod host_end;
 mod member_end;
 mod tail;
-pub(super) use tail::RecordPoint;
 #[cfg(test)]
 mod tests;
 

@@ -69,6 +69,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         start: Patience::new(START_PATIENCE),
         landing: Patience::new(LANDING_PATIENCE),
         failed: false,
+        is_briefed: false,
     };
     // Nothing is drawn: every size is large enough.
     let (columns, rows) = (u16::MAX, u16::MAX);
@@ -132,6 +133,8 @@ struct Plain {
     landing: Patience,
     /// Whether the vehicles did not start, or a line from a pipe failed.
     failed: bool,
+    /// Whether a member of a crew has read the brief of the host's mission.
+    is_briefed: bool,
 }
 
 impl Plain {
@@ -173,6 +176,7 @@ impl Plain {
 
     async fn tick(&mut self) -> anyhow::Result<()> {
         self.console.tick().await;
+        self.brief_member();
         // The plain console has neither bell nor desktop notifications.
         self.console.sight.bell = false;
         self.console.sight.notes.clear();
@@ -346,6 +350,16 @@ impl Plain {
         for text in brief::lines(self.console.app.state()) {
             self.say(&text);
         }
+    }
+
+    /// Prints the brief of the mission that the host of a crew begins.
+    fn brief_member(&mut self) {
+        let state = self.console.app.state();
+        let has_mission = state.crew().member().is_some() && state.flown_mission().is_some();
+        if has_mission && !self.is_briefed {
+            self.brief();
+        }
+        self.is_briefed = has_mission;
     }
 
     /// Delays the following lines.

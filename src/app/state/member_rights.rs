@@ -3,7 +3,7 @@
 //! Keys, lines and hints ask here, so that a member is offered what is open, and refused the rest with its reason.
 
 use crate::app::State;
-use crate::app::action::{Action, ParametersAction, PlansAction};
+use crate::app::action::{Action, DebriefAction, ParametersAction, PlansAction};
 use crate::app::keymap::{HintKeys, KeyHint};
 use crate::language::{self, ConsoleLine, LineNeeds, Meaning, words};
 use crate::text;
@@ -20,6 +20,8 @@ fn is_of_host(action: Action) -> bool {
             | Action::AgainAlike
             | Action::Abandon
             | Action::TakeSticks
+            | Action::Start(_)
+            | Action::Debrief(DebriefAction::NextMission)
             | Action::Hangar(_)
             | Action::Files(_)
             | Action::Plans(PlansAction::UploadDraft)
@@ -49,8 +51,11 @@ fn is_line_of_host(line: &ConsoleLine) -> bool {
 impl State {
     /// Why an action is not open to the user of this console; `None` if it is.
     pub fn action_refusal(&self, action: Action) -> Option<Text> {
-        let is_refused = self.crew.member().is_some() && is_of_host(action);
-        is_refused.then(|| text!("crew-host-decides"))
+        self.crew.member()?;
+        match action {
+            Action::Replay(_) if self.is_following() => Some(text!("crew-live")),
+            _ => is_of_host(action).then(|| text!("crew-host-decides")),
+        }
     }
 
     /// Why a line for the console is not open to its user; `None` if it is.

@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
-use super::tail::{RecordPoint, RecordSight, send_record};
+use super::tail::{RecordSight, send_record};
 use crate::app::effect::CrewEffect;
 use crate::app::event::CrewEvent;
 use crate::carrier::{DeskArrival, DeskPort, Outbox};
@@ -14,6 +14,7 @@ use crate::class::ConnectionId;
 use crate::crew::protocol::{HostMessage, MemberMessage};
 use crate::replay::FRAME;
 use crate::shell::Console;
+use crate::shell::session::RecordPoint;
 
 /// The maximum number of messages that wait for one member; one that does not read them is sent away.
 const MOST_WAITING: usize = 256;
@@ -259,8 +260,7 @@ impl Console {
         let running = self.running.as_ref();
         // An exam is flown alone.
         let shown = running.filter(|_| !self.app.state().is_exam());
-        let (frames, at) = shown?.record_sight(self.clock.now())?;
-        Some(RecordPoint { frames, at })
+        shown?.record_point(self.clock.now())
     }
 }
 
