@@ -57,7 +57,7 @@ crew-yours = you fly { $vehicles } already
 crew-several = these vehicles have several pilots: ask for those of one pilot
 crew-no-vehicle = no such vehicle in this flight
 crew-many-proposals = you have made eight proposals that wait for an answer: wait for one of them
-crew-several-proposals = several proposals wait: { $proposals }: say which, as in `crew accept 3` or `crew accept 3 from NAME`
+crew-several-proposals = several proposals wait: { $proposals }: say which, as in `crew accept { $vehicles }` or `crew accept { $vehicles } from NAME`
 crew-other-proposals = no such proposal; these wait: { $proposals }
 crew-nothing = no proposal waits for your answer
 crew-overtaken = too late: the proposal has ended
@@ -90,4 +90,4 @@ practice-crew = the mission is not made for a crew
 
 # Questions before leaving
 crew-ask-quit-vehicles = { $host } then flies { $vehicles }, which you fly now
-crew-ask-quit-role = nobody has your role then: { $role }
+crew-ask-quit-role = you give up your role: { $role }

@@ -57,7 +57,7 @@ crew-yours = { $vehicles } уже керуєте ви
 crew-several = ці апарати мають кількох пілотів: просіть апарати одного пілота
 crew-no-vehicle = у цьому польоті немає такого апарата
 crew-many-proposals = вісім ваших пропозицій чекають на відповідь: дочекайтеся однієї з них
-crew-several-proposals = чекають кілька пропозицій: { $proposals }: вкажіть, яку саме, наприклад `crew accept 3` або `crew accept 3 from ІМ’Я`
+crew-several-proposals = чекають кілька пропозицій: { $proposals }: вкажіть, яку саме, наприклад `crew accept { $vehicles }` або `crew accept { $vehicles } from ІМ’Я`
 crew-other-proposals = такої пропозиції немає; чекають: { $proposals }
 crew-nothing = жодна пропозиція не чекає на вашу відповідь
 crew-overtaken = запізно: пропозиція вже не діє
@@ -90,4 +90,4 @@ practice-crew = завдання не призначене для екіпажу
 
 # Запитання перед виходом
 crew-ask-quit-vehicles = далі апаратами { $vehicles }, якими керуєте ви, керуватиме { $host }
-crew-ask-quit-role = тоді ні в кого не буде вашої ролі: { $role }
+crew-ask-quit-role = ви втратите роль: { $role }

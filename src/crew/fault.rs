@@ -58,7 +58,12 @@ impl CrewFault {
                 text!("crew-other-proposals", proposals = listed(open))
             }
             Self::SeveralProposals(open) => {
-                text!("crew-several-proposals", proposals = listed(open))
+                let first = open.first().map(|it| ranges(it.vehicles.iter().copied()));
+                text!(
+                    "crew-several-proposals",
+                    proposals = listed(open),
+                    vehicles = first.unwrap_or_default()
+                )
             }
             Self::Overtaken => text!("crew-overtaken"),
         }

@@ -274,6 +274,7 @@ impl RoomModel for Debriefs {
         does(key('v'), Action::Replay(ReplayAction::ReplayNewest)),
         does(key('a'), Action::Replay(ReplayAction::ReviewNewest)),
         does(key('h'), Action::Leave),
+        does(key('q'), Action::Leave),
         does(ESCAPE, Action::Escape),
         does(
             Press::Plain(KeyCode::Tab),

@@ -44,3 +44,22 @@ async fn each_role_reaches_what_is_its_own() {
     let (_, by) = host.last().expect("a command");
     assert!(by.is_some());
 }
+
+#[tokio::test]
+async fn who_flies_nothing_still_speaks_to_the_mission() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut host = Box::pin(host(folder.path(), THREE)).await;
+    let mut sensors = Box::pin(member(folder.path(), "olena", Some(Role::Sensors))).await;
+    until(&mut [&mut host, &mut sensors], |aboard| {
+        !aboard[1].is_waiting(3)
+    })
+    .await;
+    sensors.say("workload 4").await;
+    let theirs = named(2);
+    until(&mut [&mut host, &mut sensors], |aboard| {
+        aboard[0]
+            .last()
+            .is_some_and(|(entry, by)| entry.line == "workload 4" && by.as_deref() == Some(&theirs))
+    })
+    .await;
+}
