@@ -84,10 +84,17 @@ pub fn read_order(
     context: &Context<'_>,
     selection: &[VehicleId],
 ) -> Result<Order, Diagnostic> {
-    order_of(language::parse(line, context)?, line, context, selection)
+    order_of(
+        language::parse(line, context)?,
+        line,
+        context,
+        selection,
+        |_| true,
+    )
 }
 
-/// The order of a line that has been read; without targets, `selection` applies.
+/// The order of a line that has been read; without targets, `selection` applies. What has the same result for every
+/// vehicle is done by one that its giver flies, if there is one among the targets.
 ///
 /// # Errors
 /// Its vehicles do not exist; the fault is at the first word of the line.
@@ -96,6 +103,7 @@ pub fn order_of(
     line: &str,
     context: &Context<'_>,
     selection: &[VehicleId],
+    is_flown: impl Fn(VehicleId) -> bool,
 ) -> Result<Order, Diagnostic> {
     let refused = |text: Text| Diagnostic::new(first_word(line), text);
     let mut order = statement.into_order(selection, context).map_err(refused)?;
@@ -104,7 +112,13 @@ pub fn order_of(
         return Err(refused(text!("order-no-vehicle", vehicle = *missing)));
     }
     if let Act::Deed(deed) = &order.act {
-        order.targets = deed.doers(&order.targets).to_vec();
+        let doers = deed.doers(&order.targets);
+        let mut targets = order.targets.iter();
+        let flown = targets.find(|&&id| is_flown(id));
+        order.targets = match flown {
+            Some(&flown) if doers.len() < order.targets.len() => vec![flown],
+            _ => doers.to_vec(),
+        };
     }
     Ok(order)
 }

@@ -168,14 +168,7 @@ fn a_member_is_offered_only_what_is_open_and_refused_the_rest_with_the_reason() 
         let expected = "only the host can do this: it concerns the whole flight";
         assert!(said.contains(expected), "{key}: {said}");
     }
-    for line in [
-        "pause",
-        "speedup 2",
-        "restart",
-        "abandon",
-        "fly m01",
-        "inject gust",
-    ] {
+    for line in ["pause", "speedup 2", "restart", "abandon", "fly m01"] {
         console.give(line);
         let shown = console.screen(120, 40);
         assert!(
