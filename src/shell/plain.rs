@@ -69,7 +69,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         start: Patience::new(START_PATIENCE),
         landing: Patience::new(LANDING_PATIENCE),
         failed: false,
-        is_briefed: false,
+        briefed: None,
     };
     // Nothing is drawn: every size is large enough.
     let (columns, rows) = (u16::MAX, u16::MAX);
@@ -133,8 +133,8 @@ struct Plain {
     landing: Patience,
     /// Whether the vehicles did not start, or a line from a pipe failed.
     failed: bool,
-    /// Whether a member of a crew has read the brief of the host's mission.
-    is_briefed: bool,
+    /// At a member of a crew: the mission of the host whose brief was printed last.
+    briefed: Option<String>,
 }
 
 impl Plain {
@@ -355,11 +355,14 @@ impl Plain {
     /// Prints the brief of the mission that the host of a crew begins.
     fn brief_member(&mut self) {
         let state = self.console.app.state();
-        let has_mission = state.crew().member().is_some() && state.flown_mission().is_some();
-        if has_mission && !self.is_briefed {
+        if state.crew().member().is_none() {
+            return;
+        }
+        let flown = state.flown_mission().map(|it| it.id.clone());
+        if flown.is_some() && flown != self.briefed {
             self.brief();
         }
-        self.is_briefed = has_mission;
+        self.briefed = flown;
     }
 
     /// Delays the following lines.
