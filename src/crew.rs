@@ -16,6 +16,8 @@ use crate::pilot_in_command::{Person, PilotsInCommand};
 use crate::vehicle_id::VehicleId;
 use crate::verb::{CountsAs, CrewDuty, Verb};
 
+use protocol::CrewDenial;
+
 mod change;
 mod fault;
 mod handover;
@@ -26,12 +28,14 @@ mod tests;
 
 pub use change::{CrewChange, CrewRecord, CrewViewpoint, Flown};
 pub use fault::CrewFault;
-pub use handover::{CrewDeed, CrewScene, DeedOutcome, Proposal};
+pub use handover::{CrewDeed, CrewScene, DeedOutcome, Proposal, ProposalChoice};
 
 /// The maximum number of members.
 pub const MOST_MEMBERS: usize = 16;
-/// The maximum number of members of one user, except for the host's own: nobody takes all places.
-const OF_ONE_USER: usize = 4;
+/// The maximum number of members of one user, the host's own too: nobody takes all places.
+pub const MOST_OF_ONE_USER: usize = 4;
+/// How long a post of the mission is kept for a user whose connection has ended.
+const KEPT: Duration = Duration::from_secs(60);
 /// The time without a line of the other side, which says something every 2 s, after which it is silent: a member counts as
 /// gone.
 pub const SILENT: Duration = Duration::from_secs(10);
@@ -137,6 +141,8 @@ pub struct Crew {
     host: Person,
     posts: Vec<Post>,
     members: BTreeMap<ConnectionId, Member>,
+    /// The posts of members whose connections have ended, oldest first.
+    kept: Vec<KeptPost>,
     /// Proposals that wait for an answer, oldest first.
     proposals: Vec<Proposal>,
     /// The last look at the wall clock.
@@ -151,6 +157,7 @@ impl Crew {
             host,
             posts: Vec::new(),
             members: BTreeMap::new(),
+            kept: Vec::new(),
             proposals: Vec::new(),
             seen_at: None,
         }
@@ -198,22 +205,22 @@ impl Crew {
     /// Takes a user in. The name is the user's, with a number if it is taken.
     ///
     /// # Errors
-    /// The crew is full, the user has too many places, or the connection has a member already.
+    /// The crew is full, the user has as many consoles on it as one may have, or the connection has a member already.
     pub fn join(
         &mut self,
         joining: Joining<'_>,
         pilots: &mut PilotsInCommand,
         now: Duration,
-    ) -> Result<CrewChange, CrewFault> {
+    ) -> Result<CrewChange, CrewDenial> {
         if self.members.contains_key(&joining.connection) {
-            return Err(CrewFault::JoinedTwice);
+            return Err(CrewDenial::NoHello);
         }
         if self.members.len() >= MOST_MEMBERS {
-            return Err(CrewFault::Full);
+            return Err(CrewDenial::Full);
         }
         let of_user = self.members().filter(|it| it.user == joining.user).count();
-        if of_user >= OF_ONE_USER && joining.user != self.host.name() {
-            return Err(CrewFault::ManyOfUser);
+        if of_user >= MOST_OF_ONE_USER {
+            return Err(CrewDenial::FullForUser);
         }
         let person = self.free_name(joining.user);
         let member = Member {
@@ -225,7 +232,7 @@ impl Crew {
             heard_at: now,
         };
         self.members.insert(joining.connection, member);
-        self.assign(joining.connection, pilots);
+        self.assign(joining.connection, pilots, now);
         let role = self.members[&joining.connection].role;
         Ok(CrewChange::Joined { who: person, role })
     }
@@ -241,18 +248,16 @@ impl Crew {
         Person::named(names.find(is_free).unwrap_or_default())
     }
 
-    /// Gives a member a free post of the mission that suits, and the vehicles and the duty that follow.
-    fn assign(&mut self, connection: ConnectionId, pilots: &mut PilotsInCommand) {
-        let taken: Vec<usize> = self.members().filter_map(|it| it.post).collect();
+    /// Gives a member the vehicles and the duty of a post of the mission: of the one that the member holds, otherwise of a
+    /// free one that suits.
+    fn assign(&mut self, connection: ConnectionId, pilots: &mut PilotsInCommand, now: Duration) {
+        let found = self.members.get(&connection);
+        let number = found.and_then(|it| it.post.or_else(|| self.free_post(it, now)));
         let Some(member) = self.members.get_mut(&connection) else {
             return;
         };
-        let wanted = member.is_role_wanted.then_some(member.role);
-        let suits = |(number, post): &(usize, &Post)| {
-            !taken.contains(number) && wanted.is_none_or(|role| role == post.role)
-        };
-        let free = self.posts.iter().enumerate().find(suits);
-        if let Some((number, post)) = free {
+        if let Some((number, post)) = number.and_then(|it| Some((it, self.posts.get(it)?))) {
+            self.kept.retain(|it| it.post != number);
             (member.post, member.role) = (Some(number), post.role);
             // What somebody has got by a hand-over meanwhile stays there.
             let is_of_host = |vehicle: &VehicleId| pilots.of(*vehicle).is_none();
@@ -264,13 +269,38 @@ impl Crew {
         }
     }
 
-    /// A member is gone: the vehicles are the host's again.
+    /// The number of a free post that suits a member: the one that is kept for the user, or the first of those that are
+    /// kept for nobody. Who asks for a role also gets what is kept for somebody else, if nothing else is free.
+    fn free_post(&self, member: &Member, now: Duration) -> Option<usize> {
+        let wanted = member.is_role_wanted.then_some(member.role);
+        let taken: Vec<usize> = self.members().filter_map(|it| it.post).collect();
+        let suits = |(number, post): &(usize, &Post)| {
+            !taken.contains(number) && wanted.is_none_or(|role| role == post.role)
+        };
+        let free = self.posts.iter().enumerate().filter(suits);
+        let free: Vec<usize> = free.map(|(number, _)| number).collect();
+        let kept_for = |number: usize| {
+            let mut kept = self.kept.iter().filter(|it| now < it.until);
+            kept.find(|it| it.post == number).map(|it| it.user.as_str())
+        };
+        let of = |user: Option<&str>| free.iter().copied().find(|&it| kept_for(it) == user);
+        let others = || wanted.and_then(|_| free.first().copied());
+        of(Some(&member.user)).or_else(|| of(None)).or_else(others)
+    }
+
+    /// A member is gone: the vehicles are the host's again. A post of the mission is kept for the user for a while.
     pub fn leave(
         &mut self,
         connection: ConnectionId,
         pilots: &mut PilotsInCommand,
+        now: Duration,
     ) -> Option<CrewChange> {
-        let who = self.members.remove(&connection)?.person;
+        let member = self.members.remove(&connection)?;
+        if let Some(post) = member.post {
+            let (user, until) = (member.user, now + KEPT);
+            self.kept.push(KeptPost { post, user, until });
+        }
+        let who = member.person;
         let vehicles = pilots.flown_by(&who);
         pilots.hand_back(&vehicles, &who);
         pilots.relieve(&who);
@@ -308,22 +338,35 @@ impl Crew {
     }
 
     /// A session begins, with these posts: its vehicles are the host's, except for those of members that have a post.
-    pub fn begin(&mut self, posts: Vec<Post>, pilots: &mut PilotsInCommand) {
+    pub fn begin(&mut self, posts: Vec<Post>, pilots: &mut PilotsInCommand, now: Duration) {
         *pilots = PilotsInCommand::of_user(self.host.clone());
+        let is_same = self.posts == posts;
+        self.kept.retain(|it| is_same && now < it.until);
         self.posts = posts;
         self.proposals.clear();
         for member in self.members.values_mut() {
-            member.post = None;
+            // In the same mission again, everybody keeps the post.
+            member.post.take_if(|_| !is_same);
             // The role of a post ends with its mission.
-            if !member.is_role_wanted {
+            if !member.is_role_wanted && member.post.is_none() {
                 member.role = Role::default();
             }
         }
         let connections: Vec<_> = self.members.keys().copied().collect();
         for connection in connections {
-            self.assign(connection, pilots);
+            self.assign(connection, pilots, now);
         }
     }
+}
+
+/// A post of the mission that is kept for a user whose connection has ended.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct KeptPost {
+    /// The number of the post.
+    post: usize,
+    user: String,
+    /// Until when, by the wall clock.
+    until: Duration,
 }
 
 /// Who asks to join.

@@ -60,8 +60,8 @@ pub use complete::{
 pub use console::{
     AlertLine, ClassLine, ConsoleLine, CrewLine, DraftLine, DraftWork, ForwardLine, GhostLine,
     GhostSource, GradingLine, LineNeeds, LoopTarget, MessagesLine, ParametersLine, ProcessDeed,
-    RadioChoice, Rating, ReplayLine, ReplayedTrainees, Report, ReviewLine, SeatChoice, SeekTarget,
-    TableLine,
+    ProposalLine, RadioChoice, Rating, ReplayLine, ReplayedTrainees, Report, ReviewLine,
+    SeatChoice, SeekTarget, TableLine,
 };
 pub use head::said;
 pub use lexer::{Word, comment_start, words};

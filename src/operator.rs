@@ -7,29 +7,23 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::Arc;
 use std::time::Duration;
 
-use crate::commands::{
-    Act, Command, Deed, Order, PlanCommand, PlanDeed, PlanSource, PlanTask, QueryCommand,
-};
+use crate::commands::{Act, Command, Deed, Order, QueryCommand};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, Context, Statement};
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::mission::Flight;
 use crate::notice::Notice;
 use crate::pilot_in_command::PilotsInCommand;
-use crate::plan::ListKind;
-use crate::plan::generate::Idle;
-use crate::preflight::idle_words;
 use crate::session::{Steering, VehicleCommand};
-use crate::swarm::{Conductor, DividedWork, Path, Rules, carrying};
+use crate::swarm::{Conductor, ConductorScene, DividedWork, Path, Rules};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{Severity, VehicleId, Vehicles, Wind};
-use crate::vehicle_id::ranges;
+use crate::vehicle::{VehicleId, Vehicles, Wind};
 use crate::verb::CountsAs;
 
+mod plans;
 mod rehearsing;
 #[cfg(test)]
 mod tests;
@@ -90,10 +84,17 @@ pub fn read_order(
     context: &Context<'_>,
     selection: &[VehicleId],
 ) -> Result<Order, Diagnostic> {
-    order_of(language::parse(line, context)?, line, context, selection)
+    order_of(
+        language::parse(line, context)?,
+        line,
+        context,
+        selection,
+        |_| true,
+    )
 }
 
-/// The order of a line that has been read; without targets, `selection` applies.
+/// The order of a line that has been read; without targets, `selection` applies. What has the same result for every
+/// vehicle is done by one that its giver flies, if there is one among the targets.
 ///
 /// # Errors
 /// Its vehicles do not exist; the fault is at the first word of the line.
@@ -102,6 +103,7 @@ pub fn order_of(
     line: &str,
     context: &Context<'_>,
     selection: &[VehicleId],
+    is_flown: impl Fn(VehicleId) -> bool,
 ) -> Result<Order, Diagnostic> {
     let refused = |text: Text| Diagnostic::new(first_word(line), text);
     let mut order = statement.into_order(selection, context).map_err(refused)?;
@@ -110,7 +112,13 @@ pub fn order_of(
         return Err(refused(text!("order-no-vehicle", vehicle = *missing)));
     }
     if let Act::Deed(deed) = &order.act {
-        order.targets = deed.doers(&order.targets).to_vec();
+        let doers = deed.doers(&order.targets);
+        let mut targets = order.targets.iter();
+        let flown = targets.find(|&&id| is_flown(id));
+        order.targets = match flown {
+            Some(&flown) if doers.len() < order.targets.len() => vec![flown],
+            _ => doers.to_vec(),
+        };
     }
     Ok(order)
 }
@@ -214,56 +222,6 @@ impl Operator {
         }
     }
 
-    fn put_plans(
-        &mut self,
-        entry: EntryId,
-        order: &Order,
-        task: &PlanTask,
-        scene: &OperatorScene<'_>,
-    ) -> Vec<Dispatch> {
-        let plans = match self
-            .conductor
-            .plans(task, &order.targets, scene.vehicles, &[])
-        {
-            Ok(plans) => plans,
-            Err(reason) => return refused(entry, order, &reason, scene.now),
-        };
-        let said = [plans.cover_words(), plans.share_words()];
-        let idle = plans.idle;
-        let uploads = plans.plans.into_iter().map(|(vehicle, document)| {
-            let source = PlanSource::document(Arc::new(document));
-            (vehicle, plan_command(PlanDeed::Upload { source }))
-        });
-        let mut commands: BTreeMap<VehicleId, Command> = uploads.collect();
-        let flight = scene.flight.as_deref();
-        let mut refusals = commands.values().filter_map(|it| flight?.refusal(it));
-        if let Some(reason) = refusals.next() {
-            return refused(entry, order, &reason, scene.now);
-        }
-        let left = self.divided.divide(&order.targets);
-        let left = left_over(&carrying(&left, scene.vehicles));
-        let remarks: Vec<Text> = said.into_iter().flatten().chain(left.clone()).collect();
-        if let Some(first) = commands.values_mut().next().filter(|_| !remarks.is_empty()) {
-            remark(first, &Text::joined("; ", remarks));
-        }
-        let mut work = Vec::new();
-        for &vehicle in &order.targets {
-            let part = commands.remove(&vehicle);
-            let is_idle = part.is_none();
-            // An old plan could lead the vehicle through the parts of other vehicles.
-            let command = part.unwrap_or_else(|| plan_command(PlanDeed::Clear));
-            let command = VehicleCommand::new(entry, order.verb, command);
-            work.push(Dispatch::Command(vehicle, command));
-            if is_idle {
-                self.divided.forget(vehicle);
-                work.push(without_part(vehicle, &idle, scene.now));
-            }
-        }
-        let notice = left.map(|text| Notice::general(scene.now, Severity::Warning, text));
-        work.extend(notice.map(Dispatch::Notice));
-        work
-    }
-
     /// Adds vehicles to a manoeuvre, or removes them. Returns the changed rows, and the vehicles whose own autopilots
     /// carry the order out.
     fn assign(
@@ -274,11 +232,17 @@ impl Operator {
     ) -> (Vec<Dispatch>, Vec<VehicleId>) {
         // Earlier setpoints no longer matter.
         self.undelivered.retain(|id, _| !order.targets.contains(id));
-        let assignment = self.conductor.take(entry, order, scene.vehicles, scene.now);
+        let around = ConductorScene {
+            now: scene.now,
+            vehicles: scene.vehicles,
+            pilots: scene.pilots,
+        };
+        let assignment = self.conductor.take(entry, order, around);
         let rows = assignment.rows.into_iter().map(Dispatch::Row);
         (rows.collect(), assignment.alone)
     }
 
+    /// Advances joint manoeuvres and rehearsals; returns the work that is due.
     pub fn conduct(&mut self, vehicles: &Vehicles, now: Duration) -> Vec<Dispatch> {
         let turn = self.conductor.step(now, vehicles);
         let mut late = std::mem::take(&mut self.undelivered);
@@ -362,40 +326,9 @@ fn barred(
     targets.filter_map(refusal).unzip()
 }
 
-fn plan_command(deed: PlanDeed) -> Command {
-    Command::Plan(PlanCommand {
-        kind: ListKind::Plan,
-        deed,
-    })
-}
-
-/// A warning about vehicles that still carry the plans of an earlier task, with the command that
-/// removes them.
-fn left_over(vehicles: &[VehicleId]) -> Option<Text> {
-    let left = ranges(vehicles.iter().copied());
-    (!vehicles.is_empty()).then(|| text!("outcome-plan-left", vehicles = left))
-}
-
-fn remark(command: &mut Command, text: &Text) {
-    if let Command::Plan(command) = command
-        && let PlanDeed::Upload { source } = &mut command.deed
-        && let PlanSource::Document { remark, .. } = source
-    {
-        *remark = Some(text.clone());
-    }
-}
-
 fn prepared(prepared: Prepared) -> impl Iterator<Item = Dispatch> {
     let rows = prepared.rows.into_iter().map(Dispatch::Row);
     rows.chain(prepared.rehearsal.map(Dispatch::Rehearse))
-}
-
-/// The notice that a vehicle takes no part in the task, and why.
-fn without_part(vehicle: VehicleId, idle: &[(VehicleId, Idle)], now: Duration) -> Dispatch {
-    let own = idle.iter().find(|(id, _)| *id == vehicle);
-    let why = own.map_or(Idle::Spare, |(_, why)| *why);
-    let text = text!("outcome-plan-idle", reason = idle_words(why));
-    Dispatch::Notice(Notice::about(vehicle, now, Severity::Notice, text))
 }
 
 /// Passes an order to the mission; without a mission it is refused.

@@ -4,7 +4,7 @@
 //! command says for whom ([`Order::by`](crate::commands::Order)), and those for anybody but the pilot in command are
 //! refused. A change of the pilot in command stops nothing: the vehicle goes on with what it does.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
@@ -181,6 +181,17 @@ impl PilotsInCommand {
             }
         }
         others
+    }
+
+    /// Whether several people fly vehicles, or one person flies those of another's console.
+    pub fn are_several(&self) -> bool {
+        self.usual.is_some() || self.flown.values().any(Option::is_some)
+    }
+
+    /// The names of all others who fly vehicles, in alphabetical order.
+    pub fn names(&self) -> BTreeSet<&str> {
+        let all = self.flown.values().flatten().chain(&self.usual);
+        all.map(Person::name).collect()
     }
 
     /// Why a vehicle gets no command from a person, or from the user of the console (`None`); `None` if it does.

@@ -67,15 +67,15 @@ use begin::SeedSources;
 use career::Careers;
 use class::ClassEnd;
 pub use class::ClassOptions;
+use crew::CrewEnd;
 pub use crew::CrewOptions;
-use crew::{CrewEnd, RecordPoint};
 pub use drive::drive;
 use input::hear_last_answer;
 pub use missions::mission_faults;
 use missions::{Tries, listings};
 pub use options::{ConsoleOptions, Opening, Preferences};
 use pace::Pace;
-use session::{RunningSession, SessionEnding, SessionPlan};
+use session::{RecordPoint, RunningSession, SessionEnding, SessionPlan};
 use sight::Sight;
 use signals::Signals;
 use situations::Situation;
@@ -138,6 +138,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<()> {
     crew.close().await;
     programs.close(console.app.state()).await;
     hear_last_answer(&mut screen, &mut keyboard).await;
+    console.require_joined()?;
     console.require_stored()
 }
 
@@ -221,6 +222,8 @@ struct Console {
     class_work: Vec<ClassEffect>,
     /// Work for the console's end of a crew.
     crew_work: Vec<CrewEffect>,
+    /// Why the crew could not be joined, which ends the program.
+    crew_refusal: Option<Text>,
     /// The record of the flight before, with its end, for the members of a crew.
     record_before: Option<RecordPoint>,
     /// The unsaved drafts; `None` without a folder for data.
@@ -290,6 +293,7 @@ impl Console {
             trial: None,
             class_work: Vec::new(),
             crew_work: Vec::new(),
+            crew_refusal: None,
             record_before: None,
             drafts,
         };

@@ -12,7 +12,8 @@
 //! **Leader.** The first of the targets leads a formation. A `goto` or an `altitude` to it, alone or with others,
 //! moves the whole formation, and the rows of the other members end when it has arrived. Any other movement takes a
 //! vehicle out of its manoeuvre; the others close up, or share its lines (`lanes`). A formation has the speed
-//! commanded to its leader (`speed`).
+//! commanded to its leader (`speed`). Members that the giver of such an order does not fly leave the formation, and
+//! stay where they are.
 //!
 //! **Spacing.** A survey has lines as far apart as its command says, otherwise as wide as the sensor's strip at the
 //! height of the lines, otherwise 20 m. A mission gives the strip of its sensors (`swarm_rules` in
@@ -33,6 +34,7 @@ use crate::commands::{Act, Command, FlightCommand, Manoeuvre, MotionCommand, Ord
 use crate::geo::LatLon;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
+use crate::pilot_in_command::PilotsInCommand;
 use crate::plan::generate::USUAL_SPACING_M;
 use crate::rehearsal::TOO_NEAR_M;
 use crate::session::Steering;
@@ -133,6 +135,15 @@ struct Ordered<'a> {
     targets: &'a [VehicleId],
 }
 
+/// The vehicles at one moment, and who flies them.
+#[derive(Debug, Clone, Copy)]
+pub struct ConductorScene<'a> {
+    /// The time on the vehicles' clock.
+    pub now: Duration,
+    pub vehicles: &'a Vehicles,
+    pub pilots: &'a PilotsInCommand,
+}
+
 /// The result of an order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Assignment {
@@ -180,13 +191,9 @@ impl Conductor {
 
     /// Accepts an order that already has a ledger entry, and decides which vehicles carry it out by
     /// themselves. Only commands and manoeuvres have an effect here.
-    pub fn take(
-        &mut self,
-        entry: EntryId,
-        order: &Order,
-        vehicles: &Vehicles,
-        now: Duration,
-    ) -> Assignment {
+    pub fn take(&mut self, entry: EntryId, order: &Order, scene: ConductorScene<'_>) -> Assignment {
+        self.leave_behind(order, scene);
+        let ConductorScene { now, vehicles, .. } = scene;
         let (verb, targets) = (order.verb, order.targets.as_slice());
         match &order.act {
             Act::Command(command) => {
@@ -211,6 +218,48 @@ impl Conductor {
                 }
             }
             Act::Deed(_) | Act::Plans(_) | Act::Rehearse { .. } => Assignment::default(),
+        }
+    }
+
+    /// Takes the vehicles out of a formation that an order to its leader would move although its giver does not fly them.
+    fn leave_behind(&mut self, order: &Order, scene: ConductorScene<'_>) {
+        let ConductorScene {
+            now,
+            vehicles,
+            pilots,
+        } = scene;
+        if !is_for_formation(&order.act) {
+            return;
+        }
+        let view = WorldView {
+            now,
+            vehicles,
+            rules: self.rules,
+        };
+        for act in &mut self.acts {
+            let leader = act.leader();
+            if leader.is_none_or(|leader| !order.targets.contains(&leader)) {
+                continue;
+            }
+            let refused = act.members.iter().filter_map(|member| {
+                let reason = pilots.refusal(member.id, order.by.as_ref(), order.verb.duty)?;
+                Some((member.id, reason))
+            });
+            for (id, reason) in refused.collect::<Vec<_>>() {
+                let stop = act.stops(&[id], vehicles);
+                act.lose(
+                    &[id],
+                    RowState::Overtaken,
+                    &reason,
+                    &view,
+                    &mut self.waiting,
+                );
+                self.waiting.steering.retain(|(other, _)| *other != id);
+                self.waiting.steering.extend(stop);
+                let text = text!("swarm-falls-out", verb = act.verb.name, reason = reason);
+                let notice = Notice::about(id, now, Severity::Warning, text);
+                self.waiting.notices.push(notice);
+            }
         }
     }
 
@@ -336,6 +385,18 @@ impl Conductor {
         rows.extend(others.into_iter().map(row(RowState::Refused, none)));
         rows
     }
+}
+
+/// Whether an order to the leader of a formation is for all of it.
+fn is_for_formation(act: &Act) -> bool {
+    matches!(
+        act,
+        Act::Command(Command::Motion(
+            MotionCommand::Goto { .. }
+                | MotionCommand::Altitude { .. }
+                | MotionCommand::Speed { .. }
+        ))
+    )
 }
 
 /// Whether a command sets GUIDED, the mode that every member already has.

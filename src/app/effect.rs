@@ -214,6 +214,8 @@ pub enum CrewEffect {
     TellAll(HostMessage),
     /// At a member: tell the host something.
     Say(MemberMessage),
+    /// At a member: end the program with this reason, because the crew cannot be joined.
+    GiveUp(Text),
 }
 
 /// A change to the profile in use or to its data.

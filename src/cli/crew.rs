@@ -60,7 +60,7 @@ pub(super) fn crew(arguments: &CrewArguments, settings: CliSettings) -> Result<E
     let CrewTask::Join(joining) = &arguments.task;
     let wrong = |text: Text| Failure::Wrong(vec![text]);
     let place = HostPlace::crew(&joining.name, None);
-    if !place.socket.exists() {
+    if !place.is_open() {
         let name = joining.name.as_str();
         return Err(wrong(text!("crew-not-there", name = name)));
     }

@@ -28,6 +28,8 @@ pub enum Column {
     Name,
     /// The groups that the vehicle belongs to.
     Group,
+    /// Who flies the vehicle, where several people fly.
+    Pilot,
     Mode,
     /// Whether the vehicle is armed, or ready to be armed.
     Armed,

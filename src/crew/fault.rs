@@ -1,5 +1,6 @@
 //! Why something is not possible in a crew.
 
+use super::Proposal;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle_id::{VehicleId, ranges};
@@ -7,12 +8,6 @@ use crate::vehicle_id::{VehicleId, ranges};
 /// Why something is not possible in a crew.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum CrewFault {
-    /// No more members fit.
-    Full,
-    /// The user has as many places as one may have.
-    ManyOfUser,
-    /// The connection has a member already.
-    JoinedTwice,
     /// Nobody of this name is on the crew.
     Nobody(String),
     /// It is the own name.
@@ -27,8 +22,14 @@ pub enum CrewFault {
     SeveralPilots,
     /// A vehicle that is not part of the session.
     NoVehicle,
+    /// The one who proposes has as many open proposals as one may have.
+    ManyProposals,
     /// Nothing waits for an answer.
     NothingProposed,
+    /// These proposals wait for an answer, but not the one that is meant.
+    OtherProposals(Vec<Proposal>),
+    /// Several of these proposals may be meant.
+    SeveralProposals(Vec<Proposal>),
     /// The vehicles have another pilot by now.
     Overtaken,
 }
@@ -37,9 +38,6 @@ impl CrewFault {
     /// The reason in words.
     pub fn text(&self) -> Text {
         match self {
-            Self::Full => text!("crew-full"),
-            Self::ManyOfUser => text!("crew-full-user"),
-            Self::JoinedTwice => text!("crew-joined-twice"),
             Self::Nobody(name) => text!("crew-nobody", name = name),
             Self::Oneself => text!("crew-oneself"),
             Self::NoPilot(name) => text!("crew-no-pilot", name = name),
@@ -54,8 +52,24 @@ impl CrewFault {
             }
             Self::SeveralPilots => text!("crew-several"),
             Self::NoVehicle => text!("crew-no-vehicle"),
+            Self::ManyProposals => text!("crew-many-proposals"),
             Self::NothingProposed => text!("crew-nothing"),
+            Self::OtherProposals(open) => {
+                text!("crew-other-proposals", proposals = listed(open))
+            }
+            Self::SeveralProposals(open) => {
+                let first = open.first().map(|it| ranges(it.vehicles.iter().copied()));
+                text!(
+                    "crew-several-proposals",
+                    proposals = listed(open),
+                    vehicles = first.unwrap_or_default()
+                )
+            }
             Self::Overtaken => text!("crew-overtaken"),
         }
     }
+}
+
+fn listed(proposals: &[Proposal]) -> Text {
+    Text::joined("; ", proposals.iter().map(Proposal::listed).collect())
 }

@@ -1,5 +1,6 @@
 //! Handing vehicles over, with the consent of both sides.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
@@ -12,8 +13,8 @@ use crate::vehicle_id::{VehicleId, ranges};
 
 /// How long a proposal waits for an answer.
 const WAITS: Duration = Duration::from_secs(60);
-/// The maximum number of proposals that wait.
-const MOST_PROPOSALS: usize = 32;
+/// The maximum number of proposals of one person that wait.
+const MOST_OF_ONE: usize = 8;
 
 /// What the host or a member does about the pilots of vehicles.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -26,10 +27,35 @@ pub enum CrewDeed {
     },
     /// Ask the pilot of vehicles for them.
     Ask { vehicles: Vec<VehicleId> },
-    /// Accept the newest proposal.
-    Accept,
-    /// Decline the newest proposal.
-    Decline,
+    /// Accept a proposal.
+    Accept(ProposalChoice),
+    /// Decline a proposal.
+    Decline(ProposalChoice),
+}
+
+/// Which of the proposals that wait for a person's answer is meant. Without anything named, it is the only one.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct ProposalChoice {
+    /// The vehicles of the proposal, all of them; empty if they are not named.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub vehicles: Vec<VehicleId>,
+    /// Who has made it; `None` if the person is not named.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub from: Option<String>,
+}
+
+impl ProposalChoice {
+    fn means(&self, proposal: &Proposal) -> bool {
+        let has_vehicles = self.vehicles.is_empty() || are_same(&self.vehicles, &proposal.vehicles);
+        let from = self.from.as_deref();
+        has_vehicles && from.is_none_or(|name| proposal.proposer().name() == name)
+    }
+}
+
+/// Whether two lists have the same vehicles, in any order.
+fn are_same(one: &[VehicleId], other: &[VehicleId]) -> bool {
+    let set = |vehicles: &[VehicleId]| vehicles.iter().copied().collect::<BTreeSet<_>>();
+    set(one) == set(other)
 }
 
 /// A proposal to hand vehicles over.
@@ -64,7 +90,7 @@ impl Proposal {
         }
     }
 
-    /// The proposal, for the one who has to answer.
+    /// The proposal with the words to type, for the one who has to answer.
     pub fn text(&self) -> Text {
         let who = self.proposer().name();
         let vehicles = ranges(self.vehicles.iter().copied());
@@ -72,6 +98,17 @@ impl Proposal {
             text!("crew-asks", who = who, vehicles = vehicles)
         } else {
             text!("crew-offers", who = who, vehicles = vehicles)
+        }
+    }
+
+    /// The proposal in a list of several.
+    pub fn listed(&self) -> Text {
+        let who = self.proposer().name();
+        let vehicles = ranges(self.vehicles.iter().copied());
+        if self.is_asked {
+            text!("crew-listed-asks", who = who, vehicles = vehicles)
+        } else {
+            text!("crew-listed-offers", who = who, vehicles = vehicles)
         }
     }
 }
@@ -101,9 +138,9 @@ impl Crew {
         match deed {
             CrewDeed::Offer { vehicles, to } => self.offer(who, vehicles, to, scene),
             CrewDeed::Ask { vehicles } => self.ask(who, vehicles, scene),
-            CrewDeed::Accept => self.accept(who, scene),
-            CrewDeed::Decline => {
-                let declined = self.take_proposal(who, scene)?;
+            CrewDeed::Accept(choice) => self.accept(who, choice, scene),
+            CrewDeed::Decline(choice) => {
+                let declined = self.take_proposal(who, choice, scene)?;
                 Ok(DeedOutcome::Declined(declined))
             }
         }
@@ -127,13 +164,13 @@ impl Crew {
         if !others.is_empty() {
             return Err(CrewFault::NotYours(others));
         }
-        Ok(self.propose(Proposal {
+        self.propose(Proposal {
             vehicles: vehicles.to_vec(),
             giver: giver.clone(),
             taker,
             is_asked: false,
             ends_at: scene.now + WAITS,
-        }))
+        })
     }
 
     fn ask(
@@ -155,31 +192,35 @@ impl Crew {
         if givers.any(|it| it != giver) {
             return Err(CrewFault::SeveralPilots);
         }
-        Ok(self.propose(Proposal {
+        self.propose(Proposal {
             vehicles: vehicles.to_vec(),
             giver,
             taker: taker.clone(),
             is_asked: true,
             ends_at: scene.now + WAITS,
-        }))
+        })
     }
 
-    /// Adds a proposal; it takes the place of those that the same person has made to the same one.
-    fn propose(&mut self, proposal: Proposal) -> DeedOutcome {
-        let is_other = |it: &Proposal| {
-            it.proposer() != proposal.proposer() || it.answerer() != proposal.answerer()
-        };
-        self.proposals.retain(is_other);
-        if self.proposals.len() >= MOST_PROPOSALS {
-            self.proposals.remove(0);
+    /// Adds a proposal. One that repeats another begins its time again.
+    fn propose(&mut self, proposal: Proposal) -> Result<DeedOutcome, CrewFault> {
+        self.proposals.retain(|it| {
+            it.proposer() != proposal.proposer()
+                || it.answerer() != proposal.answerer()
+                || !are_same(&it.vehicles, &proposal.vehicles)
+        });
+        let all = self.proposals.iter();
+        let of_one = all.filter(|it| it.proposer() == proposal.proposer());
+        if of_one.count() >= MOST_OF_ONE {
+            return Err(CrewFault::ManyProposals);
         }
         self.proposals.push(proposal.clone());
-        DeedOutcome::Proposed(proposal)
+        Ok(DeedOutcome::Proposed(proposal))
     }
 
     fn accept(
         &mut self,
         who: &Person,
+        choice: &ProposalChoice,
         scene: &mut CrewScene<'_>,
     ) -> Result<DeedOutcome, CrewFault> {
         let Proposal {
@@ -187,7 +228,7 @@ impl Crew {
             giver,
             taker,
             ..
-        } = self.take_proposal(who, scene)?;
+        } = self.take_proposal(who, choice, scene)?;
         if taker == self.host {
             scene.pilots.hand_back(&vehicles, &giver);
         } else {
@@ -202,16 +243,28 @@ impl Crew {
         }))
     }
 
-    /// Takes the newest proposal that a person has to answer.
+    /// Takes the proposal that a person answers.
     fn take_proposal(
         &mut self,
         who: &Person,
+        choice: &ProposalChoice,
         scene: &CrewScene<'_>,
     ) -> Result<Proposal, CrewFault> {
-        let newest = self.proposals.iter().rposition(|it| it.answerer() == who);
-        let proposal = self
-            .proposals
-            .remove(newest.ok_or(CrewFault::NothingProposed)?);
+        let all = self.proposals.iter().enumerate();
+        let (places, open): (Vec<usize>, Vec<&Proposal>) =
+            all.filter(|(_, it)| it.answerer() == who).unzip();
+        let meant: Vec<usize> = std::iter::zip(places, &open)
+            .filter(|(_, it)| choice.means(it))
+            .map(|(place, _)| place)
+            .collect();
+        let listed = || open.iter().map(|&it| it.clone()).collect();
+        let place = match meant[..] {
+            [place] => place,
+            _ if open.is_empty() => return Err(CrewFault::NothingProposed),
+            [] => return Err(CrewFault::OtherProposals(listed())),
+            _ => return Err(CrewFault::SeveralProposals(listed())),
+        };
+        let proposal = self.proposals.remove(place);
         if self.stands(&proposal, scene.pilots, scene.now) {
             Ok(proposal)
         } else {

@@ -141,6 +141,8 @@ pub enum HostMessage {
     },
     /// The host is still there.
     Here,
+    /// The host ends the crew, and the connection.
+    Closing,
 }
 
 /// Somebody on the crew, as everybody sees it.

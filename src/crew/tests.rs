@@ -1,9 +1,14 @@
+//! The roles, the lines between host and members, and what holds whatever happens.
+
 use proptest::prelude::*;
 
 use super::protocol::{Confirmed, HostMessage, MemberMessage, SaidLine};
 use super::*;
 use crate::class::protocol::{line, read};
 use crate::language::verb;
+
+mod handover;
+mod members;
 
 const NOW: Duration = Duration::from_secs(100);
 const VEHICLES: [VehicleId; 4] = [1, 2, 3, 4];
@@ -19,7 +24,7 @@ impl Flying {
     fn new(posts: Vec<Post>) -> Self {
         let mut crew = Crew::new("alpha", Person::named("bohdan"));
         let mut pilots = PilotsInCommand::default();
-        crew.begin(posts, &mut pilots);
+        crew.begin(posts, &mut pilots, NOW);
         let now = NOW;
         Self { crew, pilots, now }
     }
@@ -29,7 +34,7 @@ impl Flying {
         number: u64,
         user: &str,
         role: Option<Role>,
-    ) -> Result<CrewChange, CrewFault> {
+    ) -> Result<CrewChange, CrewDenial> {
         let joining = Joining {
             connection: ConnectionId(number),
             user,
@@ -48,7 +53,8 @@ impl Flying {
     }
 
     fn leave(&mut self, number: u64) -> Option<CrewChange> {
-        self.crew.leave(ConnectionId(number), &mut self.pilots)
+        self.crew
+            .leave(ConnectionId(number), &mut self.pilots, self.now)
     }
 
     fn pilot(&self, vehicle: VehicleId) -> &str {
@@ -61,6 +67,16 @@ fn offer(vehicle: VehicleId, to: &str) -> CrewDeed {
         vehicles: vec![vehicle],
         to: to.to_owned(),
     }
+}
+
+/// Accepts the only proposal.
+fn accept() -> CrewDeed {
+    CrewDeed::Accept(ProposalChoice::default())
+}
+
+/// Declines the only proposal.
+fn decline() -> CrewDeed {
+    CrewDeed::Decline(ProposalChoice::default())
 }
 
 fn ask(vehicles: &[VehicleId]) -> CrewDeed {
@@ -77,153 +93,6 @@ fn post(role: Role, vehicles: &[VehicleId]) -> Post {
 }
 
 #[test]
-fn members_of_one_user_have_names_of_their_own() {
-    let mut flying = Flying::new(Vec::new());
-    for (number, user) in [(1, "anna"), (2, "anna"), (3, "bohdan"), (4, "anna")] {
-        flying.join(number, user, None).expect("there is room");
-    }
-    let names = flying.crew.members().map(|it| it.person.name().to_owned());
-    let names: Vec<_> = names.collect();
-    assert_eq!(names, ["anna", "anna#2", "bohdan#2", "anna#3"]);
-    assert_eq!(flying.join(1, "petro", None), Err(CrewFault::JoinedTwice));
-}
-
-#[test]
-fn one_user_does_not_take_all_places() {
-    let mut flying = Flying::new(Vec::new());
-    for number in 0..4 {
-        flying.join(number, "anna", None).expect("there is room");
-    }
-    assert_eq!(flying.join(4, "anna", None), Err(CrewFault::ManyOfUser));
-    flying.join(4, "petro", None).expect("there is room");
-    // The host's own user does no harm to others.
-    for number in 5..10 {
-        flying.join(number, "bohdan", None).expect("there is room");
-    }
-}
-
-#[test]
-fn the_role_of_a_post_ends_with_its_mission() {
-    let mut flying = Flying::new(vec![post(Role::Safety, &[]), post(Role::Sensors, &[])]);
-    flying.join(1, "anna", None).expect("there is room");
-    let wanted = Some(Role::Sensors);
-    flying.join(2, "olena", wanted).expect("there is room");
-    flying.crew.begin(Vec::new(), &mut flying.pilots);
-    let roles: Vec<_> = flying.crew.members().map(|it| it.role).collect();
-    assert_eq!(roles, [Role::Pilot, Role::Sensors]);
-    let refusal = |by, duty| flying.pilots.refusal(1, Some(&Person::named(by)), duty);
-    assert!(refusal("anna", CrewDuty::Safety).is_some());
-    assert!(refusal("olena", CrewDuty::Sensors).is_none());
-}
-
-#[test]
-fn posts_of_the_mission_give_roles_and_vehicles() {
-    let mut flying = Flying::new(vec![
-        post(Role::Pilot, &[1, 2]),
-        post(Role::Safety, &[]),
-        post(Role::Pilot, &[3]),
-    ]);
-    flying.join(1, "anna", None).expect("there is room");
-    flying
-        .join(2, "olena", Some(Role::Pilot))
-        .expect("there is room");
-    flying.join(3, "petro", None).expect("there is room");
-    flying.join(4, "iryna", None).expect("there is room");
-    let roles: Vec<_> = flying.crew.members().map(|it| it.role).collect();
-    assert_eq!(roles, [Role::Pilot, Role::Pilot, Role::Safety, Role::Pilot]);
-    let pilots = VEHICLES.map(|id| flying.pilot(id).to_owned());
-    assert_eq!(pilots, ["anna", "anna", "olena", "bohdan"]);
-    // Who leaves makes the place free.
-    let left = flying.leave(1).expect("a member");
-    let CrewChange::Left { vehicles, .. } = left else {
-        panic!("{left:?}");
-    };
-    assert_eq!(vehicles, [1, 2]);
-    flying.join(5, "taras", None).expect("there is room");
-    assert_eq!(flying.pilot(1), "taras");
-}
-
-#[test]
-fn vehicles_change_hands_only_when_both_agree() {
-    let mut flying = Flying::new(Vec::new());
-    flying.join(1, "anna", None).expect("there is room");
-    flying
-        .join(2, "olena", Some(Role::Safety))
-        .expect("there is room");
-    assert_eq!(
-        flying.act("anna", &offer(1, "bohdan")),
-        Err(CrewFault::NotYours(vec![1]))
-    );
-    assert_eq!(
-        flying.act("bohdan", &offer(1, "bohdan")),
-        Err(CrewFault::Oneself)
-    );
-    let nobody = CrewFault::Nobody("petro".to_owned());
-    assert_eq!(flying.act("bohdan", &offer(1, "petro")), Err(nobody));
-    let no_pilot = CrewFault::NoPilot("olena".to_owned());
-    assert_eq!(
-        flying.act("bohdan", &offer(1, "olena")),
-        Err(no_pilot.clone())
-    );
-    assert_eq!(flying.act("olena", &ask(&[1])), Err(no_pilot));
-    assert_eq!(
-        flying.act("bohdan", &offer(9, "anna")),
-        Err(CrewFault::NoVehicle)
-    );
-    assert_eq!(
-        flying.act("anna", &CrewDeed::Accept),
-        Err(CrewFault::NothingProposed)
-    );
-
-    flying.act("bohdan", &offer(1, "anna")).expect("proposed");
-    assert_eq!(flying.pilot(1), "bohdan", "it is only a proposal");
-    assert_eq!(
-        flying.act("olena", &CrewDeed::Accept),
-        Err(CrewFault::NothingProposed)
-    );
-    flying.act("anna", &CrewDeed::Accept).expect("accepted");
-    assert_eq!(flying.pilot(1), "anna");
-
-    flying.act("bohdan", &ask(&[1])).expect("proposed");
-    flying.act("anna", &CrewDeed::Decline).expect("declined");
-    assert_eq!(flying.pilot(1), "anna");
-    flying.act("bohdan", &ask(&[1])).expect("proposed");
-    flying.act("anna", &CrewDeed::Accept).expect("accepted");
-    assert_eq!(flying.pilot(1), "bohdan");
-    flying.act("bohdan", &offer(2, "anna")).expect("proposed");
-    flying.act("anna", &CrewDeed::Accept).expect("accepted");
-    assert_eq!(
-        flying.act("anna", &ask(&[1, 2])),
-        Err(CrewFault::YoursAlready(vec![2]))
-    );
-}
-
-#[test]
-fn a_proposal_ends_after_a_minute_and_with_another_pilot() {
-    let mut flying = Flying::new(Vec::new());
-    flying.join(1, "anna", None).expect("there is room");
-    flying.join(2, "petro", None).expect("there is room");
-    flying.act("bohdan", &offer(1, "anna")).expect("proposed");
-    flying.act("bohdan", &offer(1, "petro")).expect("proposed");
-    flying.act("petro", &CrewDeed::Accept).expect("accepted");
-    assert_eq!(
-        flying.act("anna", &CrewDeed::Accept),
-        Err(CrewFault::NothingProposed)
-    );
-    flying.act("bohdan", &offer(2, "anna")).expect("proposed");
-    flying.now += Duration::from_secs(60);
-    assert_eq!(
-        flying.act("anna", &CrewDeed::Accept),
-        Err(CrewFault::Overtaken)
-    );
-    flying.act("bohdan", &offer(2, "anna")).expect("proposed");
-    flying.now += Duration::from_secs(61);
-    let ended = flying.crew.settle(&flying.pilots, flying.now);
-    assert_eq!(ended.len(), 1);
-    assert!(flying.crew.proposals().is_empty());
-}
-
-#[test]
 fn who_says_nothing_for_ten_seconds_is_silent() {
     let mut flying = Flying::new(Vec::new());
     flying.join(1, "anna", None).expect("there is room");
@@ -233,27 +102,6 @@ fn who_says_nothing_for_ten_seconds_is_silent() {
     assert!(flying.crew.silent(NOW + Duration::from_secs(18)).is_empty());
     let silent = flying.crew.silent(NOW + Duration::from_secs(19));
     assert_eq!(silent, [ConnectionId(1)]);
-}
-
-#[test]
-fn while_the_host_is_stopped_nobody_is_silent_and_no_proposal_ends() {
-    let mut flying = Flying::new(Vec::new());
-    flying.join(1, "anna", None).expect("there is room");
-    flying.act("bohdan", &offer(1, "anna")).expect("proposed");
-    let s = Duration::from_secs;
-    for seconds in 0..5 {
-        flying.crew.look(NOW + s(seconds));
-    }
-    flying.now = NOW + s(4 + 300);
-    flying.crew.look(flying.now);
-    assert!(flying.crew.silent(flying.now).is_empty());
-    assert!(flying.crew.settle(&flying.pilots, flying.now).is_empty());
-    flying.act("anna", &CrewDeed::Accept).expect("accepted");
-    // Silence counts on from there.
-    for seconds in 1..=6 {
-        flying.crew.look(flying.now + s(seconds));
-    }
-    assert_eq!(flying.crew.silent(flying.now + s(6)), [ConnectionId(1)]);
 }
 
 #[test]
@@ -323,9 +171,9 @@ fn deed() -> impl Strategy<Value = CrewDeed> {
             to: to.to_owned(),
         }),
         vehicles.prop_map(|vehicles| CrewDeed::Ask { vehicles }),
-        Just(CrewDeed::Accept),
-        Just(CrewDeed::Accept),
-        Just(CrewDeed::Decline),
+        Just(accept()),
+        Just(accept()),
+        Just(decline()),
     ]
 }
 
@@ -356,7 +204,7 @@ proptest! {
                 Step::Begin(has_posts) => {
                     let posts = vec![post(Role::Pilot, &[1, 2]), post(Role::Safety, &[])];
                     let posts = if has_posts { posts } else { Vec::new() };
-                    flying.crew.begin(posts, &mut flying.pilots);
+                    flying.crew.begin(posts, &mut flying.pilots, flying.now);
                 }
                 Step::Later(seconds) => {
                     flying.now += Duration::from_secs(seconds);

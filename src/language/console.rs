@@ -19,7 +19,7 @@ mod crew;
 mod grading;
 
 pub use class::{ClassLine, ReplayedTrainees, SeatChoice};
-pub use crew::CrewLine;
+pub use crew::{CrewLine, ProposalLine};
 pub use grading::{GradingLine, Rating};
 
 /// A line that the console carries out itself, without any vehicle.

@@ -71,6 +71,22 @@ fn a_report_that_is_the_same_for_all_has_one_row() {
 }
 
 #[test]
+fn a_report_that_is_the_same_for_all_is_made_by_a_vehicle_that_its_giver_flies() {
+    let context = Context {
+        vehicles: &FLEET,
+        ..Context::default()
+    };
+    let targets = |line: &str, own: &[VehicleId]| {
+        let statement = language::parse(line, &context).expect(line);
+        let order = order_of(statement, line, &context, &[], |id| own.contains(&id));
+        order.expect(line).targets
+    };
+    assert_eq!(targets("all mark contacts", &[2, 3]), [2]);
+    assert_eq!(targets("all mark contacts", &[]), [1]);
+    assert_eq!(targets("all drop", &[3]), [1, 2, 3]);
+}
+
+#[test]
 fn a_line_is_refused_where_its_first_word_is() {
     let groups = [("gone".to_owned(), vec![1, 9])].into();
     let context = Context {

@@ -8,8 +8,8 @@ use rand::rngs::SysRng;
 
 use super::Console;
 use super::career::today;
-use super::crew::{CrewOptions, RecordPoint};
-use super::session::{RunningSession, SessionBackend, SessionPlan};
+use super::crew::CrewOptions;
+use super::session::{RecordPoint, RunningSession, SessionBackend, SessionPlan};
 use crate::app::effect::Launch;
 use crate::app::event::{ClassEvent, Event, SessionEvent, Started};
 use crate::campaign::{

@@ -6,6 +6,7 @@
 //!
 //! # How the parts fit
 //! - `host_end` are the connections to members, `tail` sends the record; `member_end` is the connection to the host.
+//!   `faults` says why there is none.
 
 use std::path::PathBuf;
 
@@ -22,10 +23,10 @@ use crate::text::Text;
 use host_end::HostEnd;
 use member_end::MemberEnd;
 
+mod faults;
 mod host_end;
 mod member_end;
 mod tail;
-pub(super) use tail::RecordPoint;
 #[cfg(test)]
 mod tests;
 
@@ -95,8 +96,7 @@ impl CrewEnd {
                     return Err(text!("crew-unrecorded"));
                 }
                 let opened = place.open();
-                let port =
-                    opened.map_err(|fault| text!("crew-not-opened", fault = Text::from(&fault)))?;
+                let port = opened.map_err(|fault| faults::not_opened(&fault))?;
                 Ok(Self::Host(HostEnd::new(port)))
             }
             Some(CrewOptions::Member {
@@ -166,7 +166,19 @@ impl Console {
                     running.note_down(self.clock.now(), Happening::Crew(record));
                 }
             }
+            CrewEffect::GiveUp(why) => (self.crew_refusal, self.over) = (Some(why), true),
             effect => self.crew_work.push(effect),
+        }
+    }
+
+    /// Requires that the crew could be joined, at a member.
+    ///
+    /// # Errors
+    /// It could not; the text is in the reader's language.
+    pub(super) fn require_joined(&self) -> anyhow::Result<()> {
+        match &self.crew_refusal {
+            Some(why) => Err(anyhow::anyhow!(self.sight.look.text(why))),
+            None => Ok(()),
         }
     }
 }

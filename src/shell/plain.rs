@@ -69,6 +69,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         start: Patience::new(START_PATIENCE),
         landing: Patience::new(LANDING_PATIENCE),
         failed: false,
+        briefed: None,
     };
     // Nothing is drawn: every size is large enough.
     let (columns, rows) = (u16::MAX, u16::MAX);
@@ -132,6 +133,8 @@ struct Plain {
     landing: Patience,
     /// Whether the vehicles did not start, or a line from a pipe failed.
     failed: bool,
+    /// At a member of a crew: the mission of the host whose brief was printed last.
+    briefed: Option<String>,
 }
 
 impl Plain {
@@ -173,6 +176,7 @@ impl Plain {
 
     async fn tick(&mut self) -> anyhow::Result<()> {
         self.console.tick().await;
+        self.brief_member();
         // The plain console has neither bell nor desktop notifications.
         self.console.sight.bell = false;
         self.console.sight.notes.clear();
@@ -348,6 +352,19 @@ impl Plain {
         }
     }
 
+    /// Prints the brief of the mission that the host of a crew begins.
+    fn brief_member(&mut self) {
+        let state = self.console.app.state();
+        if state.crew().member().is_none() {
+            return;
+        }
+        let flown = state.flown_mission().map(|it| it.id.clone());
+        if flown.is_some() && flown != self.briefed {
+            self.brief();
+        }
+        self.briefed = flown;
+    }
+
     /// Delays the following lines.
     fn wait(&mut self, line: &str) {
         let begun = self.wait.begin(line, self.console.app.state());
@@ -404,6 +421,7 @@ impl Plain {
             }
         }
         self.output.finish(told_to_end)?;
+        self.console.require_joined()?;
         self.console.require_stored()?;
         Ok(passed)
     }

@@ -53,6 +53,7 @@ use links::SessionLinks;
 pub(super) use mission_run::Finished;
 use mission_run::MissionRun;
 use recorder::FlightRecorder;
+pub use recorder::RecordPoint;
 use rehearsals::Rehearsals;
 pub(super) use situation::SessionSituation;
 pub(super) use start::{SessionBackend, SessionPlan};
@@ -256,8 +257,8 @@ impl RunningSession {
         }
     }
 
-    /// The path of the recorded frames, and how far the record has got; `None` if the session is not recorded.
-    pub fn record_sight(&self, now: Duration) -> Option<(std::path::PathBuf, Duration)> {
+    /// How far the record has got; `None` if the session is not recorded.
+    pub fn record_point(&self, now: Duration) -> Option<RecordPoint> {
         self.recorder.as_ref()?.sight(now)
     }
 

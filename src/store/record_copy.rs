@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use super::append::AppendFile;
+use super::records::Records;
 use super::{StoreError, records};
 use crate::class::{RecordName, RecordPart};
 
@@ -10,6 +11,8 @@ use crate::class::{RecordName, RecordPart};
 const FOLDER: &str = "crew";
 /// The maximum size of a copy, in bytes.
 const LARGEST: u64 = 2 * 1024 * 1024 * 1024;
+/// The number of copies in the folder: the oldest are removed.
+const KEPT: usize = 20;
 /// The parts of a copy.
 const PARTS: [RecordPart; 3] = [RecordPart::Journal, RecordPart::Run, RecordPart::Frames];
 
@@ -24,7 +27,7 @@ pub struct RecordCopy {
 }
 
 impl RecordCopy {
-    /// A new copy of the record with a name, in the program's data folder.
+    /// A new copy of the record with a name, in the program's data folder, after making room.
     ///
     /// # Errors
     /// Its files cannot be created.
@@ -34,6 +37,7 @@ impl RecordCopy {
             path: folder.clone(),
             error,
         })?;
+        make_room(&folder);
         let first = name.as_str().to_owned();
         let others = (2..).map(|number| format!("{first}-{number}"));
         let mut stems = std::iter::once(first.clone()).chain(others);
@@ -103,9 +107,55 @@ impl RecordCopy {
     }
 }
 
+/// Removes the oldest copies that no console is writing.
+fn make_room(folder: &Path) {
+    let mut all = Records::at(folder).list();
+    all.retain(|it| !it.is_written());
+    let spare = (all.len() + 1).saturating_sub(KEPT);
+    for files in all.into_iter().take(spare) {
+        // Nothing counts the runs of copies. What cannot be removed stays.
+        for path in files.run.iter().chain([&files.review]) {
+            drop(std::fs::remove_file(path));
+        }
+        drop(files.delete());
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_newest_twenty_copies_are_kept_with_all_their_files() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let copy = |number: u32| {
+            let name = format!("2026-11-{number:02}");
+            let name = RecordName::try_from(name).expect("a name");
+            let mut copy = RecordCopy::create(folder.path(), name).expect("created");
+            for part in PARTS {
+                copy.append(part, b"x\n").expect("written");
+            }
+            copy
+        };
+        // The oldest one is still being written.
+        let written = copy(1);
+        for number in 2..=23 {
+            copy(number).close();
+        }
+        let entries = std::fs::read_dir(folder.path().join(FOLDER)).expect("a folder");
+        let names = entries.map(|it| it.expect("an entry").file_name());
+        let names = names.map(|it| it.to_string_lossy()[..10].to_owned());
+        let mut names: Vec<String> = names.collect();
+        names.sort();
+        assert_eq!(names.len(), 3 * (KEPT + 1), "{names:?}");
+        names.dedup();
+        let newest = (4..=23).map(|number| format!("2026-11-{number:02}"));
+        let kept: Vec<String> = std::iter::once("2026-11-01".to_owned())
+            .chain(newest)
+            .collect();
+        assert_eq!(names, kept);
+        drop(written);
+    }
 
     #[test]
     fn a_copy_grows_and_replaces_no_other() {

@@ -33,6 +33,7 @@ struct Stage {
     seats: Vec<Seat>,
     conductor: Conductor,
     vehicles: Vehicles,
+    pilots: PilotsInCommand,
     ledger: Ledger,
     notices: Vec<String>,
     areas: BTreeMap<String, Outline>,
@@ -65,6 +66,7 @@ impl Stage {
             world,
             conductor: Conductor::default(),
             vehicles: Vehicles::new(),
+            pilots: PilotsInCommand::default(),
             ledger: Ledger::new(),
             notices: Vec::new(),
             areas: BTreeMap::from([("lane".to_owned(), Outline::Polygon(lane.to_vec()))]),
@@ -196,7 +198,12 @@ impl Stage {
         let now = self.now();
         let order = statement.into_order(&ids, &context).expect(line);
         let entry = self.ledger.open(now, order.given(), &order.targets);
-        let assignment = self.conductor.take(entry, &order, &self.vehicles, now);
+        let scene = ConductorScene {
+            now,
+            vehicles: &self.vehicles,
+            pilots: &self.pilots,
+        };
+        let assignment = self.conductor.take(entry, &order, scene);
         for row in &assignment.rows {
             self.ledger.apply(row);
         }

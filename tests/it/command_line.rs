@@ -2,6 +2,7 @@
 
 mod check;
 mod class;
+mod crew;
 mod designs;
 mod exams;
 mod output;

@@ -18,6 +18,9 @@ pub(super) trait WayToDesk<M>: Send + Sync + 'static {
         &self,
     ) -> impl Future<Output = Result<Option<(Self::Call, CarrierPeer)>, ClassFault>> + Send;
 
+    /// A desk has answered: from now on only this one is called, where others could take its place.
+    fn keep_to(&mut self, _desk: &CarrierPeer) {}
+
     /// Passes lines in both directions until the connection ends or the console is gone.
     fn pass(
         &self,
@@ -30,11 +33,14 @@ pub(super) trait WayToDesk<M>: Send + Sync + 'static {
 /// Connects to the desk, and again whenever the connection ends, until the port is dropped.
 pub(super) fn join<M: Send + 'static>(way: impl WayToDesk<M>) -> SeatPort<M> {
     let (arrived, arrivals) = mpsc::channel(ARRIVALS);
-    let task = tokio::spawn(async move { keep_connected(&way, &arrived).await });
+    let task = tokio::spawn(async move { keep_connected(way, &arrived).await });
     SeatPort { arrivals, task }
 }
 
-async fn keep_connected<M: Send>(way: &impl WayToDesk<M>, arrived: &mpsc::Sender<SeatArrival<M>>) {
+async fn keep_connected<M: Send>(
+    mut way: impl WayToDesk<M>,
+    arrived: &mpsc::Sender<SeatArrival<M>>,
+) {
     let mut wait = *RETRY.start();
     let mut told = None;
     let mut last = None;
@@ -46,6 +52,7 @@ async fn keep_connected<M: Send>(way: &impl WayToDesk<M>, arrived: &mpsc::Sender
         match called {
             Ok(Some((call, desk))) => {
                 (wait, told, last) = (*RETRY.start(), None, None);
+                way.keep_to(&desk);
                 let (outbox, lines) = Outbox::new();
                 let found = SeatArrival::Found { desk, outbox };
                 if arrived.send(found).await.is_err() {

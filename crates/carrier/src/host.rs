@@ -3,6 +3,7 @@
 use std::fs::{self, DirBuilder, Permissions};
 use std::io;
 use std::os::unix::fs::{DirBuilderExt as _, MetadataExt as _, PermissionsExt as _};
+use std::os::unix::net::UnixStream;
 use std::path::{Path, PathBuf};
 
 use nix::unistd::{Uid, User, geteuid};
@@ -24,13 +25,19 @@ pub struct HostPlace {
     pub socket: PathBuf,
     /// The user to whom the desk must belong; `None` for the owner of the folder.
     pub instructor: Option<String>,
+    /// Whether the folder lasts no longer than what is open there: that of a crew.
+    pub(super) is_passing: bool,
 }
 
 impl HostPlace {
     /// The class with a name, or at a path: its folder, or its socket.
     pub fn named(name: &str, instructor: Option<String>) -> Self {
         let socket = socket(name, "class", DESK);
-        Self { socket, instructor }
+        Self {
+            socket,
+            instructor,
+            is_passing: false,
+        }
     }
 
     /// The crew with a name, or at a path: its folder, or its socket. `host` is the user to whom it must belong; `None` for
@@ -39,6 +46,21 @@ impl HostPlace {
         Self {
             socket: socket(name, "crew", CREW),
             instructor: host,
+            is_passing: true,
+        }
+    }
+
+    /// Whether somebody has opened the place, so that connecting is worth the try.
+    pub fn is_open(&self) -> bool {
+        UnixStream::connect(&self.socket).is_ok()
+    }
+
+    /// Removes what was opened: the socket, and a folder that does not last, if it is empty.
+    pub(super) fn remove(&self) {
+        // They may have been removed already, or be of further use.
+        drop(fs::remove_file(&self.socket));
+        if self.is_passing {
+            drop(fs::remove_dir(self.folder()));
         }
     }
 

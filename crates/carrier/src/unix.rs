@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 use std::os::unix::fs::FileTypeExt as _;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::{fs, io};
 
@@ -41,7 +41,7 @@ pub fn open<M: Message>(place: &HostPlace) -> Result<DeskPort<M>, ClassFault> {
             fault,
         })?;
     let (arrived, arrivals) = mpsc::channel(ARRIVALS);
-    let removed = Removed(place.socket.clone());
+    let removed = Removed(place.clone());
     let task = tokio::spawn(async move {
         tokio::select! {
             () = arrived.closed() => {}
@@ -53,12 +53,11 @@ pub fn open<M: Message>(place: &HostPlace) -> Result<DeskPort<M>, ClassFault> {
 }
 
 /// Removes the socket when the desk closes.
-struct Removed(PathBuf);
+struct Removed(HostPlace);
 
 impl Drop for Removed {
     fn drop(&mut self) {
-        // It may have been removed already.
-        drop(fs::remove_file(&self.0));
+        self.0.remove();
     }
 }
 
@@ -166,6 +165,13 @@ impl<M: Message> WayToDesk<M> for HostPlace {
         self.check(cred.uid())?;
         let user = user_name(cred.uid());
         Ok(Some((stream, CarrierPeer { user })))
+    }
+
+    fn keep_to(&mut self, desk: &CarrierPeer) {
+        if self.is_passing {
+            // Anybody could open a place of this name once its folder is gone.
+            self.instructor = Some(desk.user.clone());
+        }
     }
 
     async fn pass(

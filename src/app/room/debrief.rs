@@ -243,6 +243,19 @@ const HINTS: &[KeyHint] = &[
     footer_keys::HELP,
 ];
 
+/// The key hints at a member of a crew.
+const MEMBER_HINTS: &[KeyHint] = &[
+    footer_keys::SCROLL,
+    hint(
+        &[Action::Debrief(DebriefAction::NextSection)],
+        "hint-section",
+    ),
+    hint(&[Action::Debrief(DebriefAction::TruthMap)], "hint-truth"),
+    hint(&[Action::Leave], "hint-leave-crew"),
+    footer_keys::COMMAND,
+    footer_keys::HELP,
+];
+
 const EMPTY_HINTS: &[KeyHint] = &[
     hint(&[Action::Leave], "hint-home"),
     footer_keys::COMMAND,
@@ -261,6 +274,7 @@ impl RoomModel for Debriefs {
         does(key('v'), Action::Replay(ReplayAction::ReplayNewest)),
         does(key('a'), Action::Replay(ReplayAction::ReviewNewest)),
         does(key('h'), Action::Leave),
+        does(key('q'), Action::Leave),
         does(ESCAPE, Action::Escape),
         does(
             Press::Plain(KeyCode::Tab),
@@ -274,6 +288,7 @@ impl RoomModel for Debriefs {
 
     fn hints(state: &State) -> &'static [KeyHint] {
         match state.rooms.debrief.shown() {
+            Some(_) if state.crew.member().is_some() => MEMBER_HINTS,
             Some(_) => HINTS,
             None => EMPTY_HINTS,
         }

@@ -16,11 +16,12 @@ pub const GHOST: KeyHint = hint_words("ghost", "hint-ghost");
 pub const PREDICT: KeyHint = hint_words("predict ", "hint-predict");
 pub const GOAL: KeyHint = hint_words("goal ", "hint-goal");
 
-/// Whether a hint's keys are useful now: pause, if the mission allows it; a mission's hint, if one
+/// Whether a hint's keys are useful now, to this user: pause, if the mission allows it; a mission's hint, if one
 /// is left; prediction and goal, before launch; export and ghost, during a replay.
 pub fn is_of_use(state: &State, hint: KeyHint) -> bool {
     let mission = state.session.task.progress.as_ref();
     match hint {
+        _ if !state.may_use(hint) => false,
         PAUSE => state.flown_mission().is_none_or(|it| it.pausable),
         MISSION_HINT => mission.is_some_and(|mission| mission.clues.next.is_some()),
         PREDICT | GOAL => state.can_pledge(),

@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use super::{FlightView, Standing};
 use crate::config::Column;
+use crate::pilot_in_command::Person;
 use crate::vehicle::{LandedState, Vehicle};
 
 /// The sort key of a row.
@@ -24,6 +25,8 @@ impl Column {
                 .mode_name()
                 .map_or(SortKey::Missing, |mode| SortKey::word(&mode)),
             Self::Group => SortKey::word(&session.groups_of(vehicle.id).join(" ")),
+            // The user's own vehicles come first.
+            Self::Pilot => SortKey::word(session.pilots().of(vehicle.id).map_or("", Person::name)),
             Self::Command => session
                 .latest(vehicle.id)
                 .map_or(SortKey::Missing, |(entry, _)| {
@@ -67,7 +70,7 @@ impl Column {
         let place = vehicle.global.map(|global| global.at_point);
         match self {
             Self::Id => Some(f64::from(vehicle.id)),
-            Self::Name | Self::Mode | Self::Group | Self::Command => None,
+            Self::Name | Self::Mode | Self::Group | Self::Pilot | Self::Command => None,
             Self::Armed => vehicle.heartbeat.map(|_| armed(vehicle)),
             Self::State => Some(f64::from(state(vehicle) as u8)),
             // The height of a rover is that of its road.
@@ -122,6 +125,7 @@ impl Column {
             Self::Id
             | Self::Name
             | Self::Group
+            | Self::Pilot
             | Self::Mode
             | Self::Armed
             | Self::State

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::time::Duration;
 
 use super::{Activity, State};
-use crate::crew::protocol::RosterLine;
+use crate::crew::protocol::{CrewDenial, RosterLine};
 use crate::crew::{Crew, CrewViewpoint, Role, SILENT};
 use crate::mission::Stake;
 use crate::text;
@@ -40,6 +40,24 @@ pub struct MemberPlace {
     pub(in crate::app) heard_at: Duration,
     /// Whether there is a connection.
     pub(in crate::app) is_connected: bool,
+    /// Whether the host has said that it ends the crew.
+    pub(in crate::app) is_ended: bool,
+    /// Why the host did not let this member in again; told once.
+    pub(in crate::app) denied: Option<CrewDenial>,
+}
+
+/// The connection of a member to its host.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CrewLink {
+    /// The host has not let the member in yet.
+    Awaited,
+    Up,
+    /// The host has said nothing for this time, which is too long.
+    Silent(Duration),
+    /// It has broken, and is tried again.
+    Lost,
+    /// The host has ended the crew.
+    Ended,
 }
 
 impl MemberPlace {
@@ -74,9 +92,22 @@ impl MemberPlace {
     }
 
     /// For how long the host has said nothing, if that is too long: it has been stopped, or is busy.
-    pub fn host_silent_for(&self, wall: Duration) -> Option<Duration> {
+    fn host_silent_for(&self, wall: Duration) -> Option<Duration> {
         let silent = wall.saturating_sub(self.heard_at);
         (self.is_connected && silent >= SILENT).then_some(silent)
+    }
+
+    /// What the header says about the connection.
+    pub fn link(&self, wall: Duration) -> CrewLink {
+        match (self.is_connected, &self.viewpoint) {
+            _ if self.is_ended => CrewLink::Ended,
+            (false, None) => CrewLink::Awaited,
+            (false, Some(_)) => CrewLink::Lost,
+            (true, _) => match self.host_silent_for(wall) {
+                Some(silent) => CrewLink::Silent(silent),
+                None => CrewLink::Up,
+            },
+        }
     }
 
     /// Whether there is a connection to the host.

@@ -10,8 +10,13 @@ use crate::app::effect::Effects;
 use crate::app::room::{self, RoomRequest, fly, standing};
 use crate::app::state::{HelpPage, Log, Overlay};
 use crate::text;
+use crate::vehicle::Severity;
 
 pub fn act(state: &mut State, action: Action) -> Effects {
+    if let Some(reason) = state.action_refusal(action) {
+        state.say(Severity::Notice, reason);
+        return Effects::none();
+    }
     if let Some(requests) = room::act(state, action) {
         return requested(state, requests);
     }

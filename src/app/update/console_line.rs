@@ -14,6 +14,7 @@ use crate::app::state::{HelpPage, Log, Overlay};
 use crate::config::{LiveSetting, Symbols};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ConsoleLine, ParametersLine, Report, TableLine, Targets, words};
+use crate::operator::first_word;
 use crate::plan::ListKind;
 use crate::text;
 use crate::text::Text;
@@ -26,6 +27,9 @@ use crate::vehicle_id::ranges;
 /// The reason why the command is not possible, with the position of the faulty word.
 pub fn carry_out(state: &mut State, line: &str, own: ConsoleLine) -> Result<Effects, Diagnostic> {
     let last_word = words(line).pop().map_or(0..0, |word| word.span);
+    if let Some(reason) = state.line_refusal(&own) {
+        return Err(Diagnostic::new(first_word(line), reason));
+    }
     if let ConsoleLine::Macro(name) = &own {
         macros::check(state, name, last_word)?;
         let lines = state.config.macros.get(name).cloned().unwrap_or_default();

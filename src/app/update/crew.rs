@@ -8,8 +8,8 @@ use super::super::event::CrewEvent;
 use crate::app::State;
 use crate::app::effect::Effects;
 use crate::app::state::CrewPart;
-use crate::crew::{CrewDeed, Role};
-use crate::language::{CrewLine, VehicleChoice};
+use crate::crew::{CrewDeed, ProposalChoice, Role};
+use crate::language::{CrewLine, ProposalLine, VehicleChoice};
 use crate::notice::Notice;
 use crate::pilot_in_command::Person;
 use crate::text;
@@ -32,9 +32,9 @@ pub fn happened(state: &mut State, event: CrewEvent) -> Effects {
             message,
         } => return host::heard(state, connection, &user, message),
         CrewEvent::Left(connection) => return host::left(state, connection),
-        CrewEvent::Said(message) => member::said(state, message),
+        CrewEvent::Said(message) => return member::said(state, message),
         CrewEvent::Lost => member::lost(state),
-        CrewEvent::Refused(text) => tell(state, Severity::Warning, text),
+        CrewEvent::Refused(text) => return member::refused(state, text),
     }
     Effects::none()
 }
@@ -66,14 +66,23 @@ pub fn carry_out(state: &mut State, line: CrewLine) -> Result<Effects, Text> {
         CrewLine::Ask { vehicles } => CrewDeed::Ask {
             vehicles: chosen(state, &vehicles)?,
         },
-        CrewLine::Accept => CrewDeed::Accept,
-        CrewLine::Decline => CrewDeed::Decline,
+        CrewLine::Accept(line) => CrewDeed::Accept(meant(state, line)?),
+        CrewLine::Decline(line) => CrewDeed::Decline(meant(state, line)?),
     };
     match &state.crew {
         CrewPart::None => Err(text!("crew-none")),
         CrewPart::Host(_) => host::act_here(state, &deed),
         CrewPart::Member(_) => member::act(state, deed),
     }
+}
+
+/// The proposal that a line answers.
+fn meant(state: &State, line: ProposalLine) -> Result<ProposalChoice, Text> {
+    let vehicles = line.vehicles.map(|vehicles| chosen(state, &vehicles));
+    Ok(ProposalChoice {
+        vehicles: vehicles.transpose()?.unwrap_or_default(),
+        from: line.from,
+    })
 }
 
 fn chosen(state: &State, vehicles: &VehicleChoice) -> Result<Vec<VehicleId>, Text> {

@@ -58,8 +58,8 @@ fn open_exam(state: &State) -> Option<Text> {
 
 /// Carries out an effect that ends the session; asks first if something would be lost.
 pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Effects {
-    if state.crew.member().is_some() && effect != Effect::Quit {
-        state.say(Severity::Notice, text!("crew-stay"));
+    if let Some(reason) = hosts_flight(state).filter(|_| effect != Effect::Quit) {
+        state.say(Severity::Notice, reason);
         return Effects::none();
     }
     match loss(state) {
@@ -68,8 +68,17 @@ pub fn guarded(state: &mut State, question: Text, effect: Effect) -> Effects {
     }
 }
 
-/// Leaves the session; asks first if something would be lost.
+/// Why this console begins no flight of its own: at a member of a crew.
+pub fn hosts_flight(state: &State) -> Option<Text> {
+    state.crew.member().map(|_| text!("crew-stay"))
+}
+
+/// Leaves the session; asks first if something would be lost. A member of a crew has no session of its own, and leaves
+/// the crew.
 pub fn leave(state: &mut State) -> Effects {
+    if state.crew.member().is_some() {
+        return quit(state);
+    }
     guarded(
         state,
         text!("ask-leave"),

@@ -2,12 +2,17 @@
 
 use crate::app::State;
 use crate::app::state::Activity;
+use crate::crew::Role;
 use crate::mission::Stake;
 use crate::text;
 use crate::text::Text;
+use crate::vehicle_id::ranges;
 
 /// A text that describes the loss if the session ended now; `None` if nothing would be lost.
 pub fn loss(state: &State) -> Option<Text> {
+    if state.is_following() {
+        return duty_loss(state);
+    }
     let session = &state.session;
     // A mission that has not begun is only cancelled.
     let is_mission = matches!(session.activity, Some(Activity::Mission { .. }));
@@ -26,6 +31,27 @@ pub fn loss(state: &State) -> Option<Text> {
     let mission = session.task.progress.is_some().then(|| mission_loss(state));
     let reasons: Vec<Text> = mission.into_iter().chain(armed).collect();
     (!reasons.is_empty()).then(|| Text::joined("; ", reasons))
+}
+
+/// What the crew loses if a member leaves it in flight.
+fn duty_loss(state: &State) -> Option<Text> {
+    let place = state.crew.member().filter(|it| it.is_connected())?;
+    let host = &place.viewpoint()?.host;
+    if state.session.task.over || state.session.activity.is_none() {
+        return None;
+    }
+    let own = state.session.pilots.own().unwrap_or_default();
+    match place.role() {
+        _ if !own.is_empty() => Some(text!(
+            "crew-ask-quit-vehicles",
+            host = host.name(),
+            vehicles = ranges(own)
+        )),
+        role @ (Role::Sensors | Role::Safety) => {
+            Some(text!("crew-ask-quit-role", role = role.text()))
+        }
+        Role::Pilot | Role::Observer => None,
+    }
 }
 
 /// What the end of a mission that is not over means.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::ending::{ask, guarded, leave};
+use super::ending::{ask, guarded, hosts_flight, leave};
 use super::loss::loss;
 use super::replay;
 use crate::app::State;
@@ -136,6 +136,10 @@ pub fn start(state: &mut State, launch: Launch) -> Effects {
 
 /// Starts the exam of a mission, after a question with its rules.
 pub fn start_exam(state: &mut State, mission: &str) -> Effects {
+    if let Some(reason) = hosts_flight(state) {
+        state.say(Severity::Notice, reason);
+        return Effects::none();
+    }
     if let Some(reason) = state.training().lock(mission) {
         state.say(Severity::Warning, reason);
         return Effects::none();

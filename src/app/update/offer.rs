@@ -63,7 +63,9 @@ fn scored(state: &State, written: &str) -> Vec<Scored> {
     if state.replay.is_none() {
         all.retain(|(line, _)| !needs_replay(state, line));
     }
-    let verbs = state.with_context(language::vehicle_verbs);
+    all.retain(|(line, _)| state.may_write(line));
+    let mut verbs = state.with_context(language::vehicle_verbs);
+    verbs.retain(|(verb, _)| state.may_write(verb));
     all.extend(verbs.clone());
     all.extend(vehicles(state, written));
     let given_before = state.typing.history.iter().rev();

@@ -22,7 +22,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 use crate::vehicle_id::ranges;
-use crate::verb::{CountsAs, Danger};
+use crate::verb::{CountsAs, Danger, Verb};
 
 /// The maximum number of targets listed one by one.
 const NAMED_TARGETS: usize = 12;
@@ -39,14 +39,19 @@ pub enum Given {
 /// # Errors
 /// The fault and its position in the line.
 pub fn read(state: &State, line: &str) -> Result<Given, Diagnostic> {
-    read_for(state, line, &state.addressed())
+    read_for(state, line, None, &state.addressed())
 }
 
-/// Reads a line; without targets, `selection` applies.
+/// Reads a line of a person, or of the user of the console (`None`); without targets, `selection` applies.
 ///
 /// # Errors
 /// The fault and its position in the line.
-pub fn read_for(state: &State, line: &str, selection: &[VehicleId]) -> Result<Given, Diagnostic> {
+pub fn read_for(
+    state: &State,
+    line: &str,
+    by: Option<&Person>,
+    selection: &[VehicleId],
+) -> Result<Given, Diagnostic> {
     state.with_context(|context| {
         let statement = language::parse(line, context)?;
         if let Meaning::Console(own) = statement.meaning {
@@ -57,7 +62,8 @@ pub fn read_for(state: &State, line: &str, selection: &[VehicleId]) -> Result<Gi
         }
         permit(state, line, &statement)?;
         let statement = as_sent(state, line, statement, context)?;
-        let order = order_of(statement, line, context, selection)?;
+        let is_flown = flown_by(state, by, statement.verb);
+        let order = order_of(statement, line, context, selection, is_flown)?;
         check_file(&order, line)?;
         Ok(Given::Order(order))
     })
@@ -111,8 +117,19 @@ pub fn prepare(state: &State, line: &str) -> Result<Order, Diagnostic> {
         let statement = language::parse(line, context)?;
         permit(state, line, &statement)?;
         let statement = as_sent(state, line, statement, context)?;
-        order_of(statement, line, context, &state.addressed())
+        let is_flown = flown_by(state, None, statement.verb);
+        order_of(statement, line, context, &state.addressed(), is_flown)
     })
+}
+
+/// Whether vehicles take orders with a verb from a person, or from the user of the console (`None`).
+fn flown_by<'a>(
+    state: &'a State,
+    by: Option<&'a Person>,
+    verb: &Verb,
+) -> impl Fn(VehicleId) -> bool + use<'a> {
+    let duty = verb.duty;
+    move |vehicle| state.session.pilots.refusal(vehicle, by, duty).is_none()
 }
 
 /// A statement as it is carried out. The host of a crew reads the lines of members again, and has other groups than they.
@@ -240,14 +257,18 @@ pub fn give(state: &mut State, order: Order) -> Effects {
             count = count,
             vehicles = named
         ),
-        reason: hazard
-            .unwrap_or_else(|| Text::new(format!("verb-{}", order.verb.name), Vec::new())),
+        reason: hazard.unwrap_or_else(|| danger(&order)),
         answer: count.to_string(),
         typed: String::new(),
         cancelled: false,
         then: Consequence::Order(order),
     }));
     Effects::none()
+}
+
+/// What a dangerous verb does.
+fn danger(order: &Order) -> Text {
+    Text::new(format!("verb-{}", order.verb.name), Vec::new())
 }
 
 /// Asks before a message to the mission, which concerns no vehicle.
@@ -307,6 +328,14 @@ pub enum UnfitLine {
     Because(Text),
 }
 
+/// An order of another person that was carried out.
+#[must_use = "the shell has to carry the effect out"]
+pub struct OrderFor {
+    pub sent: SentOrder,
+    /// What that person had to confirm before; `None` for an order without danger.
+    pub confirmed: Option<Text>,
+}
+
 /// Carries out a line that another person gives, for the vehicles that this person may command: the others refuse it.
 /// `is_open` says whether the person may give such an order at all.
 ///
@@ -316,26 +345,30 @@ pub fn give_for(
     state: &mut State,
     said: LineFor<'_>,
     is_open: impl Fn(&Order) -> bool,
-) -> Result<SentOrder, UnfitLine> {
-    let order = match read_for(state, said.line, said.selection) {
+) -> Result<OrderFor, UnfitLine> {
+    let order = match read_for(state, said.line, Some(said.by), said.selection) {
         Ok(Given::Order(order)) if is_open(&order) => order,
         Ok(_) => return Err(UnfitLine::NoCommand),
         Err(fault) => return Err(UnfitLine::Because(fault.message)),
     };
-    // The user would be asked; the other person may not know of it.
-    if said.confirmed != Confirmed::Hazard
-        && let Some(hazard) = hazard(state, &order)
-    {
-        return Err(UnfitLine::Because(hazard));
-    }
-    if said.confirmed == Confirmed::Nothing && order.verb.danger == Danger::Confirm {
+    let hazard = match hazard(state, &order) {
+        // The user would be asked; the other person may not know of it.
+        Some(hazard) if said.confirmed != Confirmed::Hazard => {
+            return Err(UnfitLine::Because(hazard));
+        }
+        found => found,
+    };
+    let is_dangerous = order.verb.danger == Danger::Confirm;
+    if said.confirmed == Confirmed::Nothing && is_dangerous {
         return Err(UnfitLine::Because(text!(
             "crew-unconfirmed",
             verb = order.verb.name
         )));
     }
+    let confirmed = hazard.or_else(|| is_dangerous.then(|| danger(&order)));
     let by = Some(said.by.clone());
-    Ok(send(state, Order { by, ..order }))
+    let sent = send(state, Order { by, ..order });
+    Ok(OrderFor { sent, confirmed })
 }
 
 /// An order entered in the ledger, and the effect that sends it.

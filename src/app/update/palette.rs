@@ -108,6 +108,9 @@ pub fn edited(state: &mut State, mut palette: Palette) {
     });
     // In the middle of a command, other commands are not useful.
     let has_verb = line.trim_start().contains(char::is_whitespace) && palette.hint.is_some();
+    if !has_verb {
+        found.retain(|it| state.may_write(&it.text));
+    }
     if cursor == line.len() && !has_verb {
         let offered = offer::lines(state, &line);
         let is_new = |offered: &Completion| found.iter().all(|it| it.text != offered.text);

@@ -40,7 +40,7 @@ fn carry_out(
 ) -> Result<(Option<EntryId>, Effects), ProgramFault> {
     let line = said.line.as_str();
     permit(state, line)?;
-    match order::read_for(state, line, &[])? {
+    match order::read_for(state, line, None, &[])? {
         Given::Order(order) => {
             let hazard = own_fence::hazard(state, &order);
             if order.verb.danger == Danger::Confirm || hazard.is_some() {

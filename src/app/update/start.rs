@@ -36,9 +36,11 @@ fn begin(state: &mut State, started: Started, replay: Option<ReplayView>) {
     };
     let mut session = session(state, started);
     // A debrief has been read in the meantime: a flight from there begins with its brief, like a chosen one.
-    let is_at_once = replay.is_some() || is_again && !is_from_debrief;
+    // A member of a crew reads it, too, until the host's mission begins.
+    let is_past = replay.as_ref().is_some_and(|it| !it.is_live);
+    let is_at_once = is_past || replay.is_none() && is_again && !is_from_debrief;
     session.first_room = first_room(&session, is_at_once, replay.as_ref());
-    if session.first_room == Room::Mission {
+    if session.first_room == Room::Mission && replay.is_none() {
         session.timing.flow = TimeFlow::AwaitsReader;
     }
     if is_again {

@@ -234,9 +234,10 @@ pub fn progress(state: &mut State, mut progress: Progress) {
             career.fade(&mission.id, &mut progress);
         }
         // In a replay, past advice is not advice now. Hints that the pilot asked for are part of the flight.
-        if state.replay.is_some() {
+        if state.shows_past() {
             (progress.lesson, progress.hint) = (None, None);
         }
+        leave_read_brief(state, &progress);
         lesson::name_key(state, &mut progress);
         // The mission's clock runs, so it has begun.
         if !progress.elapsed.is_zero() {
@@ -258,6 +259,16 @@ pub fn progress(state: &mut State, mut progress: Progress) {
             mission::show_asked_hint(state);
         }
         watch_traffic(state);
+    }
+}
+
+/// At a member of a crew, shows the flight once the host's mission has begun.
+fn leave_read_brief(state: &mut State, progress: &Progress) {
+    let before = state.session.task.progress.as_ref();
+    let had_begun = before.is_some_and(|it| !it.elapsed.is_zero());
+    let begins = !had_begun && !progress.elapsed.is_zero();
+    if state.is_following() && begins && state.room == Room::Mission {
+        state.room = Room::Fly;
     }
 }
 

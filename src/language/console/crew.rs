@@ -11,8 +11,17 @@ pub enum CrewLine {
     Offer { vehicles: VehicleChoice, to: String },
     /// Ask for the vehicles of somebody.
     Ask { vehicles: VehicleChoice },
-    /// Accept the newest proposal.
-    Accept,
-    /// Decline the newest proposal.
-    Decline,
+    /// Accept a proposal.
+    Accept(ProposalLine),
+    /// Decline a proposal.
+    Decline(ProposalLine),
+}
+
+/// The proposal that a line answers; without any word about it, the only one.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ProposalLine {
+    /// Its vehicles; `None` if they are not named.
+    pub vehicles: Option<VehicleChoice>,
+    /// Who has made it; `None` if the person is not named.
+    pub from: Option<String>,
 }

@@ -3,7 +3,7 @@
 use super::{Built, console};
 use crate::language::VehicleChoice;
 use crate::language::argument::{Argument, Arguments, Kind};
-use crate::language::console::{ConsoleLine, CrewLine};
+use crate::language::console::{ConsoleLine, CrewLine, ProposalLine};
 use crate::language::names::NameList;
 use crate::language::verb::{Form, Scope, VerbRow};
 use crate::verb::Verb;
@@ -17,6 +17,8 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
         "crew offer 3 to bohdan",
         "crew ask 3",
         "crew accept",
+        "crew accept 3",
+        "crew accept 3 from bohdan",
         "crew decline",
     ],
     forms: &[
@@ -30,10 +32,14 @@ pub(super) static ROWS: &[VerbRow] = &[VerbRow {
             let vehicles = vehicles(given);
             line(CrewLine::Ask { vehicles })
         }),
-        Form::new(&[Argument::flag("accept", "")], |_| line(CrewLine::Accept)),
-        Form::new(&[Argument::flag("decline", "")], |_| {
-            line(CrewLine::Decline)
-        }),
+        Form::new(
+            &[Argument::flag("accept", ""), VEHICLES.optional(), FROM],
+            |given| line(CrewLine::Accept(proposal(given))),
+        ),
+        Form::new(
+            &[Argument::flag("decline", ""), VEHICLES.optional(), FROM],
+            |given| line(CrewLine::Decline(proposal(given))),
+        ),
     ],
 }];
 
@@ -44,6 +50,22 @@ const TO: Argument = Argument::keyed(
     Kind::Name(NameList::Crew),
     "argument-crew-name",
 );
+
+const FROM: Argument = Argument::keyed(
+    "from",
+    "name",
+    Kind::Name(NameList::Crew),
+    "argument-crew-name",
+)
+.optional();
+
+/// The proposal that is meant.
+fn proposal(given: &Arguments) -> ProposalLine {
+    ProposalLine {
+        vehicles: given.vehicles("vehicles"),
+        from: given.word("name").map(str::to_owned),
+    }
+}
 
 /// The vehicles that are meant; they are required.
 fn vehicles(given: &Arguments) -> VehicleChoice {

@@ -1,6 +1,7 @@
 //! Rehearsals: their wind, their fence, and their findings.
 
 use super::*;
+use crate::commands::{PlanCommand, PlanDeed, PlanSource};
 use crate::parameters::{HeardParameter, ParameterEncoding, ParameterList, ParameterType};
 use crate::plan::Item;
 use crate::sim::Airframe;

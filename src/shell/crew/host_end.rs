@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 use tokio::sync::watch;
 use tokio::task::JoinHandle;
 
-use super::tail::{RecordPoint, RecordSight, send_record};
+use super::tail::{RecordSight, send_record};
 use crate::app::effect::CrewEffect;
 use crate::app::event::CrewEvent;
 use crate::carrier::{DeskArrival, DeskPort, Outbox};
@@ -14,6 +14,7 @@ use crate::class::ConnectionId;
 use crate::crew::protocol::{HostMessage, MemberMessage};
 use crate::replay::FRAME;
 use crate::shell::Console;
+use crate::shell::session::RecordPoint;
 
 /// The maximum number of messages that wait for one member; one that does not read them is sent away.
 const MOST_WAITING: usize = 256;
@@ -141,6 +142,7 @@ impl HostEnd {
             if let Some(tail) = &mut connection.tail {
                 drop(tail.await);
             }
+            connection.outbox.send(&HostMessage::Closing);
         }
         // What waits to be written is written before a connection closes.
         let mut closing: BTreeSet<_> = std::mem::take(&mut self.open).into_keys().collect();
@@ -198,7 +200,7 @@ impl HostEnd {
                     let members = self.open.values_mut().filter(|it| it.tail.is_some());
                     members.for_each(|it| it.waiting.push_back(message.clone()));
                 }
-                CrewEffect::Note(_) | CrewEffect::Say(_) => {}
+                CrewEffect::Note(_) | CrewEffect::Say(_) | CrewEffect::GiveUp(_) => {}
             }
         }
     }
@@ -258,8 +260,7 @@ impl Console {
         let running = self.running.as_ref();
         // An exam is flown alone.
         let shown = running.filter(|_| !self.app.state().is_exam());
-        let (frames, at) = shown?.record_sight(self.clock.now())?;
-        Some(RecordPoint { frames, at })
+        shown?.record_point(self.clock.now())
     }
 }
 

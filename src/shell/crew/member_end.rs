@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
+use super::faults;
 use crate::app::effect::CrewEffect;
 use crate::app::event::{CrewEvent, Event};
 use crate::carrier::{Outbox, SeatArrival, SeatPort};
@@ -140,7 +141,8 @@ impl Console {
                 }
             }
             SeatArrival::Refused(fault) => {
-                self.feed(CrewEvent::Refused(Text::from(&*fault))).await;
+                self.feed(CrewEvent::Refused(faults::not_joined(&fault)))
+                    .await;
             }
         }
     }

@@ -8,6 +8,7 @@ use tokio::sync::watch;
 use crate::carrier::Outbox;
 use crate::class::{PIECE, PieceBytes, RecordName};
 use crate::crew::protocol::{HeldRecord, HostMessage};
+use crate::shell::session::RecordPoint;
 use crate::store::RecordTail;
 
 /// The number of messages for which the record leaves room: answers come first.
@@ -19,20 +20,10 @@ const HERE_EVERY: Duration = Duration::from_secs(2);
 /// The time between two readings of the record.
 const READ_EVERY: Duration = Duration::from_millis(50);
 
-/// How far a record has got.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(in crate::shell) struct RecordPoint {
-    /// The path of its frames.
-    pub frames: PathBuf,
-    /// A time since its beginning.
-    pub at: Duration,
-}
-
-impl RecordPoint {
-    fn name(&self) -> Option<RecordName> {
-        let stem = self.frames.file_stem()?.to_str()?;
-        RecordName::try_from(stem.to_owned()).ok()
-    }
+/// The name of a record.
+fn name_of(point: &RecordPoint) -> Option<RecordName> {
+    let stem = point.frames.file_stem()?.to_str()?;
+    RecordName::try_from(stem.to_owned()).ok()
 }
 
 /// What the members may see of the host's records.
@@ -70,10 +61,17 @@ pub(super) async fn send_record(
     }
 }
 
+/// A record that is being sent.
+struct ShownRecord {
+    /// The path of its frames.
+    frames: PathBuf,
+    tail: RecordTail,
+}
+
 struct Sending {
     outbox: Outbox,
     /// The record that is being sent.
-    shown: Option<(PathBuf, RecordTail)>,
+    shown: Option<ShownRecord>,
     has: Option<HeldRecord>,
     /// The time that was told last.
     told: Option<u64>,
@@ -84,12 +82,12 @@ impl Sending {
     /// whether that was everything. A record that is not written any more is sent to its end before the next one begins.
     async fn follow(&mut self, seen: &RecordSight) -> bool {
         let current = seen.current.as_ref();
-        let shown = self.shown.as_ref().map(|(frames, _)| frames);
+        let shown = self.shown.as_ref().map(|it| &it.frames);
         let is_over = shown.is_some_and(|shown| current.is_none_or(|it| it.frames != *shown));
         if is_over && !self.finish(seen.before.as_ref()).await {
             return false;
         }
-        let Some((current, name)) = current.and_then(|it| Some((it, it.name()?))) else {
+        let Some((current, name)) = current.and_then(|it| Some((it, name_of(it)?))) else {
             return true;
         };
         if self.shown.is_none() {
@@ -99,7 +97,8 @@ impl Sending {
             let has = self.has.take().filter(|it| it.record == name);
             let has = has.map_or_else(Vec::new, |it| it.bytes);
             let tail = RecordTail::new(&current.frames, &has);
-            (self.shown, self.told) = (Some((current.frames.clone(), tail)), None);
+            let frames = current.frames.clone();
+            (self.shown, self.told) = (Some(ShownRecord { frames, tail }), None);
         }
         self.send_pieces().await && self.tell_time(current.at)
     }
@@ -109,7 +108,7 @@ impl Sending {
         if !self.send_pieces().await {
             return false;
         }
-        let shown = self.shown.as_ref().map(|(frames, _)| frames);
+        let shown = self.shown.as_ref().map(|it| &it.frames);
         let end = ended.filter(|it| shown == Some(&it.frames)).map(|it| it.at);
         let is_told = end.is_none_or(|end| self.tell_time(end));
         if !is_told || !self.outbox.offer(&HostMessage::Ended) {
@@ -122,7 +121,7 @@ impl Sending {
     /// Sends pieces while there is room; returns whether everything so far was sent.
     async fn send_pieces(&mut self) -> bool {
         while self.outbox.room() > LEFT_FREE + READ_AT_ONCE {
-            let Some((frames, mut tail)) = self.shown.take() else {
+            let Some(ShownRecord { frames, mut tail }) = self.shown.take() else {
                 return false;
             };
             // A slow disk holds nobody.
@@ -135,7 +134,7 @@ impl Sending {
             let Ok((tail, pieces)) = read.await else {
                 return false;
             };
-            self.shown = Some((frames, tail));
+            self.shown = Some(ShownRecord { frames, tail });
             let is_all = pieces.len() < READ_AT_ONCE;
             for (part, bytes) in pieces {
                 let data = PieceBytes(bytes);

@@ -21,6 +21,15 @@ const AFTER_MISSION: Duration = Duration::from_secs(2);
 /// How long after its end a record may still be in memory.
 const WRITTEN_WITHIN: Duration = Duration::from_secs(1);
 
+/// How far a record has got.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct RecordPoint {
+    /// The path of its frames.
+    pub frames: PathBuf,
+    /// A time since its beginning.
+    pub at: Duration,
+}
+
 /// Records a session by the session's clock, which stops in a pause.
 pub(super) struct FlightRecorder {
     sink: FrameSink,
@@ -154,12 +163,13 @@ impl FlightRecorder {
         }
     }
 
-    /// The path of the frames, and how far the record has got; `None` if nothing is recorded.
-    pub fn sight(&self, now: Duration) -> Option<(PathBuf, Duration)> {
+    /// How far the record has got; `None` if nothing is recorded.
+    pub fn sight(&self, now: Duration) -> Option<RecordPoint> {
         let frames = self.frames()?.to_owned();
         // Nothing is recorded after its end, when the vehicles would only seem to be silent.
         let to = self.ends_at.map_or(now, |end| end.min(now));
-        Some((frames, to.saturating_sub(self.began_at)))
+        let at = to.saturating_sub(self.began_at);
+        Some(RecordPoint { frames, at })
     }
 
     /// The path of the frames, if recorded.

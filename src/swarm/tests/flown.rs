@@ -2,6 +2,8 @@
 
 use super::*;
 use crate::geo::maths;
+use crate::ledger::LedgerEntry;
+use crate::pilot_in_command::Person;
 
 /// The tolerance for GPS, wind and control errors.
 const NOISE_M: f64 = 0.6;
@@ -72,6 +74,33 @@ fn a_wedge_keeps_its_shape_while_its_leader_goes_somewhere() {
     );
     assert!(stage.nearest_m >= 6.0, "{}", stage.nearest_m);
     assert!(worst < 1.5, "{worst}");
+}
+
+#[test]
+fn a_formation_leaves_behind_the_vehicles_that_the_giver_of_the_order_does_not_fly() {
+    for line in ["1 goto n 80 e 0", "1 altitude 30", "1 speed 3"] {
+        let mut stage = Stage::flying(3, 8.0);
+        stage.say("all formation column spacing 10");
+        assert!(stage.watch(90.0, |stage| stage.is_done("formation")));
+        let anna = Person::named("anna");
+        stage.pilots.take_over(&[2], &anna);
+        stage.run(2.0);
+        let before = stage.place(2);
+        stage.say(line);
+        stage.run(1.0);
+        let formation = |entry: &&LedgerEntry| entry.verb.name == "formation";
+        let formation = stage.ledger.entries().find(formation);
+        let ended = formation.map(|it| it.rows.iter().map(|row| row.ended_by.is_some()).collect());
+        assert_eq!(ended, Some(vec![false, true, false]), "{line}");
+        let said = "2: leaves formation: anna flies 2".to_owned();
+        assert!(stage.notices.contains(&said), "{:?}", stage.notices);
+        stage.run(20.0);
+        let moved = stage.place(2);
+        let moved_m = maths::hypot(moved[0] - before[0], moved[1] - before[1]);
+        assert!(moved_m < 3.0, "{line}: {before:?} {moved:?}");
+        assert!((moved[2] - before[2]).abs() < 1.5, "{line}");
+        assert!(stage.nearest_m >= 5.0, "{line}: {}", stage.nearest_m);
+    }
 }
 
 #[test]

@@ -8,7 +8,7 @@ use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::state::{LinkSummary, ReplayView, Room, rate};
+use crate::app::state::{CrewLink, LinkSummary, ReplayView, Room, rate};
 use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
@@ -33,10 +33,12 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     let pace = if let Some(view) = recorded(state) {
         replay::badge(view, panel.look)
     } else if let Some(place) = state.crew().member() {
-        let badge = match place.host_silent_for(state.wall()) {
-            Some(silent) => text!("header-crew-silent", seconds = silent.as_secs()),
-            None if place.is_connected() => text!("header-crew"),
-            None => text!("header-crew-lost"),
+        let badge = match place.link(state.wall()) {
+            CrewLink::Awaited => text!("header-crew-awaited"),
+            CrewLink::Up => text!("header-crew"),
+            CrewLink::Silent(silent) => text!("header-crew-silent", seconds = silent.as_secs()),
+            CrewLink::Lost => text!("header-crew-lost"),
+            CrewLink::Ended => text!("header-crew-ended"),
         };
         format!(" {} ", panel.text(&badge))
     } else if session.is_paused() && state.class_role().is_frozen() {

@@ -2,14 +2,15 @@
 
 use std::time::Duration;
 
-use sortie::app::event::{CrewEvent, ReplayEvent, VehicleEvent};
-use sortie::app::state::{Activity, CrewPart, MemberPlace, ReplayPosition, ReplayView};
+use sortie::app::event::{CrewEvent, ReplayEvent, SessionEvent, VehicleEvent};
+use sortie::app::state::{Activity, CrewPart, MemberPlace, ReplayPosition, ReplayView, Room};
 use sortie::campaign::Stake;
 use sortie::class::ConnectionId;
 use sortie::crew::protocol::{CrewHello, HostMessage, MemberMessage, RosterLine, VERSION};
-use sortie::crew::{Crew, Role};
+use sortie::crew::{Crew, CrewDeed, ProposalChoice, Role};
 use sortie::language::verb;
 use sortie::ledger::{EntryId, Risk, RowState, RowUpdate};
+use sortie::mission::Progress;
 use sortie::pilot_in_command::{Person, PilotsInCommand};
 use sortie::text::{Language, Locale};
 
@@ -33,8 +34,8 @@ fn waiting(language: Language) -> Console {
     })
 }
 
-/// A member that sees the host's flight: anna flies 1 and 2, bohdan the others.
-fn following(language: Language, role: Role) -> Console {
+/// A member that sees the host's flight before it begins: anna flies 1 and 2, bohdan the others.
+fn joined(language: Language, role: Role) -> Console {
     let mut console = waiting(language);
     console.hear(CrewEvent::Said(HostMessage::Welcome {
         protocol: VERSION,
@@ -65,16 +66,30 @@ fn following(language: Language, role: Role) -> Console {
     let flown = [(anna.clone(), vec![1, 2])];
     let pilots = PilotsInCommand::seen_by(&anna, &bohdan, &flown);
     console.hear(VehicleEvent::Pilots(pilots));
+    // The welcome on the last line has been read.
+    console.at(20);
+    console.hear(CrewEvent::Said(HostMessage::Here));
+    console
+}
+
+/// A member that sees the host's flight.
+fn following(language: Language, role: Role) -> Console {
+    let mut console = joined(language, role);
     for id in 1..=4 {
         console.vehicle(fixtures::airborne(id, 20.0, 60.0));
     }
+    let progress = Progress {
+        hint: Some("Fly over the cells: `1 goto a1`.".into()),
+        ..fixtures::progress()
+    };
+    console.hear(SessionEvent::Mission(Box::new(progress)));
     let position = ReplayPosition {
         at: Duration::from_secs(95),
         ..ReplayPosition::default()
     };
     console.hear(ReplayEvent::At(position));
     for (number, (line, by, vehicles)) in [
-        ("all takeoff 20", Some(bohdan), vec![3, 4]),
+        ("all takeoff 20", Some(Person::named("bohdan")), vec![3, 4]),
         ("1-2 takeoff 20", None, vec![1, 2]),
     ]
     .into_iter()
@@ -99,10 +114,18 @@ fn following(language: Language, role: Role) -> Console {
             }));
         }
     }
-    // The welcome on the last line has been read.
-    console.at(20);
-    console.hear(CrewEvent::Said(HostMessage::Here));
     console
+}
+
+#[test]
+fn a_member_reads_the_brief_until_the_host_begins() {
+    check("crew_brief", &joined(Language::English, Role::Pilot));
+    let mut console = following(Language::English, Role::Pilot);
+    assert_eq!(console.state().room(), Room::Fly);
+    // In flight, the member opens it, and it stays.
+    console.press("b");
+    console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
+    assert_eq!(console.state().room(), Room::Mission);
 }
 
 #[test]
@@ -123,6 +146,54 @@ fn a_member_sees_that_the_host_says_nothing() {
     console.at(31);
     let shown = header(&console).unwrap_or_default();
     assert!(shown.contains("CREW, NO WORD FOR 11 s"), "{shown}");
+}
+
+#[test]
+fn a_member_is_offered_only_what_is_open_and_refused_the_rest_with_the_reason() {
+    let footer = |console: &Console| console.screen(200, 24).lines().last().map(str::to_owned);
+    let has = |role: Role, word: &str| {
+        let footer = footer(&following(Language::English, role)).unwrap_or_default();
+        footer.contains(word)
+    };
+    for role in Role::ALL {
+        assert!(!has(role, "pause"), "{role:?}");
+        assert!(has(role, "help"), "{role:?}");
+        let flies = role == Role::Pilot || role == Role::Safety;
+        assert_eq!(has(role, "commands"), flies, "{role:?}");
+    }
+    let mut console = following(Language::English, Role::Pilot);
+    for key in ["p", ">"] {
+        console.press(key);
+        let said = footer(&console).unwrap_or_default();
+        let expected = "only the host can do this: it concerns the whole flight";
+        assert!(said.contains(expected), "{key}: {said}");
+    }
+    for line in ["pause", "speedup 2", "restart", "abandon", "fly m01"] {
+        console.give(line);
+        let shown = console.screen(120, 40);
+        assert!(
+            shown.contains("only the host can do this"),
+            "{line}: {shown}"
+        );
+        console.press("esc");
+    }
+}
+
+#[test]
+fn the_palette_of_a_member_lists_the_verbs_of_the_role() {
+    let lists = |role: Role, written: &str, verb: &str| {
+        let mut console = following(Language::English, role);
+        console.press(":").write(written);
+        let shown = console.screen(120, 40);
+        let edges = ['│', ' ', '>'];
+        let mut lines = shown.lines();
+        lines.any(|line| line.trim_start_matches(edges).starts_with(verb))
+    };
+    assert!(lists(Role::Pilot, "takeo", "takeoff"));
+    assert!(!lists(Role::Safety, "takeo", "takeoff"));
+    assert!(lists(Role::Safety, "lan", "land"));
+    assert!(!lists(Role::Observer, "lan", "land"));
+    assert!(!lists(Role::Pilot, "paus", "pause"));
 }
 
 #[test]
@@ -169,7 +240,7 @@ fn the_host_sees_who_flies_what() {
         user: "anna".to_owned(),
         message: MemberMessage::Act {
             id: 1,
-            deed: sortie::crew::CrewDeed::Accept,
+            deed: CrewDeed::Accept(ProposalChoice::default()),
         },
     });
     console.at(5);

@@ -40,6 +40,28 @@ async fn the_folder_can_be_entered_but_only_its_owner_changes_it() {
 }
 
 #[tokio::test]
+async fn the_folder_of_a_crew_goes_with_its_host_and_that_of_a_class_stays() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let crew = HostPlace::crew(&path("crew"), None);
+    assert!(!crew.is_open());
+    let host = crew.open::<SeatMessage>().expect("it opens");
+    assert!(crew.is_open());
+    host.close().await;
+    assert!(!crew.is_open());
+    assert!(!folder.path().join("crew").exists());
+    // What somebody else has put there is not removed.
+    let kept = HostPlace::crew(&path("kept"), None);
+    let host = kept.open::<SeatMessage>().expect("it opens");
+    fs::write(folder.path().join("kept/notes"), "").expect("written");
+    host.close().await;
+    assert!(folder.path().join("kept/notes").exists());
+    let desk = unix::open::<SeatMessage>(&place(folder.path())).expect("it opens");
+    desk.close().await;
+    assert!(folder.path().join("class").exists());
+}
+
+#[tokio::test]
 async fn a_folder_that_others_may_change_is_refused() {
     let folder = tempfile::tempdir().expect("a folder");
     let place = place(folder.path());
@@ -68,6 +90,7 @@ fn a_socket_of_the_own_user_may_be_in_a_folder_of_anybody() {
     let place = HostPlace {
         socket: folder.join("alpha"),
         instructor: None,
+        is_passing: false,
     };
     place.check(own.as_raw()).expect("it is the own user's");
     let stranger = place.check(4_000_000);

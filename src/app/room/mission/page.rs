@@ -86,7 +86,9 @@ impl MissionPage<'_> {
         self.text.title(&self.mission.title.clone());
         let brief = reflow(&self.text.locale.text(&self.mission.brief));
         self.text.paragraph(Tone::Plain, &brief);
-        if self.awaits_launch() {
+        // A member of a crew does not begin the host's mission.
+        let is_before = self.state.session.task.progress.is_none();
+        if self.awaits_launch() || is_before && self.state.is_following() {
             return;
         }
         self.text.add(Tone::Plain, "");

@@ -208,7 +208,7 @@ fn hint(state: &mut State) -> Result<BegunOrder, Refusal> {
     if clues.next.is_none() {
         return Err(Refusal::NoHint);
     }
-    match order::read_for(state, "all hint", &[]) {
+    match order::read_for(state, "all hint", None, &[]) {
         Ok(Given::Order(asked)) => {
             // The trainee has not asked for it.
             let by = state.class.seat().and_then(SeatPlace::instructor);

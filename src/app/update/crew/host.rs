@@ -1,6 +1,6 @@
 //! The host of a crew.
 
-use super::super::order::{self, LineFor, UnfitLine};
+use super::super::order::{self, LineFor, OrderFor, UnfitLine};
 use super::super::relay::{not_open, uses_files};
 use super::tell;
 use crate::app::State;
@@ -11,8 +11,8 @@ use crate::crew::protocol::{
     Confirmed, CrewDenial, CrewHello, HostMessage, MemberMessage, RosterLine, SaidLine, VERSION,
 };
 use crate::crew::{
-    Crew, CrewChange, CrewDeed, CrewFault, CrewRecord, CrewScene, DeedOutcome, Flown, Joining,
-    Member, Proposal,
+    Crew, CrewChange, CrewDeed, CrewRecord, CrewScene, DeedOutcome, Flown, Joining, Member,
+    Proposal,
 };
 use crate::pilot_in_command::Person;
 use crate::text;
@@ -34,8 +34,8 @@ pub(super) fn heard(
     crew.hear(connection, wall);
     let member = crew.member(connection).cloned();
     match (message, member) {
-        (MemberMessage::Hello(hello), None) => join(state, connection, user, hello),
-        (MemberMessage::Hello(_), Some(_)) | (_, None) => deny(connection, CrewDenial::NoHello),
+        (MemberMessage::Hello(hello), _) => join(state, connection, user, hello),
+        (_, None) => deny(connection, CrewDenial::NoHello),
         (MemberMessage::Here, Some(_)) => Effects::none(),
         (
             MemberMessage::Say {
@@ -92,8 +92,7 @@ fn join(state: &mut State, connection: ConnectionId, user: &str, hello: CrewHell
     };
     let change = match crew.join(joining, pilots, wall) {
         Ok(change) => change,
-        Err(CrewFault::ManyOfUser) => return deny(connection, CrewDenial::FullForUser),
-        Err(_) => return deny(connection, CrewDenial::Full),
+        Err(denial) => return deny(connection, denial),
     };
     let Some(member) = crew.member(connection) else {
         return Effects::none();
@@ -116,9 +115,10 @@ fn join(state: &mut State, connection: ConnectionId, user: &str, hello: CrewHell
 
 /// A connection has ended.
 pub(super) fn left(state: &mut State, connection: ConnectionId) -> Effects {
+    let wall = state.wall;
     let pilots = &mut state.session.pilots;
     let crew = state.crew.host_mut();
-    let change = crew.and_then(|crew| crew.leave(connection, pilots));
+    let change = crew.and_then(|crew| crew.leave(connection, pilots, wall));
     change.map_or_else(Effects::none, |change| changed(state, change))
 }
 
@@ -186,7 +186,11 @@ fn command(
     if session.is_reading() {
         return Err(text!("crew-not-begun"));
     }
-    let flown = session.pilots.flown_by(&member.person);
+    let mut flown = session.pilots.flown_by(&member.person);
+    if flown.is_empty() {
+        // What is said to the mission needs a vehicle only for its row in the ledger.
+        flown.extend(session.all().next());
+    }
     let said = LineFor {
         by: &member.person,
         line: line.as_str(),
@@ -195,7 +199,14 @@ fn command(
     };
     let is_open = |order: &Order| member.role.may_say(order.verb) && !uses_files(&order.act);
     match order::give_for(state, said, is_open) {
-        Ok(sent) => Ok(sent.effect.into()),
+        Ok(OrderFor { sent, confirmed }) => {
+            if let Some(danger) = confirmed {
+                let (who, line) = (member.person.name(), line.as_str());
+                let text = text!("crew-confirmed", who = who, line = line, danger = danger);
+                tell(state, Severity::Warning, text);
+            }
+            Ok(sent.effect.into())
+        }
         Err(UnfitLine::NoCommand) => Err(not_open(member.role)),
         Err(UnfitLine::Because(why)) => Err(why),
     }
@@ -302,11 +313,12 @@ pub fn began(state: &mut State) -> Effects {
     let is_exam = state.is_exam();
     let mission = state.session.task.listing.as_ref();
     let posts = mission.filter(|_| !is_exam).map(|it| it.crew.clone());
+    let wall = state.wall;
     let pilots = &mut state.session.pilots;
     let Some(crew) = state.crew.host_mut() else {
         return Effects::none();
     };
-    crew.begin(posts.unwrap_or_default(), pilots);
+    crew.begin(posts.unwrap_or_default(), pilots, wall);
     let roles: Vec<Effect> = crew
         .connections()
         .map(|(connection, member)| tell_one(connection, HostMessage::Role(member.role)))

@@ -18,7 +18,7 @@ use crate::vehicle::Severity;
 const HERE_EVERY: Duration = Duration::from_secs(2);
 
 /// Takes in what the host has said.
-pub(super) fn said(state: &mut State, message: HostMessage) {
+pub(super) fn said(state: &mut State, message: HostMessage) -> Effects {
     let wall = state.wall;
     if let Some(place) = state.crew.member_mut() {
         place.heard_at = wall;
@@ -43,10 +43,11 @@ pub(super) fn said(state: &mut State, message: HostMessage) {
                 place.viewpoint = Some(CrewViewpoint { own, host });
                 place.role = role;
                 place.is_connected = true;
+                (place.is_ended, place.denied) = (false, None);
             }
             tell(state, Severity::Notice, text);
         }
-        HostMessage::Denied(denial) => tell(state, Severity::Warning, denial_text(&denial)),
+        HostMessage::Denied(denial) => return denied(state, denial),
         HostMessage::Role(role) => {
             if let Some(place) = state.crew.member_mut() {
                 place.role = role;
@@ -60,18 +61,65 @@ pub(super) fn said(state: &mut State, message: HostMessage) {
         HostMessage::Notice(text) => tell(state, Severity::Notice, text.text()),
         HostMessage::Answer { id, fault } => answered(state, id, fault.map(|it| it.text())),
         HostMessage::Ended => {
-            let host = state.crew.member().and_then(MemberPlace::viewpoint);
-            if let Some(host) = host.map(|it| it.host.clone()) {
+            if let Some(host) = host(state) {
                 let text = text!("crew-flight-ended", host = host.name());
                 tell(state, Severity::Notice, text);
             }
         }
+        HostMessage::Closing => closing(state),
         // The shell takes in the record.
         HostMessage::Record(_)
         | HostMessage::Piece { .. }
         | HostMessage::Now { .. }
         | HostMessage::Here => {}
     }
+    Effects::none()
+}
+
+/// The host of the flight that this member sees.
+fn host(state: &State) -> Option<Person> {
+    let viewpoint = state.crew.member().and_then(MemberPlace::viewpoint);
+    viewpoint.map(|it| it.host.clone())
+}
+
+/// The host has ended the crew: the end of the connection is no fault.
+fn closing(state: &mut State) {
+    let Some(host) = host(state) else {
+        return;
+    };
+    if let Some(place) = state.crew.member_mut() {
+        place.is_ended = true;
+    }
+    let text = text!("crew-host-left", host = host.name());
+    tell(state, Severity::Notice, text);
+}
+
+/// The host does not let this console in. One that has never been let in has nothing to show, and ends; otherwise it may
+/// come back once there is room.
+fn denied(state: &mut State, denial: CrewDenial) -> Effects {
+    let text = denial_text(&denial);
+    if host(state).is_none() {
+        return give_up(text);
+    }
+    let place = state.crew.member_mut();
+    let before = place.and_then(|place| place.denied.replace(denial.clone()));
+    if before != Some(denial) {
+        tell(state, Severity::Warning, text);
+    }
+    Effects::none()
+}
+
+/// There is a crew that this console must not join.
+pub(super) fn refused(state: &mut State, why: Text) -> Effects {
+    if host(state).is_none() {
+        return give_up(why);
+    }
+    tell(state, Severity::Warning, why);
+    Effects::none()
+}
+
+fn give_up(why: Text) -> Effects {
+    Effects::from(Effect::Crew(CrewEffect::GiveUp(why)))
 }
 
 fn denial_text(denial: &CrewDenial) -> Text {
@@ -98,7 +146,7 @@ pub(super) fn lost(state: &mut State) {
         return;
     };
     place.asked.clear();
-    if std::mem::replace(&mut place.is_connected, false) {
+    if std::mem::replace(&mut place.is_connected, false) && !place.is_ended {
         tell(state, Severity::Warning, text!("crew-lost"));
     }
 }
@@ -115,8 +163,8 @@ pub(super) fn act(state: &mut State, deed: CrewDeed) -> Result<Effects, Text> {
     let shown = match &deed {
         CrewDeed::Offer { .. } => "crew offer",
         CrewDeed::Ask { .. } => "crew ask",
-        CrewDeed::Accept => "crew accept",
-        CrewDeed::Decline => "crew decline",
+        CrewDeed::Accept(_) => "crew accept",
+        CrewDeed::Decline(_) => "crew decline",
     };
     Ok(relay::ask(state, shown.to_owned(), |id| {
         MemberMessage::Act { id, deed }

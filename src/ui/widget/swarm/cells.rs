@@ -13,7 +13,7 @@ use crate::text::{Text, figure};
 use crate::ui::look::{Badge, Look};
 use crate::ui::theme::Role;
 use crate::ui::widget::gauge::{battery_role, link_role};
-use crate::ui::widget::{clip, leg, row_role, severity_role, short_clock, width};
+use crate::ui::widget::{clip, leg, row_role, severity_role, short_clock, told_apart, width};
 use crate::vehicle::{FixType, LandedState, Severity, Vehicle};
 
 /// A text, and its role.
@@ -48,6 +48,7 @@ pub struct Words {
     pub lost: String,
     pub done: String,
     pub over: String,
+    pub own: String,
     states: Vec<(RowState, String)>,
 }
 
@@ -68,6 +69,7 @@ impl Words {
             lost: look.say("fly-lost"),
             done: look.say("fly-done"),
             over: look.say("fly-over"),
+            own: look.say("fly-own"),
             states: STATES
                 .map(|state| (state, look.text(&short(state))))
                 .to_vec(),
@@ -108,7 +110,8 @@ pub fn cell(column: Column, row: &Row<'_>, look: &Look, width: usize) -> Cell {
         Column::Id => id(row),
         Column::Name => (look.text(&FlightView::name(row.vehicle)), Role::Muted),
         Column::Group => teams(row),
-        Column::Mode => mode(row, width),
+        Column::Pilot => pilot(row, width),
+        Column::Mode => mode(row),
         Column::Armed => armed(row),
         Column::State => landed(row),
         Column::Battery => battery(row.vehicle),
@@ -161,7 +164,27 @@ fn teams(row: &Row<'_>) -> Cell {
     (names.join(" "), role)
 }
 
-fn mode(row: &Row<'_>, room: usize) -> Cell {
+/// The pilot's name, shortened so that it differs from those of the others.
+fn pilot(row: &Row<'_>, room: usize) -> Cell {
+    let pilots = row.state.session().pilots();
+    let Some(pilot) = pilots.of(row.vehicle.id) else {
+        return (row.words.own.clone(), Role::Text);
+    };
+    let all: Vec<String> = pilots.names().into_iter().map(str::to_owned).collect();
+    let place = all.iter().position(|it| it == pilot.name());
+    let mut shown = told_apart(&all, room);
+    let name = place.map(|at| shown.swap_remove(at));
+    (name.unwrap_or_default(), Role::Warning)
+}
+
+/// Whether somebody else flies the vehicle, and the user has chosen columns without the pilot.
+fn is_pilot_hidden(row: &Row<'_>) -> bool {
+    let chosen = &row.state.config().table.columns;
+    let is_other = || row.state.session().pilots().of(row.vehicle.id).is_some();
+    !chosen.is_empty() && !chosen.contains(&Column::Pilot) && is_other()
+}
+
+fn mode(row: &Row<'_>) -> Cell {
     let vehicle = row.vehicle;
     let Some(mode) = vehicle.short_mode_name() else {
         return unknown();
@@ -170,12 +193,8 @@ fn mode(row: &Row<'_>, room: usize) -> Cell {
         (format!("{mode} {PAUSED}"), Role::Warning)
     } else if vehicle.held.is_some() {
         (format!("{mode} RC"), Role::Danger)
-    } else if let Some(pilot) = row.state.session().pilots().of(vehicle.id) {
-        // The header has the whole name.
-        let named = format!("{mode} @{pilot}");
-        let is_cut = width(&named) > room;
-        let shown = if is_cut { format!("{mode} @") } else { named };
-        (shown, Role::Warning)
+    } else if is_pilot_hidden(row) {
+        (format!("{mode} @"), Role::Warning)
     } else if let Some(station) = vehicle.barred_by() {
         (format!("{mode} @{station}"), Role::Warning)
     } else {

@@ -41,6 +41,8 @@ const FORMS: &[ColumnForm] = &[
     form(Column::Id, "column-id", 3, 0, true),
     form(Column::Name, "column-name", 7, 13, false),
     form(Column::Group, "column-group", 5, 10, false),
+    // Wide enough for the beginning of a user name.
+    form(Column::Pilot, "column-pilot", 6, 2, false),
     form(Column::Mode, "column-mode", 9, 2, false),
     form(Column::Armed, "column-armed", 5, 3, false),
     form(Column::State, "column-state", 6, 7, false),
@@ -129,9 +131,11 @@ fn in_order(chosen: &[Column], words: &Words, look: &Look, room: u16) -> (Vec<Sh
 
 fn by_rank(state: &State, words: &Words, look: &Look, room: u16) -> (Vec<Shown>, u16) {
     let has_groups = !state.session().groups().is_empty();
+    let has_pilots = state.session().pilots().are_several();
     let is_plan_flown = state.session().is_plan_flown();
     let is_offered = |form: &&ColumnForm| match form.column {
         Column::Group => has_groups,
+        Column::Pilot => has_pilots,
         Column::Item | Column::Next | Column::End => is_plan_flown,
         _ => form.rank < ASKED,
     };

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::super::super::order::{self, LineFor, UnfitLine};
+use super::super::super::order::{self, LineFor, OrderFor, UnfitLine};
 use super::super::tell;
 use super::{BegunOrder, Ended, OrderFault, instructor, note};
 use crate::app::State;
@@ -80,7 +80,7 @@ pub(super) fn command(state: &mut State, line: &str) -> Result<BegunOrder, Order
     };
     let is_open = |order: &Order| order.verb.counts_as.is_for_vehicles();
     match order::give_for(state, said, is_open) {
-        Ok(sent) => Ok(BegunOrder {
+        Ok(OrderFor { sent, .. }) => Ok(BegunOrder {
             effects: sent.effect.into(),
             trace: OrderTrace::Entry(sent.entry),
         }),
