@@ -10,7 +10,7 @@
 //!   `vehicle_files` for their subjects. `macros` checks all lines of a macro before the first one is given, `batch`
 //!   sets parameters one after another, `program` refuses what programs may not give.
 //! - `consequence` carries out what was confirmed. `loss` finds what would be lost if the session ended now, and
-//!   `ending` asks before that.
+//!   `ending` asks before that; `home` leads home after it.
 //! - The course of a session: `start`, `mission` (pause, restart, give up), `replay`, `review`, `ghost`, `sticks`;
 //!   `crew` is what the host of a crew and its members do, `relay` what members ask for; `pace` decides when the speed-up may rise, and which event resets it.
 //! - Reports of the shell: `telemetry` (time, vehicles, notices, and the signals that are due), `links`, `hangar`,
@@ -41,6 +41,7 @@ mod forget;
 mod forwards;
 mod ghost;
 mod hangar;
+mod home;
 mod keys;
 mod latin;
 mod links;
@@ -281,7 +282,7 @@ fn session(state: &mut State, event: SessionEvent) {
     state.touch();
     match event {
         SessionEvent::Started(started) => start::started(state, *started),
-        SessionEvent::Ended => consequence::go_home(state),
+        SessionEvent::Ended => home::go_home(state),
         SessionEvent::Paused(paused) => mission::paused(state, paused),
         SessionEvent::Speedup(change) => pace::changed(state, change),
         SessionEvent::Mission(progress) => telemetry::progress(state, *progress),

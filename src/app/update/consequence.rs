@@ -1,9 +1,10 @@
 //! Carries out actions that have been confirmed, or that need no confirmation.
 
+use super::home::go_home;
 use super::{batch, class, order};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, SessionEffect};
-use crate::app::room::{Room, plans, workshop};
+use crate::app::room::{plans, workshop};
 use crate::app::state::Consequence;
 use crate::text;
 use crate::vehicle::Severity;
@@ -74,20 +75,4 @@ fn announce(state: &mut State, effect: &SessionEffect) {
         | SessionEffect::Situation(_)
         | SessionEffect::Stop => {}
     }
-}
-
-/// Drops the session and shows the home screen. The debrief stays until the next one.
-pub fn go_home(state: &mut State) {
-    let session = std::mem::take(&mut state.session);
-    state.notices.keep_times(&session);
-    if state.replay.is_some() {
-        state.rooms.debrief.end_replay();
-    }
-    state.leave_replay();
-    state.ghost = None;
-    let debriefs = std::mem::take(&mut state.rooms.debrief);
-    state.rooms.forget_session();
-    state.rooms.debrief = debriefs;
-    state.typing.targets.clear();
-    state.room = Room::Home;
 }

@@ -3,12 +3,12 @@
 use std::time::Duration;
 
 use super::super::super::loss::loss;
-use super::super::super::{consequence, show};
+use super::super::super::{home, show};
 use super::{BegunOrder, OrderTrace, is_exam};
 use crate::app::State;
 use crate::app::effect::{Effect, Effects, Launch, SessionEffect};
 use crate::app::room::Room;
-use crate::app::state::{Activity, Consequence, OpenTry, SeatPlace};
+use crate::app::state::{Activity, OpenTry, SeatPlace};
 use crate::campaign::{MissionStage, Stake};
 use crate::class::{ExamTry, Outcome, Refusal, TryName};
 use crate::class_text::try_title;
@@ -187,11 +187,8 @@ pub(super) fn stop(state: &mut State) -> Result<BegunOrder, Refusal> {
     if let Some(place) = state.class.seat_mut() {
         place.held = None;
     }
-    let leave = Consequence::Effect(Effect::Session(SessionEffect::Leave));
-    Ok(BegunOrder {
-        effects: consequence::carry_out(state, leave),
-        trace: OrderTrace::State,
-    })
+    home::go_home(state);
+    Ok(SessionEffect::Leave.into())
 }
 
 /// Lets the trainee start a mission that the desk wanted to start, when the desk is gone. The brief is shown, so that
