@@ -206,7 +206,7 @@ impl SeatSource for SimulatedFlight {
                 kind: DangerKind::Fence,
                 in_s: 5.0,
             }),
-            least_separation_m: Some(5.0 + clock_s.sin()),
+            least_separation_m: Some(5.0 + clock_s % 10.0),
             workload_percent: Some((clock_s as u64 % 100) as u8),
             last_command: command.map(|(line, at)| LastCommand {
                 line: line.as_str().into(),
