@@ -16,7 +16,9 @@ use crate::app::State;
 use crate::app::effect::ClassEffect;
 use crate::app::event::ClassEvent;
 use crate::app::state::{ClassRole, FlightTruth, SeatPlace};
-use crate::carrier::{ClassFault, ClassPlace, DeskArrival, DeskPlace, Outbox, SeatArrival};
+use crate::carrier::{
+    ClassFault, ClassPlace, DeskArrival, DeskPlace, Outbox, SeatArrival, own_user_name,
+};
 use crate::class::{Consent, Desk, Picture, RecordHead, Refusal, Seat};
 use crate::mission::{Flight, InjectFault};
 use crate::record::Happening;
@@ -71,7 +73,12 @@ impl ClassOptions {
                 ClassRole::Seat(Box::new(SeatPlace::new(Seat::new(number, consent))))
             }
             Self::Desk { name, .. } => {
-                ClassRole::Desk(Box::new(Desk::new(number, name.as_str().into())))
+                let instructor = own_user_name().into();
+                ClassRole::Desk(Box::new(Desk::new(
+                    number,
+                    name.as_str().into(),
+                    instructor,
+                )))
             }
         }
     }

@@ -205,6 +205,7 @@ async fn fill(outbox: &Outbox) -> bool {
                 protocol,
                 class,
                 name: "seat".into(),
+                instructor: "petro".into(),
             });
             return true;
         }

@@ -40,6 +40,7 @@ pub enum DeskHeard {
 pub struct Desk {
     id: u64,
     class: Words,
+    instructor: Words,
     pub(super) seats: Vec<SeatRecord>,
     orders: u32,
     calls: Calls,
@@ -51,10 +52,11 @@ pub struct Desk {
 
 impl Desk {
     /// A desk without seats. The number `id` belongs to this opening of the desk only.
-    pub fn new(id: u64, class: Words) -> Self {
+    pub fn new(id: u64, class: Words, instructor: Words) -> Self {
         Self {
             id,
             class,
+            instructor,
             seats: Vec::new(),
             orders: 0,
             calls: Calls::default(),
@@ -67,6 +69,11 @@ impl Desk {
     /// The name of the class.
     pub fn class(&self) -> &Words {
         &self.class
+    }
+
+    /// The user who has opened the desk.
+    pub fn instructor(&self) -> &Words {
+        &self.instructor
     }
 
     /// The seats, in the order in which they joined. Seats are never removed, so an index stays valid.

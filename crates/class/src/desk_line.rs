@@ -71,6 +71,7 @@ impl DeskLine {
                 protocol: VERSION,
                 class: desk.class().clone(),
                 name: seat.name.as_str().into(),
+                instructor: desk.instructor().clone(),
             });
         }
         if self.has_to_ask(seat, now) {

@@ -70,6 +70,9 @@ pub enum DeskMessage {
         /// The name of the seat.
         #[serde(default, skip_serializing_if = "Words::is_empty")]
         name: Words,
+        /// The user who has opened the desk. A tunnel of SSH hides that user from the carrier.
+        #[serde(default, skip_serializing_if = "Words::is_empty")]
+        instructor: Words,
     },
     /// The seat cannot join; the connection ends.
     Denied(Denial),

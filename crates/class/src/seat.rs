@@ -80,8 +80,12 @@ impl Seat {
         self.last_instructor.clone_from(&self.instructor);
     }
 
-    /// The desk has taken the seat into its class.
-    pub fn enter(&mut self, class: Words, name: Words) {
+    /// The desk has taken the seat into its class. The desk knows its user better than the carrier, at whose other end may
+    /// be a tunnel.
+    pub fn enter(&mut self, class: Words, name: Words, instructor: &Words) {
+        if !instructor.is_empty() {
+            self.find(instructor.as_str());
+        }
         self.class = Some(class);
         self.name = Some(name).filter(|name| !name.is_empty());
         self.hand_in.retry();

@@ -25,7 +25,7 @@ fn hello(sitting: u64) -> SeatMessage {
 }
 
 fn desk() -> Desk {
-    Desk::new(9, "9-A".into())
+    Desk::new(9, "9-A".into(), "petro".into())
 }
 
 fn seconds(count: u64) -> Duration {

@@ -130,11 +130,16 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
         place.heard_at = wall;
     }
     match message {
-        DeskMessage::Welcome { class, name, .. } => {
+        DeskMessage::Welcome {
+            class,
+            name,
+            instructor,
+            ..
+        } => {
             let Some(place) = state.class.seat_mut() else {
                 return Effects::none();
             };
-            place.seat.enter(class.clone(), name);
+            place.seat.enter(class.clone(), name, &instructor);
             let instructor = place.seat.instructor().unwrap_or_default().to_owned();
             let text = text!(
                 "class-joined",

@@ -140,7 +140,7 @@ fn asked() -> (Vec<ExamNote>, u64) {
             secret: ExamSecret::from([1; 32]),
         },
     };
-    let mut desk = Desk::new(1, "9-A".into());
+    let mut desk = Desk::new(1, "9-A".into(), "petro".into());
     assert!(desk.hold(Exam::begin(plan, first, 1).expect("a first note")));
     let hello = SeatMessage::Hello(Hello {
         protocol: VERSION,

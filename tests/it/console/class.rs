@@ -46,6 +46,7 @@ fn welcome(console: &mut Console) {
         protocol: VERSION,
         class: "9-A".into(),
         name: "anna".into(),
+        instructor: "petro".into(),
     }));
 }
 
@@ -383,4 +384,23 @@ fn the_journal_has_starts_commands_failures_and_ends() {
         flight.map(|it| (it.failures, it.stage)),
         Some((1, Stage::Over))
     );
+}
+
+/// The carrier knows only the user of the tunnel, who is the trainee.
+#[test]
+fn behind_a_tunnel_the_desk_says_who_the_instructor_is() {
+    let mut console = seat(Consent::Given);
+    let instructor = "anna".to_owned();
+    console.hear(ClassEvent::Found { instructor });
+    welcome(&mut console);
+    assert!(console.screen(120, 40).contains("desk: petro"));
+    order(
+    let said = console.state().message().expect("a message");
+        1,
+        Deed::Message {
+            text: "land".into(),
+        },
+    );
+    let said = console.state().notices().last().expect("a notice");
+    assert_eq!(said.text.to_string(), "petro: land");
 }

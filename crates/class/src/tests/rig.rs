@@ -191,7 +191,12 @@ impl Rig {
     fn obey(&mut self, message: DeskMessage) {
         self.seat_line.hear(&message);
         match message {
-            DeskMessage::Welcome { class, name, .. } => self.seat.enter(class, name),
+            DeskMessage::Welcome {
+                class,
+                name,
+                instructor,
+                ..
+            } => self.seat.enter(class, name, &instructor),
             DeskMessage::Order(order) if self.seat.is_new(&order) => {
                 *self.done.entry(order.id).or_default() += 1;
                 if order.deed == Deed::LookOn {

@@ -134,7 +134,12 @@ impl SimulatedSeat {
             line.hear(&message);
         }
         match message {
-            DeskMessage::Welcome { class, name, .. } => self.state.enter(class, name),
+            DeskMessage::Welcome {
+                class,
+                name,
+                instructor,
+                ..
+            } => self.state.enter(class, name, &instructor),
             DeskMessage::Order(order) if self.state.is_new(&order) => {
                 if let Deed::Message { text } = &order.deed {
                     let (seat, text) = (self.number, text.as_str().to_owned());

@@ -169,7 +169,12 @@ impl Room {
                     line.hear(&message);
                 }
                 match message {
-                    DeskMessage::Welcome { class, name, .. } => self.seat.enter(class, name),
+                    DeskMessage::Welcome {
+                        class,
+                        name,
+                        instructor,
+                        ..
+                    } => self.seat.enter(class, name, &instructor),
                     DeskMessage::Order(order) if self.seat.is_new(&order) => {
                         self.obeyed.push(order.deed.clone());
                         self.seat.settle(None, order, Outcome::Done, None);

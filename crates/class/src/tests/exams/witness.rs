@@ -208,7 +208,7 @@ impl SeatSource for Flying {
 #[test]
 fn a_seat_sends_the_head_of_a_whole_record_at_once() {
     let mut seat = Seat::new(1, Consent::Given);
-    seat.enter("9-A".into(), "anna".into());
+    seat.enter("9-A".into(), "anna".into(), &"petro".into());
     let mut line = SeatLine::default();
     let mut said = |is_over: bool, at: Duration| -> Vec<bool> {
         let source = Flying { is_over };

@@ -98,7 +98,7 @@ impl Class {
     /// The desk is killed and opened again.
     pub fn reopen(&mut self) {
         self.desks += 1;
-        self.desk = Desk::new(self.desks, "9-A".into());
+        self.desk = Desk::new(self.desks, "9-A".into(), "petro".into());
         self.join(self.seats.len());
     }
 
