@@ -367,7 +367,7 @@ static COURSE: LazyLock<MissionCourse> = LazyLock::new(|| {
 
 /// Lines of a class: those of a seat that is not to be trusted, which the desk takes in, and those of a false desk.
 pub fn class(bytes: &[u8]) {
-    let mut desk = Desk::new(1, "class".into());
+    let mut desk = Desk::new(1, "class".into(), "petro".into());
     for (line, second) in bytes.split(|&byte| byte == b'\n').zip(0..) {
         if let Ok(message) = protocol::read::<SeatMessage>(line) {
             let now = Duration::from_secs(second);

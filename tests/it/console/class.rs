@@ -394,13 +394,8 @@ fn behind_a_tunnel_the_desk_says_who_the_instructor_is() {
     console.hear(ClassEvent::Found { instructor });
     welcome(&mut console);
     assert!(console.screen(120, 40).contains("desk: petro"));
-    order(
+    let text = "land".into();
+    order(&mut console, 1, Deed::Message { text });
     let said = console.state().message().expect("a message");
-        1,
-        Deed::Message {
-            text: "land".into(),
-        },
-    );
-    let said = console.state().notices().last().expect("a notice");
     assert_eq!(said.text.to_string(), "petro: land");
 }
