@@ -1,7 +1,7 @@
 //! The orders of an instructor's desk and their outcomes, as text.
 
 use crate::class::{
-    Consent, Deed, ExamPlan, ExamTry, NotedStep, Outcome, Refusal, Seat, SubmissionRefusal, Words,
+    Deed, ExamPlan, ExamTry, NotedStep, Outcome, Refusal, SubmissionRefusal, Words,
 };
 use crate::text;
 use crate::text::{Language, Text};
@@ -230,21 +230,5 @@ pub fn submission_refusal_text(refusal: SubmissionRefusal) -> Text {
         SubmissionRefusal::Share => text!("class-submission-share"),
         SubmissionRefusal::Impossible => text!("class-submission-impossible"),
         SubmissionRefusal::Different => text!("class-submission-different"),
-    }
-}
-
-/// A console's place in a class, for its trainee.
-pub fn seat_text(seat: Option<&Seat>) -> Text {
-    let Some(seat) = seat else {
-        return text!("class-none");
-    };
-    match (seat.consent(), seat.instructor(), seat.class()) {
-        (Consent::Given, Some(instructor), Some(class)) => text!(
-            "class-joined",
-            class = class.as_str(),
-            instructor = instructor
-        ),
-        (Consent::Given | Consent::Unasked, ..) => text!("class-waits"),
-        (Consent::Declined, ..) => text!("class-left"),
     }
 }

@@ -202,7 +202,8 @@ header-try = try { $number } of { $tries }, { $time } left
 header-try-short = { $time } left
 header-frozen = FROZEN
 class-none = no class is configured: start the console with `--class` and the name of the class
-class-waits = waiting for the desk of the class
+class-waits = waiting for the desk of the class { $place }
+class-no-desk = no desk answers yet for the class { $place }; the console keeps trying
 class-ask = Join the class of { $instructor }?
 class-ask-reason = the instructor sees your flight and your screen, can freeze and end the flight, and gets its record
 class-joining = joining the class
@@ -306,16 +307,17 @@ class-folder = { $folder } belongs to another user, or others may change it: cho
 class-stranger = not joined: the desk at { $socket } belongs to { $user }, not to { $instructor }
 
 # Several machines
-class-not-built = this build of sortie has classes on one host only; for several machines, build it with `cargo build --release --features zenoh`
+class-not-built = this build of sortie has classes on one host only; ask your administrator for one that was built with `cargo build --release --features zenoh`
 class-file = cannot use { $file }: { $error }
-class-exposed = other users can read { $file }, which contains a secret key: run `chmod 600 { $file }`; if anybody may have read it, make a new class
+class-exposed = other users can read { $file }, which contains a secret key: run `chmod 600 { $file }`; if anybody may have read it, take the seat out with `sortie class remove` and use another one, or make a new class if it is the file of the desk
 class-join-file = { $file } is not a join line: { $reason }
 class-join-line = this is not a join line: { $reason }
-class-join-prefix = it does not begin with `sortie-join/1/`
+class-join-prefix = it does not begin with `sortie-join/1/`; a class on one host is joined with `--class`
 class-join-incomplete = a part of it is missing; copy all of it, or use the file
 class-join-damaged = a part of it is damaged; copy it again, or use the file
 class-no-keys = { $file } is not the file of a desk, or is damaged ({ $reason }): make a new class with `sortie class new`
 class-no-class = there is no class for several machines in { $folder }: make one with `sortie class new`
+class-has-keys = { $class } is a class on several machines: open its desk with `--listen`, or give the class on this host another name
 class-exists = { $folder } exists: choose another name, or delete the folder if the class is over
 class-name = `{ $name }` cannot be the name of a class on several machines: use up to 64 letters without accents, digits, `-` and `_`
 class-address = `{ $address }` is not an address: write HOST:PORT, such as 192.168.1.5:7447
@@ -342,4 +344,4 @@ class-made = Class { $class }, { $seats } { $seats ->
     }, in { $folder }.
 class-made-lines = The files in { $folder } are for the trainees, one for each. They are secret: whoever has a file can take its seat.
 class-made-desk = The desk: `sortie class open { $class } --listen { $listen }`
-class-made-seat = A trainee: `sortie join { $file }`
+class-made-seat = A trainee: `sortie join { $file }`, which looks for the desk at { $addresses }

@@ -12,7 +12,7 @@ use clap::{Args, Subcommand};
 use super::Failure;
 use super::fly;
 use super::settings::CliSettings;
-use crate::carrier::{DeskPlace, EVERY_ADDRESS, HostPlace, own_user_name};
+use crate::carrier::{DeskPlace, EVERY_ADDRESS, own_user_name};
 use crate::shell::{ClassOptions, ConsoleOptions, Opening};
 use export::ExportArguments;
 use grades::GradesArguments;
@@ -105,7 +105,7 @@ pub(super) fn class(
             let name = name.as_ref().unwrap_or(&own);
             let place = match listen {
                 Some(listen) => network::desk(name, listen, &settings)?,
-                None => DeskPlace::Host(HostPlace::named(name, None)),
+                None => network::desk_on_host(name, &settings)?,
             };
             let grader = grader.as_ref().unwrap_or(&own);
             let class = place

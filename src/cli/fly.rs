@@ -165,7 +165,7 @@ pub(super) fn home(arguments: &HomeArguments, settings: CliSettings) -> Result<E
 /// Opens the home screen in the class of a join line.
 pub(super) fn join(arguments: &JoinArguments, settings: CliSettings) -> Result<ExitCode, Failure> {
     let options = ConsoleOptions {
-        class: Some(arguments.class(&settings)?),
+        class: Some(arguments.class()?),
         ..options(Opening::Home, settings)?
     };
     open(options, false)

@@ -57,8 +57,9 @@ impl SeatArguments {
                 None => Ok(Seating::default()),
             };
         };
-        let class = self.desk.seat(name, self.class.is_none(), settings);
-        match class {
+        let instructor = settings.config.class.instructor.clone();
+        let place = ClassPlace::named(name, instructor);
+        match place.and_then(|place| self.desk.seat(place, self.class.is_none())) {
             // The administrator's configuration may be meant for others.
             Err(fault) if self.is_default() => Ok(Seating {
                 class: None,
@@ -86,21 +87,14 @@ impl JoinArguments {
     ///
     /// # Errors
     /// It cannot be used.
-    pub fn class(&self, settings: &CliSettings) -> Result<ClassOptions, Failure> {
-        let class = self.desk.seat(&self.line, false, settings);
-        class.map_err(refused)
+    pub fn class(&self) -> Result<ClassOptions, Failure> {
+        let place = ClassPlace::invited(&self.line).map_err(refused)?;
+        self.desk.seat(place, false).map_err(refused)
     }
 }
 
 impl DeskAddress {
-    fn seat(
-        &self,
-        name: &str,
-        asks: bool,
-        settings: &CliSettings,
-    ) -> Result<ClassOptions, ClassFault> {
-        let instructor = settings.config.class.instructor.clone();
-        let place = ClassPlace::named(name, instructor)?;
+    fn seat(&self, place: ClassPlace, asks: bool) -> Result<ClassOptions, ClassFault> {
         let place = match &self.address {
             Some(address) => place.at(address)?,
             None => place,

@@ -64,13 +64,16 @@ impl ClassOptions {
         // Numbers that another run of the program has only by a rare accident, which would hide a seat or an order.
         let number = SysRng.try_next_u64().unwrap_or_default();
         match self {
-            Self::Seat { asks, .. } => {
+            Self::Seat { place, asks } => {
                 let consent = if *asks {
                     Consent::Unasked
                 } else {
                     Consent::Given
                 };
-                ClassRole::Seat(Box::new(SeatPlace::new(Seat::new(number, consent))))
+                ClassRole::Seat(Box::new(SeatPlace::new(
+                    Seat::new(number, consent),
+                    place.to_string(),
+                )))
             }
             Self::Desk { name, .. } => {
                 let instructor = own_user_name().into();

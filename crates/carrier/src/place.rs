@@ -1,5 +1,6 @@
 //! Where the desk of a class is.
 
+use std::fmt;
 use std::fs;
 use std::net::UdpSocket;
 use std::path::{Path, PathBuf};
@@ -82,17 +83,31 @@ impl ClassPlace {
                 line.map_err(|fault| NetworkFault::JoinLine { file: None, fault })?,
             );
         }
-        let path = Path::new(name);
         let is_path = name.contains('/') || name.contains('.');
-        let is_file = is_path && fs::metadata(path).is_ok_and(|found| found.is_file());
-        if is_file || name.ends_with(ENDING) {
-            let line = read_secret(path, |text| {
-                let file = Some(path.to_owned());
-                JoinLine::parse(text).map_err(|fault| NetworkFault::JoinLine { file, fault })
-            });
-            return Self::of_line(line?);
+        if is_path && is_join_file(name) {
+            return Self::of_file(Path::new(name));
         }
         Ok(Self::Host(HostPlace::named(name, instructor)))
+    }
+
+    /// The class of a file with a join line, or of the line itself.
+    ///
+    /// # Errors
+    /// It is neither, or cannot be used.
+    pub fn invited(file_or_line: &str) -> Result<Self, ClassFault> {
+        if is_join_file(file_or_line) {
+            return Self::of_file(Path::new(file_or_line));
+        }
+        let line = JoinLine::parse(file_or_line);
+        Self::of_line(line.map_err(|fault| NetworkFault::JoinLine { file: None, fault })?)
+    }
+
+    fn of_file(path: &Path) -> Result<Self, ClassFault> {
+        let line = read_secret(path, |text| {
+            let file = Some(path.to_owned());
+            JoinLine::parse(text).map_err(|fault| NetworkFault::JoinLine { file, fault })
+        });
+        Self::of_line(line?)
     }
 
     /// The class of a join line.
@@ -149,6 +164,22 @@ impl ClassPlace {
             Self::Host(place) => place.socket.display().to_string(),
             #[cfg(feature = "zenoh")]
             Self::Network(line) => line.id(),
+        }
+    }
+}
+
+/// Whether a file with a join line is meant: there is a file, or it is named like one.
+fn is_join_file(name: &str) -> bool {
+    name.ends_with(ENDING) || fs::metadata(name).is_ok_and(|found| found.is_file())
+}
+
+/// The class, and where its desk should be. It contains no secret.
+impl fmt::Display for ClassPlace {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Host(place) => write!(f, "{}", place.socket.display()),
+            #[cfg(feature = "zenoh")]
+            Self::Network(line) => write!(f, "{} ({})", line.class, line.addresses.join(", ")),
         }
     }
 }

@@ -15,6 +15,8 @@ use crate::vehicle_id::ranges;
 
 /// The time without a line of the desk, which says something every 2 s, after which it no longer holds a flight.
 const DESK_SILENT: Duration = Duration::from_secs(10);
+/// How long a desk is looked for before the trainee is told that there is none.
+const SEARCHED: Duration = Duration::from_secs(10);
 
 /// What a console is in a class.
 #[derive(Debug, Clone, Default)]
@@ -32,6 +34,7 @@ pub enum ClassRole {
 #[derive(Debug, Clone)]
 pub struct SeatPlace {
     pub(in crate::app) seat: Seat,
+    pub(in crate::app) search: DeskSearch,
     /// Orders whose effect has not been seen yet.
     pub(in crate::app) pending: Vec<PendingOrder>,
     /// The injects of the desk that wait for their conditions.
@@ -64,6 +67,30 @@ pub struct SeatPlace {
     pub(in crate::app) least_separation_m: Option<f64>,
     /// How often a vehicle did not carry out a command during this flight.
     pub(in crate::app) failures: u32,
+}
+
+/// How the console looks for its desk.
+#[derive(Debug, Clone, Default)]
+pub(in crate::app) struct DeskSearch {
+    /// The class, and where its desk should be.
+    place: String,
+    /// Why the desk that was found there last is not joined.
+    pub refused: Option<Text>,
+    /// Since when no desk has answered, by the wall clock; `None` once one has.
+    since: Option<Duration>,
+    is_reported: bool,
+}
+
+impl DeskSearch {
+    /// What to say if no desk has answered for a while, once.
+    pub fn report(&mut self, wall: Duration) -> Option<Text> {
+        let since = *self.since.get_or_insert(wall);
+        if self.is_reported || self.refused.is_some() || wall < since + SEARCHED {
+            return None;
+        }
+        self.is_reported = true;
+        Some(text!("class-no-desk", place = &self.place))
+    }
 }
 
 /// An order of the desk that is being carried out.
@@ -161,10 +188,15 @@ pub struct ShownTry<'a> {
 }
 
 impl SeatPlace {
-    /// A place that is not taken yet.
-    pub fn new(seat: Seat) -> Self {
+    /// A place that is not taken yet. `place` says which class it is, and where its desk should be.
+    pub fn new(seat: Seat, place: String) -> Self {
+        let search = DeskSearch {
+            place,
+            ..DeskSearch::default()
+        };
         Self {
             seat,
+            search,
             pending: Vec::new(),
             armed: Vec::new(),
             situations: Vec::new(),
@@ -181,6 +213,22 @@ impl SeatPlace {
             danger: None,
             least_separation_m: None,
             failures: 0,
+        }
+    }
+
+    fn text(&self) -> Text {
+        let seat = &self.seat;
+        match (seat.consent(), seat.instructor(), seat.class()) {
+            (Consent::Given, Some(instructor), Some(class)) => text!(
+                "class-joined",
+                class = class.as_str(),
+                instructor = instructor
+            ),
+            (Consent::Given | Consent::Unasked, ..) => {
+                let waits = || text!("class-waits", place = &self.search.place);
+                self.search.refused.clone().unwrap_or_else(waits)
+            }
+            (Consent::Declined, ..) => text!("class-left"),
         }
     }
 
@@ -254,6 +302,12 @@ impl SeatPlace {
 }
 
 impl ClassRole {
+    /// The console's place in a class, for its trainee.
+    pub fn place_text(&self) -> Text {
+        self.seat()
+            .map_or_else(|| text!("class-none"), SeatPlace::text)
+    }
+
     /// The trainee's place, if this is one.
     pub fn seat(&self) -> Option<&SeatPlace> {
         match self {

@@ -48,7 +48,7 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
         ClassEvent::Found { instructor } => found(state, &instructor),
         ClassEvent::Said(message) => return said(state, message),
         ClassEvent::Lost => lost(state),
-        ClassEvent::Refused(text) => tell(state, Severity::Warning, text),
+        ClassEvent::Refused(text) => refused(state, text),
         ClassEvent::Begun { id, refusal } => return orders::begun(state, id, refusal),
         ClassEvent::TryRefused(why) => return orders::try_refused(state, why),
         ClassEvent::Heard {
@@ -101,7 +101,15 @@ pub fn happened(state: &mut State, event: ClassEvent) -> Effects {
 fn found(state: &mut State, instructor: &str) {
     if let Some(place) = state.class.seat_mut() {
         place.seat.find(instructor);
+        place.search.refused = None;
     }
+}
+
+fn refused(state: &mut State, text: Text) {
+    if let Some(place) = state.class.seat_mut() {
+        place.search.refused = Some(text.clone());
+    }
+    tell(state, Severity::Warning, text);
 }
 
 fn lost(state: &mut State) {
@@ -214,6 +222,22 @@ pub fn follow(state: &mut State, is_tick: bool, noted: Vec<Happening>, effects: 
     if is_tick {
         look(state);
         ask(state);
+        search(state);
+    }
+}
+
+/// Says that no desk answers, if the trainee wants to join and none has answered yet.
+fn search(state: &mut State) {
+    let wall = state.wall;
+    let Some(place) = state.class.seat_mut() else {
+        return;
+    };
+    let is_sought = place.seat.consent() == Consent::Given;
+    if !is_sought || place.seat.last_instructor().is_some() {
+        return;
+    }
+    if let Some(text) = place.search.report(wall) {
+        tell(state, Severity::Notice, text);
     }
 }
 

@@ -6,7 +6,8 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::carrier::{
-    DEFAULT_PORT, DeskPlace, EVERY_ADDRESS, NewClass, make_class, own_address, remove_seat,
+    DEFAULT_PORT, DeskPlace, EVERY_ADDRESS, HostPlace, NewClass, make_class, own_address,
+    remove_seat,
 };
 use crate::cli::Failure;
 use crate::cli::seat::refused;
@@ -136,7 +137,11 @@ fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
         ),
         text!("class-made-lines", folder = shown(lines)),
         text!("class-made-desk", class = named, listen = listen),
-        text!("class-made-seat", file = file),
+        text!(
+            "class-made-seat",
+            file = file,
+            addresses = class.addresses.join(", ")
+        ),
     ]
 }
 
@@ -147,6 +152,16 @@ pub(super) fn desk(name: &str, listen: &str, settings: &CliSettings) -> Result<D
     let is_everywhere = listen == EVERY_ADDRESS;
     let listen = if is_everywhere { &everywhere } else { listen };
     DeskPlace::on_network(&folder, listen).map_err(refused)
+}
+
+/// The desk of a class on this host, by name or by the path of its folder.
+pub(super) fn desk_on_host(name: &str, settings: &CliSettings) -> Result<DeskPlace, Failure> {
+    let keys = settings.data.path().map(|data| data.join(KEYS).join(name));
+    if keys.is_some_and(|keys| keys.is_dir()) {
+        // The seats with its join files would look for it in vain.
+        return Err(Failure::Wrong(vec![text!("class-has-keys", class = name)]));
+    }
+    Ok(DeskPlace::Host(HostPlace::named(name, None)))
 }
 
 /// The folder of the keys of a class, by name or by path.

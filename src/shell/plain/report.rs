@@ -69,9 +69,7 @@ pub fn texts(report: &Report, state: &State) -> Vec<Text> {
         Report::Notices => notices::newest(state),
         Report::Traffic => traffic::now(state),
         Report::Hangar => processes::now(state),
-        Report::Class => vec![class_text::seat_text(
-            state.class_role().seat().map(SeatPlace::seat),
-        )],
+        Report::Class => vec![state.class_role().place_text()],
         Report::Brief => brief::lines(state),
     }
 }

@@ -52,7 +52,7 @@ fn draw_seat(state: &State, panel: Panel<'_>, buffer: &mut Buffer) {
         return;
     }
     let inner = panel.titled(&panel.say("room-class"), buffer);
-    let text = panel.text(&seat_text(seat));
+    let text = panel.text(&state.class_role().place_text());
     for (row, line) in (0..).zip(wrap(&text, usize::from(inner.width))) {
         put(
             buffer,

@@ -34,7 +34,7 @@ pub use watch::{send_insight, send_screen};
 fn seat(consent: Consent) -> Console {
     let mut console = Console::set_up(|setup| {
         let seat = Seat::new(7, consent);
-        setup.class = ClassRole::Seat(Box::new(SeatPlace::new(seat)));
+        setup.class = ClassRole::Seat(Box::new(SeatPlace::new(seat, "9-A".to_owned())));
     });
     let instructor = "petro".to_owned();
     console.hear(ClassEvent::Found { instructor });

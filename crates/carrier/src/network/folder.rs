@@ -102,7 +102,7 @@ pub(crate) fn make(class: &NewClass<'_>, folder: &Path) -> Result<Vec<PathBuf>, 
     make_folder(&seats)?;
     let mut files = Vec::new();
     for line in lines {
-        let file = seats.join(format!("{}{ENDING}", line.seat));
+        let file = join_file(folder, &line.seat);
         write(&file, &(line.secret_text() + "\n"))?;
         files.push(file);
     }
@@ -111,7 +111,11 @@ pub(crate) fn make(class: &NewClass<'_>, folder: &Path) -> Result<Vec<PathBuf>, 
     Ok(files)
 }
 
-/// Takes a seat out of the class in a folder: a desk that is opened afterwards does not let it in.
+fn join_file(folder: &Path, seat: &str) -> PathBuf {
+    folder.join(SEATS_FOLDER).join(format!("{seat}{ENDING}"))
+}
+
+/// Takes a seat out of the class in a folder, and deletes the file that a trainee would get: a desk that is opened afterwards does not let it in.
 ///
 /// # Errors
 /// There is no such seat, or the file of the desk cannot be read or written.
@@ -132,7 +136,10 @@ pub(crate) fn remove_seat(folder: &Path, seat: &str) -> Result<(), NetworkFault>
     fs::rename(&new, &file).map_err(|error| NetworkFault::File {
         file,
         error: error.into(),
-    })
+    })?;
+    // The trainee may have taken it.
+    drop(fs::remove_file(join_file(folder, seat)));
+    Ok(())
 }
 
 impl DeskKeys {

@@ -152,7 +152,7 @@ fn the_trainee_sees_the_title_of_the_exam_and_not_its_name() {
     ] {
         let mut console = Console::set_up(|setup| {
             let seat = Seat::new(7, Consent::Given);
-            setup.class = ClassRole::Seat(Box::new(SeatPlace::new(seat)));
+            setup.class = ClassRole::Seat(Box::new(SeatPlace::new(seat, "9-A".to_owned())));
             setup.locale = Arc::new(Locale::new(language));
         });
         let mut opened = opened_try();
