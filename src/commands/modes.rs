@@ -14,6 +14,10 @@ pub(super) const AUTO_LOITER: &str = "AUTO.LOITER";
 pub(super) fn holding_mode(vehicle: &Vehicle) -> Option<&'static str> {
     let mode = vehicle.mode()?;
     match mode.class {
+        // Before its takeoff has left the ground, a copter accepts a pause, but takes off nevertheless.
+        VehicleClass::Copter if mode.is("GUIDED") && vehicle.armed() && !vehicle.airborne() => {
+            Some("BRAKE")
+        }
         VehicleClass::Copter if mode.is("GUIDED") || mode.is("AUTO") => None,
         VehicleClass::Copter => Some("BRAKE"),
         VehicleClass::Plane => Some("LOITER"),

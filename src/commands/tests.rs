@@ -115,6 +115,8 @@ fn commands_carry_the_parameters_that_the_recordings_show() {
     let guided = flying("GUIDED");
     let loiter = flying("LOITER");
     let ground = on_the_ground("GUIDED");
+    let mut starting = flying("GUIDED");
+    starting.landed = LandedState::OnGround;
     let turn = |angle_deg| {
         Command::Motion(MotionCommand::Yaw {
             angle_deg,
@@ -137,7 +139,7 @@ fn commands_carry_the_parameters_that_the_recordings_show() {
             rate_hz,
         })
     };
-    let cases: [(Command, &Vehicle, u16, &[f32]); 13] = [
+    let cases: [(Command, &Vehicle, u16, &[f32]); 14] = [
         (Command::Arming(ArmingCommand::Arm), &ground, 400, &[1.0]),
         (Command::Arming(ArmingCommand::Disarm), &ground, 400, &[0.0]),
         (
@@ -158,6 +160,13 @@ fn commands_carry_the_parameters_that_the_recordings_show() {
         (
             Command::Flight(FlightCommand::Hold),
             &loiter,
+            176,
+            &[1.0, 17.0],
+        ),
+        // A copter takes off despite a pause if it still stands on the ground.
+        (
+            Command::Flight(FlightCommand::Hold),
+            &starting,
             176,
             &[1.0, 17.0],
         ),

@@ -7,7 +7,6 @@ use ratatui::layout::Rect;
 use super::{Hits, Look, Panel, Role, ascii, picture, screen, underline, widget};
 use crate::app::State;
 use crate::app::room::class::is_for_class;
-use crate::app::state::is_too_small;
 use crate::class::Picture;
 use crate::config::Symbols;
 use crate::ui::widget::{put, row_of, upper};
@@ -16,9 +15,6 @@ use crate::ui::widget::{put, row_of, upper};
 /// screen. The header, the messages and the command line of the desk are not part of it.
 pub fn shown_to_class(state: &State, look: &Look, (columns, rows): (u16, u16)) -> Option<Picture> {
     let view = state.replay().filter(|_| is_for_class(state))?;
-    if is_too_small(columns, rows) {
-        return None;
-    }
     let look = Look {
         hits: Hits::default(),
         ..look.clone()

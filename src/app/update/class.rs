@@ -161,9 +161,9 @@ fn said(state: &mut State, message: DeskMessage) -> Effects {
             tell(state, Severity::Warning, text);
         }
         DeskMessage::Order(given) => return orders::given(state, given),
-        DeskMessage::Watch { on, insight } => {
+        DeskMessage::Watch { on, .. } => {
             if let Some(place) = state.class.seat_mut() {
-                place.seat.let_watch(on || insight);
+                place.seat.let_watch(on);
             }
         }
         DeskMessage::Show(part) => {

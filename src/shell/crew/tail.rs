@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use tokio::sync::watch;
+use tokio::time::{Instant, sleep, timeout_at};
 
 use crate::carrier::Outbox;
 use crate::class::{PIECE, PieceBytes, RecordName};
@@ -48,15 +49,18 @@ pub(super) async fn send_record(
         has,
         told: None,
     };
+    let mut here_at = Instant::now() + HERE_EVERY;
     while !sending.outbox.is_closed() {
         let seen = sight.borrow_and_update().clone();
         let is_all = sending.follow(&seen).await;
-        tokio::time::sleep(READ_EVERY).await;
-        let changed = tokio::time::timeout(HERE_EVERY, sight.changed()).await;
-        match changed {
-            Ok(Err(_)) if is_all => return,
-            Ok(Ok(()) | Err(_)) => {}
-            Err(_) => sending.outbox.send(&HostMessage::Here),
+        sleep(READ_EVERY).await;
+        let changed = timeout_at(here_at, sight.changed()).await;
+        if is_all && matches!(changed, Ok(Err(_))) {
+            return;
+        }
+        // Also while the sight changes all the time, but not the record: after a flight, for example.
+        if Instant::now() >= here_at && sending.outbox.offer(&HostMessage::Here) {
+            here_at = Instant::now() + HERE_EVERY;
         }
     }
 }

@@ -24,7 +24,7 @@ mod start;
 mod tries;
 mod watch;
 
-pub use desk::{deeds, desk, flight, join, report, say};
+pub use desk::{deeds, desk, empty_desk, flight, join, report, say};
 pub use grading::grading;
 pub use injects::flight_with_injects;
 pub use lessons::{begin, carry_out, first_lesson};

@@ -8,7 +8,7 @@ use sortie::class::{
 use sortie::text::Language;
 
 use crate::console::class::{
-    desk, flight, flight_with_injects, join, report, say, send_insight, send_screen,
+    desk, empty_desk, flight, flight_with_injects, join, report, say, send_insight, send_screen,
 };
 use crate::harness::Console;
 
@@ -191,7 +191,7 @@ fn without_a_desk_the_room_says_how_to_join() {
 #[test]
 fn an_empty_board_says_whole_how_trainees_join() {
     for (width, height) in [(80, 24), (120, 40)] {
-        let screen = desk(Language::English).screen(width, height);
+        let screen = empty_desk(Language::English).screen(width, height);
         let words: Vec<&str> = screen.split_whitespace().collect();
         let text = words.join(" ");
         assert!(

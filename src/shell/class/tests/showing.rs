@@ -2,7 +2,7 @@
 
 use super::records::{keeping, until};
 use super::*;
-use crate::app::state::Room;
+use crate::app::state::{Room, SMALLEST};
 use crate::class::Watching;
 
 impl Member {
@@ -88,6 +88,10 @@ async fn a_replay_at_the_desk_is_shown_to_seats_that_do_not_fly() {
     }
 
     let mut watches = keeping(Opening::Home, seat_options(folder.path()), &own).await;
+    // The smallest terminal.
+    let (columns, rows) = SMALLEST;
+    let resize = TerminalEvent::Resize { columns, rows };
+    watches.console.feed(resize).await;
     let mut flies = Box::pin(seat(folder.path())).await;
     let user = desk.seats()[0].user().to_owned();
     desk.say(&format!("class replay {user} with {user}")).await;

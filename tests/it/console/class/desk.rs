@@ -14,12 +14,17 @@ use sortie::text::Language;
 
 use crate::harness::Console;
 
-/// A desk with the seats anna, bohdan and vira.
-pub fn desk(language: Language) -> Console {
-    let mut console = Console::set_up(|setup| {
+/// A desk that no seat has joined yet.
+pub fn empty_desk(language: Language) -> Console {
+    Console::set_up(|setup| {
         setup.class = ClassRole::Desk(Box::new(Desk::new(5, "9-A".into(), "petro".into())));
         setup.locale = std::sync::Arc::new(sortie::text::Locale::new(language));
-    });
+    })
+}
+
+/// A desk with the seats anna, bohdan and vira.
+pub fn desk(language: Language) -> Console {
+    let mut console = empty_desk(language);
     for (connection, user) in [(1, "anna"), (2, "bohdan"), (3, "vira")] {
         join(&mut console, connection, user);
     }
