@@ -125,7 +125,6 @@ pub fn done_text(instructor: &str, deed: &Deed) -> Option<Text> {
             "class-did-exam",
             instructor = instructor,
             exam = try_title(opened),
-            mission = opened.name.mission.as_str(),
             number = opened.name.number,
             tries = opened.tries
         ),

@@ -121,7 +121,7 @@ fn rows(report: &Report) -> Vec<TimelineRow> {
     // An alert has its own row, with its time and its answer.
     let is_own = |event: &&EventReport| !matches!(event.about, Some(EventSubject::Alert(_)));
     let events = report.events.iter().filter(is_own);
-    let mut rows: Vec<TimelineRow> = events.map(event_row).collect();
+    let mut rows: Vec<TimelineRow> = events.map(|event| event_row(event, report)).collect();
     rows.extend(report.alerts.iter().map(alert_row));
     rows.extend(report.ledger.iter().filter_map(command_row));
     rows.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
@@ -216,19 +216,26 @@ fn cells_along(rows: &[TimelineRow], length_s: f64, parts: usize) -> Vec<Option<
     strip
 }
 
-fn event_row(event: &EventReport) -> TimelineRow {
+fn event_row(event: &EventReport, report: &Report) -> TimelineRow {
     let mark = TimelineMark::of(event.kind);
+    let refused = match event.about {
+        Some(EventSubject::Command(command)) => Some(command),
+        Some(EventSubject::Alert(_)) | None => None,
+    };
+    let entry = refused.and_then(|command| report.ledger.get(command));
+    let giver = entry.and_then(|entry| entry.by.as_ref());
     let text = match event.vehicle.filter(|_| mark != TimelineMark::Rejected) {
         Some(vehicle) => text!("debrief-drone", vehicle = vehicle, what = &event.text),
         None => event.text.clone(),
     };
+    let text = match giver {
+        Some(person) => text!("ledger-by", person = person.name(), line = text),
+        None => text,
+    };
     TimelineRow {
         at_s: event.at_s,
         mark,
-        refused: match event.about {
-            Some(EventSubject::Command(command)) => Some(command),
-            Some(EventSubject::Alert(_)) | None => None,
-        },
+        refused,
         text,
     }
 }

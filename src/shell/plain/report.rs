@@ -4,8 +4,7 @@ use std::time::Duration;
 
 use super::brief;
 use crate::app::State;
-use crate::app::state::{FlightView, HelpLine, SeatPlace, command_help};
-use crate::class_text;
+use crate::app::state::{FlightView, HelpLine, command_help};
 use crate::language::{Channel, Report};
 use crate::text::{Text, text};
 use crate::vehicle::Severity;

@@ -15,7 +15,6 @@ use crate::app::State;
 use crate::app::room::class::{BoardDetail, DeskPage};
 use crate::app::state::SeatPlace;
 use crate::class::Desk;
-use crate::class_text::seat_text;
 use crate::text::lasting;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;

@@ -42,7 +42,7 @@ fn met(state: &State, progress: &Progress) -> Vec<Happening> {
     let now = progress.objectives.iter().enumerate();
     let new = now.filter(|(index, it)| it.is_reached() && !was_met(*index));
     new.map(|(_, it)| Happening::Objective {
-        title: it.title.to_string().into(),
+        title: state.locale().text(&it.title).into(),
     })
     .collect()
 }
