@@ -66,6 +66,7 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
         is_person,
         ended: false,
         said_at: Duration::ZERO,
+        said_wall: Duration::ZERO,
         start: Patience::new(START_PATIENCE),
         landing: Patience::new(LANDING_PATIENCE),
         failed: false,
@@ -126,7 +127,9 @@ struct Plain {
     beginning: Beginning,
     is_person: bool,
     ended: bool,
+    /// When the news was printed last: by the clock of the session, and by the wall clock.
     said_at: Duration,
+    said_wall: Duration,
     /// The time limit for vehicles that do not start.
     start: Patience,
     /// The time limit for a mission that is about to end.
@@ -184,8 +187,18 @@ impl Plain {
         self.beginning.look(self.console.app.state());
         let now = self.console.app.state().now();
         let is_urgent = self.report.is_urgent(self.console.app.state());
-        if is_urgent || now.saturating_sub(self.said_at) >= NEWS_EVERY {
-            self.said_at = now;
+        // At a member of a crew, another flight of the host begins again at 0, and without the host time stands.
+        let is_other_flight = now < self.said_at;
+        if is_other_flight {
+            self.report.begin_flight();
+            self.briefed = None;
+        }
+        let wall = self.console.app.state().wall();
+        let waits = now
+            .saturating_sub(self.said_at)
+            .max(wall.saturating_sub(self.said_wall));
+        if is_urgent || is_other_flight || waits >= NEWS_EVERY {
+            (self.said_at, self.said_wall) = (now, wall);
             self.tell_news();
         }
         if !self.is_person

@@ -45,6 +45,14 @@ impl PlainReport {
         self.notices.has_word_of_class(state)
     }
 
+    /// Another flight begins, of which nothing has been printed.
+    pub fn begin_flight(&mut self) {
+        *self = Self {
+            notices: std::mem::take(&mut self.notices),
+            ..Self::default()
+        };
+    }
+
     /// The news since the last call.
     pub fn news(&mut self, state: &State) -> Vec<Text> {
         let mut texts: Vec<Text> = self.stages.news(state).into_iter().collect();
