@@ -14,6 +14,7 @@ use sortie::mission::Progress;
 use crate::fixtures;
 use crate::harness::Console;
 
+mod addressing;
 mod desk;
 mod grading;
 mod injects;
