@@ -156,7 +156,8 @@ pub(super) fn desk(name: &str, listen: &str, settings: &CliSettings) -> Result<D
 
 /// The desk of a class on this host, by name or by the path of its folder.
 pub(super) fn desk_on_host(name: &str, settings: &CliSettings) -> Result<DeskPlace, Failure> {
-    let keys = settings.data.path().map(|data| data.join(KEYS).join(name));
+    let data = settings.data.path().filter(|_| !name.contains('/'));
+    let keys = data.map(|data| data.join(KEYS).join(name));
     if keys.is_some_and(|keys| keys.is_dir()) {
         // The seats with its join files would look for it in vain.
         return Err(Failure::Wrong(vec![text!("class-has-keys", class = name)]));
