@@ -27,9 +27,9 @@ pub enum CrewDeed {
     },
     /// Ask the pilot of vehicles for them.
     Ask { vehicles: Vec<VehicleId> },
-    /// Accept a proposal.
+    /// Let the vehicles of a proposal change hands.
     Accept(ProposalChoice),
-    /// Decline a proposal.
+    /// Answer a proposal with no; its vehicles stay where they are.
     Decline(ProposalChoice),
 }
 

@@ -50,7 +50,7 @@ impl HostPlace {
         }
     }
 
-    /// Whether somebody has opened the place, so that connecting is worth the try.
+    /// Whether the place is open, so that connecting is worth the try.
     pub fn is_open(&self) -> bool {
         UnixStream::connect(&self.socket).is_ok()
     }

@@ -15,7 +15,7 @@ use crate::vehicle_id::ranges;
 
 /// The time without a line of the desk, which says something every 2 s, after which it no longer holds a flight.
 const DESK_SILENT: Duration = Duration::from_secs(10);
-/// How long a desk is looked for before the trainee is told that there is none.
+/// How long a desk is looked for before a notice says that none answers.
 const SEARCHED: Duration = Duration::from_secs(10);
 
 /// What a console is in a class.

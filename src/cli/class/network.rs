@@ -159,7 +159,7 @@ pub(super) fn desk_on_host(name: &str, settings: &CliSettings) -> Result<DeskPla
     let data = settings.data.path().filter(|_| !name.contains('/'));
     let keys = data.map(|data| data.join(KEYS).join(name));
     if keys.is_some_and(|keys| keys.is_dir()) {
-        // The seats with its join files would look for it in vain.
+        // The seats with its join files would not find this desk.
         return Err(Failure::Wrong(vec![text!("class-has-keys", class = name)]));
     }
     Ok(DeskPlace::Host(HostPlace::named(name, None)))

@@ -11,9 +11,9 @@ pub enum CrewLine {
     Offer { vehicles: VehicleChoice, to: String },
     /// Ask for the vehicles of somebody.
     Ask { vehicles: VehicleChoice },
-    /// Accept a proposal.
+    /// Let the vehicles of a proposal change hands.
     Accept(ProposalLine),
-    /// Decline a proposal.
+    /// Answer a proposal with no; its vehicles stay where they are.
     Decline(ProposalLine),
 }
 

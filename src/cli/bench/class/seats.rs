@@ -13,7 +13,7 @@ pub(super) struct Seats {
 
 /// The keyboard of a seat.
 pub(super) trait SeatInput {
-    /// Gives a line.
+    /// Types a line, which the seat carries out.
     fn give(&mut self, line: &str) -> io::Result<()>;
 }
 
