@@ -71,7 +71,7 @@ fn read(state: &mut State, name: &str, exam: Result<Box<Exam>, Text>, seats: &[u
     Effects::none()
 }
 
-/// The exam, and who takes part: all names, since nobody is to be forgotten.
+/// The exam, and who takes part: all names, so that one that is missing is noticed.
 fn question(state: &State, exam: &Exam, seats: &[usize]) -> Text {
     let known = state.class.desk().map_or(&[][..], Desk::seats);
     let names = seats.iter().filter_map(|&seat| known.get(seat));
