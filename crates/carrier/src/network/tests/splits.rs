@@ -132,7 +132,7 @@ impl Room {
             seat_line: None,
             obeyed: Vec::new(),
             desk_port: open(desk).await.expect("it opens"),
-            desk: Desk::new(9, "9-A".into()),
+            desk: Desk::new(9, "9-A".into(), "petro".into()),
             desk_lines: Vec::new(),
             times_lost: 0,
         }
@@ -305,7 +305,7 @@ async fn a_desk_that_opens_again_gets_the_whole_journal() {
     let none = DeskPort { arrivals, task };
     std::mem::replace(&mut room.desk_port, none).close().await;
     room.note(300);
-    room.desk = Desk::new(10, "9-A".into());
+    room.desk = Desk::new(10, "9-A".into(), "petro".into());
     room.desk_lines.clear();
     room.until("the seat notices", |room| room.times_lost > 0)
         .await;
