@@ -335,9 +335,12 @@ async fn connections_that_say_nothing_do_not_use_up_the_files_of_the_desk() {
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn a_seat_that_was_taken_out_is_not_let_in() {
     let (_parent, lab) = lab(2);
+    // The trainee has the file already; the one in the folder is deleted.
+    let line = lab.line(1);
     remove_seat(&lab.folder, "seat-01").expect("it is removed");
+    assert!(!lab.folder.join("seats/seat-01.join").exists());
     let mut desk = open(&lab.desk()).await.expect("it opens");
-    let mut seat = join(lab.line(1));
+    let mut seat = join(line);
     let fault = refused(&mut seat).await;
     assert!(
         matches!(*fault, ClassFault::Network(NetworkFault::Unknown { .. })),
