@@ -89,7 +89,7 @@ impl DeskSearch {
             return None;
         }
         self.is_reported = true;
-        Some(text!("class-no-desk", place = &self.place))
+        Some(text!("class-no-answer-yet", place = &self.place))
     }
 }
 
