@@ -28,7 +28,7 @@ async fn idle_host(folder: &Path) -> Aboard {
     Box::pin(Aboard::new(Opening::Home, crew, &folder.join("host"))).await
 }
 
-/// Ends the host's console as the user or a signal does, while a member goes on.
+/// Ends the host's console as the user or a signal does, while a member stays.
 async fn end(host: Aboard, member: &mut Aboard) {
     let Aboard {
         mut console,

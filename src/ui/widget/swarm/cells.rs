@@ -177,7 +177,7 @@ fn pilot(row: &Row<'_>, room: usize) -> Cell {
     (name.unwrap_or_default(), Role::Warning)
 }
 
-/// Whether somebody else flies the vehicle, and the user has chosen columns without the pilot.
+/// Whether another person flies the vehicle, and the user has chosen columns without the pilot.
 fn is_pilot_hidden(row: &Row<'_>) -> bool {
     let chosen = &row.state.config().table.columns;
     let is_other = || row.state.session().pilots().of(row.vehicle.id).is_some();
