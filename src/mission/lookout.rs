@@ -4,7 +4,8 @@
 //! reaches a random threshold with the exponential distribution. A pass therefore detects with probability `p` (its best
 //! one), and a dwell of `t` with `1 - (1 - p)^(t / look)`; a longer, closer or additional look never finds less. Passes
 //! within 2 s count as one. Every vehicle, sensor and object has its own random stream, so nothing depends on the order
-//! of the vehicles, and little on small differences of their ways.
+//! of the vehicles, and little on small differences of their ways. False alarms come in the same way: the ground is
+//! divided into cells, and each cell gives one after a random exposure, which is the area of the cell that was swept.
 
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -29,7 +30,21 @@ const ONE_PASS: Duration = Duration::from_secs(2);
 const NEVER_SEEN: f64 = 0.03;
 /// The highest detection probability of a look, so no single look is certain to find an object.
 const SUREST: f64 = 0.999;
-const ALARMS: [FindKind; 2] = [FindKind::Mine, FindKind::Person];
+/// The kinds of finds that detectors report where there is nothing.
+const FALSE_ALARMS: [FalseAlarm; 2] = [
+    FalseAlarm {
+        kind: FindKind::Mine,
+        cell_m: 1.0,
+        merge_within_m: 1.5,
+    },
+    FalseAlarm {
+        kind: FindKind::Person,
+        cell_m: 10.0,
+        merge_within_m: 10.0,
+    },
+];
+/// The parts of a cell's width for which the position of a swept strip is computed.
+const STRIPS_PER_CELL: f64 = 4.0;
 
 /// All detectors of a fleet.
 #[derive(Debug, Clone)]
@@ -42,7 +57,8 @@ pub(crate) struct Lookout {
 #[derive(Debug, Clone, Default)]
 struct Eye {
     glances: BTreeMap<ObjectId, Glance>,
-    alarms: BTreeMap<FindKind, Chance>,
+    /// For each cell of the ground, the chance of a false alarm.
+    alarms: BTreeMap<(FindKind, Cell), Chance>,
     /// For each false contact, by name, the chance that a close look shows it to be harmless.
     phantoms: BTreeMap<String, Chance>,
 }
@@ -58,6 +74,18 @@ struct Glance {
     /// Whether this pass has detected the object.
     found: bool,
 }
+
+/// False alarms of one kind.
+struct FalseAlarm {
+    kind: FindKind,
+    /// The side of a cell; within it, an alarm is as likely at any place.
+    cell_m: f64,
+    /// Alarms within this distance of a contact belong to it.
+    merge_within_m: f64,
+}
+
+/// The number of a square of the ground, counted east and north of the origin.
+type Cell = [i32; 2];
 
 /// A recurring event, each time after a random exposure.
 #[derive(Debug, Clone)]
@@ -155,35 +183,48 @@ impl DetectorWatch<'_> {
         }
     }
 
-    /// Adds false alarms, in proportion to the area the detector has passed over.
-    fn alarms(&mut self, alarms: &mut BTreeMap<FindKind, Chance>, seen: &mut Vec<Sighting>) {
+    /// Adds false alarms, in proportion to the area of each cell that the detector has passed over.
+    fn alarms(&self, alarms: &mut BTreeMap<(FindKind, Cell), Chance>, seen: &mut Vec<Sighting>) {
+        let (height_m, light) = (self.craft.height_m, self.world.weather.light);
+        let swath_m = self.spec.swath_m(height_m);
         let way_m = self.craft.speed_m_s * TICK.as_secs_f64();
-        for taken_for in ALARMS {
-            let (height_m, light) = (self.craft.height_m, self.world.weather.light);
-            let rate = self.spec.false_alarms_per_m(taken_for, height_m, light);
-            if rate <= 0.0 || !self.world.seeks(taken_for, self.at) {
+        for alarm in &FALSE_ALARMS {
+            let per_m2 = self.spec.false_alarms_per_m2(alarm.kind, height_m, light);
+            if per_m2 <= 0.0 {
                 continue;
             }
-            let alarm = alarms
-                .entry(taken_for)
-                .or_insert_with(|| Chance::new(self.random(&[taken_for.name().as_bytes()])));
-            if alarm.expose(rate * way_m) {
-                let aside = self.spec.swath_m(height_m) * (alarm.random.random::<f64>() - 0.5);
-                let [east, north] = self.craft.course.aside(aside);
-                let look = Look {
-                    chance: 0.0,
-                    told_apart: 0.0,
-                    every_s: None,
-                    taken_for,
-                    error_m: 0.0,
-                    merge_within_m: if taken_for == FindKind::Mine {
-                        1.5
-                    } else {
-                        10.0
-                    },
-                };
-                seen.push(self.sighting([self.at[0] + east, self.at[1] + north], &look, None));
+            let strips = (STRIPS_PER_CELL * swath_m / alarm.cell_m).ceil();
+            let strip_m = swath_m / strips;
+            for strip in 0..strips as u32 {
+                let aside_m = strip_m * (f64::from(strip) + 0.5) - swath_m / 2.0;
+                let [east, north] = self.craft.course.aside(aside_m);
+                let at = [self.at[0] + east, self.at[1] + north];
+                if !self.world.seeks(alarm.kind, at) {
+                    continue;
+                }
+                let cell = at.map(|axis_m| (axis_m / alarm.cell_m).floor() as i32);
+                let chance = alarms
+                    .entry((alarm.kind, cell))
+                    .or_insert_with(|| Chance::new(self.random_of_cell(alarm.kind, cell)));
+                if chance.expose(per_m2 * strip_m * way_m) {
+                    let mut within = |axis: i32| {
+                        alarm.cell_m * (f64::from(axis) + chance.random.random::<f64>())
+                    };
+                    seen.push(self.false_alarm(alarm, cell.map(&mut within)));
+                }
             }
+        }
+    }
+
+    fn false_alarm(&self, alarm: &FalseAlarm, at: Point) -> Sighting {
+        Sighting {
+            at,
+            kind: alarm.kind,
+            sensor: self.sensor.id,
+            by: self.craft.id,
+            object: None,
+            harmless: false,
+            merge_within_m: alarm.merge_within_m,
         }
     }
 
@@ -231,6 +272,11 @@ impl DetectorWatch<'_> {
             pass_exposure: 0.0,
             found: false,
         }
+    }
+
+    fn random_of_cell(&self, kind: FindKind, cell: Cell) -> ChaCha8Rng {
+        let [east, north] = cell.map(i32::to_le_bytes);
+        self.random(&[kind.name().as_bytes(), &east, &north])
     }
 
     fn random(&self, of: &[&[u8]]) -> ChaCha8Rng {

@@ -169,6 +169,34 @@ fn false_alarms_come_by_the_area_that_is_swept() {
 }
 
 #[test]
+fn false_alarms_lie_where_they_are_for_any_way_to_sweep() {
+    let world = world(
+        vec![Object::new(ObjectClass::MetalMine, [900.0; 2])],
+        Light::Day,
+    );
+    // Lines of 400 m to the north, 2 m apart, as wide as the strip.
+    let sweep = |east_m: f64, speed_m_s: f64| {
+        let mut lookout = Lookout::new(5);
+        let mut found = Vec::new();
+        for line in 0..20 {
+            let ticks = (400.0 / (speed_m_s * TICK.as_secs_f64())) as u32;
+            for tick in 0..ticks {
+                let mut craft = craft(1, "s_mag", 1.0, speed_m_s);
+                let north_m = f64::from(tick) * speed_m_s * TICK.as_secs_f64();
+                craft.at = Some([f64::from(line) * 2.0 + 1.0 + east_m, north_m]);
+                let seen = lookout.step(&craft, &world, &[], TICK * tick);
+                found.extend(seen.iter().map(|sighting| sighting.at.map(f64::to_bits)));
+            }
+        }
+        found
+    };
+    let (one, other) = (sweep(0.0, 2.0), sweep(0.1, 1.9));
+    let common = one.iter().filter(|at| other.contains(at)).count();
+    let share = common as f64 / one.len().max(other.len()) as f64;
+    assert!(one.len() > 20 && share > 0.85, "{} {common}", one.len());
+}
+
+#[test]
 fn what_one_vehicle_sees_does_not_depend_on_the_order_or_on_the_others() {
     let objects = (0..40)
         .map(|index| Object::new(ObjectClass::MetalMine, [0.0, f64::from(index) / 2.0 - 10.0]));

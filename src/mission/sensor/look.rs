@@ -74,23 +74,19 @@ impl DetectorSpec {
         look.filter(|look| view.object.present && look.chance > 0.0)
     }
 
-    /// The number of false alarms for mines or people, per metre flown at a height.
-    pub fn false_alarms_per_m(&self, taken_for: FindKind, height_m: f64, light: Light) -> f64 {
-        let mines = match self {
-            Self::Ground(ground) => Some(&ground.mines),
-            Self::Camera(camera) => camera.mines.as_ref(),
-        };
-        let per_m2 = match (taken_for, mines, self) {
-            (FindKind::Mine, Some(mines), Self::Ground(_)) => mines.false_alarms_per_m2,
-            (FindKind::Mine, Some(mines), Self::Camera(camera)) => {
-                mines.false_alarms_per_m2 * camera.mine_light(light)
+    /// The number of false alarms for mines or people, per square metre swept at a height.
+    pub fn false_alarms_per_m2(&self, taken_for: FindKind, height_m: f64, light: Light) -> f64 {
+        match (taken_for, self) {
+            (FindKind::Mine, Self::Ground(ground)) => {
+                ground.mines.false_alarms_per_m2 * ground.mines.nearness(height_m)
             }
-            (FindKind::Person, _, Self::Camera(_)) => {
-                return FALSE_PERSONS_PER_M2 * self.swath_m(height_m);
-            }
-            _ => return 0.0,
-        };
-        per_m2 * mines.map_or(0.0, |mines| mines.nearness(height_m)) * self.swath_m(height_m)
+            (FindKind::Mine, Self::Camera(camera)) => camera.mines.as_ref().map_or(0.0, |mines| {
+                let visible = camera.mine_light(light);
+                mines.false_alarms_per_m2 * visible * mines.nearness(height_m)
+            }),
+            (FindKind::Person, Self::Camera(_)) => FALSE_PERSONS_PER_M2,
+            _ => 0.0,
+        }
     }
 }
 
