@@ -126,12 +126,17 @@ pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Tra
     }
 }
 
-/// The height above home of a local position, from its offset to the vehicle.
+/// The height above home of a local position, from its offset to the vehicle. The vehicle reports its two positions at
+/// different times, between which it may climb or descend: at a constant acceleration, by its mean speed.
 fn height_of(vehicle: &Vehicle, down_m: f64) -> f64 {
-    match (vehicle.altitude_m(), local(vehicle)) {
-        (Some(altitude_m), Ok(here)) => altitude_m + here[2] - down_m,
-        _ => -down_m,
-    }
+    let (Some(global), Some(local)) = (vehicle.global, vehicle.local) else {
+        return -down_m;
+    };
+    let [.., local_down_m] = local.ned_m;
+    let [.., down_m_s] = local.velocity_m_s;
+    let later_s = global.at.as_secs_f64() - local.at.as_secs_f64();
+    let descent_m = f64::from(f32::midpoint(down_m_s, global.down_m_s)) * later_s;
+    global.altitude_m + f64::from(local_down_m) + descent_m - down_m
 }
 
 /// Refuses setpoints that the autopilot would silently ignore: outside GUIDED, disarmed, or before

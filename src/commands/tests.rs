@@ -288,6 +288,28 @@ fn what_makes_no_sense_is_said_in_plain_words() {
     }
 }
 
+/// The vehicle descends at 1.5 m/s, and its local position is 0.4 s older than its global one.
+#[test]
+fn a_low_place_is_not_refused_because_the_vehicle_descends_to_it() {
+    let mut vehicle = flying("GUIDED");
+    let global = vehicle.global.as_mut().expect("it has a position");
+    (global.altitude_m, global.down_m_s) = (1.0, 1.5);
+    global.at = Duration::from_millis(400);
+    let local = vehicle.local.as_mut().expect("it has a position");
+    local.ned_m[2] = -1.6;
+    local.velocity_m_s[2] = 1.5;
+    let place = |up_m| {
+        let destination = Destination::Local {
+            north_m: 5.0,
+            east_m: 0.0,
+            up_m: Some(up_m),
+        };
+        goto(destination, Heading::Keep).request(&vehicle, 0)
+    };
+    assert!(place(0.7).is_ok());
+    assert!(place(0.4).is_err());
+}
+
 /// Each row: the vehicle's ground state, height and climb, and the answer to a setpoint.
 #[test]
 fn a_setpoint_does_not_break_off_a_takeoff() {
