@@ -1,7 +1,6 @@
 //! A class on several machines, each of which is a network namespace of this host.
 //!
-//! The program must have the feature `zenoh`, which the tests have not: `SORTIE_ZENOH=FILE cargo test --test it --
-//! --ignored --nocapture several_machines` runs them.
+//! `cargo test --features zenoh --test it -- --ignored --nocapture machines::` runs them.
 
 use std::fs;
 use std::io::{BufRead as _, BufReader, Read as _};
@@ -12,6 +11,7 @@ use tempfile::TempDir;
 
 use crate::terminal::Terminal;
 
+const PROGRAM: &str = env!("CARGO_BIN_EXE_sortie");
 /// The port of the desk, as in `/proc/net/tcp`.
 const DESK_PORT: &str = ":1D17";
 /// The state of a socket that listens, as there.
@@ -101,16 +101,13 @@ struct Lab {
     switch: Namespace,
     /// 0 is the desk's, the others have the numbers of their seats.
     machines: Vec<Namespace>,
-    program: String,
     folder: TempDir,
 }
 
 impl Lab {
     /// Makes the machines and the class; `None` if this host makes no namespaces, which it says.
     fn new(seats: usize) -> Option<Self> {
-        let program = std::env::var("SORTIE_ZENOH");
-        let program = program.expect("SORTIE_ZENOH names a program with the feature zenoh");
-        match Self::connected(program, seats) {
+        match Self::connected(seats) {
             Ok(lab) => {
                 lab.make_class();
                 Some(lab)
@@ -122,7 +119,7 @@ impl Lab {
         }
     }
 
-    fn connected(program: String, seats: usize) -> Result<Self, String> {
+    fn connected(seats: usize) -> Result<Self, String> {
         let switch = Namespace::make(&["unshare", "--user", "--map-root-user", "--net"])?;
         switch.ip("link add bridge type bridge")?;
         switch.ip("link set bridge up")?;
@@ -145,13 +142,12 @@ impl Lab {
         Ok(Self {
             switch,
             machines,
-            program,
             folder: tempfile::tempdir().expect("a folder"),
         })
     }
 
     fn make_class(&self) {
-        let mut command = Command::new(&self.program);
+        let mut command = Command::new(PROGRAM);
         let seats = (self.machines.len() - 1).to_string();
         command.args(["class", "new", "9-A", "--seats", &seats]);
         command.args(["--address", "10.0.0.1:7447", "--output"]);
@@ -166,7 +162,7 @@ impl Lab {
     /// Starts the program on a machine.
     fn start(&self, machine: usize, arguments: &[&str]) -> Terminal {
         let mut command = self.machines[machine].entry();
-        command.push(self.program.clone());
+        command.push(PROGRAM.to_owned());
         let words = command.iter().map(String::as_str);
         let words: Vec<&str> = words.chain(arguments.iter().copied()).collect();
         Terminal::run(&words, 140, 40, &[ONE_READER])
@@ -233,7 +229,7 @@ fn port(machine: usize) -> String {
 }
 
 #[test]
-#[ignore = "needs SORTIE_ZENOH"]
+#[ignore = "makes network namespaces"]
 fn flights_on_several_machines_go_on_without_network_and_without_desk() {
     let Some(lab) = Lab::new(2) else {
         return;
@@ -272,7 +268,7 @@ fn flights_on_several_machines_go_on_without_network_and_without_desk() {
 }
 
 #[test]
-#[ignore = "needs SORTIE_ZENOH"]
+#[ignore = "makes network namespaces"]
 fn machines_that_are_gone_end_no_connection_of_another() {
     let Some(lab) = Lab::new(3) else {
         return;

@@ -26,6 +26,7 @@ mod harness;
 mod inspector;
 mod kinds;
 mod layering;
+#[cfg(feature = "zenoh")]
 mod machines;
 mod missions;
 mod pictures;
