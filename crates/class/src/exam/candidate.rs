@@ -107,9 +107,8 @@ impl CandidateTry {
             Some((ended, TryEnd::Over)) if ended.saturating_add(1) >= until => TryVerdict::TimeUp,
             Some((_, TryEnd::Over)) => TryVerdict::Failed,
             Some((_, TryEnd::Left)) => TryVerdict::Left,
-            Some((_, TryEnd::Time)) => TryVerdict::Unseen,
             None if at < until.saturating_add(GRACE) => TryVerdict::Open,
-            None => TryVerdict::Unseen,
+            Some((_, TryEnd::Time)) | None => TryVerdict::Unseen,
         }
     }
 
