@@ -78,6 +78,8 @@ pub enum TryReason {
     Unseen,
     /// The record is not the one that the desk has seen being written.
     Rewritten,
+    /// The trainee left the flight, or the console ended, before the mission was over.
+    Left,
     /// The desk was there, but has not seen the end of the record before it was handed in.
     EndUnseen,
     /// The end of the record has no checksum, as this program always writes one.
@@ -96,6 +98,7 @@ impl From<TryReason> for Text {
             TryReason::Late => text!("seal-reason-late"),
             TryReason::Unseen => text!("seal-reason-unseen"),
             TryReason::Rewritten => text!("seal-reason-rewritten"),
+            TryReason::Left => text!("seal-reason-left"),
             TryReason::EndUnseen => text!("seal-reason-end-unseen"),
             TryReason::NoChecksum => text!("seal-reason-no-checksum"),
         }

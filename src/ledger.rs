@@ -166,6 +166,24 @@ impl LedgerRow {
         self.state == RowState::Done && self.ended_by.is_some()
     }
 
+    /// Whether the vehicle has taken the command.
+    fn has_been_taken(&self) -> bool {
+        match self.state {
+            RowState::Queued
+            | RowState::Sent
+            | RowState::Refused
+            | RowState::TimedOut
+            | RowState::Barred => false,
+            RowState::Superseded => self.answered_after.is_some(),
+            RowState::InProgress(_)
+            | RowState::Accepted
+            | RowState::SentOnly
+            | RowState::Done
+            | RowState::NoEffect
+            | RowState::Overtaken => true,
+        }
+    }
+
     /// The state in a few words.
     pub fn text(&self) -> Text {
         match self.state {
@@ -229,6 +247,16 @@ impl LedgerEntry {
     /// Whether it counts in a score: commands of an instructor do not.
     pub fn is_judged(&self) -> bool {
         !self.by.as_ref().is_some_and(Person::is_instructor)
+    }
+
+    /// Whether the user of the console sees it: what vehicles do not take from an instructor, only the desk learns.
+    pub fn is_shown(&self) -> bool {
+        self.rows.iter().any(|row| self.shows(row))
+    }
+
+    /// Whether the user of the console sees one of the entry's rows.
+    pub fn shows(&self, row: &LedgerRow) -> bool {
+        self.is_judged() || row.has_been_taken()
     }
 
     /// The line; that of another person begins with the name, as those of other stations do.
@@ -369,9 +397,10 @@ impl Ledger {
         self.foreign.all()
     }
 
-    /// The operator's commands and those of other stations, newest first.
+    /// The operator's commands and those of other stations, newest first, as far as the user of the console sees them.
     pub fn newest_first(&self) -> impl Iterator<Item = LedgerItem<'_>> {
-        let mut own = self.entries.iter().rev().peekable();
+        let shown = self.entries.iter().rev().filter(|entry| entry.is_shown());
+        let mut own = shown.peekable();
         let mut foreign = self.foreign.all().rev().peekable();
         std::iter::from_fn(move || {
             let is_foreign = match (own.peek(), foreign.peek()) {

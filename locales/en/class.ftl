@@ -194,9 +194,8 @@ class-ask-recall-practice = what follows is practice, and not recorded
 
 # At a seat
 header-watched = desk: { $instructor }
-header-watched-short = desk
 header-screen-watched = { $instructor } watches this screen
-header-screen-watched-short = watched
+header-screen-watched-short = { $instructor } watches
 header-pilot = { $pilot } flies { $vehicles }
 header-try = try { $number } of { $tries }, { $time } left
 header-try-short = { $time } left
@@ -322,6 +321,11 @@ class-exists = { $folder } exists: choose another name, or delete the folder if 
 class-name = `{ $name }` cannot be the name of a class on several machines: use up to 64 letters without accents, digits, `-` and `_`
 class-address = `{ $address }` is not an address: write HOST:PORT, such as 192.168.1.5:7447
 class-desk-alone = `--desk` needs a class: name its join file, for example `--class seat-07.join`
+class-setting-join-help = correct the path, or get the file of your seat from the instructor again
+class-setting-folder = there is no folder { $folder }, where the class should be
+class-setting-folder-help = correct the path, or make the folder as its instructor: `sortie class open PATH`
+class-setting-user = this machine has no user { $user }, so no desk can belong to that instructor
+class-setting-user-help = write the name with which the instructor logs in
 class-join-unusable = the console is in no class, as `class.join` in the configuration cannot be used: { $fault }
 class-unknown-file = the class in { $folder } has no seat { $seat }: its seats are named like their files, for example `seat-07`
 class-removed = Class { $class } has no { $seat } any more. A desk that is open still lets it in: close it, and open it again.

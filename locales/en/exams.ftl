@@ -109,6 +109,7 @@ class-report-exam = exam
 class-report-try = try
 class-report-seal = seal
 class-report-no-record = no record was handed in
+class-report-try-left = left: no record was handed in
 class-report-try-open = still open
 class-report-witness = witness
 class-report-score = score
@@ -117,7 +118,8 @@ class-key-fingerprint = Fingerprint: { $fingerprint }
 class-key-none = this desk has no key yet: it is made when the first try is sealed
 
 # Ends of records, and damaged notes.
-seal-reason-end-unseen = the flight was left, or its console ended, before the desk saw the end of the record
+seal-reason-left = the flight was left, or its console ended, before the mission was over
+seal-reason-end-unseen = the desk did not see the end of the record
 seal-reason-no-checksum = the end of the record has no checksum
 exam-notes-unreadable = { $file }: the notes of this exam cannot be read, so it is not continued: { $why }
 exam-notes-damaged = { $file }, line { $line }: this note is damaged, so the exam is not continued: { $why }

@@ -16,6 +16,7 @@ argument-beside = the trainee whose flight is shown beside it
 class-flight-title = state of { $seat }
 class-flight-waits = waiting for the state of the flight
 class-flight-figures = { $clock }  score { $score }  obj. { $met }/{ $objectives }  air { $airborne }/{ $vehicles }
+class-flight-figures-short = { $clock }  sc. { $score }  { $met }/{ $objectives }  air { $airborne }/{ $vehicles }
 class-flight-alert = ! { $alert }
 class-flight-open = ○ { $title }  { $detail }
 class-flight-met = ✓ { $title }  { $detail }

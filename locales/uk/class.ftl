@@ -182,7 +182,7 @@ class-unknown-seat = у класі немає місця { $word }
 class-unknown-seat-help = якщо текст починається чи закінчується таким словом, спершу назвіть місця: @anna або @all
 class-no-seat = немає місця на зв'язку: перейдіть до нього курсором, позначте кілька або назвіть одне, наприклад @anna
 class-ask-end = ЗАВЕРШИТИ ЗАВДАННЯ: { $seats }
-class-ask-end-reason = польоти цих курсантів завершаться зараз і будуть оцінені; брифінг закриється без оцінки
+class-ask-end-reason = польоти цих курсантів завершаться зараз і будуть оцінені; інструктаж закриється без оцінки
 
 class-quit-taken = апаратами, якими ви керуєте, знову керуватимуть курсанти ({ $seats })
 class-quit-frozen = зупинені польоти курсанти зможуть продовжити самі ({ $seats })
@@ -195,9 +195,8 @@ class-ask-recall-practice = далі політ тренувальний і не
 
 # На місці курсанта
 header-watched = пульт: { $instructor }
-header-watched-short = пульт
 header-screen-watched = { $instructor } бачить цей екран
-header-screen-watched-short = екран видно
+header-screen-watched-short = { $instructor } дивиться
 header-pilot = { $pilot } керує { $vehicles }
 header-try = спроба { $number } з { $tries }, лишилося { $time }
 header-try-short = ще { $time }
@@ -326,6 +325,11 @@ class-exists = { $folder } уже існує: виберіть іншу назв
 class-name = `{ $name }` не може бути назвою класу на кількох машинах: візьміть до 64 латинських літер, цифр, `-` і `_`
 class-address = `{ $address }` не є адресою: напишіть ХОСТ:ПОРТ, наприклад 192.168.1.5:7447
 class-desk-alone = для `--desk` потрібен клас: вкажіть його файл запрошення, наприклад `--class seat-07.join`
+class-setting-join-help = виправте шлях або попросіть у інструктора файл свого місця ще раз
+class-setting-folder = немає теки { $folder }, у якій має бути клас
+class-setting-folder-help = виправте шлях або хай інструктор створить теку: `sortie class open ШЛЯХ`
+class-setting-user = на цій машині немає користувача { $user }, тож пульт не може належати такому інструкторові
+class-setting-user-help = напишіть ім'я, під яким інструктор входить у систему
 class-join-unusable = консоль не в класі, бо `class.join` з налаштувань не вдалося використати: { $fault }
 class-unknown-file = у класі в { $folder } немає місця { $seat }: місця називаються як їхні файли, наприклад `seat-07`
 class-removed = У класі { $class } більше немає місця { $seat }. Відкритий пульт його ще приймає: закрийте пульт і відкрийте знову.

@@ -124,6 +124,7 @@ class-report-exam = іспит
 class-report-try = спроба
 class-report-seal = печатка
 class-report-no-record = запису не здано
+class-report-try-left = залишено: запис не здано
 class-report-try-open = ще триває
 class-report-witness = засвідчення
 class-report-score = бали
@@ -132,7 +133,8 @@ class-key-fingerprint = Відбиток: { $fingerprint }
 class-key-none = цей пульт ще не має ключа: його буде створено, коли запечатають першу спробу
 
 # Кінці записів і пошкоджені нотатки.
-seal-reason-end-unseen = політ залишили або його консоль завершила роботу раніше, ніж пульт побачив кінець запису
+seal-reason-left = політ залишили, або його консоль завершила роботу раніше, ніж скінчилося завдання
+seal-reason-end-unseen = пульт не побачив кінця запису
 seal-reason-no-checksum = кінець запису не має контрольної суми
 exam-notes-unreadable = { $file }: нотатки цього іспиту не вдалося прочитати, тож його не продовжено: { $why }
 exam-notes-damaged = { $file }, рядок { $line }: цю нотатку пошкоджено, тож іспит не продовжено: { $why }

@@ -16,6 +16,7 @@ argument-beside = курсант, чий політ показати поруч
 class-flight-title = стан: { $seat }
 class-flight-waits = очікується стан польоту
 class-flight-figures = { $clock }  бали { $score }  цілі { $met }/{ $objectives }  у повітрі { $airborne }/{ $vehicles }
+class-flight-figures-short = { $clock }  бали { $score }  { $met }/{ $objectives }  злет. { $airborne }/{ $vehicles }
 class-flight-alert = ! { $alert }
 class-flight-open = ○ { $title }  { $detail }
 class-flight-met = ✓ { $title }  { $detail }

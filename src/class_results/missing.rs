@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::ClassTrainee;
-use crate::class::Exam;
+use crate::class::{Exam, TryVerdict};
 
 /// A try of an exam that was opened, and of which no record was handed in.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -21,6 +21,8 @@ pub struct TryWithoutRecord {
     pub opened: u64,
     /// Whether it may still be flown: it is not over for the desk.
     pub is_open: bool,
+    /// What has become of it, as far as the desk has seen it.
+    pub verdict: TryVerdict,
 }
 
 impl TryWithoutRecord {
@@ -40,6 +42,7 @@ impl TryWithoutRecord {
                 .collect();
             let opened = candidate.tries().iter().filter(|it| it.opened.is_some());
             for missing in opened.filter(|it| !recorded.contains(it)) {
+                let verdict = missing.verdict(now);
                 let mut missions = exam.plan().missions.iter();
                 let mission = missions.find(|it| it.mission == missing.name.mission);
                 found.push(Self {
@@ -49,7 +52,8 @@ impl TryWithoutRecord {
                     number: missing.name.number,
                     tries: mission.map_or(0, |it| it.tries),
                     opened: missing.opened.unwrap_or_default(),
-                    is_open: missing.ended.is_none() && now < missing.opening().until,
+                    is_open: verdict == TryVerdict::Open,
+                    verdict,
                 });
             }
         }

@@ -53,7 +53,7 @@ enum ClassTask {
         #[arg(value_name = "NAME|PATH")]
         name: Option<String>,
         /// Open the desk for several machines at this address, instead of for this host.
-        #[arg(long, value_name = "HOST:PORT", num_args = 0..=1, default_missing_value = EVERY_ADDRESS)]
+        #[arg(long, value_name = "HOST[:PORT]", num_args = 0..=1, default_missing_value = EVERY_ADDRESS)]
         listen: Option<String>,
         /// Keep grades under this name, so that several graders can be compared; by default your user name.
         #[arg(long, value_name = "NAME", value_parser = grader_name)]

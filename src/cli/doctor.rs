@@ -157,6 +157,7 @@ pub(super) fn doctor(
     let mut findings = terminal::findings(settings);
     findings.extend(files(&settings.faults));
     findings.extend(faulty_files(settings));
+    findings.extend(host::class_of(settings));
     findings.extend(host::folders(settings));
     findings.extend(host::database(settings));
     findings.extend(host::machine());

@@ -34,8 +34,8 @@ pub(super) struct JoinArguments {
 /// Where the desk of a class on several machines is.
 #[derive(Debug, Args)]
 struct DeskAddress {
-    /// Look for the desk of a join line here instead of at the addresses in the line.
-    #[arg(long = "desk", value_name = "HOST:PORT")]
+    /// Look for the desk of a join line here instead of at the addresses in the line; the port is 7447 by default.
+    #[arg(long = "desk", value_name = "HOST[:PORT]")]
     address: Option<String>,
 }
 

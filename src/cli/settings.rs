@@ -19,6 +19,7 @@ use crate::text;
 use crate::text::{Language, Locale, Text};
 use crate::ui::{Theme, ThemeError, ThemeFile, Themes};
 
+pub(super) mod class;
 mod data;
 mod documents;
 mod flags;
@@ -342,7 +343,10 @@ impl CliSettings {
 /// The faults of a configuration file; `None` if it has none.
 pub(super) fn faults_in(source: &Source, themes: &Themes) -> Option<Vec<Diagnostic>> {
     let themes = theme_names(themes);
-    let check = |setting: &str, word: &str| check(setting, word, &themes);
+    // Not whenever settings are read: a class that is missing keeps no console from starting.
+    let check = |setting: &str, word: &str| {
+        check(setting, word, &themes).and_then(|()| class::check(setting, word))
+    };
     let mut layers = Layers::default();
     layers.file(&source.name, &source.text, &check).err()
 }

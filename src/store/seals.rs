@@ -152,9 +152,11 @@ pub fn seal_record(
         content: &content,
         time_of: time_of_line,
     };
+    let stored = stored_in(&content);
     let seen = SeenRecord {
         witness: Witness::of(sealed.flown, &written),
-        has_checksum: has_checksum(&content),
+        has_checksum: has_checksum(stored.as_ref()),
+        was_left: stored.is_some_and(|it| it.was_left()),
         parts: submission.parts,
     };
     let seal = seal(sealed, seen, key);
@@ -166,10 +168,14 @@ pub fn seal_record(
     Ok(())
 }
 
+/// The record in a file, if it can be read.
+fn stored_in(content: &[u8]) -> Option<Stored> {
+    let text = std::str::from_utf8(content).ok()?;
+    Stored::read(text).ok()
+}
+
 /// Whether the end of a record has a checksum. A record without an end was cut off, and has none.
-fn has_checksum(content: &[u8]) -> bool {
-    let text = std::str::from_utf8(content).ok();
-    let stored = text.and_then(|text| Stored::read(text).ok());
+fn has_checksum(stored: Option<&Stored>) -> bool {
     stored.is_some_and(|it| it.end().is_none() || it.has_checksum())
 }
 
@@ -178,6 +184,8 @@ struct SeenRecord {
     witness: Witness,
     /// Whether its end has a checksum, if it has an end.
     has_checksum: bool,
+    /// Whether the flight was left before the mission was over.
+    was_left: bool,
     /// Its files.
     parts: Vec<SubmittedPart>,
 }
@@ -256,7 +264,12 @@ fn reasons(sealed: &SealedTry<'_>, seen: &SeenRecord) -> Vec<TryReason> {
             !witness.fits() && *witness != Witness::Unseen,
             TryReason::Rewritten,
         ),
-        (witness.fits() && !is_end_known, TryReason::EndUnseen),
+        (seen.was_left, TryReason::Left),
+        // A console ends with a flight that is left, so that its end is never seen.
+        (
+            witness.fits() && !is_end_known && !seen.was_left,
+            TryReason::EndUnseen,
+        ),
         (!seen.has_checksum, TryReason::NoChecksum),
     ];
     let reasons = found.into_iter().filter(|(holds, _)| *holds);

@@ -24,6 +24,9 @@ const DEAF_AFTER: Duration = Duration::from_secs(5);
 const TRIAL_BYTES: u64 = 4000;
 /// The minimum interval between frames while the first answer is late.
 const TRIAL_INTERVAL: Duration = Duration::from_secs(1);
+/// The minimum number of bytes from which a rate follows: with fewer, a late answer shows only that the terminal, or the
+/// console itself, was busy.
+const MEASURED_BYTES: u64 = 256;
 /// How long until a query is repeated: an answer can be lost, as when a multiplexer changes its
 /// terminal.
 const REPEAT_AFTER: Duration = Duration::from_secs(5);
@@ -163,16 +166,17 @@ impl Pace {
 
     /// Notes an answer from the terminal.
     pub fn answered(&mut self, now: Duration) {
+        let is_first = self.hearing != QueryHearing::Answers;
         self.hearing = QueryHearing::Answers;
         let Some(question) = self.question.take() else {
             return;
         };
         self.delay = now.saturating_sub(question.at);
-        if self.delay >= SLOW {
-            let rate = question.bytes as f64 / self.delay.as_secs_f64();
-            self.slow = Some((now, rate));
-        } else {
+        if self.delay < SLOW {
             self.recover(now);
+        } else if !is_first {
+            // While the console starts, answers wait for it and not for the line.
+            self.measure(now, question.bytes, self.delay);
         }
     }
 
@@ -191,6 +195,12 @@ impl Pace {
         self.rest_until = now + took.min(LONGEST_REST);
         self.catches_up = !blocked_before || took >= STALLED;
         if took >= SLOW {
+            self.measure(now, bytes, took);
+        }
+    }
+
+    fn measure(&mut self, now: Duration, bytes: u64, took: Duration) {
+        if bytes >= MEASURED_BYTES {
             self.slow = Some((now, bytes as f64 / took.as_secs_f64()));
         }
     }

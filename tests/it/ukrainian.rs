@@ -160,6 +160,14 @@ fn the_ukrainian_messages_have_latin_letters_in_names_only() {
     assert!(wrong.is_empty(), "no names, or missing here: {wrong:#?}");
 }
 
+/// A thing that has two names reads as two things.
+#[test]
+fn a_brief_has_one_name() {
+    for (area, source) in messages(Language::Ukrainian) {
+        assert!(!source.to_lowercase().contains("брифінг"), "{area}");
+    }
+}
+
 fn faults() -> Vec<Text> {
     let vehicles = [1, 2, 3];
     let context = Context {

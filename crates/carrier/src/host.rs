@@ -64,7 +64,7 @@ impl HostPlace {
         }
     }
 
-    fn folder(&self) -> &Path {
+    pub(super) fn folder(&self) -> &Path {
         let parent = self.socket.parent();
         let parent = parent.filter(|it| !it.as_os_str().is_empty());
         parent.unwrap_or(Path::new("."))

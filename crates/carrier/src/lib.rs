@@ -43,6 +43,6 @@ pub use join_line::{JoinLine, JoinLineFault};
 pub use network::NetworkDesk;
 pub use new_class::NewClass;
 pub use place::{
-    ClassPlace, DEFAULT_PORT, DeskPlace, EVERY_ADDRESS, make_class, own_address, remove_seat,
+    ClassPlace, DeskPlace, EVERY_ADDRESS, make_class, own_address, remove_seat, with_port,
 };
 pub use ports::{CarrierPeer, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};

@@ -16,9 +16,20 @@ use super::secret_file::read_secret;
 use super::unix;
 
 /// The port of a desk for several machines unless another one is said: that of Zenoh.
-pub const DEFAULT_PORT: u16 = 7447;
+const DEFAULT_PORT: u16 = 7447;
 /// The addresses of a desk for several machines unless others are said: all that the machine has.
 pub const EVERY_ADDRESS: &str = "0.0.0.0";
+
+/// An address as it was written, with the default port if it has none.
+pub fn with_port(written: &str) -> String {
+    let with_default = format!("{written}:{DEFAULT_PORT}");
+    let is_number = written.chars().all(|c| c.is_ascii_digit());
+    if !is_address(written) && !is_number && is_address(&with_default) {
+        with_default
+    } else {
+        written.to_owned()
+    }
+}
 
 /// Where a seat finds the desk of its class.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -136,16 +147,26 @@ impl ClassPlace {
     /// # Errors
     /// It is no address, or the class is on this host.
     pub fn at(self, address: &str) -> Result<Self, ClassFault> {
-        if !is_address(address) {
-            return Err(NetworkFault::Address(address.to_owned()).into());
+        let address = with_port(address);
+        if !is_address(&address) {
+            return Err(NetworkFault::Address(address).into());
         }
         match self {
             Self::Host(place) => Err(NetworkFault::OnHost(place.socket).into()),
             #[cfg(feature = "zenoh")]
             Self::Network(mut line) => {
-                line.addresses = vec![address.to_owned()];
+                line.addresses = vec![address];
                 Ok(Self::Network(line))
             }
+        }
+    }
+
+    /// The folder of a class on this host, if it is not there.
+    pub fn missing_folder(&self) -> Option<&Path> {
+        match self {
+            Self::Host(place) => Some(place.folder()).filter(|folder| !folder.exists()),
+            #[cfg(feature = "zenoh")]
+            Self::Network(_) => None,
         }
     }
 

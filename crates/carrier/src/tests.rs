@@ -285,3 +285,22 @@ async fn two_consoles_of_one_trainee_have_a_connection_each(tried: Tried) {
         assert_eq!(said(seat).await, DeskMessage::Ask { from: *sitting });
     }
 }
+
+#[test]
+fn an_address_without_a_port_has_the_default_one() {
+    for (written, address) in [
+        ("192.168.1.9", "192.168.1.9:7447"),
+        ("lab", "lab:7447"),
+        ("[::1]", "[::1]:7447"),
+        ("lab:7000", "lab:7000"),
+        // These are no addresses, and are refused as they were written.
+        ("7447", "7447"),
+        ("::1", "::1"),
+        ("lab:", "lab:"),
+        ("lab:70000", "lab:70000"),
+        ("", ""),
+        ("two words", "two words"),
+    ] {
+        assert_eq!(with_port(written), address);
+    }
+}

@@ -26,7 +26,9 @@ mod secret;
 mod witness;
 
 pub use attempt::{ContentHash, ExamTry, FlownTry, RecordHead, TryHead, TryName};
-pub use candidate::{Candidate, CandidateStage, CandidateTry, TimedHead, TryEnd, TryOpening};
+pub use candidate::{
+    Candidate, CandidateStage, CandidateTry, TimedHead, TryEnd, TryOpening, TryVerdict,
+};
 pub use conduct::Exam;
 pub use note::{ExamDeed, ExamNote};
 pub use plan::{ExamLayout, ExamMission, ExamPlan};

@@ -58,7 +58,7 @@ pub use desk_line::DeskLine;
 pub use exam::{
     Candidate, CandidateStage, CandidateTry, ContentHash, Exam, ExamDeed, ExamLayout, ExamMission,
     ExamNote, ExamPlan, ExamSecret, ExamTry, FlownTry, RecordHead, TimedHead, TryEnd, TryHead,
-    TryName, TryOpening, Witness, WrittenRecord,
+    TryName, TryOpening, TryVerdict, Witness, WrittenRecord,
 };
 pub use hand_in::{HandIn, HandInOutcome};
 pub use insight::{

@@ -23,7 +23,7 @@ pub fn help_lines(scene: HelpScene<'_>, locale: &Locale) -> Vec<HelpLine> {
     if scene.is_replay {
         nearby.insert(0, Place::Replay);
     }
-    let elsewhere = Place::all().filter(|place| !nearby.contains(place));
+    let elsewhere = Place::all().filter(|place| !nearby.contains(place) && scene.has(*place));
     let section = |place: Place| -> Vec<HelpLine> {
         let keys = scene.keys(place, locale);
         if keys.is_empty() {
@@ -131,6 +131,32 @@ mod tests {
         }
         let pause = locale.say("action-pause-mission");
         assert!(all.iter().all(|(_, meaning)| *meaning != pause), "{all:#?}");
+    }
+
+    #[test]
+    fn the_help_of_a_desk_has_the_rooms_that_are_there() {
+        let locale = Locale::new(Language::English);
+        let keymap = Keymap::default();
+        let of_flight = HelpScene::of_flight(&keymap, Room::Class);
+        let has = |scene: HelpScene<'_>, room: Room| {
+            let title = HelpLine::Title(locale.text(&Place::In(room).title()));
+            help_lines(scene, &locale).contains(&title)
+        };
+        let desk = HelpScene {
+            is_desk: true,
+            ..of_flight
+        };
+        let replay = HelpScene {
+            is_replay: true,
+            ..desk
+        };
+        for room in [Room::Fly, Room::Map, Room::Mission, Room::Parameters] {
+            assert!(has(of_flight, room), "{room:?}");
+            assert!(!has(desk, room), "{room:?}");
+        }
+        assert!(has(desk, Room::Class));
+        assert!(has(desk, Room::Workshop));
+        assert!(has(replay, Room::Map), "a replay has all rooms");
     }
 
     #[test]

@@ -3,7 +3,9 @@
 use std::time::Duration;
 
 use super::*;
-use crate::class::{ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret, TryName};
+use crate::class::{
+    ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret, TryEnd, TryName,
+};
 
 fn name(number: u32) -> TryName {
     TryName {
@@ -53,12 +55,29 @@ fn a_try_that_was_opened_and_has_no_record_is_named() {
         user: "anna".to_owned(),
         name: name(1),
     };
-    let exam = exam(vec![asked(1), opened, asked(2)]);
+    let exam = exam(vec![asked(1), opened.clone(), asked(2)]);
     let missing = TryWithoutRecord::of(&[exam], &[], 5);
     let found: Vec<(&str, u32, u32)> = missing
         .iter()
         .map(|it| (it.user.as_str(), it.number, it.tries))
         .collect();
     assert_eq!(found, [("anna", 1, 2)]);
-    assert!(missing[0].is_open);
+    assert_eq!(missing[0].verdict, TryVerdict::Open);
+}
+
+#[test]
+fn a_try_that_was_left_from_its_brief_is_not_open_also_after_the_end_of_the_exam() {
+    let opened = ExamDeed::Opened {
+        user: "anna".to_owned(),
+        name: name(1),
+    };
+    let left = ExamDeed::Ended {
+        user: "anna".to_owned(),
+        name: name(1),
+        how: TryEnd::Left,
+    };
+    let exam = exam(vec![asked(1), opened, ExamDeed::Stopped, left]);
+    let missing = TryWithoutRecord::of(&[exam], &[], 5);
+    assert_eq!(missing[0].verdict, TryVerdict::Left);
+    assert!(!missing[0].is_open);
 }

@@ -6,8 +6,7 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::carrier::{
-    DEFAULT_PORT, DeskPlace, EVERY_ADDRESS, HostPlace, NewClass, make_class, own_address,
-    remove_seat,
+    DeskPlace, EVERY_ADDRESS, HostPlace, NewClass, make_class, own_address, remove_seat, with_port,
 };
 use crate::cli::Failure;
 use crate::cli::seat::refused;
@@ -34,7 +33,7 @@ pub(super) struct NewArguments {
     seats: u16,
     /// Where trainees reach the desk; repeat the option for several addresses, which are tried in this order. By
     /// default, the address of this machine, and port 7447.
-    #[arg(long = "address", value_name = "HOST:PORT")]
+    #[arg(long = "address", value_name = "HOST[:PORT]")]
     addresses: Vec<String>,
     /// Write the keys to this new folder; by default to the data folder, where sortie class open finds them by name.
     #[arg(long, value_name = "DIR")]
@@ -52,7 +51,7 @@ pub(super) fn new(arguments: &NewArguments, settings: &CliSettings) -> Result<Ex
     check_records(name, settings)?;
     let addresses = match arguments.addresses.as_slice() {
         [] => vec![own_address().map_err(refused)?],
-        some => some.to_owned(),
+        some => some.iter().map(|it| with_port(it)).collect(),
     };
     let class = NewClass {
         name,
@@ -148,10 +147,7 @@ fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
 /// The desk of a class on several machines, by name or by the path of its folder.
 pub(super) fn desk(name: &str, listen: &str, settings: &CliSettings) -> Result<DeskPlace, Failure> {
     let folder = folder_of(name, settings)?;
-    let everywhere = format!("{EVERY_ADDRESS}:{DEFAULT_PORT}");
-    let is_everywhere = listen == EVERY_ADDRESS;
-    let listen = if is_everywhere { &everywhere } else { listen };
-    DeskPlace::on_network(&folder, listen).map_err(refused)
+    DeskPlace::on_network(&folder, &with_port(listen)).map_err(refused)
 }
 
 /// The desk of a class on this host, by name or by the path of its folder.

@@ -1,6 +1,7 @@
 //! The tables of a class.
 
 use crate::campaign::Skill;
+use crate::class::TryVerdict;
 use crate::class_results::{
     ClassFlight, ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults,
     TryWithoutRecord, number_of_mission,
@@ -174,10 +175,12 @@ pub(super) fn exams(
         }
     }
     for it in missing {
-        let record = if it.is_open {
-            text!("class-report-try-open")
-        } else {
-            text!("class-report-no-record")
+        let record = match it.verdict {
+            TryVerdict::Open => text!("class-report-try-open"),
+            TryVerdict::Left => text!("class-report-try-left"),
+            TryVerdict::Passed | TryVerdict::Failed | TryVerdict::TimeUp | TryVerdict::Unseen => {
+                text!("class-report-no-record")
+            }
         };
         let cells = [
             it.user.clone(),

@@ -166,6 +166,12 @@ impl Stored {
         self.lines.last().and_then(RecordLine::end)
     }
 
+    /// Whether the flight was left before the mission was over, by the trainee or because the console ended.
+    pub fn was_left(&self) -> bool {
+        let mut lines = self.lines.iter();
+        self.end().is_none() || lines.any(|line| matches!(line, RecordLine::Abandon))
+    }
+
     /// Scores the record again; `without_end` applies if it has no end.
     ///
     /// # Errors

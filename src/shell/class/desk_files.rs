@@ -185,7 +185,8 @@ impl DeskFiles {
         let mut answers: Vec<_> = damaged.map(|it| event(ClassEvent::Exam(it))).collect();
         answers.extend(self.seal_rest());
         answers.push(self.results());
-        let open = self.exams.iter().rev().find(|exam| !exam.is_stopped());
+        let now = since_1970();
+        let open = self.exams.iter().rev().find(|it| it.is_watched(now));
         let found =
             open.map(|exam| event(ClassEvent::Exam(ExamEvent::Found(Box::new(exam.clone())))));
         answers.extend(found);

@@ -21,6 +21,7 @@ mod exams;
 mod lessons;
 mod pilots;
 mod records;
+mod screens;
 mod showing;
 mod situations;
 

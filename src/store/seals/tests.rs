@@ -309,6 +309,7 @@ impl Flown {
             seen: SeenRecord {
                 witness: Witness::Whole { heads: 9 },
                 has_checksum: true,
+                was_left: false,
                 parts: vec![part(RecordPart::Run), part(RecordPart::Inputs)],
             },
         }
@@ -370,6 +371,17 @@ fn a_record_whose_end_nobody_has_seen_counts_only_if_the_desk_was_away() {
 }
 
 #[test]
+fn a_try_that_was_left_does_not_count_whether_or_not_the_desk_was_there() {
+    let mut flown = Flown::new();
+    flown.seen.was_left = true;
+    assert_eq!(flown.reasons(), [TryReason::Left]);
+    flown.opened.heads[0].head.bytes = 2;
+    assert_eq!(flown.reasons(), [TryReason::Left]);
+    flown.opened.was_desk_away = true;
+    assert_eq!(flown.reasons(), [TryReason::Left]);
+}
+
+#[test]
 fn an_end_without_a_checksum_is_noticed() {
     let mut pilot = Pilot::new(7);
     pilot.flight.start_record(&Occasion {
@@ -381,14 +393,19 @@ fn an_end_without_a_checksum_is_noticed() {
     });
     pilot.wait(2.0);
     let open = pilot.flight.take_record();
-    assert!(has_checksum(open.as_bytes()), "it has no end yet");
+    assert!(
+        has_checksum(stored_in(open.as_bytes()).as_ref()),
+        "it has no end yet"
+    );
     pilot.flight.abandon();
     drop(pilot.flight.close(&pilot.ledger));
     let end = pilot.flight.take_record();
     let whole = format!("{open}{end}");
-    assert!(has_checksum(whole.as_bytes()));
+    assert!(has_checksum(stored_in(whole.as_bytes()).as_ref()));
     let cut = whole.split(",\"checksum\"").next().expect("an end");
     assert_ne!(cut, whole);
-    assert!(!has_checksum(format!("{cut}}}}}\n").as_bytes()));
-    assert!(!has_checksum(b"\xff"));
+    assert!(!has_checksum(
+        stored_in(format!("{cut}}}}}\n").as_bytes()).as_ref()
+    ));
+    assert!(!has_checksum(stored_in(b"\xff").as_ref()));
 }

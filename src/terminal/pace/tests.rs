@@ -181,3 +181,20 @@ fn a_line_on_which_write_after_write_meets_a_full_buffer_rests_after_each() {
     pace.written(now, Duration::from_secs(1), 3000);
     assert_eq!(pace.wait(now), Duration::from_secs(1));
 }
+
+#[test]
+fn a_rate_is_reported_once_it_was_measured() {
+    let mut pace = Pace::new(10);
+    let at = Duration::from_secs;
+    // The console starts, and hears the first answer late.
+    pace.drawn(at(0), 3000, true);
+    pace.answered(at(3));
+    assert_eq!(pace.slow_bytes_per_s(), None);
+    // A frame of a few bytes says nothing of the line.
+    pace.drawn(at(4), 40, true);
+    pace.answered(at(6));
+    assert_eq!(pace.slow_bytes_per_s(), None);
+    pace.drawn(at(7), 3000, true);
+    pace.answered(at(9));
+    assert_eq!(pace.slow_bytes_per_s(), Some(1500.0));
+}

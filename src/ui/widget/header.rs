@@ -20,6 +20,8 @@ use crate::vehicle_id::ranges;
 
 /// The time left for a try of an exam from which it is shown as a warning.
 const TRY_ENDS_SOON: Duration = Duration::from_secs(60);
+/// The maximum number of columns of an instructor's name in a header with little room.
+const SHORT_NAME: usize = 12;
 
 /// Draws the header and returns the area between it and the footer.
 pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
@@ -255,22 +257,19 @@ fn recorded(state: &State) -> Option<&ReplayView> {
     state.replay().filter(|view| !view.is_live)
 }
 
-/// Who watches this seat of a class.
+/// Who watches this seat of a class. A short header names the instructor, too; the title gives way.
 fn watched(state: &State, short: bool) -> Option<Text> {
     let role = state.class_role();
-    let instructor = role.watcher()?;
+    let most = if short { SHORT_NAME } else { usize::MAX };
+    let instructor = clip(role.watcher()?, most);
     if role.is_screen_watched() {
         return Some(if short {
-            text!("header-screen-watched-short")
+            text!("header-screen-watched-short", instructor = instructor)
         } else {
             text!("header-screen-watched", instructor = instructor)
         });
     }
-    Some(if short {
-        text!("header-watched-short")
-    } else {
-        text!("header-watched", instructor = instructor)
-    })
+    Some(text!("header-watched", instructor = instructor))
 }
 
 fn recorded_at(state: &State, short: bool) -> Option<Text> {

@@ -229,6 +229,57 @@ fn a_wrong_setting_is_a_finding_of_the_doctor() {
 }
 
 #[test]
+fn a_class_that_no_console_could_join_is_found_by_doctor_and_check() {
+    let place = tempfile::tempdir().expect("a folder");
+    let bad = place.path().join("seat-07.join");
+    fs::write(&bad, "no join line").expect("written");
+    fs::set_permissions(&bad, fs::Permissions::from_mode(0o600)).expect("set");
+    let missing = place.path().join("seat-08.join");
+    let folder = place.path().join("9-A");
+    let user = "no-such-user-of-sortie";
+    for (line, said) in [
+        (
+            format!("join = \"{}\"", bad.display()),
+            "is not a join line",
+        ),
+        (format!("join = \"{}\"", missing.display()), "cannot use"),
+        (
+            format!("join = \"{}\"", folder.display()),
+            "there is no folder",
+        ),
+        (
+            format!("instructor = \"{user}\""),
+            "this machine has no user",
+        ),
+    ] {
+        let written = format!("[class]\n{line}\n");
+        let home = home(&[("config.toml", written.as_str())]);
+        let doctor = sortie(home.path(), &[], &["doctor"]);
+        let found = text(&doctor.stdout);
+        assert_eq!(doctor.status.code(), Some(1), "{found}");
+        let finding = found.lines().find(|it| it.starts_with("FAULT class"));
+        assert!(finding.is_some_and(|it| it.contains(said)), "{found}");
+        let file = home.path().join("config/sortie/config.toml");
+        let check = sortie(home.path(), &[], &["check", file.to_str().expect("plain")]);
+        let found = text(&check.stdout);
+        assert_eq!(check.status.code(), Some(1), "{found}");
+        assert!(
+            found.contains("config.toml:2:") && found.contains(said),
+            "{found}"
+        );
+        // The console starts nevertheless.
+        let config = sortie(home.path(), &[], &["config"]);
+        assert_eq!(config.status.code(), Some(0), "{}", text(&config.stderr));
+    }
+    let good = home(&[("config.toml", "[class]\njoin = \"9-A\"\n")]);
+    let doctor = text(&sortie(good.path(), &[], &["doctor"]).stdout);
+    assert!(
+        doctor.contains("class.join: /tmp/sortie-class-9-A/desk"),
+        "{doctor}"
+    );
+}
+
+#[test]
 fn a_theme_that_is_a_link_to_nothing_is_named_and_the_default_is_used() {
     let home = home(&[("config.toml", "theme = \"harbour\"\n")]);
     let themes = home.path().join("config/sortie/themes");

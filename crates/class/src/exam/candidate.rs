@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::conduct::GRACE;
 use super::{ExamDeed, ExamMission, ExamNote, ExamPlan, RecordHead, TryName};
 use crate::OrderId;
 
@@ -97,6 +98,20 @@ impl CandidateTry {
         known.copied().unwrap_or_default()
     }
 
+    /// What has become of it, by what the desk has seen. It does not depend on when the exam was stopped.
+    pub fn verdict(&self, at: u64) -> TryVerdict {
+        let until = self.opening().until;
+        match self.ended {
+            Some((_, TryEnd::Passed)) => TryVerdict::Passed,
+            // The clocks of desk and seat count whole seconds.
+            Some((ended, TryEnd::Over)) if ended.saturating_add(1) >= until => TryVerdict::TimeUp,
+            Some((_, TryEnd::Over)) => TryVerdict::Failed,
+            Some((_, TryEnd::Left)) => TryVerdict::Left,
+            None if at < until.saturating_add(GRACE) => TryVerdict::Open,
+            Some((_, TryEnd::Time)) | None => TryVerdict::Unseen,
+        }
+    }
+
     /// Whether a name is that of one of its openings.
     pub(super) fn was_asked(&self, name: &TryName) -> bool {
         self.name.is_same_try(name) && self.openings.contains_key(&name.opening)
@@ -117,6 +132,24 @@ pub struct TimedHead {
     pub head: RecordHead,
 }
 
+/// What has become of a try.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum TryVerdict {
+    /// It is under way, or may be: its time is not up.
+    Open,
+    /// The mission was over and passed.
+    Passed,
+    /// The mission was over and not passed.
+    Failed,
+    /// The trainee left it, or the console ended.
+    Left,
+    /// Its time, or that of the exam, was up before the mission was passed.
+    TimeUp,
+    /// The desk has not seen how it ended.
+    Unseen,
+}
+
 /// How a try ended, as far as the desk has seen it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -127,7 +160,7 @@ pub enum TryEnd {
     Over,
     /// The trainee left the flight, or the console ended.
     Left,
-    /// Its time was up.
+    /// Its time was up, and the desk has not seen its end.
     Time,
 }
 
@@ -192,6 +225,26 @@ impl Candidate {
                 ended: None,
                 was_desk_away: false,
             });
+        }
+    }
+
+    /// The exam is stopped: no more tries are opened, and one that is flown or being opened goes on.
+    pub(super) fn stop(&mut self, at: u64) {
+        let goes_on = matches!(
+            self.stage,
+            CandidateStage::Ordered(_) | CandidateStage::Flying { .. } | CandidateStage::Done
+        );
+        if !goes_on {
+            self.enter(CandidateStage::Closed, at);
+        }
+    }
+
+    /// Whether a try may be flown at this time.
+    pub(super) fn flies_at(&self, at: u64) -> bool {
+        match self.stage {
+            CandidateStage::Ordered(_) => true,
+            CandidateStage::Flying { until } => at < until.saturating_add(GRACE),
+            _ => false,
         }
     }
 

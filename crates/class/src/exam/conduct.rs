@@ -20,7 +20,7 @@ const AGAIN: u64 = 10;
 /// The time without the try in the seat's reports after which it counts as left, in seconds.
 const LEFT: u64 = 4;
 /// How much later than its limit a try may end, in seconds: the seat ends it by itself, and orders take their time.
-const GRACE: u64 = 15;
+pub(super) const GRACE: u64 = 15;
 /// The least time between two heads of a try, in seconds.
 const HEADS_EVERY: u64 = 5;
 
@@ -138,6 +138,12 @@ impl Exam {
             && self.candidates.values().all(is_over)
     }
 
+    /// Whether tries are opened, or may still be flown at this time in seconds since 1970.
+    pub fn is_watched(&self, at: u64) -> bool {
+        let mut candidates = self.candidates.values();
+        !self.is_stopped || candidates.any(|it| it.flies_at(at))
+    }
+
     /// A time of the desk's own clock, in seconds since 1970.
     pub fn at(&self, now: Duration) -> u64 {
         self.epoch.saturating_add(now.as_secs())
@@ -204,7 +210,7 @@ impl Exam {
             ExamDeed::Stopped => {
                 self.is_stopped = true;
                 for candidate in self.candidates.values_mut() {
-                    candidate.enter(CandidateStage::Closed, note.at);
+                    candidate.stop(note.at);
                 }
                 return;
             }
@@ -217,6 +223,9 @@ impl Exam {
         let known = self.candidates.entry(user.clone());
         let candidate = known.or_insert_with(|| Candidate::new(note.at));
         candidate.apply(note, &self.plan);
+        if self.is_stopped {
+            candidate.stop(note.at);
+        }
     }
 
     pub(super) fn enter(&mut self, user: &str, stage: CandidateStage, at: u64) {
@@ -246,7 +255,7 @@ impl Exam {
         }
         match candidate.stage {
             CandidateStage::Waits | CandidateStage::Asked { .. } | CandidateStage::Blocked
-                if self.plan.is_closed_at(sight.at) =>
+                if self.is_stopped || self.plan.is_closed_at(sight.at) =>
             {
                 Some(ExamMove::Stage(CandidateStage::Closed))
             }

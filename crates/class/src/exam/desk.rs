@@ -14,7 +14,7 @@ impl Desk {
         if is_free {
             let at = exam.at(Duration::ZERO);
             let held = self.exam.insert(exam);
-            if held.has_begun() && !held.is_stopped {
+            if held.has_begun() && held.is_watched(at) {
                 held.note(at, ExamDeed::Resumed);
             }
         }
@@ -57,7 +57,7 @@ impl Desk {
         true
     }
 
-    /// Ends the exam: no try is opened any more. Flights go on. Returns its plan; `None` without one.
+    /// Ends the exam: no try is opened any more. Flights go on, and the desk sees how they end. Returns its plan; `None` without one.
     pub fn stop_exam(&mut self, now: Duration) -> Option<&ExamPlan> {
         let exam = self.exam.as_mut().filter(|it| !it.is_stopped)?;
         let at = exam.at(now);

@@ -73,6 +73,6 @@ pub enum ExamDeed {
     },
     /// A desk that was opened again goes on with the exam. What happened since the last note, nobody has seen.
     Resumed,
-    /// The instructor has ended the exam; the last note.
+    /// The instructor has ended the exam. Only tries that were flown then have later notes.
     Stopped,
 }

@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::plan::{LessonPlan, LessonStep, StepStart, StepTarget};
 use crate::order::ANSWERED_WITHIN;
-use crate::{Deed, NotedStep, OrderId, Outcome, Words};
+use crate::{Deed, NotedStep, OrderId, Outcome, Refusal, Words};
 
 /// The number of steps that are remembered for the way back.
 pub(super) const REMEMBERED: usize = 200;
@@ -36,8 +36,13 @@ enum StepStage {
     Waits(GivenNote),
     /// It waits for the instructor, whatever the plan says.
     Held(HoldReason),
-    /// Its orders are given, each after the outcome of the one before. `at` is when the last one was given.
-    Acts { at: Duration, given: Vec<GivenDeed> },
+    /// Its orders are given, each after the outcome of the one before. `at` is when the last one was given. With
+    /// `leads_on`, none of them stops the lesson.
+    Acts {
+        at: Duration,
+        given: Vec<GivenDeed>,
+        leads_on: bool,
+    },
     /// The lesson has ended.
     Ended,
 }
@@ -228,13 +233,17 @@ impl LessonPosition {
         let step = self.step()?;
         match &self.stage {
             StepStage::Waits(note) => self.after_note(step, *note, together, now),
-            StepStage::Acts { at, given } => {
+            StepStage::Acts {
+                at,
+                given,
+                leads_on,
+            } => {
                 let last = given.last();
                 let is_open = last.is_some_and(|one| one.outcome.is_none());
                 if is_open && now.saturating_sub(*at) < ANSWERED_WITHIN {
                     return None;
                 }
-                Some(if last.is_some_and(GivenDeed::is_missing) {
+                Some(if !leads_on && last.is_some_and(GivenDeed::is_missing) {
                     LessonMove::Hold(HoldReason::NotFlown)
                 } else if given.len() < step.deeds.len() {
                     LessonMove::Act
@@ -260,6 +269,11 @@ impl LessonPosition {
             None => return None,
             // The seat does not watch the condition any more.
             Some(Outcome::Disarmed) => return Some(LessonMove::Note),
+            // The flight is over, so that the condition cannot hold any more.
+            Some(Outcome::Refused(Refusal::NotFlying)) => {
+                let otherwise = step.limit.map(|limit| limit.otherwise);
+                return Some(LessonMove::Go(otherwise.unwrap_or(step.then)));
+            }
             Some(Outcome::Refused(_)) => return Some(LessonMove::Hold(HoldReason::Condition)),
             Some(_) => {}
         }
@@ -301,9 +315,16 @@ impl LessonPosition {
         });
     }
 
-    /// The orders of the step begin, after those that were given before.
+    /// The orders of the step begin, after those that were given before. Once the lesson has stopped at them, they are
+    /// not waited for again: the key of the instructor always leads on.
     pub(crate) fn act(&mut self, given: Vec<GivenDeed>, now: Duration) {
-        self.stage = StepStage::Acts { at: now, given };
+        let leads_on = self.held() == Some(HoldReason::NotFlown);
+        let at = now;
+        self.stage = StepStage::Acts {
+            at,
+            given,
+            leads_on,
+        };
     }
 
     /// The next order of the step.
@@ -317,7 +338,7 @@ impl LessonPosition {
 
     /// The next order of the step was given to the seat.
     pub(crate) fn has_given(&mut self, deed: GivenDeed, now: Duration) {
-        if let StepStage::Acts { at, given } = &mut self.stage {
+        if let StepStage::Acts { at, given, .. } = &mut self.stage {
             *at = now;
             given.push(deed);
         }

@@ -206,6 +206,44 @@ fn a_mission_that_is_not_begun_holds_the_lesson() {
 }
 
 #[test]
+fn the_key_leads_on_from_a_mission_that_is_not_begun_again() {
+    let mut fly = step("fly", StepStart::AtOnce, StepTarget::Step(1));
+    fly.deeds.insert(0, Deed::Start);
+    fly.deeds.push(Deed::Start);
+    let last = step("last", StepStart::Instructor, StepTarget::End);
+    let mut class = Class::new(&["a"]);
+    class.seats[0].refuses_to_fly = true;
+    class.desk.teach(&plan(vec![fly, last]), &[0], class.now);
+    class.run(2);
+    assert_eq!((class.at(0), class.seats[0].done().len()), ("fly", 0));
+    assert_eq!(class.direct(0, LessonDirection::Next), Ok(vec![0]));
+    class.run(2);
+    assert_eq!(class.at(0), "last");
+    assert_eq!(class.seats[0].done(), ["fly"], "the other orders are given");
+}
+
+#[test]
+fn a_condition_of_a_flight_that_is_over_is_waited_for_no_longer() {
+    let mut up = step("up", when("airborne > 0"), StepTarget::End);
+    up.limit = Some(StepLimit {
+        within: seconds(600),
+        otherwise: StepTarget::Step(1),
+    });
+    let gates = step("gates", when("met('gates')"), StepTarget::Step(2));
+    let landed = step("landed", StepStart::AtOnce, StepTarget::End);
+    let mut class = Class::new(&["a"]);
+    class
+        .desk
+        .teach(&plan(vec![up, gates, landed]), &[0], class.now);
+    class.run(2);
+    assert_eq!(class.at(0), "up");
+    class.seats[0].is_over = true;
+    class.run(2);
+    assert!(class.lesson(0).has_ended());
+    assert_eq!(class.seats[0].done(), ["landed"]);
+}
+
+#[test]
 fn a_lesson_that_runs_in_circles_stops_for_the_instructor() {
     let again = step("again", when("true"), StepTarget::Step(0));
     let mut class = Class::new(&["a"]);

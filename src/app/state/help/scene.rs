@@ -17,6 +17,8 @@ pub struct HelpScene<'a> {
     pub here: Room,
     /// Whether a recorded flight is shown; it takes no commands.
     pub is_replay: bool,
+    /// Whether it is an instructor's desk, which flies no vehicles of its own.
+    pub is_desk: bool,
 }
 
 impl State {
@@ -26,6 +28,7 @@ impl State {
             keymap: &self.keymap,
             here: self.room,
             is_replay: self.replay.is_some(),
+            is_desk: self.class.desk().is_some() && self.session.activity.is_none(),
         }
     }
 }
@@ -51,6 +54,16 @@ impl HelpScene<'_> {
         lines
             .map(|(labels, about)| HelpLine::Entry(labels, locale.text(&about)))
             .collect()
+    }
+
+    /// Whether the keys of a place can be of use elsewhere than in the present room. A desk without a flight has no rooms
+    /// for one; it has no debrief either.
+    pub(super) fn has(self, place: Place) -> bool {
+        let Place::In(room) = place else {
+            return true;
+        };
+        let is_of_flight = !room.is_apart_from_flight() || room == Room::Debrief;
+        !(self.is_desk && !self.is_replay && is_of_flight)
     }
 
     /// The description of a key in the section of a place; `None` if the key belongs to another
@@ -92,6 +105,7 @@ impl<'a> HelpScene<'a> {
             keymap,
             here,
             is_replay: false,
+            is_desk: false,
         }
     }
 }

@@ -144,9 +144,10 @@ fn carry_out(state: &mut State, order: &Order) -> Result<BegunOrder, OrderFault>
             exam,
             hold,
         } => {
+            let is_new = !flights::is_under_way(state, mission.as_str(), *exam);
             let begun = flights::fly(state, mission.as_str(), *exam)?;
             if let Some(place) = state.class.seat_mut() {
-                place.held = hold.then(|| HeldBrief {
+                place.held = (*hold && is_new).then(|| HeldBrief {
                     flight: place.flights + 1,
                     mission: mission.clone(),
                 });

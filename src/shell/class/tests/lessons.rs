@@ -1,7 +1,7 @@
-//! A lesson with two seats over a real socket: a condition, the instructor's key, a branch, and a kill of the desk.
+//! Lessons over a real socket: a condition, the instructor's key, a branch, a kill of the desk, and trainees who are ahead.
 
 use super::*;
-use crate::class::{LessonPosition, LessonWait};
+use crate::class::{HoldReason, LessonPosition, LessonWait};
 
 const PLAN: &str = r#"
 schema = 1
@@ -138,4 +138,68 @@ async fn a_lesson_goes_on_by_conditions_keys_and_branches_over_a_kill_of_the_des
     for seat in [0, 1] {
         assert!(lesson(&desk, seat).has_ended());
     }
+}
+
+/// Begins the lesson of the test at the only seat.
+async fn taught(pair: &mut Pair) {
+    let plan = pair.folder.path().join("test.toml");
+    std::fs::write(&plan, PLAN).expect("written");
+    let line = format!("class lesson @all {}", plan.display());
+    pair.desk.say(&line).await;
+    pair.run(2).await;
+}
+
+/// Ends the flight from the desk.
+async fn end(pair: &mut Pair) {
+    pair.desk.say("class end @all").await;
+    pair.desk.console.feed(key(KeyCode::Char('y'))).await;
+    pair.run(2).await;
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_lesson_counts_the_flight_of_a_trainee_who_was_faster() {
+    let mut pair = Box::pin(Pair::flying(FIRST)).await;
+    taught(&mut pair).await;
+    for step in ["start", "guided"] {
+        pair.desk.say("class lesson next").await;
+        pair.run(2).await;
+        assert_eq!(at(&pair.desk, 0), step, "{:?}", pair.newest());
+    }
+    let entries = pair.anna.place().seat().journal().entries();
+    let begun = entries.filter(|it| matches!(it.what, Noted::Started { .. }));
+    assert!(begun.count() <= 1, "it is the same flight");
+    // The condition cannot hold any more.
+    end(&mut pair).await;
+    assert!(lesson(&pair.desk, 0).has_ended());
+    assert_eq!(
+        done(&pair.anna).last(),
+        Some(&message("Type guided")),
+        "those who are late have a step of their own"
+    );
+}
+
+#[tokio::test(start_paused = true)]
+async fn a_start_leads_on_when_the_mission_is_over_already() {
+    let mut pair = Box::pin(Pair::flying(FIRST)).await;
+    taught(&mut pair).await;
+    pair.desk.say("class lesson next").await;
+    end(&mut pair).await;
+    assert_eq!(at(&pair.desk, 0), "start");
+    pair.desk.say("class lesson next").await;
+    pair.run(2).await;
+    assert!(lesson(&pair.desk, 0).has_ended());
+}
+
+#[tokio::test(start_paused = true)]
+async fn another_flight_is_not_ended_by_a_lesson() {
+    let mut pair = Box::pin(Pair::flying(WITH_INJECTS)).await;
+    taught(&mut pair).await;
+    pair.desk.say("class lesson next").await;
+    pair.run(2).await;
+    let held = LessonWait::Instructor(Some(HoldReason::NotFlown));
+    assert_eq!(lesson(&pair.desk, 0).wait(), held);
+    pair.desk.say("class lesson next").await;
+    pair.run(2).await;
+    assert_eq!(at(&pair.desk, 0), "start");
+    assert!(pair.anna.console.app.state().session().has_flight_begun());
 }

@@ -70,6 +70,36 @@ async fn the_instructor_takes_a_vehicle_over_flies_it_and_hands_it_back() {
 }
 
 #[tokio::test(start_paused = true)]
+async fn a_command_that_a_vehicle_does_not_take_from_the_instructor_is_a_matter_of_the_desk() {
+    let mut pair = Box::pin(Pair::flying(FIRST)).await;
+    pair.anna.say("1 guided").await;
+    pair.run(3).await;
+    pair.desk.say("class take").await;
+    pair.run(1).await;
+    let shown = |seat: &Member| {
+        let session = seat.console.app.state().session();
+        let latest = session
+            .latest(1)
+            .map(|(entry, row)| (entry.line.clone(), row.state));
+        (latest, session.ledger().newest_first().count())
+    };
+    let before = shown(&pair.anna);
+    assert_eq!(before, (Some(("1 guided".to_owned(), RowState::Done)), 1));
+    // It is not armed.
+    for _ in 0..2 {
+        pair.desk.say("class say takeoff 20").await;
+        pair.run(3).await;
+        let refused = OrderState::Ended(Outcome::Refused(Refusal::Vehicle));
+        assert_eq!(pair.newest().0, refused, "{}", pair.newest().1);
+        assert_eq!(shown(&pair.anna), before);
+    }
+    pair.desk.say("class say arm").await;
+    pair.run(3).await;
+    let arm = (Some(("1 arm".to_owned(), RowState::Done)), 2);
+    assert_eq!(shown(&pair.anna), arm);
+}
+
+#[tokio::test(start_paused = true)]
 async fn vehicles_go_back_to_the_trainee_when_the_desk_is_gone() {
     let mut pair = Box::pin(Pair::flying(FIRST)).await;
     pair.desk.say("class take 1").await;

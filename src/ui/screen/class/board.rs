@@ -30,7 +30,7 @@ pub(super) fn draw(
         marked = room.marked()
     );
     let inner = panel.focused(&panel.text(&title), true, buffer);
-    let columns = BoardColumn::fitting(inner.width, exam::column(desk));
+    let columns = BoardColumn::fitting(inner.width, &exam::columns(desk, state.wall()));
     put(buffer, inner, 0, &heading(&columns, panel));
     let inner = below(inner, 1);
     if board.is_empty() {

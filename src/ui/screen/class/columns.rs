@@ -4,8 +4,8 @@
 const MARKS: usize = 3;
 /// The width from which all columns fit.
 const WIDE: u16 = 110;
-/// The width from which all columns fit beside that of the lessons.
-const WIDEST: u16 = 140;
+/// The least width of the last command.
+const COMMAND: usize = 9;
 
 /// A column of the board.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,35 +58,56 @@ impl BoardColumn {
     /// The column of an exam.
     pub const EXAM: (Self, usize) = (Self::Exam, 16);
 
-    /// The columns with their widths; the last one takes the rest of the row. While there are lessons or an exam,
-    /// others give way to their column, unless all fit.
-    pub fn fitting(columns: u16, of_course: Option<(Self, usize)>) -> Vec<(Self, usize)> {
+    /// The columns that give way to those of an exam and of lessons, in this order. If there is not room for both, the
+    /// exam has precedence: its time passes.
+    const GIVE_WAY: [Self; 6] = [
+        Self::Separation,
+        Self::Failures,
+        Self::Workload,
+        Self::Alerts,
+        Self::Command,
+        Self::Lesson,
+    ];
+
+    /// The columns with their widths; the last one takes the rest of the row. Beside those of an exam and of lessons,
+    /// others are shown as far as there is room.
+    pub fn fitting(columns: u16, of_course: &[(Self, usize)]) -> Vec<(Self, usize)> {
         let known = if columns >= WIDE {
             Self::WIDE
         } else {
             Self::NARROW
         };
+        let room = usize::from(columns).saturating_sub(MARKS);
         let mut fitting = known.to_vec();
-        if let Some(of_course) = of_course {
-            fitting.retain(|(column, _)| columns >= WIDEST || !column.gives_way(columns));
-            let last = fitting.len();
-            let at = last - usize::from(columns >= WIDE);
-            fitting.insert(at, of_course);
+        let at = fitting.len() - 1;
+        fitting.splice(at..at, of_course.iter().copied());
+        // One of them is always shown.
+        let alone = of_course.first().filter(|_| of_course.len() == 1);
+        let gives_way = Self::GIVE_WAY.iter();
+        for column in gives_way.filter(|it| alone.is_none_or(|(alone, _)| alone != *it)) {
+            if of_course.is_empty() || Self::least(&fitting) <= room {
+                break;
+            }
+            fitting.retain(|(known, _)| known != column);
         }
         let used: usize = fitting.iter().map(|(_, width)| width + 1).sum();
         if let Some((_, last)) = fitting.last_mut() {
-            *last += usize::from(columns).saturating_sub(used + MARKS);
+            *last += room.saturating_sub(used);
         }
         fitting
     }
 
-    /// Whether the column gives way to that of the lessons.
-    fn gives_way(self, columns: u16) -> bool {
-        match self {
-            Self::Separation | Self::Failures | Self::Workload => columns >= WIDE,
-            Self::Command => columns < WIDE,
-            _ => false,
-        }
+    /// The least width of columns, each with a blank.
+    fn least(columns: &[(Self, usize)]) -> usize {
+        let width = |&(column, width): &(Self, usize)| {
+            let least = if column == Self::Command {
+                COMMAND
+            } else {
+                width
+            };
+            least + 1
+        };
+        columns.iter().map(width).sum()
     }
 
     pub fn title(self) -> &'static str {
@@ -114,5 +135,41 @@ impl BoardColumn {
             self,
             Self::Seat | Self::State | Self::Mission | Self::Lesson | Self::Exam | Self::Command
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::BoardColumn;
+
+    fn shown(columns: u16, of_course: &[(BoardColumn, usize)]) -> Vec<BoardColumn> {
+        let fitting = BoardColumn::fitting(columns, of_course).into_iter();
+        fitting.map(|(column, _)| column).collect()
+    }
+
+    #[test]
+    fn the_columns_of_an_exam_and_of_lessons_are_both_there_if_there_is_room() {
+        let both = [BoardColumn::EXAM, BoardColumn::LESSON];
+        for columns in [110, 118, 160] {
+            let shown = shown(columns, &both);
+            for column in [BoardColumn::Exam, BoardColumn::Lesson] {
+                assert!(shown.contains(&column), "{columns}: {shown:?}");
+            }
+            assert!(shown.contains(&BoardColumn::Mission));
+        }
+        assert!(shown(118, &both).contains(&BoardColumn::Command));
+        assert!(shown(160, &both).contains(&BoardColumn::Separation));
+    }
+
+    #[test]
+    fn the_exam_has_precedence_where_there_is_room_for_one_only() {
+        let narrow = shown(78, &[BoardColumn::EXAM, BoardColumn::LESSON]);
+        assert_eq!(narrow.last(), Some(&BoardColumn::Exam));
+        assert!(!narrow.contains(&BoardColumn::Lesson));
+        for alone in [BoardColumn::EXAM, BoardColumn::LESSON] {
+            assert_eq!(shown(78, &[alone]).last(), Some(&alone.0));
+            assert!(!shown(110, &[alone]).contains(&BoardColumn::Workload));
+        }
+        assert_eq!(shown(78, &[]).last(), Some(&BoardColumn::Command));
     }
 }

@@ -4,28 +4,21 @@ use std::time::Duration;
 
 use super::columns::BoardColumn;
 use super::seat_view::SeatLineView;
-use crate::class::{Candidate, CandidateStage, Desk};
+use crate::class::{CandidateStage, Desk};
 use crate::class_results::number_of_mission;
 use crate::text;
 use crate::text::clock;
 use crate::ui::theme::Role;
 
-/// The column of the exam, otherwise that of the lessons, if there are some.
-pub(super) fn column(desk: &Desk) -> Option<(BoardColumn, usize)> {
-    let mut seats = desk.seats().iter();
-    let is_held = |candidate: &Candidate| {
-        // Flights of an exam that was ended go on.
-        let is_open = desk.exam().is_some_and(|exam| !exam.is_stopped());
-        is_open || matches!(candidate.stage(), CandidateStage::Flying { .. })
-    };
-    if seats
-        .clone()
-        .any(|seat| desk.candidate(seat).is_some_and(is_held))
-    {
-        return Some(BoardColumn::EXAM);
-    }
-    let has_lesson = seats.any(|seat| seat.lesson.is_some());
-    has_lesson.then_some(BoardColumn::LESSON)
+/// The columns of the exam, as long as tries are opened or flown, and of the lessons, if there are some.
+pub(super) fn columns(desk: &Desk, now: Duration) -> Vec<(BoardColumn, usize)> {
+    let seats = desk.seats();
+    let exam = desk.exam().filter(|exam| exam.is_watched(exam.at(now)));
+    let has_exam = exam.is_some() && seats.iter().any(|seat| desk.candidate(seat).is_some());
+    let has_lesson = seats.iter().any(|seat| seat.lesson.is_some());
+    let exam = has_exam.then_some(BoardColumn::EXAM);
+    let lesson = has_lesson.then_some(BoardColumn::LESSON);
+    exam.into_iter().chain(lesson).collect()
 }
 
 /// The mission, the try and the time that is left; a seat that cannot open its try stands out.

@@ -9,7 +9,8 @@ use ratatui::text::{Line, Span};
 use super::detail::{armed, draw_lines, events, taken};
 use super::seat_view::SeatLineView;
 use crate::class::{
-    Desk, Insight, InsightPlace, ObjectiveInsight, ObjectiveStanding, SeatRecord, VehicleInsight,
+    Desk, FlightReport, Insight, InsightPlace, ObjectiveInsight, ObjectiveStanding, SeatRecord,
+    VehicleInsight,
 };
 use crate::geo::LatLon;
 use crate::text;
@@ -17,7 +18,7 @@ use crate::text::{Text, clock};
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::map::{MapSign, PlainMap, Stroke};
-use crate::ui::widget::put;
+use crate::ui::widget::{clip, put, width};
 
 /// The origin of the places: they are known only in metres from that of the mission.
 const ORIGIN: LatLon = LatLon::new(0.0, 0.0);
@@ -72,22 +73,19 @@ impl FlightView<'_> {
             look: panel.look,
         };
         let (state, role) = view.state();
+        let state = clip(&state, panel.width());
         let mut line = Line::from(Span::styled(state, panel.style(role)));
+        let room = panel.width().saturating_sub(line.width() + 2);
         if let Some(flight) = view.flight() {
-            let score = flight
-                .score
-                .map_or_else(|| "-".to_owned(), |it| it.to_string());
-            let figures = text!(
-                "class-flight-figures",
-                clock = clock(super::seconds(flight.clock_s)),
-                score = score,
-                met = flight.objectives_done,
-                objectives = flight.objectives,
-                airborne = flight.airborne,
-                vehicles = flight.vehicles
-            );
+            let long = panel.text(&figures(flight));
+            let shown = if width(&long) <= room {
+                long
+            } else {
+                panel.text(&short_figures(flight))
+            };
             line.push_span("  ");
-            line.push_span(Span::styled(panel.text(&figures), panel.style(Role::Muted)));
+            let shown = clip(&shown, room);
+            line.push_span(Span::styled(shown, panel.style(Role::Muted)));
         }
         line
     }
@@ -115,6 +113,37 @@ impl FlightView<'_> {
         let report = self.seat.report.as_ref();
         report.is_some_and(|report| report.flight.is_some())
     }
+}
+
+/// The time, the score, the objectives met and the vehicles in the air.
+fn figures(flight: &FlightReport) -> Text {
+    text!(
+        "class-flight-figures",
+        clock = clock(super::seconds(flight.clock_s)),
+        score = score(flight),
+        met = flight.objectives_done,
+        objectives = flight.objectives,
+        airborne = flight.airborne,
+        vehicles = flight.vehicles
+    )
+}
+
+/// The same with fewer words, for a narrow tile.
+fn short_figures(flight: &FlightReport) -> Text {
+    text!(
+        "class-flight-figures-short",
+        clock = clock(super::seconds(flight.clock_s)),
+        score = score(flight),
+        met = flight.objectives_done,
+        objectives = flight.objectives,
+        airborne = flight.airborne,
+        vehicles = flight.vehicles
+    )
+}
+
+fn score(flight: &FlightReport) -> String {
+    let score = flight.score.map(|it| it.to_string());
+    score.unwrap_or_else(|| "-".to_owned())
 }
 
 fn alert(text: &crate::class::Words) -> (Text, Role) {

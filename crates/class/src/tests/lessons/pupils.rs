@@ -26,6 +26,8 @@ pub(super) struct Pupil {
     /// The step that waits for its condition.
     pub waits: Option<Order>,
     pub refuses_to_fly: bool,
+    /// Whether its flight is over.
+    pub is_over: bool,
 }
 
 impl Pupil {
@@ -56,10 +58,16 @@ impl Pupil {
             Deed::Step(step) => step.when.clone(),
             _ => None,
         });
-        if condition.is_some_and(|it| self.holds.contains(it.as_str()))
+        let holds = condition.is_some_and(|it| self.holds.contains(it.as_str()));
+        let outcome = if holds {
+            Outcome::Done
+        } else {
+            Outcome::Refused(Refusal::NotFlying)
+        };
+        if (holds || self.is_over)
             && let Some(order) = self.waits.take()
         {
-            end_order(&mut self.journal, order, Outcome::Done);
+            end_order(&mut self.journal, order, outcome);
         }
     }
 

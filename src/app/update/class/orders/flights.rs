@@ -15,8 +15,36 @@ use crate::class_text::try_title;
 use crate::text;
 use crate::vehicle::Severity;
 
-/// Begins the flight of a mission with its brief, unless another flight would be lost.
+/// Begins the flight of a mission with its brief, unless another flight would be lost. One of the same mission that is
+/// under way is that flight already.
 pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOrder, Refusal> {
+    if is_under_way(state, mission, is_exam) {
+        return Ok(BegunOrder {
+            effects: Effects::none(),
+            trace: OrderTrace::Flight(flights(state).saturating_sub(1)),
+        });
+    }
+    begin_flight(state, mission, is_exam)
+}
+
+/// Whether a mission is flown whose time has begun, and that is not over.
+pub(super) fn is_under_way(state: &State, mission: &str, is_exam: bool) -> bool {
+    let flown = state.flown_mission();
+    let is_meant = match &state.session.activity {
+        Some(Activity::Mission { stake: flown, .. }) => is_exam == (*flown == Stake::Exam),
+        Some(Activity::Free | Activity::Connected { .. }) | None => false,
+    };
+    is_meant
+        && has_mission(state)
+        && state.session.has_flight_begun()
+        && flown.is_some_and(|flown| flown.id == mission)
+}
+
+fn flights(state: &State) -> u32 {
+    state.class.seat().map_or(0, |place| place.flights)
+}
+
+fn begin_flight(state: &State, mission: &str, is_exam: bool) -> Result<BegunOrder, Refusal> {
     let is_connected = matches!(state.session.activity, Some(Activity::Connected { .. }));
     if loss(state).is_some() || is_connected && state.replay.is_none() {
         return Err(Refusal::Flying);
@@ -28,10 +56,9 @@ pub(super) fn fly(state: &State, mission: &str, is_exam: bool) -> Result<BegunOr
         stake: if is_exam { Stake::Exam } else { Stake::Graded },
         ..state.training().launch(mission)
     };
-    let flights = state.class.seat().map_or(0, |place| place.flights);
     Ok(BegunOrder {
         effects: Effect::Session(SessionEffect::StartMission(launch)).into(),
-        trace: OrderTrace::Flight(flights),
+        trace: OrderTrace::Flight(flights(state)),
     })
 }
 
@@ -56,7 +83,7 @@ pub(super) fn examine(state: &mut State, opened: &ExamTry) -> Result<BegunOrder,
         return Err(Refusal::Flown);
     }
     let mission = opened.name.mission.as_str();
-    let begun = fly(state, mission, true)?;
+    let begun = begin_flight(state, mission, true)?;
     // Without designs of the trainee: all fly the mission's own vehicles.
     let launch = Launch {
         stake: Stake::Exam,
@@ -136,28 +163,29 @@ fn is_locked(state: &State, mission: &str) -> bool {
 
 /// Whether the flight of a mission has begun after this many others.
 pub(super) fn is_flown(state: &State, mission: &str, before: u32) -> bool {
-    let flights = state.class.seat().map_or(0, |place| place.flights);
     let flown = state.flown_mission();
-    flights > before && flown.is_some_and(|flown| flown.id == mission)
+    flights(state) > before && flown.is_some_and(|flown| flown.id == mission)
 }
 
-/// Lets the time of a mission begin whose brief is shown; if its vehicles are still starting, after that.
+/// Lets the time of a mission begin whose brief is shown; if its vehicles are still starting, after that. The time of
+/// one that is over has begun.
 pub(super) fn start(state: &State) -> Result<BegunOrder, Refusal> {
-    if !has_mission(state) {
+    if state.flown_mission().is_none() || state.replay.is_some() {
         return Err(Refusal::NoMission);
     }
-    let flights = state.class.seat().map_or(0, |place| place.flights);
     Ok(BegunOrder {
         effects: Effects::none(),
-        trace: OrderTrace::Flight(flights),
+        trace: OrderTrace::Flight(flights(state)),
     })
 }
 
 /// Lets the time of this flight begin once its vehicles have started; `None` while they do.
 pub(super) fn begin(state: &mut State, flight: u32) -> Option<Outcome> {
-    let flights = state.class.seat().map_or(0, |place| place.flights);
-    if flights != flight || !has_mission(state) {
+    if flights(state) != flight || state.flown_mission().is_none() {
         return Some(Outcome::Refused(Refusal::NoMission));
+    }
+    if state.session.task.over {
+        return Some(Outcome::Done);
     }
     if state.session.is_starting() {
         return None;

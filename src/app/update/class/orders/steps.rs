@@ -30,6 +30,8 @@ pub(super) fn note(state: &mut State, id: OrderId, step: NotedStep) -> Effects {
 enum Standing {
     Holds,
     HoldsNot,
+    /// The flight is over: it cannot hold any more.
+    Missed,
     /// The flight must be asked to watch it.
     Unwatched(String),
 }
@@ -44,6 +46,7 @@ pub(super) fn settle(state: &mut State) -> Effects {
     match standing(state, waiting) {
         Standing::HoldsNot => Effects::none(),
         Standing::Holds => finish(state, Outcome::Done),
+        Standing::Missed => finish(state, Outcome::Refused(Refusal::NotFlying)),
         Standing::Unwatched(when) => {
             if let Some(place) = state.class.seat_mut() {
                 ask(place);
@@ -100,19 +103,30 @@ fn standing(state: &State, waiting: &WaitingStep) -> Standing {
         Some(FlightMoment::Started) => session.has_flight_begun(),
         Some(FlightMoment::Over) => session.task.over,
         Some(FlightMoment::Passed) => session.task.over && place.has_passed,
-        None if waiting.asked != Some(place.flights) => {
-            return Standing::Unwatched(when.to_string());
-        }
-        None => {
-            let progress = session.task.progress.as_ref();
-            let expected = progress.and_then(|it| it.expected.as_ref());
-            // The flight may not have looked since it was asked.
-            expected.is_some_and(|it| it.has_held && it.asked_by == waiting.id)
-        }
+        None => return condition_standing(state, waiting, when.as_str()),
     };
     if holds {
         Standing::Holds
     } else {
         Standing::HoldsNot
+    }
+}
+
+/// How a condition in the language of missions stands in the flight that is meant.
+fn condition_standing(state: &State, waiting: &WaitingStep, when: &str) -> Standing {
+    let flights = state.class.seat().map_or(0, |place| place.flights);
+    let is_asked = waiting.asked == Some(flights);
+    let progress = state.session.task.progress.as_ref();
+    let expected = progress.and_then(|it| it.expected.as_ref());
+    // The flight may not have looked since it was asked.
+    let has_held = expected.is_some_and(|it| it.has_held && it.asked_by == waiting.id);
+    if is_asked && has_held {
+        Standing::Holds
+    } else if state.session.task.over {
+        Standing::Missed
+    } else if is_asked {
+        Standing::HoldsNot
+    } else {
+        Standing::Unwatched(when.to_owned())
     }
 }
