@@ -124,6 +124,7 @@ impl Replay {
         view.log_curves = Arc::new(curves.collect());
         view.moments = Arc::new(view.review.bookmarks(&film.bookmarks()));
         let mut events = begin(view, started);
+        events.extend(stage.begun());
         events.extend(film.damage().map(warning));
         let replay = Self {
             stage,

@@ -65,6 +65,11 @@ impl CrewViewpoint {
         (*by != self.own).then(|| by.clone())
     }
 
+    /// The pilots of all vehicles before anybody has got one.
+    pub fn begun(&self) -> PilotsInCommand {
+        PilotsInCommand::seen_by(&self.own, &self.host, &[])
+    }
+
     /// The pilots of all vehicles.
     pub fn pilots(&self, line: &CrewRecord) -> PilotsInCommand {
         let flown = line.flown.iter();
