@@ -354,7 +354,8 @@ impl Replay {
         self.index.report()
     }
 
-    fn is_at_end(&self) -> bool {
+    /// Whether everything has been played; of a recording that is still being made, everything that is complete.
+    pub fn is_at_end(&self) -> bool {
         self.stage.now() + FRAME > self.length()
     }
 
