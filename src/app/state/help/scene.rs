@@ -8,6 +8,9 @@ use super::replayed::{ReplayUse, replayed};
 use crate::app::State;
 use crate::app::keymap::{Binding, Keymap, Place, Press};
 use crate::app::room_list::Room;
+use crate::app::state::MemberPlace;
+use crate::app::state::member_rights::is_meant_for_member;
+use crate::crew::Role;
 use crate::text::{Locale, Text};
 
 /// The context of the help: keymap, room and kind of session.
@@ -17,6 +20,8 @@ pub struct HelpScene<'a> {
     pub here: Room,
     /// Whether a recorded flight is shown; it takes no commands.
     pub is_replay: bool,
+    /// The role at a member of a crew.
+    pub member: Option<Role>,
 }
 
 impl State {
@@ -25,7 +30,8 @@ impl State {
         HelpScene {
             keymap: &self.keymap,
             here: self.room,
-            is_replay: self.replay.is_some(),
+            is_replay: self.shows_past(),
+            member: self.crew.member().map(MemberPlace::role),
         }
     }
 }
@@ -63,6 +69,11 @@ impl HelpScene<'_> {
         if is_changed_here {
             return None;
         }
+        if let Some(role) = self.member {
+            let is_open =
+                binding.place == place && is_meant_for_member(place, &binding.meaning, role);
+            return is_open.then(usual);
+        }
         if !self.is_replay {
             return (binding.place == place).then(usual);
         }
@@ -92,6 +103,7 @@ impl<'a> HelpScene<'a> {
             keymap,
             here,
             is_replay: false,
+            member: None,
         }
     }
 }
