@@ -361,7 +361,7 @@ impl Stage {
             Some(viewpoint) => viewpoint.pilots(line),
             None => line.pilots(),
         };
-        let text = line.change.text();
+        let text = line.change.text(self.viewpoint.as_ref());
         let notice = text.map(|text| Notice::general(at, Severity::Notice, text).into());
         notice
             .into_iter()

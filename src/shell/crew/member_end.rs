@@ -60,6 +60,14 @@ impl MemberEnd {
         })
     }
 
+    /// Ends the connection, after the host was told that the user leaves.
+    pub(super) async fn close(self) {
+        if let Some(outbox) = &self.outbox {
+            outbox.send(&MemberMessage::Leave);
+        }
+        self.port.close().await;
+    }
+
     /// Does what the state asks for.
     pub(super) fn carry_out(&self, work: Vec<CrewEffect>) {
         let Some(outbox) = &self.outbox else {

@@ -67,7 +67,7 @@ async fn a_member_flies_a_vehicle_that_was_handed_over_and_both_see_who_commande
     assert_eq!(copy.count(), 4, "the copy remains");
     anna.end.close().await;
     until(&mut [&mut host], |aboard| {
-        aboard[0].has_notice("has left the crew: the host flies 3")
+        aboard[0].has_notice("has left the crew: you fly 3")
     })
     .await;
     assert_eq!(host.session().pilots().of(3), None);
