@@ -34,6 +34,7 @@ mod wait;
 
 use end::{Beginning, Patience, START_PATIENCE};
 use input::{PlainLine, is_said};
+use member::DebriefTold;
 use output::PlainOutput;
 use report::PlainReport;
 use wait::PlainWait;
@@ -97,13 +98,6 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     crew.close().await;
     programs.close(plain.console.app.state()).await;
     plain.finish(told_to_end)
-}
-
-/// Whether the debrief of the flight was printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum DebriefTold {
-    NotYet,
-    Told,
 }
 
 /// The console without a screen, with what it has printed.

@@ -1,7 +1,14 @@
 //! A member of a crew: the flights of the host, one after the other.
 
-use super::{DebriefTold, Plain};
+use super::Plain;
 use crate::replay::Replay;
+
+/// Whether the debrief of the flight was printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum DebriefTold {
+    NotYet,
+    Told,
+}
 
 impl Plain {
     /// At a member of a crew: whether everything that has come from the host was shown.
