@@ -26,7 +26,7 @@ pub mod protocol;
 #[cfg(test)]
 mod tests;
 
-pub use change::{CrewChange, CrewRecord, CrewViewpoint, Flown};
+pub use change::{CrewChange, CrewRecord, CrewViewpoint, Departure, Flown};
 pub use fault::CrewFault;
 pub use handover::{CrewDeed, CrewScene, DeedOutcome, Proposal, ProposalChoice};
 
@@ -292,6 +292,7 @@ impl Crew {
     pub fn leave(
         &mut self,
         connection: ConnectionId,
+        why: Departure,
         pilots: &mut PilotsInCommand,
         now: Duration,
     ) -> Option<CrewChange> {
@@ -306,7 +307,7 @@ impl Crew {
         pilots.relieve(&who);
         self.proposals
             .retain(|it| it.giver != who && it.taker != who);
-        Some(CrewChange::Left { who, vehicles })
+        Some(CrewChange::Left { who, vehicles, why })
     }
 
     /// Looks at the clock. While the host's console was stopped, it heard nobody: that time counts neither as silence nor

@@ -19,6 +19,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::geo::LatLon;
 use crate::moment::{Moment, MomentKind};
+use crate::pilot_in_command::Person;
 use crate::text;
 use crate::text::Text;
 
@@ -62,6 +63,9 @@ pub struct Head {
     /// The name of the pilot's profile, if there is one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub profile: Option<String>,
+    /// At the host of a crew: its user, as the members know them. Commands and vehicles without a name are theirs.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub host: Option<Person>,
     /// The named places of the mission, for commands.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub places: BTreeMap<String, LatLon>,
@@ -130,6 +134,7 @@ impl Head {
             began_unix_us,
             subject,
             profile: None,
+            host: None,
             places: BTreeMap::new(),
             speedup: 1.0,
         }

@@ -124,6 +124,7 @@ impl Replay {
         view.log_curves = Arc::new(curves.collect());
         view.moments = Arc::new(view.review.bookmarks(&film.bookmarks()));
         let mut events = begin(view, started);
+        events.extend(stage.begun());
         events.extend(film.damage().map(warning));
         let replay = Self {
             stage,
@@ -353,7 +354,8 @@ impl Replay {
         self.index.report()
     }
 
-    fn is_at_end(&self) -> bool {
+    /// Whether everything has been played; of a recording that is still being made, everything that is complete.
+    pub fn is_at_end(&self) -> bool {
         self.stage.now() + FRAME > self.length()
     }
 

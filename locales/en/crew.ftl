@@ -25,10 +25,15 @@ header-own-none = you fly no vehicle
 # What happens
 crew-joined = { $who } joins the crew: { $role }
 crew-left = { $who } has left the crew
-crew-left-with = { $who } has left the crew: the host flies { $vehicles }
+crew-left-lost = the connection to { $who } is lost
+crew-left-silent = { $who } does not answer any more
+crew-you-fly = you fly { $vehicles }
+crew-host-flies = { $host } flies { $vehicles }
 crew-handed-over = { $from } hands { $vehicles } over to { $to }
 crew-offers = { $who } offers you { $vehicles }: `crew accept { $vehicles }` or `crew decline { $vehicles }`
 crew-asks = { $who } asks for { $vehicles }: `crew accept { $vehicles }` or `crew decline { $vehicles }`
+crew-open-offers = { $who } offers { $vehicles } to { $to }
+crew-open-asks = { $who } asks { $from } for { $vehicles }
 crew-listed-offers = { $who } offers { $vehicles }
 crew-listed-asks = { $who } asks for { $vehicles }
 crew-waits = waiting for { $who } to accept or decline: { $vehicles }

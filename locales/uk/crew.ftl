@@ -24,11 +24,16 @@ header-own-none = ви не керуєте апаратами
 
 # Що відбувається
 crew-joined = { $who } приєднується до екіпажу: { $role }
-crew-left = { $who } більше не в екіпажі
-crew-left-with = { $who } більше не в екіпажі, тож господар польоту тепер керує апаратами { $vehicles }
+crew-left = { $who } виходить з екіпажу
+crew-left-lost = зʼєднання втрачено: { $who }
+crew-left-silent = { $who } більше не відповідає
+crew-you-fly = ви керуєте { $vehicles }
+crew-host-flies = { $vehicles } тепер керує { $host }
 crew-handed-over = { $from } передає { $vehicles }: тепер керує { $to }
 crew-offers = { $who } пропонує вам { $vehicles }: `crew accept { $vehicles }` або `crew decline { $vehicles }`
 crew-asks = { $who } просить { $vehicles }: `crew accept { $vehicles }` або `crew decline { $vehicles }`
+crew-open-offers = { $who } пропонує { $vehicles }, має відповісти { $to }
+crew-open-asks = { $who } просить { $vehicles }, має відповісти { $from }
 crew-listed-offers = { $who } пропонує { $vehicles }
 crew-listed-asks = { $who } просить { $vehicles }
 crew-waits = чекаємо на відповідь, має відповісти { $who }: { $vehicles }

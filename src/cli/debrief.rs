@@ -59,7 +59,12 @@ pub(super) fn debrief(
         let whose = head.profile.as_deref();
         report.tries = runs.tries_at(whose, &report.mission, report.revision);
     }
-    report.instructor = RecordFiles::beside(&path).instructor();
+    let files = RecordFiles::beside(&path);
+    report.instructor = files.instructor();
+    let recorded = files.head().ok();
+    if let Some(viewpoint) = recorded.and_then(|head| files.viewpoint(&head)) {
+        report.seen_from(&viewpoint);
+    }
     store::complete(&mut report, &head.flown().map_err(faulty)?);
     if options.json {
         say!("{}", serde_json::to_string_pretty(&report)?)?;

@@ -16,10 +16,12 @@ pub enum CrewChange {
     Began,
     /// A member has joined, with this role.
     Joined { who: Person, role: Role },
-    /// Somebody has left, or is not heard any more; the vehicles went back to the host.
+    /// A member is not there any more; the vehicles went back to the host.
     Left {
         who: Person,
         vehicles: Vec<VehicleId>,
+        #[serde(default)]
+        why: Departure,
     },
     /// Vehicles have got another pilot, with the consent of both.
     HandedOver {
@@ -27,6 +29,19 @@ pub enum CrewChange {
         from: Person,
         to: Person,
     },
+}
+
+/// Why a member is not on the crew any more.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Departure {
+    /// The member's user has left the crew.
+    #[default]
+    Left,
+    /// The connection has ended without a word: it broke, or the member's console was killed.
+    Lost,
+    /// The connection is there, but nothing was heard for too long.
+    Silent,
 }
 
 /// A change in a crew, with the pilots of all vehicles after it.
@@ -65,6 +80,11 @@ impl CrewViewpoint {
         (*by != self.own).then(|| by.clone())
     }
 
+    /// The pilots of all vehicles before anybody has got one.
+    pub fn begun(&self) -> PilotsInCommand {
+        PilotsInCommand::seen_by(&self.own, &self.host, &[])
+    }
+
     /// The pilots of all vehicles.
     pub fn pilots(&self, line: &CrewRecord) -> PilotsInCommand {
         let flown = line.flown.iter();
@@ -95,27 +115,46 @@ impl Flown {
 }
 
 impl CrewChange {
-    /// The change in words; `None` if there is nothing to say.
-    pub fn text(&self) -> Option<Text> {
+    /// The change in words, for the host or for a member who looks; `None` if there is nothing to say.
+    pub fn text(&self, viewpoint: Option<&CrewViewpoint>) -> Option<Text> {
         match self {
             Self::Began => None,
             Self::Joined { who, role } => {
                 Some(text!("crew-joined", who = who.name(), role = role.text()))
             }
-            Self::Left { who, vehicles } if vehicles.is_empty() => {
-                Some(text!("crew-left", who = who.name()))
+            Self::Left { who, vehicles, why } => {
+                let left = why.text(who);
+                let flown = (!vehicles.is_empty()).then(|| now_flown(vehicles, viewpoint));
+                let parts = std::iter::once(left).chain(flown).collect();
+                Some(Text::joined(": ", parts))
             }
-            Self::Left { who, vehicles } => Some(text!(
-                "crew-left-with",
-                who = who.name(),
-                vehicles = ranges(vehicles.iter().copied())
-            )),
             Self::HandedOver { vehicles, from, to } => Some(text!(
                 "crew-handed-over",
                 from = from.name(),
                 to = to.name(),
                 vehicles = ranges(vehicles.iter().copied())
             )),
+        }
+    }
+}
+
+/// Who flies vehicles that went back to the host.
+fn now_flown(vehicles: &[VehicleId], viewpoint: Option<&CrewViewpoint>) -> Text {
+    let vehicles = ranges(vehicles.iter().copied());
+    match viewpoint {
+        Some(CrewViewpoint { host, .. }) => {
+            text!("crew-host-flies", host = host.name(), vehicles = vehicles)
+        }
+        None => text!("crew-you-fly", vehicles = vehicles),
+    }
+}
+
+impl Departure {
+    fn text(self, who: &Person) -> Text {
+        match self {
+            Self::Left => text!("crew-left", who = who.name()),
+            Self::Lost => text!("crew-left-lost", who = who.name()),
+            Self::Silent => text!("crew-left-silent", who = who.name()),
         }
     }
 }

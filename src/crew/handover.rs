@@ -81,6 +81,13 @@ impl Proposal {
         }
     }
 
+    /// Whether the other side has proposed the same: one offers what the other asks for.
+    fn is_equal_of_other_side(&self, other: &Self) -> bool {
+        self.is_asked != other.is_asked
+            && (&self.giver, &self.taker) == (&other.giver, &other.taker)
+            && are_same(&self.vehicles, &other.vehicles)
+    }
+
     /// Who has made it.
     pub fn proposer(&self) -> &Person {
         if self.is_asked {
@@ -98,6 +105,17 @@ impl Proposal {
             text!("crew-asks", who = who, vehicles = vehicles)
         } else {
             text!("crew-offers", who = who, vehicles = vehicles)
+        }
+    }
+
+    /// The proposal for everybody on the crew.
+    pub fn open(&self) -> Text {
+        let (who, to) = (self.proposer().name(), self.answerer().name());
+        let vehicles = ranges(self.vehicles.iter().copied());
+        if self.is_asked {
+            text!("crew-open-asks", who = who, from = to, vehicles = vehicles)
+        } else {
+            text!("crew-open-offers", who = who, to = to, vehicles = vehicles)
         }
     }
 
@@ -151,7 +169,7 @@ impl Crew {
         giver: &Person,
         vehicles: &[VehicleId],
         to: &str,
-        scene: &CrewScene<'_>,
+        scene: &mut CrewScene<'_>,
     ) -> Result<DeedOutcome, CrewFault> {
         scene.check(vehicles)?;
         let taker = self.person(to)?;
@@ -164,20 +182,21 @@ impl Crew {
         if !others.is_empty() {
             return Err(CrewFault::NotYours(others));
         }
-        self.propose(Proposal {
+        let proposal = Proposal {
             vehicles: vehicles.to_vec(),
             giver: giver.clone(),
             taker,
             is_asked: false,
             ends_at: scene.now + WAITS,
-        })
+        };
+        self.propose(proposal, scene)
     }
 
     fn ask(
         &mut self,
         taker: &Person,
         vehicles: &[VehicleId],
-        scene: &CrewScene<'_>,
+        scene: &mut CrewScene<'_>,
     ) -> Result<DeedOutcome, CrewFault> {
         scene.check(vehicles)?;
         self.check_pilot(taker)?;
@@ -192,17 +211,29 @@ impl Crew {
         if givers.any(|it| it != giver) {
             return Err(CrewFault::SeveralPilots);
         }
-        self.propose(Proposal {
+        let proposal = Proposal {
             vehicles: vehicles.to_vec(),
             giver,
             taker: taker.clone(),
             is_asked: true,
             ends_at: scene.now + WAITS,
-        })
+        };
+        self.propose(proposal, scene)
     }
 
-    /// Adds a proposal. One that repeats another begins its time again.
-    fn propose(&mut self, proposal: Proposal) -> Result<DeedOutcome, CrewFault> {
+    /// Adds a proposal. One that repeats another begins its time again; one of the other side accepts it.
+    fn propose(
+        &mut self,
+        proposal: Proposal,
+        scene: &mut CrewScene<'_>,
+    ) -> Result<DeedOutcome, CrewFault> {
+        let mut open = self.proposals.iter();
+        let is_agreed = open.any(|it| {
+            it.is_equal_of_other_side(&proposal) && self.stands(it, scene.pilots, scene.now)
+        });
+        if is_agreed {
+            return Ok(self.hand_over(proposal, scene));
+        }
         self.proposals.retain(|it| {
             it.proposer() != proposal.proposer()
                 || it.answerer() != proposal.answerer()
@@ -223,12 +254,18 @@ impl Crew {
         choice: &ProposalChoice,
         scene: &mut CrewScene<'_>,
     ) -> Result<DeedOutcome, CrewFault> {
+        let agreed = self.take_proposal(who, choice, scene)?;
+        Ok(self.hand_over(agreed, scene))
+    }
+
+    /// Makes the taker of a proposal the pilot, once both sides agree.
+    fn hand_over(&mut self, agreed: Proposal, scene: &mut CrewScene<'_>) -> DeedOutcome {
         let Proposal {
             vehicles,
             giver,
             taker,
             ..
-        } = self.take_proposal(who, choice, scene)?;
+        } = agreed;
         if taker == self.host {
             scene.pilots.hand_back(&vehicles, &giver);
         } else {
@@ -236,11 +273,11 @@ impl Crew {
         }
         // Other proposals about these vehicles are void now.
         self.settle(scene.pilots, scene.now);
-        Ok(DeedOutcome::Changed(CrewChange::HandedOver {
+        DeedOutcome::Changed(CrewChange::HandedOver {
             vehicles,
             from: giver,
             to: taker,
-        }))
+        })
     }
 
     /// Takes the proposal that a person answers.

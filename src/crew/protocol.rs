@@ -36,6 +36,8 @@ pub enum MemberMessage {
     },
     /// The member is still there.
     Here,
+    /// The member's user leaves the crew; the connection ends.
+    Leave,
 }
 
 /// The first line of a member.
@@ -152,6 +154,9 @@ pub struct RosterLine {
     /// `None` for the host.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub role: Option<Role>,
+    /// The proposals that this person has made and that wait for an answer.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub proposals: Vec<SentText>,
 }
 
 /// Why a user cannot join.

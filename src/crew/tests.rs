@@ -53,8 +53,12 @@ impl Flying {
     }
 
     fn leave(&mut self, number: u64) -> Option<CrewChange> {
-        self.crew
-            .leave(ConnectionId(number), &mut self.pilots, self.now)
+        self.crew.leave(
+            ConnectionId(number),
+            Departure::Left,
+            &mut self.pilots,
+            self.now,
+        )
     }
 
     fn pilot(&self, vehicle: VehicleId) -> &str {

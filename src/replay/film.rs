@@ -8,6 +8,7 @@ use std::time::Duration;
 
 use crate::app::event::Started;
 use crate::app::state::{Activity, ReplayView};
+use crate::crew::CrewViewpoint;
 use crate::dataflash::JoinedLog;
 use crate::link::{TlogPiece, TlogSalvage};
 use crate::mission::record::Stored;
@@ -144,6 +145,11 @@ impl Film {
         view.day = Arc::clone(&self.day);
         view.is_live = self.grows;
         view
+    }
+
+    /// Who looks at whose flight, if it is the copy of a member of a crew.
+    pub fn viewpoint(&self) -> Option<CrewViewpoint> {
+        self.files.viewpoint(&self.journal.as_ref()?.head)
     }
 
     /// Its journal, if recorded.

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::{Film, Index, Replay, Stage};
-use crate::app::event::{Event, VehicleEvent};
-use crate::crew::{CrewChange, CrewRecord, CrewViewpoint};
+use crate::app::event::Event;
+use crate::crew::CrewViewpoint;
 use crate::text::Text;
 
 impl Replay {
@@ -18,13 +18,7 @@ impl Replay {
     pub fn follow(path: &Path, viewpoint: &CrewViewpoint) -> Result<(Self, Vec<Event>), Text> {
         let film = Arc::new(Film::open_growing(path)?);
         let stage = Stage::new(&film)?.seen_from(viewpoint.clone());
-        let (replay, mut events) = Self::of(film, stage, Index::none(), false);
-        let nobody = CrewRecord {
-            change: CrewChange::Began,
-            flown: Vec::new(),
-        };
-        events.push(VehicleEvent::Pilots(viewpoint.pilots(&nobody)).into());
-        Ok((replay, events))
+        Ok(Self::of(film, stage, Index::none(), false))
     }
 
     /// Notes that a recording that is still being made is complete up to a time.

@@ -85,7 +85,7 @@ impl Index {
     pub fn begin(film: &Arc<Film>, started: &Started, config: &Config) -> Result<Self, Text> {
         let stage = Stage::new(film)?;
         let view = film.view();
-        let observer = Observer::new(view, started, config);
+        let observer = Observer::new(view, started, config, stage.begun());
         let shared = Arc::new(Shared::default());
         let mut reader = IndexReader {
             shared: Arc::clone(&shared),

@@ -11,14 +11,14 @@ use crate::config::Config;
 pub(super) struct Observer(App);
 
 impl Observer {
-    /// An observer at the beginning of a recording.
-    pub fn new(view: ReplayView, started: &Started, config: &Config) -> Self {
+    /// An observer at the beginning of a recording; `begun` says who flies what, if that is not the console's own user.
+    pub fn new(view: ReplayView, started: &Started, config: &Config, begun: Option<Event>) -> Self {
         let setup = Setup {
             config: config.clone(),
             ..Setup::default()
         };
         let mut observer = Self(App::new(setup));
-        for event in begin(view, started.clone()) {
+        for event in begin(view, started.clone()).into_iter().chain(begun) {
             observer.see(event);
         }
         observer

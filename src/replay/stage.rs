@@ -48,7 +48,7 @@ pub(super) struct Stage {
     mission: Option<MissionStage>,
     /// The files of a recording that is still being made.
     growth: Option<Growth>,
-    /// The member of a crew who looks, and the host; `None` for a flight of the past.
+    /// The member of a crew who looks, and the host; `None` for the flight of the console's own user.
     viewpoint: Option<CrewViewpoint>,
     heard: u64,
     damage: TlogDamage,
@@ -114,7 +114,7 @@ impl Stage {
             },
             mission,
             growth,
-            viewpoint: None,
+            viewpoint: film.viewpoint(),
             heard: 0,
             damage: TlogDamage::default(),
             cut: None,
@@ -166,6 +166,12 @@ impl Stage {
             viewpoint: Some(viewpoint),
             ..self
         }
+    }
+
+    /// Who flies what before anybody has got a vehicle, if a member of a crew looks.
+    pub fn begun(&self) -> Option<Event> {
+        let viewpoint = self.viewpoint.as_ref()?;
+        Some(VehicleEvent::Pilots(viewpoint.begun()).into())
     }
 
     /// Reads what has been added to a recording that is still being made.
@@ -355,7 +361,7 @@ impl Stage {
             Some(viewpoint) => viewpoint.pilots(line),
             None => line.pilots(),
         };
-        let text = line.change.text();
+        let text = line.change.text(self.viewpoint.as_ref());
         let notice = text.map(|text| Notice::general(at, Severity::Notice, text).into());
         notice
             .into_iter()
@@ -392,6 +398,9 @@ impl Stage {
                 .journal()
                 .map(InstructorPart::of)
                 .unwrap_or_default();
+            if let Some(viewpoint) = &self.viewpoint {
+                report.seen_from(viewpoint);
+            }
             events.push(SessionEvent::MissionEnded(Box::new(report)).into());
         }
         events

@@ -26,11 +26,15 @@ const fn s(s: u64) -> Duration {
 }
 
 fn watched(recorded: &Recorded) -> (Replay, Observer) {
-    let (mut replay, _) = Replay::open(&recorded.frames, &Config::default()).expect("a recording");
+    watched_at(&recorded.frames)
+}
+
+fn watched_at(frames: &Path) -> (Replay, Observer) {
+    let (mut replay, _) = Replay::open(frames, &Config::default()).expect("a recording");
     replay.wait_for_index();
     let film = replay.film();
-    let view = film.view();
-    let observer = Observer::new(view, &film.started(), &Config::default());
+    let (view, begun) = (film.view(), replay.stage.begun());
+    let observer = Observer::new(view, &film.started(), &Config::default(), begun);
     (replay, observer)
 }
 

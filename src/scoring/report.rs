@@ -3,12 +3,15 @@
 //! Texts are stored as messages, so that a debrief can be shown in any language; JSON contains the English texts.
 //! Numbers are rounded to fixed decimals when the report is made, so that identical flights give identical bytes.
 
+use std::collections::BTreeSet;
+
 use serde::{Deserialize, Serialize};
 
 use super::{
     AlertFact, AlertLevel, Component, Improvement, Medal, SwarmFigures, TruthReport, VehicleUse,
     WorkloadReport,
 };
+use crate::crew::CrewViewpoint;
 use crate::ledger::RowState;
 use crate::pilot_in_command::Person;
 use crate::record::InstructorPart;
@@ -161,6 +164,22 @@ pub struct LedgerReport {
     pub by: Option<Person>,
     /// The result for each vehicle.
     pub rows: Vec<RowReport>,
+}
+
+impl Report {
+    /// Names the persons of a crew as one of its members knows them, who has the host's record.
+    pub fn seen_from(&mut self, viewpoint: &CrewViewpoint) {
+        for entry in &mut self.ledger {
+            entry.by = viewpoint.by(entry.by.as_ref());
+        }
+        // An instructor's commands are not those of the crew.
+        let crew = self.ledger.iter().filter_map(|entry| entry.by.as_ref());
+        let crew: BTreeSet<&str> = crew
+            .filter(|it| !it.is_instructor())
+            .map(Person::name)
+            .collect();
+        self.crew = crew.into_iter().map(str::to_owned).collect();
+    }
 }
 
 /// The result of a command for one vehicle.

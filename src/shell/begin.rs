@@ -286,6 +286,12 @@ impl Console {
                 profile: self.trainee().map(str::to_owned),
                 ..Occasion::default()
             },
+            host: self
+                .app
+                .state()
+                .crew()
+                .host()
+                .map(|crew| crew.host().clone()),
             earlier: self.tries_before(&plan),
             forwards: self.options.forwards.clone(),
         };

@@ -126,7 +126,7 @@ impl CrewEnd {
         match self {
             Self::None => {}
             Self::Host(end) => end.close().await,
-            Self::Member(end) => end.port.close().await,
+            Self::Member(end) => end.close().await,
         }
     }
 }

@@ -16,7 +16,7 @@ use super::api::Programs;
 use super::signals::{Happened, Signals};
 use super::{Console, ConsoleOptions, Opening, Pace, key, open_class, open_crew};
 use crate::app::event::TerminalEvent;
-use crate::app::state::{Overlay, Room};
+use crate::app::state::{CrewLink, Overlay, Room};
 use crate::diagnostic::Diagnostic;
 use crate::language::{self, ConsoleLine, Meaning, Report, Scope};
 use crate::scoring::FlownBy;
@@ -27,12 +27,14 @@ use crossterm::event::KeyCode;
 mod brief;
 mod end;
 mod input;
+mod member;
 mod output;
 mod report;
 mod wait;
 
 use end::{Beginning, Patience, START_PATIENCE};
 use input::{PlainLine, is_said};
+use member::DebriefTold;
 use output::PlainOutput;
 use report::PlainReport;
 use wait::PlainWait;
@@ -57,29 +59,8 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     let mut programs = Programs::open(options.api.as_ref())?;
     let mut class = open_class(&options).await?;
     let mut crew = open_crew(&options)?;
-    let mut plain = Plain {
-        beginning: Beginning::of(&options, is_person),
-        console: Console::new(options, false),
-        report: PlainReport::default(),
-        output: PlainOutput::start(is_person),
-        wait: PlainWait::default(),
-        is_person,
-        ended: false,
-        said_at: Duration::ZERO,
-        said_wall: Duration::ZERO,
-        start: Patience::new(START_PATIENCE),
-        landing: Patience::new(LANDING_PATIENCE),
-        failed: false,
-        briefed: None,
-    };
-    // Nothing is drawn: every size is large enough.
-    let (columns, rows) = (u16::MAX, u16::MAX);
-    plain
-        .console
-        .feed(TerminalEvent::Resize { columns, rows })
-        .await;
-    plain.console.begin().await;
-    plain.greet();
+    let mut plain = Plain::new(options, is_person);
+    plain.begin().await;
     let mut lines = input::read();
     let mut pace = Pace::of(plain.console.speedup());
     let mut told_to_end = false;
@@ -119,8 +100,9 @@ pub async fn run(options: ConsoleOptions) -> anyhow::Result<bool> {
     plain.finish(told_to_end)
 }
 
-struct Plain {
-    console: Console,
+/// The console without a screen, with what it has printed.
+pub(super) struct Plain {
+    pub(super) console: Console,
     report: PlainReport,
     output: PlainOutput,
     wait: PlainWait,
@@ -138,9 +120,43 @@ struct Plain {
     failed: bool,
     /// At a member of a crew: the mission of the host whose brief was printed last.
     briefed: Option<String>,
+    /// At a member of a crew: the record of the host that is followed.
+    followed: Option<String>,
+    debrief_told: DebriefTold,
 }
 
 impl Plain {
+    pub(super) fn new(options: ConsoleOptions, is_person: bool) -> Self {
+        Self {
+            beginning: Beginning::of(&options, is_person),
+            console: Console::new(options, false),
+            report: PlainReport::default(),
+            output: PlainOutput::start(is_person),
+            wait: PlainWait::default(),
+            is_person,
+            ended: false,
+            said_at: Duration::ZERO,
+            said_wall: Duration::ZERO,
+            start: Patience::new(START_PATIENCE),
+            landing: Patience::new(LANDING_PATIENCE),
+            failed: false,
+            briefed: None,
+            followed: None,
+            debrief_told: DebriefTold::NotYet,
+        }
+    }
+
+    /// Opens the console, and greets its user.
+    pub(super) async fn begin(&mut self) {
+        // Nothing is drawn: every size is large enough.
+        let (columns, rows) = (u16::MAX, u16::MAX);
+        self.console
+            .feed(TerminalEvent::Resize { columns, rows })
+            .await;
+        self.console.begin().await;
+        self.greet();
+    }
+
     fn greet(&mut self) {
         if let Some(activity) = self.console.app.state().session().activity() {
             self.say(&activity.title());
@@ -160,12 +176,16 @@ impl Plain {
         self.output.say(&self.console.sight.look, text);
     }
 
-    fn is_over(&self) -> bool {
+    pub(super) fn is_over(&self) -> bool {
         let state = self.console.app.state();
-        let has_ended = || state.rooms().debrief().session().is_some();
-        // A member of a crew waits for the host's flight.
-        let is_without = || state.crew().member().is_none() && state.session().activity().is_none();
-        self.console.over || has_ended() || is_without()
+        // A member of a crew waits for the next flight of the host.
+        let has_ended = match state.crew().member() {
+            Some(place) => place.link(state.wall()) == CrewLink::Ended && self.has_played_all(),
+            None => {
+                state.rooms().debrief().session().is_some() || state.session().activity().is_none()
+            }
+        };
+        self.console.over || has_ended
     }
 
     fn takes_lines(&self) -> bool {
@@ -177,8 +197,9 @@ impl Plain {
         self.wait.is_over() && entries.all(crate::ledger::LedgerEntry::is_final)
     }
 
-    async fn tick(&mut self) -> anyhow::Result<()> {
+    pub(super) async fn tick(&mut self) -> anyhow::Result<()> {
         self.console.tick().await;
+        let is_other_flight = self.follows_other();
         self.brief_member();
         // The plain console has neither bell nor desktop notifications.
         self.console.sight.bell = false;
@@ -187,12 +208,7 @@ impl Plain {
         self.beginning.look(self.console.app.state());
         let now = self.console.app.state().now();
         let is_urgent = self.report.is_urgent(self.console.app.state());
-        // At a member of a crew, another flight of the host begins again at 0, and without the host time stands.
-        let is_other_flight = now < self.said_at;
-        if is_other_flight {
-            self.report.begin_flight();
-            self.briefed = None;
-        }
+        // Without the host, time stands at a member of a crew.
         let wall = self.console.app.state().wall();
         let waits = now
             .saturating_sub(self.said_at)
@@ -200,6 +216,9 @@ impl Plain {
         if is_urgent || is_other_flight || waits >= NEWS_EVERY {
             (self.said_at, self.said_wall) = (now, wall);
             self.tell_news();
+            if self.console.app.state().crew().member().is_some() {
+                self.debrief();
+            }
         }
         if !self.is_person
             && self
@@ -214,6 +233,20 @@ impl Plain {
             self.abandon().await;
         }
         self.output.check()
+    }
+
+    /// Prints the debrief of the flight, if there is one that was not printed yet.
+    fn debrief(&mut self) {
+        let state = self.console.app.state();
+        let debrief = state.rooms().debrief().session();
+        let Some(debrief) = debrief.filter(|_| self.debrief_told == DebriefTold::NotYet) else {
+            return;
+        };
+        self.debrief_told = DebriefTold::Told;
+        for line in debrief.lines(state.training().reward(), state.locale()) {
+            self.say(&Text::from(line.text.as_str()));
+        }
+        self.output.prompt();
     }
 
     fn tell_news(&mut self) {
@@ -365,19 +398,6 @@ impl Plain {
         }
     }
 
-    /// Prints the brief of the mission that the host of a crew begins.
-    fn brief_member(&mut self) {
-        let state = self.console.app.state();
-        if state.crew().member().is_none() {
-            return;
-        }
-        let flown = state.flown_mission().map(|it| it.id.clone());
-        if flown.is_some() && flown != self.briefed {
-            self.brief();
-        }
-        self.briefed = flown;
-    }
-
     /// Delays the following lines.
     fn wait(&mut self, line: &str) {
         let begun = self.wait.begin(line, self.console.app.state());
@@ -400,25 +420,6 @@ impl Plain {
         }
     }
 
-    /// Ends the session at the end of the input: a mission gets its debrief.
-    async fn abandon(&mut self) {
-        let state = self.console.app.state();
-        let is_flown = state.session().mission().is_some() && state.replay().is_none();
-        if is_flown {
-            self.console.abandon();
-            self.console.tick().await;
-        } else {
-            self.console.over = true;
-        }
-    }
-
-    /// Ends the flight: with input from a pipe, no user can restart the vehicles.
-    fn give_up(&mut self) {
-        self.tell_news();
-        self.say(&text!("hangar-plain-given-up"));
-        (self.console.over, self.failed) = (true, true);
-    }
-
     fn finish(mut self, told_to_end: bool) -> anyhow::Result<bool> {
         for text in self.report.news(self.console.app.state()) {
             self.say(&text);
@@ -429,10 +430,8 @@ impl Plain {
         let state = self.console.app.state();
         if let Some(debrief) = state.rooms().debrief().session() {
             passed = debrief.report().passed;
-            for line in debrief.lines(state.training().reward(), state.locale()) {
-                self.say(&Text::from(line.text.as_str()));
-            }
         }
+        self.debrief();
         self.output.finish(told_to_end)?;
         self.console.require_joined()?;
         self.console.require_stored()?;

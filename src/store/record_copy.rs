@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::append::AppendFile;
-use super::records::Records;
+use super::records::{RecordFiles, Records};
 use super::{StoreError, records};
 use crate::class::{RecordName, RecordPart};
+use crate::pilot_in_command::Person;
 
 /// The folder of the copies in the program's data folder. Nothing in it counts for a career.
 const FOLDER: &str = "crew";
@@ -65,6 +66,14 @@ impl RecordCopy {
         records::part_in(&self.folder, &self.stem, RecordPart::Frames)
     }
 
+    /// Notes whose copy it is, by the name in the crew.
+    ///
+    /// # Errors
+    /// It cannot be written.
+    pub fn belongs_to(&self, own: &Person) -> Result<(), StoreError> {
+        RecordFiles::beside(&self.frames()).write_viewer(own)
+    }
+
     /// The number of bytes that it has of each part.
     pub fn held(&self) -> Vec<(RecordPart, u64)> {
         let parts = self.parts.iter();
@@ -74,6 +83,7 @@ impl RecordCopy {
     /// Ends the copy; an empty one is removed.
     pub fn close(self) {
         if self.parts.iter().all(|(_, file)| file.len() == 0) {
+            RecordFiles::beside(&self.frames()).delete_viewer();
             for (_, file) in &self.parts {
                 // What cannot be removed does no harm.
                 drop(std::fs::remove_file(file.path()));
@@ -117,6 +127,7 @@ fn make_room(folder: &Path) {
         for path in files.run.iter().chain([&files.review]) {
             drop(std::fs::remove_file(path));
         }
+        files.delete_viewer();
         drop(files.delete());
     }
 }
@@ -132,6 +143,7 @@ mod tests {
             let name = format!("2026-11-{number:02}");
             let name = RecordName::try_from(name).expect("a name");
             let mut copy = RecordCopy::create(folder.path(), name).expect("created");
+            copy.belongs_to(&Person::named("anna")).expect("written");
             for part in PARTS {
                 copy.append(part, b"x\n").expect("written");
             }
@@ -147,7 +159,7 @@ mod tests {
         let names = names.map(|it| it.to_string_lossy()[..10].to_owned());
         let mut names: Vec<String> = names.collect();
         names.sort();
-        assert_eq!(names.len(), 3 * (KEPT + 1), "{names:?}");
+        assert_eq!(names.len(), 4 * (KEPT + 1), "{names:?}");
         names.dedup();
         let newest = (4..=23).map(|number| format!("2026-11-{number:02}"));
         let kept: Vec<String> = std::iter::once("2026-11-01".to_owned())

@@ -21,6 +21,7 @@ mod joined;
 mod recording;
 mod reviews;
 mod signature;
+mod viewers;
 
 pub use files::RecordFiles;
 use files::{FRAMES, INPUTS, JOURNAL, REVIEW, RUN};

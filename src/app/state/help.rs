@@ -1,6 +1,7 @@
 //! The help, generated from the keymap and the verb table: its sections, and their order.
 
 use crate::app::keymap::Place;
+use crate::app::state::member_rights::is_row_of_member;
 use crate::language::{Channel, VerbRow, rows};
 use crate::text::Locale;
 
@@ -35,7 +36,9 @@ pub fn help_lines(scene: HelpScene<'_>, locale: &Locale) -> Vec<HelpLine> {
         lines
     };
     let mut lines: Vec<HelpLine> = nearby.iter().copied().flat_map(section).collect();
-    lines.extend(if scene.is_replay {
+    lines.extend(if let Some(role) = scene.member {
+        commands(Channel::Screen, |row| is_row_of_member(row, role), locale)
+    } else if scene.is_replay {
         console_help(Channel::Screen, is_carried_out, locale)
     } else {
         command_help(Channel::Screen, locale)
@@ -47,12 +50,22 @@ pub fn help_lines(scene: HelpScene<'_>, locale: &Locale) -> Vec<HelpLine> {
 
 /// The part of the help about commands.
 pub fn command_help(channel: Channel, locale: &Locale) -> Vec<HelpLine> {
+    commands(channel, |_| true, locale)
+}
+
+/// The part of the help about the commands that `is_wanted` selects.
+fn commands(
+    channel: Channel,
+    is_wanted: impl Fn(&VerbRow) -> bool,
+    locale: &Locale,
+) -> Vec<HelpLine> {
     let mut lines = vec![HelpLine::Title(locale.say("help-commands"))];
     lines.extend(notes(&locale.say("help-targets")));
     let to_vehicles = rows().filter(|row| row.scope.includes(channel) && row.scope.takes_targets());
+    let to_vehicles = to_vehicles.filter(|row| is_wanted(row));
     lines.extend(to_vehicles.flat_map(|row| explained(row, locale)));
     lines.push(HelpLine::Blank);
-    lines.extend(console_help(channel, |_| true, locale));
+    lines.extend(console_help(channel, is_wanted, locale));
     lines
 }
 
@@ -78,6 +91,7 @@ mod tests {
     use super::*;
     use crate::app::keymap::Keymap;
     use crate::app::room_list::Room;
+    use crate::crew::Role;
     use crate::text::Language;
 
     #[test]
@@ -157,6 +171,31 @@ mod tests {
         assert!(has(desk, Room::Class));
         assert!(has(desk, Room::Workshop));
         assert!(has(replay, Room::Map), "a replay has all rooms");
+    }
+
+    #[test]
+    fn the_help_of_a_member_has_what_its_role_may_do() {
+        let locale = Locale::new(Language::English);
+        let keymap = Keymap::default();
+        let help = |role| {
+            let scene = HelpScene {
+                member: Some(role),
+                ..HelpScene::of_flight(&keymap, Room::Fly)
+            };
+            let text = format!("{:?}", help_lines(scene, &locale));
+            move |words: &str| text.contains(words)
+        };
+        let [pilot, safety] = [Role::Pilot, Role::Safety].map(help);
+        let replay = locale.text(&Place::Replay.title());
+        let home = locale.text(&Place::In(Room::Home).title());
+        let [pause, again] = ["action-pause-mission", "action-again"].map(|id| locale.say(id));
+        for absent in [&replay, &home, &pause, &again] {
+            assert!(!pilot(absent) && !safety(absent), "{absent}");
+        }
+        assert!(pilot("takeoff ") && !safety("takeoff "));
+        for verb in ["rtl", "crew offer", "leave"] {
+            assert!(pilot(verb) && safety(verb), "{verb}");
+        }
     }
 
     #[test]

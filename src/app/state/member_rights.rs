@@ -2,10 +2,15 @@
 //!
 //! Keys, lines and hints ask here, so that a member is offered what is open, and refused the rest with its reason.
 
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
 use crate::app::State;
 use crate::app::action::{Action, DebriefAction, ParametersAction, PlansAction};
-use crate::app::keymap::{HintKeys, KeyHint};
-use crate::language::{self, ConsoleLine, LineNeeds, Meaning, words};
+use crate::app::keymap::{self, HintKeys, KeyHint, Place};
+use crate::app::room_list::Room;
+use crate::crew::Role;
+use crate::language::{self, Channel, ConsoleLine, Context, LineNeeds, Meaning, VerbRow, words};
 use crate::text;
 use crate::text::Text;
 
@@ -30,6 +35,64 @@ fn is_of_host(action: Action) -> bool {
                     | ParametersAction::ApplyParameters
                     | ParametersAction::FetchParameters
             )
+    )
+}
+
+/// Whether a member has a place of keys: a crew shows no flight of the past, and has the rooms of the flight alone.
+fn is_place_of_member(place: Place) -> bool {
+    !matches!(
+        place,
+        Place::Replay | Place::In(Room::Home | Room::Class | Room::Hangar | Room::Files)
+    )
+}
+
+/// Whether a key does something for members with a role.
+pub(super) fn is_meant_for_member(place: Place, meaning: &keymap::Meaning, role: Role) -> bool {
+    is_place_of_member(place)
+        && match meaning {
+            keymap::Meaning::Do(Action::Replay(_) | Action::Class(_)) => false,
+            keymap::Meaning::Do(Action::Show(room)) => is_place_of_member(Place::In(*room)),
+            keymap::Meaning::Do(action) => !is_of_host(*action),
+            keymap::Meaning::Write(line) | keymap::Meaning::Give(line) => {
+                let first = words(line).into_iter().next();
+                let row = first.and_then(|first| language::row(first.text));
+                row.is_none_or(|row| is_row_of_member(row, role))
+            }
+            keymap::Meaning::Type => true,
+        }
+}
+
+/// Whether members with a role can give lines of a verb.
+pub(super) fn is_row_of_member(row: &VerbRow, role: Role) -> bool {
+    if row.scope.takes_targets() {
+        return role.may_say(&row.verb);
+    }
+    !ROWS_OF_HOST.contains(row.name())
+}
+
+/// The verbs for the console whose lines are all the host's. They follow from the table alone, and the help, which is
+/// drawn anew with every frame, needs them for each of its keys.
+static ROWS_OF_HOST: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+    let own = language::rows().filter(|row| !row.scope.takes_targets());
+    let of_host = own.filter(|row| {
+        let mut lines = read_lines(row).peekable();
+        lines.peek().is_some() && lines.all(|line| is_line_of_host(&line))
+    });
+    of_host.map(VerbRow::name).collect()
+});
+
+/// The lines of a verb for the console, as far as its examples can be read anywhere.
+fn read_lines(row: &VerbRow) -> impl Iterator<Item = ConsoleLine> {
+    let context = Context {
+        channel: Channel::Screen,
+        ..Context::default()
+    };
+    let lines = std::iter::once(row.name()).chain(row.examples.iter().copied());
+    lines.filter_map(
+        move |line| match language::parse(line, &context).ok()?.meaning {
+            Meaning::Console(own) => Some(own),
+            Meaning::Act(_) | Meaning::Wait(_) => None,
+        },
     )
 }
 

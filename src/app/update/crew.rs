@@ -8,7 +8,8 @@ use super::super::event::CrewEvent;
 use crate::app::State;
 use crate::app::effect::Effects;
 use crate::app::state::CrewPart;
-use crate::crew::{CrewDeed, ProposalChoice, Role};
+use crate::crew::protocol::SentText;
+use crate::crew::{CrewDeed, Departure, Proposal, ProposalChoice, Role};
 use crate::language::{CrewLine, ProposalLine, VehicleChoice};
 use crate::notice::Notice;
 use crate::pilot_in_command::Person;
@@ -31,7 +32,9 @@ pub fn happened(state: &mut State, event: CrewEvent) -> Effects {
             user,
             message,
         } => return host::heard(state, connection, &user, message),
-        CrewEvent::Left(connection) => return host::left(state, connection),
+        CrewEvent::Left(connection) => {
+            return host::left(state, connection, Departure::Lost);
+        }
         CrewEvent::Said(message) => return member::said(state, message),
         CrewEvent::Lost => member::lost(state),
         CrewEvent::Refused(text) => return member::refused(state, text),
@@ -91,7 +94,7 @@ fn chosen(state: &State, vehicles: &VehicleChoice) -> Result<Vec<VehicleId>, Tex
     Ok(ids)
 }
 
-/// Everybody on the crew, with role and vehicles.
+/// Everybody on the crew, with role and vehicles, and what is proposed.
 fn listed(state: &State) -> Result<Text, Text> {
     let pilots = &state.session.pilots;
     let everybody: Vec<(String, Option<Role>)> = match &state.crew {
@@ -132,7 +135,19 @@ fn listed(state: &State) -> Result<Text, Text> {
             )
         }
     });
-    Ok(Text::joined("; ", parts.collect()))
+    Ok(Text::joined("; ", parts.chain(proposed(state)).collect()))
+}
+
+/// The proposals that wait for an answer.
+fn proposed(state: &State) -> Vec<Text> {
+    match &state.crew {
+        CrewPart::None => Vec::new(),
+        CrewPart::Host(crew) => crew.proposals().iter().map(Proposal::open).collect(),
+        CrewPart::Member(place) => {
+            let all = place.roster.iter().flat_map(|it| &it.proposals);
+            all.map(SentText::text).collect()
+        }
+    }
 }
 
 /// Shows a text on the last line, and keeps it among the notices.

@@ -142,6 +142,9 @@ pub fn paste(state: &mut State, text: &str) {
     }
 }
 
+/// The line that leaves a session.
+const LEAVE: &str = "leave";
+
 fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     if state.is_deaf() {
         return Effects::none();
@@ -149,7 +152,11 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
     let resolved = || state.keymap.resolve(key, Place::Replay);
     let in_replay = state.shows_past().then(resolved).flatten();
     let meaning = in_replay.or_else(|| in_room(state, key));
-    match meaning.cloned() {
+    let meaning = meaning.cloned();
+    if leaves_crew(state, key, meaning.as_ref()) {
+        return act::act(state, Action::Leave);
+    }
+    match meaning {
         Some(Meaning::Do(action)) => act::act(state, action),
         Some(Meaning::Write(words)) => {
             palette::write(state, &words);
@@ -167,6 +174,14 @@ fn on_screen(state: &mut State, key: KeyEvent) -> Effects {
         }
         None => Effects::none(),
     }
+}
+
+/// Whether a key leaves the crew, at a member: the one that writes `leave` in a flight does it without the line there,
+/// also in rooms that do not use it. What is lost is asked about anyway.
+fn leaves_crew(state: &State, key: KeyEvent, meaning: Option<&Meaning>) -> bool {
+    let is_leave = |meaning: &Meaning| matches!(meaning, Meaning::Write(line) if line == LEAVE);
+    let in_flight = || state.keymap.resolve(key, Place::In(Room::Fly));
+    state.crew.member().is_some() && meaning.or_else(in_flight).is_some_and(is_leave)
 }
 
 /// The meaning of a key in the room. A comma continues a vehicle list; without one, it counts by its position: `?`.

@@ -58,6 +58,29 @@ fn vehicles_change_hands_only_when_both_agree() {
 }
 
 #[test]
+fn equal_proposals_of_both_sides_need_no_answer() {
+    let mut flying = Flying::new(Vec::new());
+    flying.join(1, "anna", None).expect("there is room");
+    flying.act("bohdan", &offer(1, "anna")).expect("proposed");
+    let both = flying.act("anna", &ask(&[1]));
+    assert!(matches!(both, Ok(DeedOutcome::Changed(_))), "{both:?}");
+    assert_eq!(flying.pilot(1), "anna");
+    assert_eq!(flying.crew.proposals(), []);
+    // The other way round, and not with other vehicles.
+    flying.act("bohdan", &ask(&[1])).expect("proposed");
+    let back = flying.act("anna", &offer(1, "bohdan"));
+    assert!(matches!(back, Ok(DeedOutcome::Changed(_))), "{back:?}");
+    assert_eq!(flying.pilot(1), "bohdan");
+    flying.act("bohdan", &offer(1, "anna")).expect("proposed");
+    let other = flying.act("anna", &ask(&[1, 2]));
+    assert!(matches!(other, Ok(DeedOutcome::Proposed(_))), "{other:?}");
+    // An offer that has ended is none.
+    flying.now += Duration::from_secs(60);
+    let late = flying.act("anna", &ask(&[1]));
+    assert!(matches!(late, Ok(DeedOutcome::Proposed(_))), "{late:?}");
+}
+
+#[test]
 fn several_proposals_wait_beside_each_other_and_the_answer_names_one() {
     let mut flying = Flying::new(Vec::new());
     flying.join(1, "anna", None).expect("there is room");
@@ -107,10 +130,11 @@ fn a_repeated_proposal_is_one_and_nobody_makes_any_number_of_them() {
     for pair in pairs {
         flying.act("anna", &ask(&pair)).expect("proposed");
     }
-    for vehicle in [1, 2] {
+    // Asking for the first one would accept the offer.
+    for vehicle in [2, 3] {
         flying.act("anna", &ask(&[vehicle])).expect("proposed");
     }
-    let last = flying.act("anna", &ask(&[3]));
+    let last = flying.act("anna", &ask(&[4]));
     assert_eq!(last, Err(CrewFault::ManyProposals));
 }
 

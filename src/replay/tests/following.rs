@@ -2,11 +2,14 @@
 
 use std::fs::File;
 use std::io::Write as _;
+use std::path::PathBuf;
 
 use super::*;
 use crate::app::state::FlightView;
 use crate::crew::CrewViewpoint;
 use crate::pilot_in_command::Person;
+use crate::record::Head;
+use crate::store::RecordFiles;
 
 /// The files of a record.
 const ENDINGS: [&str; 2] = ["flight.jsonl", "tlog"];
@@ -19,6 +22,19 @@ fn viewpoint() -> CrewViewpoint {
         own: Person::named("anna"),
         host: Person::named("bohdan"),
     }
+}
+
+/// Makes a file a member's copy of the record of a host.
+fn copied_by_anna(frames: &Path) -> PathBuf {
+    let journal = frames.with_extension("flight.jsonl");
+    let text = std::fs::read_to_string(&journal).expect("it is there");
+    let (head, lines) = text.split_once('\n').expect("lines");
+    let mut head: Head = serde_json::from_str(head).expect("a head");
+    head.host = Some(viewpoint().host);
+    std::fs::write(&journal, head.to_line() + lines).expect("written");
+    let files = RecordFiles::beside(frames);
+    files.write_viewer(&viewpoint().own).expect("written");
+    frames.to_owned()
 }
 
 fn vehicles(session: &FlightView) -> String {
@@ -50,7 +66,7 @@ fn a_recording_followed_as_it_grows_leads_to_the_same_state() {
     let (mut replay, begun) = Replay::follow(&own, &viewpoint()).expect("a recording");
     let mut observer = {
         let film = replay.film();
-        Observer::new(film.view(), &film.started(), &Config::default())
+        Observer::new(film.view(), &film.started(), &Config::default(), None)
     };
     observer.see_all(begun);
     while !grow(NEXT) {
@@ -65,6 +81,10 @@ fn a_recording_followed_as_it_grows_leads_to_the_same_state() {
             observer.see_all(replay.tick(Duration::ZERO));
         }
     }
+    // So does a replay of the copy later, at any time.
+    let copied = copied_by_anna(&own);
+    let (mut again, mut later) = watched_at(&copied);
+    seek(&mut again, &mut later, s(40));
     let (mut straight, mut watcher) = watched(&recorded);
     for to in times {
         seek(&mut straight, &mut watcher, to);
@@ -81,6 +101,10 @@ fn a_recording_followed_as_it_grows_leads_to_the_same_state() {
     let host = Some(Person::named("bohdan"));
     assert!(entries.into_iter().all(|entry| entry.by == host));
     assert_eq!(followed.session().pilots().of(1), host.as_ref());
+    let replayed = later.app().state().session();
+    let mut entries = replayed.ledger().entries();
+    assert!(entries.len() > 0 && entries.all(|entry| entry.by == host));
+    assert_eq!(replayed.pilots().of(1), host.as_ref());
     assert!(replay.damage().next().is_none());
     let refused = replay.steer(ReplayEffect::Play(false));
     assert!(matches!(&refused[..], [Event::Failed(_)]));

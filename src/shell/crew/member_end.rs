@@ -10,6 +10,7 @@ use crate::carrier::{Outbox, SeatArrival, SeatPort};
 use crate::class::{RecordName, RecordPart};
 use crate::crew::protocol::{CrewHello, HeldRecord, HostMessage, MemberMessage, VERSION};
 use crate::crew::{CrewViewpoint, Role};
+use crate::pilot_in_command::Person;
 use crate::replay::Replay;
 use crate::shell::Console;
 use crate::store::{RecordCopy, RecordFiles};
@@ -59,6 +60,14 @@ impl MemberEnd {
         })
     }
 
+    /// Ends the connection, after the host was told that the user leaves.
+    pub(super) async fn close(self) {
+        if let Some(outbox) = &self.outbox {
+            outbox.send(&MemberMessage::Leave);
+        }
+        self.port.close().await;
+    }
+
     /// Does what the state asks for.
     pub(super) fn carry_out(&self, work: Vec<CrewEffect>) {
         let Some(outbox) = &self.outbox else {
@@ -72,10 +81,20 @@ impl MemberEnd {
     }
 
     /// Begins the copy of a record, unless it is the one that is there.
-    fn begin(&mut self, name: RecordName) -> Result<(), Text> {
-        if self.copy.as_ref().is_some_and(|copy| *copy.name() == name) {
-            return Ok(());
+    fn begin(&mut self, name: RecordName, own: Option<&Person>) -> Result<(), Text> {
+        if self.copy.as_ref().is_none_or(|copy| *copy.name() != name) {
+            self.begin_anew(name)?;
         }
+        // After a broken connection, this console may have another name.
+        let noted = self
+            .copy
+            .iter()
+            .zip(own)
+            .try_for_each(|(copy, own)| copy.belongs_to(own));
+        noted.map_err(|error| Text::from(&error))
+    }
+
+    fn begin_anew(&mut self, name: RecordName) -> Result<(), Text> {
         self.is_shown = false;
         if let Some(copy) = self.copy.take() {
             copy.close();
@@ -154,7 +173,10 @@ impl Console {
             self.feed(CrewEvent::Said(HostMessage::Here)).await;
         }
         let taken = match message {
-            HostMessage::Record(name) => end.begin(name),
+            HostMessage::Record(name) => {
+                let viewpoint = self.viewpoint();
+                end.begin(name, viewpoint.as_ref().map(|it| &it.own))
+            }
             HostMessage::Piece { part, data } => end.append(part, &data.0),
             HostMessage::Now { us } => {
                 self.show_copy(end, Duration::from_micros(us));

@@ -18,6 +18,7 @@ use crate::store::{RecordLimits, Records, Runs};
 
 mod flights;
 mod joining;
+mod plain;
 mod roles;
 mod strangers;
 
@@ -30,17 +31,7 @@ struct Aboard {
 }
 
 impl Aboard {
-    async fn new(opening: Opening, crew: CrewOptions, data: &Path) -> Self {
-        let options = ConsoleOptions {
-            crew: Some(crew),
-            preferences: Preferences {
-                runs: Some(Runs::within(data)),
-                records: Some(Records::within(data, RecordLimits::default())),
-                data: Some(data.to_owned()),
-                ..Preferences::default()
-            },
-            ..ConsoleOptions::for_test(opening)
-        };
+    async fn new(options: ConsoleOptions) -> Self {
         let end = CrewEnd::open(&options).expect("the crew opens");
         let mut console = Console::new(options, true);
         let (columns, rows) = (120, 40);
@@ -95,6 +86,19 @@ impl Aboard {
     }
 }
 
+fn options(opening: Opening, crew: CrewOptions, data: &Path) -> ConsoleOptions {
+    ConsoleOptions {
+        crew: Some(crew),
+        preferences: Preferences {
+            runs: Some(Runs::within(data)),
+            records: Some(Records::within(data, RecordLimits::default())),
+            data: Some(data.to_owned()),
+            ..Preferences::default()
+        },
+        ..ConsoleOptions::for_test(opening)
+    }
+}
+
 /// Lets the consoles run until something is so.
 async fn until(aboard: &mut [&mut Aboard], is_so: impl Fn(&[&mut Aboard]) -> bool) {
     for _ in 0..600 {
@@ -120,7 +124,8 @@ async fn host(folder: &Path, source: &str) -> Aboard {
     };
     let mission = Arc::new(Mission::parse(source).expect("it is good"));
     let data = folder.join("host");
-    let mut host = Box::pin(Aboard::new(Opening::Mission(mission), crew, &data)).await;
+    let options = options(Opening::Mission(mission), crew, &data);
+    let mut host = Box::pin(Aboard::new(options)).await;
     until(&mut [&mut host], |aboard| !aboard[0].is_waiting(3)).await;
     // The first command ends the brief.
     host.say("all guided").await;
@@ -128,6 +133,10 @@ async fn host(folder: &Path, source: &str) -> Aboard {
 }
 
 async fn member(folder: &Path, name: &str, role: Option<Role>) -> Aboard {
+    Box::pin(Aboard::new(member_options(folder, name, role))).await
+}
+
+fn member_options(folder: &Path, name: &str, role: Option<Role>) -> ConsoleOptions {
     let data = folder.join(name);
     let crew = CrewOptions::Member {
         place: place(folder),
@@ -135,7 +144,7 @@ async fn member(folder: &Path, name: &str, role: Option<Role>) -> Aboard {
         role,
         data: data.clone(),
     };
-    Box::pin(Aboard::new(Opening::Home, crew, &data)).await
+    options(Opening::Home, crew, &data)
 }
 
 /// The name of a member of the user who runs the tests.

@@ -2,10 +2,12 @@
 
 use std::time::Duration;
 
+use super::Plain;
 use crate::app::State;
 use crate::app::state::{FlightView, Instance};
 use crate::ledger::Ledger;
 use crate::shell::{ConsoleOptions, Opening};
+use crate::text;
 
 /// How long lines from a pipe wait for the vehicles to be heard.
 const HEARD_PATIENCE: Duration = Duration::from_secs(30);
@@ -107,6 +109,27 @@ pub(super) fn has_failures(ledger: &Ledger) -> bool {
 pub(super) fn ends_itself(state: &State) -> bool {
     let mission = state.session().mission();
     mission.is_some_and(|mission| mission.ends_itself)
+}
+
+impl Plain {
+    /// Ends the session at the end of the input: a mission gets its debrief.
+    pub(super) async fn abandon(&mut self) {
+        let state = self.console.app.state();
+        let is_flown = state.session().mission().is_some() && state.replay().is_none();
+        if is_flown {
+            self.console.abandon();
+            self.console.tick().await;
+        } else {
+            self.console.over = true;
+        }
+    }
+
+    /// Ends the flight: with input from a pipe, no user can restart the vehicles.
+    pub(super) fn give_up(&mut self) {
+        self.tell_news();
+        self.say(&text!("hangar-plain-given-up"));
+        (self.console.over, self.failed) = (true, true);
+    }
 }
 
 #[cfg(test)]

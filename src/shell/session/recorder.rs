@@ -7,6 +7,7 @@ use crate::app::event::{Started, VehicleEvent};
 use crate::app::state::Activity;
 use crate::fleet::FleetClock;
 use crate::link::{FrameSink, InputSink};
+use crate::pilot_in_command::Person;
 use crate::record::{ForeignLine, Happening, Head, JournalLine, PathLine, RowLine, Subject};
 use crate::store::{Recording, Records, utc};
 use crate::text;
@@ -20,6 +21,15 @@ const AFTER_MISSION: Duration = Duration::from_secs(2);
 
 /// How long after its end a record may still be in memory.
 const WRITTEN_WITHIN: Duration = Duration::from_secs(1);
+
+/// Whose flight is recorded.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct RecordedUser<'a> {
+    /// The name of the pilot's profile, if there is one.
+    pub profile: Option<&'a str>,
+    /// The name that members of a crew know, if there is a crew.
+    pub host: Option<&'a Person>,
+}
 
 /// How far a record has got.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -91,11 +101,12 @@ impl FlightRecorder {
         &mut self,
         records: &Records,
         started: &Started,
-        profile: Option<&str>,
+        whose: RecordedUser<'_>,
         run_id: Option<&str>,
     ) {
         let head = Head {
-            profile: profile.map(str::to_owned),
+            profile: whose.profile.map(str::to_owned),
+            host: whose.host.cloned(),
             places: started.places.clone(),
             speedup: started.speedup,
             ..Head::new(subject(&started.activity), self.began_unix_us)

@@ -14,7 +14,7 @@ use super::hangar::{Processes, SessionEnding};
 use super::inspection::Inspection;
 use super::links::SessionLinks;
 use super::mission_run::MissionRun;
-use super::recorder::FlightRecorder;
+use super::recorder::{FlightRecorder, RecordedUser};
 use super::rehearsals::Rehearsals;
 use super::truth::SimulatedTruth;
 use crate::app::event::Started;
@@ -29,6 +29,7 @@ use crate::metadata::EventDocuments;
 use crate::mission::record::Occasion;
 use crate::mission::{Flight, Mission, Stake};
 use crate::operator::Operator;
+use crate::pilot_in_command::Person;
 use crate::record::InputsHead;
 use crate::scoring::TryReport;
 use crate::session::{GuardedShelf, LogKeeper, PlanShelf};
@@ -81,6 +82,8 @@ pub(in crate::shell) struct SessionBackend {
     pub station: Option<SystemId>,
     /// The stake and the career of a mission.
     pub occasion: Occasion,
+    /// The user of this console, if members of a crew follow it.
+    pub host: Option<Person>,
     /// The trainee's attempts before this one, oldest first.
     pub earlier: Vec<TryReport>,
     /// The forwards to other ground stations; in missions, they carry nothing back.
@@ -239,8 +242,11 @@ impl RunningSession {
     fn begin_record(&mut self, backend: &SessionBackend, started: &Started) {
         let run_id = self.mission_run.as_ref().and_then(MissionRun::run_id);
         if let (Some(recorder), Some(records)) = (&mut self.recorder, &backend.records) {
-            let profile = backend.occasion.profile.as_deref();
-            recorder.begin(records, started, profile, run_id);
+            let whose = RecordedUser {
+                profile: backend.occasion.profile.as_deref(),
+                host: backend.host.as_ref(),
+            };
+            recorder.begin(records, started, whose, run_id);
         }
     }
 

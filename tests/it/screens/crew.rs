@@ -47,6 +47,7 @@ fn joined(language: Language, role: Role) -> Console {
     let line = |name: &str, role| RosterLine {
         name: name.into(),
         role,
+        proposals: Vec::new(),
     };
     console.hear(CrewEvent::Said(HostMessage::Roster(vec![
         line("bohdan", None),

@@ -1,5 +1,8 @@
 //! The effect that keys have while a recorded flight is shown.
 
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
 use crate::app::action::{Action, MapAction, ParametersAction, PlansAction};
 use crate::app::keymap::Meaning;
 use crate::language::{self, Channel, Context, LineNeeds, VerbRow, rows, words};
@@ -81,6 +84,19 @@ fn action_replayed(action: Action) -> ReplayUse {
 /// Whether a replay carries out lines of a verb. Verbs of vehicles are refused, and others have no effect if each of
 /// their lines needs a flight under way.
 pub(super) fn is_carried_out(row: &VerbRow) -> bool {
+    CARRIED_OUT.contains(row.name())
+}
+
+/// The verbs that a replay carries out. They follow from the table alone, and the help, which is drawn anew with every
+/// frame, needs them for each of its keys.
+static CARRIED_OUT: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+    rows()
+        .filter(|row| has_use(row))
+        .map(VerbRow::name)
+        .collect()
+});
+
+fn has_use(row: &VerbRow) -> bool {
     if row.scope.takes_targets() {
         return false;
     }

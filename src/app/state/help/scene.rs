@@ -8,6 +8,9 @@ use super::replayed::{ReplayUse, replayed};
 use crate::app::State;
 use crate::app::keymap::{Binding, Keymap, Place, Press};
 use crate::app::room_list::Room;
+use crate::app::state::MemberPlace;
+use crate::app::state::member_rights::is_meant_for_member;
+use crate::crew::Role;
 use crate::text::{Locale, Text};
 
 /// The context of the help: keymap, room and kind of session.
@@ -19,6 +22,8 @@ pub struct HelpScene<'a> {
     pub is_replay: bool,
     /// Whether it is an instructor's desk, which flies no vehicles of its own.
     pub is_desk: bool,
+    /// The role at a member of a crew.
+    pub member: Option<Role>,
 }
 
 impl State {
@@ -27,8 +32,9 @@ impl State {
         HelpScene {
             keymap: &self.keymap,
             here: self.room,
-            is_replay: self.replay.is_some(),
             is_desk: self.class.desk().is_some() && self.session.activity.is_none(),
+            is_replay: self.shows_past(),
+            member: self.crew.member().map(MemberPlace::role),
         }
     }
 }
@@ -76,6 +82,11 @@ impl HelpScene<'_> {
         if is_changed_here {
             return None;
         }
+        if let Some(role) = self.member {
+            let is_open =
+                binding.place == place && is_meant_for_member(place, &binding.meaning, role);
+            return is_open.then(usual);
+        }
         if !self.is_replay {
             return (binding.place == place).then(usual);
         }
@@ -106,6 +117,7 @@ impl<'a> HelpScene<'a> {
             here,
             is_replay: false,
             is_desk: false,
+            member: None,
         }
     }
 }

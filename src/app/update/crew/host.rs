@@ -11,8 +11,8 @@ use crate::crew::protocol::{
     Confirmed, CrewDenial, CrewHello, HostMessage, MemberMessage, RosterLine, SaidLine, VERSION,
 };
 use crate::crew::{
-    Crew, CrewChange, CrewDeed, CrewRecord, CrewScene, DeedOutcome, Flown, Joining, Member,
-    Proposal,
+    Crew, CrewChange, CrewDeed, CrewRecord, CrewScene, DeedOutcome, Departure, Flown, Joining,
+    Member, Proposal,
 };
 use crate::pilot_in_command::Person;
 use crate::text;
@@ -37,6 +37,7 @@ pub(super) fn heard(
         (MemberMessage::Hello(hello), _) => join(state, connection, user, hello),
         (_, None) => deny(connection, CrewDenial::NoHello),
         (MemberMessage::Here, Some(_)) => Effects::none(),
+        (MemberMessage::Leave, Some(_)) => left(state, connection, Departure::Left),
         (
             MemberMessage::Say {
                 id,
@@ -113,12 +114,12 @@ fn join(state: &mut State, connection: ConnectionId, user: &str, hello: CrewHell
     effects
 }
 
-/// A connection has ended.
-pub(super) fn left(state: &mut State, connection: ConnectionId) -> Effects {
+/// A member is not there any more.
+pub(super) fn left(state: &mut State, connection: ConnectionId, why: Departure) -> Effects {
     let wall = state.wall;
     let pilots = &mut state.session.pilots;
     let crew = state.crew.host_mut();
-    let change = crew.and_then(|crew| crew.leave(connection, pilots, wall));
+    let change = crew.and_then(|crew| crew.leave(connection, why, pilots, wall));
     change.map_or_else(Effects::none, |change| changed(state, change))
 }
 
@@ -131,32 +132,44 @@ fn changed(state: &mut State, change: CrewChange) -> Effects {
     } else {
         Severity::Notice
     };
-    if let Some(text) = change.text() {
+    if let Some(text) = change.text(None) {
         tell(state, severity, text);
     }
-    let Some(crew) = state.crew.host() else {
+    if state.crew.host().is_none() {
         return Effects::none();
-    };
+    }
     let record = CrewRecord {
         change,
         flown: Flown::all(&state.session.pilots),
     };
-    let roster = HostMessage::Roster(roster(crew));
-    [CrewEffect::Note(record), CrewEffect::TellAll(roster)]
-        .into_iter()
-        .map(Effect::Crew)
-        .collect()
+    let mut effects = Effects::from(Effect::Crew(CrewEffect::Note(record)));
+    effects.extend(tell_roster(state));
+    effects
+}
+
+/// Tells everybody who is on the crew, and what is proposed.
+fn tell_roster(state: &State) -> Effects {
+    let roster = state
+        .crew
+        .host()
+        .map(|crew| HostMessage::Roster(roster(crew)));
+    let told = roster.map(|it| Effect::Crew(CrewEffect::TellAll(it)));
+    told.into_iter().collect()
 }
 
 fn roster(crew: &Crew) -> Vec<RosterLine> {
-    let host = RosterLine {
-        name: crew.host().name().into(),
-        role: None,
+    let line = |person: &Person, role| {
+        let all = crew.proposals().iter();
+        let made = all.filter(|it| it.proposer() == person);
+        RosterLine {
+            name: person.name().into(),
+            role,
+            proposals: made.map(|it| (&it.open()).into()).collect(),
+        }
     };
-    let members = crew.members().map(|member| RosterLine {
-        name: member.person.name().into(),
-        role: Some(member.role),
-    });
+    let members = crew.members();
+    let members = members.map(|member| line(&member.person, Some(member.role)));
+    let host = line(crew.host(), None);
     std::iter::once(host).chain(members).collect()
 }
 
@@ -247,7 +260,8 @@ fn act(state: &mut State, who: &Person, deed: &CrewDeed) -> Result<Effects, Text
                 who = proposal.answerer().name(),
                 vehicles = ranges(proposal.vehicles.iter().copied())
             );
-            let mut effects = tell_person(state, proposal.answerer(), proposal.text());
+            let mut effects = tell_roster(state);
+            effects.extend(tell_person(state, proposal.answerer(), proposal.text()));
             effects.extend(tell_person(state, proposal.proposer(), waits));
             effects
         }
@@ -259,6 +273,7 @@ fn act(state: &mut State, who: &Person, deed: &CrewDeed) -> Result<Effects, Text
             );
             let mut effects = tell_person(state, proposal.proposer(), text.clone());
             effects.extend(tell_person(state, proposal.answerer(), text));
+            effects.extend(tell_roster(state));
             effects
         }
     })
@@ -291,10 +306,13 @@ pub(super) fn tick(state: &mut State) -> Effects {
     let mut effects = Effects::none();
     for connection in silent {
         effects.extend([Effect::Crew(CrewEffect::Drop(connection))]);
-        effects.extend(left(state, connection));
+        effects.extend(left(state, connection, Departure::Silent));
     }
-    for proposal in ended {
-        effects.extend(unanswered(state, &proposal));
+    for proposal in &ended {
+        effects.extend(unanswered(state, proposal));
+    }
+    if !ended.is_empty() {
+        effects.extend(tell_roster(state));
     }
     effects
 }

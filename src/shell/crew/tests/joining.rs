@@ -11,6 +11,11 @@ impl Aboard {
         Some(state.crew().member()?.link(state.wall()))
     }
 
+    fn message(&self) -> String {
+        let message = self.console.app.state().message();
+        message.map(|it| it.text.to_string()).unwrap_or_default()
+    }
+
     fn question(&self) -> Option<String> {
         match self.console.app.state().overlay() {
             Some(Overlay::Confirm(confirm)) => Some(confirm.reason().to_string()),
@@ -25,7 +30,8 @@ async fn idle_host(folder: &Path) -> Aboard {
         place: place(folder),
         name: "alpha".to_owned(),
     };
-    Box::pin(Aboard::new(Opening::Home, crew, &folder.join("host"))).await
+    let options = options(Opening::Home, crew, &folder.join("host"));
+    Box::pin(Aboard::new(options)).await
 }
 
 /// Ends the host's console as the user or a signal does, while a member stays.
@@ -105,6 +111,9 @@ async fn a_member_is_asked_before_the_vehicles_go_back_to_the_host() {
         aboard[1].has_notice("offers you 3: `crew accept 3` or `crew decline 3`")
     })
     .await;
+    anna.say("crew").await;
+    let open = format!("{own} offers 3 to {}", named(2));
+    assert!(anna.message().contains(&open), "{}", anna.message());
     anna.say("crew accept 3").await;
     until(&mut [&mut host, &mut anna], |aboard| {
         aboard[1].session().pilots().own() == Some(vec![3])
@@ -117,6 +126,15 @@ async fn a_member_is_asked_before_the_vehicles_go_back_to_the_host() {
         anna.console.feed(key(KeyCode::Esc)).await;
         assert!(!anna.console.over, "{line}");
     }
+    // The key needs no line, in the flight and in the brief.
+    for room in ['1', 'b'] {
+        anna.console.feed(key(KeyCode::Char(room))).await;
+        anna.console.feed(key(KeyCode::Char('q'))).await;
+        let expected = format!("{own} then flies 3, which you fly now");
+        assert_eq!(anna.question(), Some(expected), "{room}");
+        anna.console.feed(key(KeyCode::Esc)).await;
+        assert!(!anna.console.over, "{room}");
+    }
     // What a member has confirmed is named to the host.
     anna.say("3 kill").await;
     anna.console.feed(key(KeyCode::Char('1'))).await;
@@ -125,6 +143,6 @@ async fn a_member_is_asked_before_the_vehicles_go_back_to_the_host() {
     })
     .await;
     Box::pin(end(host, &mut anna)).await;
-    anna.say("quit").await;
+    anna.console.feed(key(KeyCode::Char('q'))).await;
     assert!(anna.console.over);
 }
