@@ -42,6 +42,7 @@ outcome-not-seen = not seen: { $effect }
 outcome-not-seen-within = not seen within { $seconds } s: { $effect }
 outcome-offboard-kept = still in OFFBOARD 5 s after the command to hold; setpoints are no longer sent, so its failsafe decides
 outcome-other-target = the vehicle keeps its earlier target; is the new one outside its fence?
+outcome-no-target = the vehicle stands still and reports no target; is the place outside its fence?
 outcome-overtaken = by { $mode }
 outcome-crashed = by a crash
 outcome-disarmed = by disarming

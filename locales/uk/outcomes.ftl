@@ -43,6 +43,7 @@ outcome-not-seen = не помічено: { $effect }
 outcome-not-seen-within = за { $seconds } s не помічено: { $effect }
 outcome-offboard-kept = за 5 s після команди зависнути режим не змінився з OFFBOARD; цілі більше не надсилаються, тож діє захист апарата
 outcome-other-target = апарат і далі летить до попередньої цілі; чи не лежить нова за межами його геозони?
+outcome-no-target = апарат стоїть на місці й не має цілі; чи не лежить вона за межами його геозони?
 outcome-overtaken = режим { $mode }
 outcome-crashed = аварія
 outcome-disarmed = двигуни деактивовано

@@ -179,12 +179,23 @@ impl Effect {
     }
 
     /// Whether a vehicle's target is another place than the one that it was sent to.
-    pub fn is_elsewhere(&self, target: &Target) -> bool {
-        let Watched::Place(TravelEnd::Global { point, .. }) = self.watched else {
+    pub fn is_elsewhere(&self, vehicle: &Vehicle, target: &Target) -> bool {
+        let Watched::Place(end) = self.watched else {
             return false;
         };
-        let elsewhere = |at: LatLon| at.distance_m(point) > OTHER_TARGET_M;
-        target.at_point.is_some_and(elsewhere)
+        let places = target.at_point.zip(end.point(vehicle));
+        places.is_some_and(|(at, asked)| at.distance_m(asked) > OTHER_TARGET_M)
+    }
+
+    /// Whether a vehicle that is sent to a place stands still elsewhere.
+    pub fn stays_behind(&self, vehicle: &Vehicle) -> bool {
+        let Watched::Place(end) = self.watched else {
+            return false;
+        };
+        let is_still = speed_m_s(vehicle).is_some_and(|speed| speed < STILL_M_S);
+        let asked = vehicle.global.zip(end.point(vehicle));
+        is_still
+            && asked.is_some_and(|(now, asked)| now.at_point.distance_m(asked) > OTHER_TARGET_M)
     }
 
     /// How long to wait for the effect after the acceptance.

@@ -126,17 +126,38 @@ pub(super) fn arrival(vehicle: &Vehicle, destination: Destination) -> Result<Tra
     }
 }
 
-/// The height above home of a local position, from its offset to the vehicle. The vehicle reports its two positions at
-/// different times, between which it may climb or descend: at a constant acceleration, by its mean speed.
+impl TravelEnd {
+    /// Its point on the earth; `None` for a local one of a vehicle whose positions are not known.
+    pub fn point(self, vehicle: &Vehicle) -> Option<LatLon> {
+        match self {
+            Self::Global { point, .. } => Some(point),
+            Self::Local { ned_m } => {
+                let (at_point, [north_m, east_m, _]) = both_positions(vehicle)?;
+                Some(at_point.moved(ned_m[0] - north_m, ned_m[1] - east_m))
+            }
+        }
+    }
+}
+
+/// The height above home of a local position, from its offset to the vehicle.
 fn height_of(vehicle: &Vehicle, down_m: f64) -> f64 {
-    let (Some(global), Some(local)) = (vehicle.global, vehicle.local) else {
-        return -down_m;
-    };
-    let [.., local_down_m] = local.ned_m;
-    let [.., down_m_s] = local.velocity_m_s;
+    match (vehicle.altitude_m(), both_positions(vehicle)) {
+        (Some(altitude_m), Some((_, here))) => altitude_m + here[2] - down_m,
+        _ => -down_m,
+    }
+}
+
+/// The vehicle's position on the earth and its local one at that time. It reports them at different times, between
+/// which it may move: at a constant acceleration, by its mean velocity.
+fn both_positions(vehicle: &Vehicle) -> Option<(LatLon, [f64; 3])> {
+    let (global, local) = (vehicle.global?, vehicle.local?);
     let later_s = global.at.as_secs_f64() - local.at.as_secs_f64();
-    let descent_m = f64::from(f32::midpoint(down_m_s, global.down_m_s)) * later_s;
-    global.altitude_m + f64::from(local_down_m) + descent_m - down_m
+    let velocity_m_s = [global.north_m_s, global.east_m_s, global.down_m_s];
+    let here = std::array::from_fn(|axis| {
+        let mean_m_s = f32::midpoint(local.velocity_m_s[axis], velocity_m_s[axis]);
+        f64::from(local.ned_m[axis]) + f64::from(mean_m_s) * later_s
+    });
+    Some((global.at_point, here))
 }
 
 /// Refuses setpoints that the autopilot would silently ignore: outside GUIDED, disarmed, or before

@@ -1,35 +1,33 @@
 //! A vehicle's target, and when it becomes void.
 
 use mavlink::dialects::ardupilotmega::{
-    EXTENDED_SYS_STATE_DATA, GLOBAL_POSITION_INT_DATA, MavFrame, MavLandedState,
-    POSITION_TARGET_GLOBAL_INT_DATA, PositionTargetTypemask,
+    EXTENDED_SYS_STATE_DATA, GLOBAL_POSITION_INT_DATA, LOCAL_POSITION_NED_DATA, MavFrame,
+    MavLandedState, POSITION_TARGET_GLOBAL_INT_DATA, PositionTargetTypemask,
 };
 
 use super::*;
 use crate::geo::LatLon;
 
-/// A vehicle in the air in GUIDED, on its way to a target according to its telemetry.
-pub(super) fn under_way() -> Scene {
+/// A vehicle in the air in GUIDED, without a target.
+fn in_the_air() -> Scene {
     let mut scene = Scene::new();
     scene.heartbeat(GUIDED, true);
     scene.hear(MavMessage::EXTENDED_SYS_STATE(EXTENDED_SYS_STATE_DATA {
         landed_state: MavLandedState::MAV_LANDED_STATE_IN_AIR,
         ..Default::default()
     }));
-    scene.hear(MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
-        lat: 504_500_000,
-        lon: 305_200_000,
-        relative_alt: 20_000,
-        ..Default::default()
-    }));
-    let goto = Command::Motion(MotionCommand::Goto {
-        destination: Destination::Global {
-            at_point: LatLon::new(50.46, 30.52),
-            altitude_m: Some(20.0),
-        },
-        heading: Heading::Auto,
-    });
-    scene.order(1, "goto", goto);
+    hear_position(&mut scene, 0);
+    scene
+}
+
+/// The same, on its way to a target according to its telemetry.
+pub(super) fn under_way() -> Scene {
+    let mut scene = in_the_air();
+    let destination = Destination::Global {
+        at_point: LatLon::new(50.46, 30.52),
+        altitude_m: Some(20.0),
+    };
+    scene.order(1, "goto", goto(destination));
     hear_target(&mut scene);
     scene
 }
@@ -95,25 +93,74 @@ fn a_target_that_is_not_sent_any_more_is_forgotten_unless_the_vehicle_is_silent(
     }
 }
 
+/// To a point on the earth, or to one 200 m north of the vehicle, which is at the origin of its local coordinates.
 #[test]
 fn a_vehicle_that_keeps_another_target_has_dropped_the_goto() {
-    let mut scene = under_way();
-    let goto = Command::Motion(MotionCommand::Goto {
-        destination: Destination::Global {
-            at_point: LatLon::new(50.4518, 30.52),
-            altitude_m: Some(20.0),
-        },
-        heading: Heading::Auto,
-    });
-    scene.order(2, "goto", goto);
-    for second in 1..=3 {
-        assert!(!scene.states(2).contains(&RowState::NoEffect), "{second}");
-        scene.pass(ms(1000));
-        scene.heartbeat(GUIDED, true);
-        hear_target(&mut scene);
+    let on_earth = Destination::Global {
+        at_point: LatLon::new(50.4518, 30.52),
+        altitude_m: Some(20.0),
+    };
+    for destination in [on_earth, NORTH] {
+        let mut scene = under_way();
+        hear_local(&mut scene);
+        scene.order(2, "goto", goto(destination));
+        for second in 1..=3 {
+            assert!(!scene.states(2).contains(&RowState::NoEffect), "{second}");
+            scene.pass(ms(1000));
+            scene.heartbeat(GUIDED, true);
+            hear_target(&mut scene);
+        }
+        scene.pass(ms(100));
+        assert_eq!(scene.states(2).last(), Some(&RowState::NoEffect));
+        assert!(scene.explanation(2).contains("outside its fence?"));
+        assert!(!scene.states(1).contains(&RowState::NoEffect));
     }
-    scene.pass(ms(100));
-    assert_eq!(scene.states(2).last(), Some(&RowState::NoEffect));
-    assert!(scene.explanation(2).contains("outside its fence?"));
-    assert!(!scene.states(1).contains(&RowState::NoEffect));
+}
+
+/// After its takeoff, it reports no target until it takes one.
+#[test]
+fn a_vehicle_that_stands_still_without_a_target_has_dropped_the_goto() {
+    for moves in [false, true] {
+        let mut scene = in_the_air();
+        hear_local(&mut scene);
+        scene.order(1, "goto", goto(NORTH));
+        for _ in 0..7 {
+            scene.pass(ms(1000));
+            scene.heartbeat(GUIDED, true);
+            hear_position(&mut scene, if moves { 200 } else { 0 });
+        }
+        scene.pass(ms(100));
+        assert_eq!(scene.states(1).contains(&RowState::NoEffect), !moves);
+    }
+}
+
+/// 200 m north of the vehicle.
+const NORTH: Destination = Destination::Local {
+    north_m: 200.0,
+    east_m: 0.0,
+    up_m: Some(20.0),
+};
+
+fn goto(destination: Destination) -> Command {
+    Command::Motion(MotionCommand::Goto {
+        destination,
+        heading: Heading::Auto,
+    })
+}
+
+fn hear_position(scene: &mut Scene, north_cm_s: i16) {
+    scene.hear(MavMessage::GLOBAL_POSITION_INT(GLOBAL_POSITION_INT_DATA {
+        lat: 504_500_000,
+        lon: 305_200_000,
+        relative_alt: 20_000,
+        vx: north_cm_s,
+        ..Default::default()
+    }));
+}
+
+fn hear_local(scene: &mut Scene) {
+    scene.hear(MavMessage::LOCAL_POSITION_NED(LOCAL_POSITION_NED_DATA {
+        z: -20.0,
+        ..Default::default()
+    }));
 }

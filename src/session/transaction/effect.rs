@@ -17,6 +17,8 @@ const GATHERING_SPEED: Duration = Duration::from_secs(4);
 const BEGINS_WITHIN: Duration = Duration::from_secs(3);
 /// How old a command must be at a report of the vehicle's target: an earlier report may be about the previous target.
 const TARGET_CHANGES_WITHIN: Duration = Duration::from_secs(3);
+/// How old a command to fly somewhere must be when the vehicle, without a target, still stands.
+const SETS_OUT_WITHIN: Duration = Duration::from_secs(5);
 
 impl Transaction {
     /// Advances time while the effect is awaited.
@@ -40,6 +42,10 @@ impl Transaction {
                 let text = text!("outcome-other-target");
                 self.end(RowState::NoEffect, Some(text), now, output);
             }
+            Some(false) if self.does_not_set_out(vehicle) => {
+                let text = text!("outcome-no-target");
+                self.end(RowState::NoEffect, Some(text), now, output);
+            }
             Some(false) if now >= since + self.effect.within() => {
                 let text = not_seen(&self.effect.describe(vehicle), self.effect.within());
                 self.end(RowState::NoEffect, Some(text), now, output);
@@ -53,8 +59,18 @@ impl Transaction {
         let target = vehicle.target;
         target.is_some_and(|target| {
             target.at >= self.first_sent + TARGET_CHANGES_WITHIN
-                && self.effect.is_elsewhere(&target)
+                && self.effect.is_elsewhere(vehicle, &target)
         })
+    }
+
+    /// Whether the vehicle neither moves nor reports a target, long after the command: it has dropped the command
+    /// without an answer. After a takeoff, ArduCopter has no earlier target that it could report.
+    fn does_not_set_out(&self, vehicle: &Vehicle) -> bool {
+        let latest = vehicle.global.map(|global| global.at);
+        vehicle.target.is_none()
+            && vehicle.heartbeat.is_some_and(|it| it.is_ardupilot())
+            && latest.is_some_and(|at| at >= self.last_sent + SETS_OUT_WITHIN)
+            && self.effect.stays_behind(vehicle)
     }
 
     fn has_begun(&self, vehicle: &Vehicle) -> bool {
