@@ -335,9 +335,9 @@ fn faults_say_what_and_what_to_do() {
             ],
         ),
         (
-            &["fly", "00", "--class", "9-A", "--desk", "192.168.1.5"],
+            &["fly", "00", "--class", "9-A", "--desk", "192.168.1.5:desk"],
             2,
-            &["`192.168.1.5` is not an address: write HOST:PORT"],
+            &["`192.168.1.5:desk` is not an address: write HOST:PORT"],
         ),
         (
             &["fly", "00", "--desk", "192.168.1.5:7447"],

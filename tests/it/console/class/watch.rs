@@ -258,7 +258,7 @@ fn the_header_of_a_seat_says_that_its_screen_is_watched() {
     };
     let watching = "petro watches this screen";
     assert!(watch(&mut console, true).contains(watching));
-    assert!(console.screen(80, 24).contains("watched"));
+    assert!(console.screen(80, 24).contains("petro watches"));
     assert!(!watch(&mut console, false).contains(watching));
     watch(&mut console, true);
     console.hear(ClassEvent::Lost);
