@@ -230,7 +230,7 @@ fn command(
     }
 }
 
-/// Tells the pilots of vehicles what somebody with the duty to make them safe commands them.
+/// Tells the pilots of vehicles which order to make them safe a member gives.
 fn made_safe(state: &mut State, member: &Member, given: &Effect) -> Effects {
     let Effect::Order { order, .. } = given else {
         return Effects::none();
