@@ -243,8 +243,9 @@ impl Operator {
     }
 
     /// Advances joint manoeuvres and rehearsals; returns the work that is due.
-    pub fn conduct(&mut self, vehicles: &Vehicles, now: Duration) -> Vec<Dispatch> {
-        let turn = self.conductor.step(now, vehicles);
+    pub fn conduct(&mut self, scene: ConductorScene<'_>) -> Vec<Dispatch> {
+        let ConductorScene { now, vehicles, .. } = scene;
+        let turn = self.conductor.step(scene);
         let mut late = std::mem::take(&mut self.undelivered);
         late.retain(|id, _| turn.steering.iter().all(|(newer, _)| newer != id));
         let rows = turn.rows.into_iter().map(Dispatch::Row);

@@ -395,7 +395,7 @@ impl Console {
 
     async fn conduct(&mut self, now: Duration) {
         let events = match &mut self.running {
-            Some(running) => running.conduct(now, self.app.state().session().vehicles()),
+            Some(running) => running.conduct(now, self.app.state().session()),
             None => Vec::new(),
         };
         for event in events {

@@ -12,8 +12,8 @@
 //! **Leader.** The first of the targets leads a formation. A `goto` or an `altitude` to it, alone or with others,
 //! moves the whole formation, and the rows of the other members end when it has arrived. Any other movement takes a
 //! vehicle out of its manoeuvre; the others close up, or share its lines (`lanes`). A formation has the speed
-//! commanded to its leader (`speed`). Members that the giver of such an order does not fly leave the formation, and
-//! stay where they are.
+//! commanded to its leader (`speed`). Only members with the leader's pilot are moved by such an order, or by the
+//! formation's closing up: all others leave it before, and stay where they are.
 //!
 //! **Spacing.** A survey has lines as far apart as its command says, otherwise as wide as the sensor's strip at the
 //! height of the lines, otherwise 20 m. A mission gives the strip of its sensors (`swarm_rules` in
@@ -144,6 +144,22 @@ pub struct ConductorScene<'a> {
     pub pilots: &'a PilotsInCommand,
 }
 
+impl<'a> ConductorScene<'a> {
+    fn view(self, rules: Rules) -> WorldView<'a> {
+        let ConductorScene {
+            now,
+            vehicles,
+            pilots,
+        } = self;
+        WorldView {
+            now,
+            vehicles,
+            pilots,
+            rules,
+        }
+    }
+}
+
 /// The result of an order.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Assignment {
@@ -193,7 +209,6 @@ impl Conductor {
     /// themselves. Only commands and manoeuvres have an effect here.
     pub fn take(&mut self, entry: EntryId, order: &Order, scene: ConductorScene<'_>) -> Assignment {
         self.leave_behind(order, scene);
-        let ConductorScene { now, vehicles, .. } = scene;
         let (verb, targets) = (order.verb, order.targets.as_slice());
         match &order.act {
             Act::Command(command) => {
@@ -203,7 +218,7 @@ impl Conductor {
                     command,
                     targets,
                 };
-                self.order(ordered, vehicles, now)
+                self.order(ordered, scene)
             }
             Act::Manoeuvre(manoeuvre) => {
                 let call = Call {
@@ -214,68 +229,39 @@ impl Conductor {
                 };
                 Assignment {
                     alone: Vec::new(),
-                    rows: self.begin(call, vehicles, now),
+                    rows: self.begin(call, scene),
                 }
             }
             Act::Deed(_) | Act::Plans(_) | Act::Rehearse { .. } => Assignment::default(),
         }
     }
 
-    /// Takes the vehicles out of a formation that an order to its leader would move although its giver does not fly them.
+    /// Before an order to the leader of a formation moves it, those whom the leader's pilot does not fly leave it.
     fn leave_behind(&mut self, order: &Order, scene: ConductorScene<'_>) {
-        let ConductorScene {
-            now,
-            vehicles,
-            pilots,
-        } = scene;
         if !is_for_formation(&order.act) {
             return;
         }
-        let view = WorldView {
-            now,
-            vehicles,
-            rules: self.rules,
-        };
+        let view = scene.view(self.rules);
         for act in &mut self.acts {
-            let leader = act.leader();
-            if leader.is_none_or(|leader| !order.targets.contains(&leader)) {
-                continue;
-            }
-            let refused = act.members.iter().filter_map(|member| {
-                let reason = pilots.refusal(member.id, order.by.as_ref(), order.verb.duty)?;
-                Some((member.id, reason))
-            });
-            for (id, reason) in refused.collect::<Vec<_>>() {
-                let stop = act.stops(&[id], vehicles);
-                act.lose(
-                    &[id],
-                    RowState::Overtaken,
-                    &reason,
-                    &view,
-                    &mut self.waiting,
-                );
-                self.waiting.steering.retain(|(other, _)| *other != id);
-                self.waiting.steering.extend(stop);
-                let text = text!("swarm-falls-out", verb = act.verb.name, reason = reason);
-                let notice = Notice::about(id, now, Severity::Warning, text);
-                self.waiting.notices.push(notice);
+            if act.leader().is_some_and(|it| order.targets.contains(&it)) {
+                act.leave_behind(&view, &mut self.waiting);
             }
         }
     }
 
     /// Begins a manoeuvre. Its members leave their earlier manoeuvres; vehicles that cannot take
     /// part are refused.
-    fn begin(&mut self, call: Call<'_>, vehicles: &Vehicles, now: Duration) -> Vec<RowUpdate> {
+    fn begin(&mut self, call: Call<'_>, scene: ConductorScene<'_>) -> Vec<RowUpdate> {
         if *call.manoeuvre == Manoeuvre::Disband {
-            return self.disband(call, vehicles, now);
+            return self.disband(call, scene);
         }
-        let mut planner = Planner::new(self.rules, vehicles, now, call);
+        let mut planner = Planner::new(scene.view(self.rules), call);
         planner.pick_team();
         let taken = planner.team();
         let act = planner.make();
         let mut rows = std::mem::take(&mut planner.rows);
         if let Some(act) = act {
-            self.release(&taken, &call.verb.name.into(), vehicles, now);
+            self.release(&taken, &call.verb.name.into(), scene);
             self.waiting.steering.retain(|(id, _)| !taken.contains(id));
             rows.splice(0..0, std::mem::take(&mut self.waiting.rows));
             self.acts.push(act);
@@ -285,7 +271,8 @@ impl Conductor {
 
     /// Notes a command before it is sent; returns the vehicles to send it to. A movement takes its vehicles out of
     /// their manoeuvres, or moves a whole formation and is sent to none of its members.
-    fn order(&mut self, ordered: Ordered<'_>, vehicles: &Vehicles, now: Duration) -> Assignment {
+    fn order(&mut self, ordered: Ordered<'_>, scene: ConductorScene<'_>) -> Assignment {
+        let ConductorScene { now, vehicles, .. } = scene;
         let mut left = ordered.targets.to_vec();
         if ordered.verb.movement.moves() && !is_guided(ordered.command) {
             for act in &mut self.acts {
@@ -295,7 +282,7 @@ impl Conductor {
                 };
                 left.retain(|id| !claimed.contains(id));
             }
-            self.release(&left, &ordered.verb.name.into(), vehicles, now);
+            self.release(&left, &ordered.verb.name.into(), scene);
             // A stop that waits for the next step would end the new movement.
             self.waiting.steering.retain(|(id, _)| !left.contains(id));
             let meeting = gathering::meeting(ordered.command, &left, vehicles, self.rules);
@@ -308,16 +295,12 @@ impl Conductor {
         }
     }
 
-    pub fn step(&mut self, now: Duration, vehicles: &Vehicles) -> StepOutcome {
+    pub fn step(&mut self, scene: ConductorScene<'_>) -> StepOutcome {
         let mut outcome = std::mem::take(&mut self.waiting);
-        for index in 0..self.acts.len() {
-            let view = WorldView {
-                now,
-                vehicles,
-                rules: self.rules,
-            };
-            self.acts[index].pace(vehicles);
-            self.acts[index].step(&view, &mut outcome);
+        let view = scene.view(self.rules);
+        for act in &mut self.acts {
+            act.pace(scene.vehicles);
+            act.step(&view, &mut outcome);
         }
         self.acts.retain(|act| !act.is_over());
         outcome
@@ -333,12 +316,8 @@ impl Conductor {
     }
 
     /// Takes vehicles out of their manoeuvres; the others continue without them.
-    fn release(&mut self, ids: &[VehicleId], by: &Text, vehicles: &Vehicles, now: Duration) {
-        let view = WorldView {
-            now,
-            vehicles,
-            rules: self.rules,
-        };
+    fn release(&mut self, ids: &[VehicleId], by: &Text, scene: ConductorScene<'_>) {
+        let view = scene.view(self.rules);
         let reason = text!("outcome-superseded", by = by);
         for act in &mut self.acts {
             let gone: Vec<VehicleId> = ids.iter().copied().filter(|id| act.has(*id)).collect();
@@ -355,7 +334,8 @@ impl Conductor {
         self.acts.retain(|act| !act.is_over());
     }
 
-    fn disband(&mut self, call: Call<'_>, vehicles: &Vehicles, now: Duration) -> Vec<RowUpdate> {
+    fn disband(&mut self, call: Call<'_>, scene: ConductorScene<'_>) -> Vec<RowUpdate> {
+        let ConductorScene { now, vehicles, .. } = scene;
         let in_formation = |id: &VehicleId| {
             let mut acts = self.acts.iter();
             acts.any(|act| act.is_formation() && act.has(*id))
@@ -367,7 +347,7 @@ impl Conductor {
             .iter()
             .flat_map(|act| act.stops(&free, vehicles))
             .collect();
-        self.release(&free, &call.verb.name.into(), vehicles, now);
+        self.release(&free, &call.verb.name.into(), scene);
         self.waiting.steering.extend(stops);
         let row = |state, explanation: Option<Text>| {
             move |vehicle: VehicleId| RowUpdate {

@@ -44,6 +44,8 @@ crew-waiting = waiting for the crew { $crew }
 crew-waiting-flight = waiting for the flight of { $host }
 crew-host-left = { $host } has ended the crew: this console looks for it again, `quit` leaves
 crew-confirmed = { $who } has confirmed `{ $line }`: { $danger }
+# A safety pilot commands vehicles of the reader; the verb is as it is typed.
+crew-made-safe = { $who } commands `{ $verb }` to what you fly: { $vehicles }
 crew-flight-ended = the flight of { $host } has ended
 crew-lost = the connection to the host is lost; the console tries again
 crew-refused = { $line }: { $reason }

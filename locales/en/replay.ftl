@@ -46,6 +46,8 @@ moment-disarmed = disarmed
 moment-mode = mode { $mode }
 moment-refused = { $line }: { $outcome }
 moment-refused-why = { $line }: { $outcome }: { $why }
+# A refusal that came at least twice.
+moment-times = { $what } ({ $count } times)
 moment-objective = objective met: { $objective }
 moment-near = only { $metres } m apart
 moment-nearest = smallest separation of the flight: { $metres } m

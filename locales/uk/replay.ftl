@@ -46,6 +46,8 @@ moment-disarmed = двигуни деактивовано
 moment-mode = режим { $mode }
 moment-refused = { $line }: { $outcome }
 moment-refused-why = { $line }: { $outcome }: { $why }
+# Відмова, що повторилася: щонайменше двічі.
+moment-times = { $what } (разів: { $count })
 moment-objective = досягнуто цілі: { $objective }
 moment-near = зблизилися до { $metres } m
 moment-nearest = найменша відстань за політ: { $metres } m

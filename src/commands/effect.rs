@@ -192,10 +192,11 @@ impl Effect {
         let Watched::Place(end) = self.watched else {
             return false;
         };
-        let is_still = speed_m_s(vehicle).is_some_and(|speed| speed < STILL_M_S);
-        let asked = vehicle.global.zip(end.point(vehicle));
-        is_still
-            && asked.is_some_and(|(now, asked)| now.at_point.distance_m(asked) > OTHER_TARGET_M)
+        let places = vehicle.global.zip(end.point(vehicle));
+        places.is_some_and(|(now, asked)| {
+            f64::from(now.speed_m_s()) < STILL_M_S
+                && now.at_point.distance_m(asked) > OTHER_TARGET_M
+        })
     }
 
     /// How long to wait for the effect after the acceptance.

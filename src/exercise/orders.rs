@@ -10,12 +10,18 @@ use crate::notice::Notice;
 use crate::operator::{self, Dispatch, OperatorScene};
 use crate::pilot_in_command::PilotsInCommand;
 use crate::record::{EntryLine, Happening, PathLine};
+use crate::swarm::ConductorScene;
 use crate::text::Text;
 use crate::vehicle::{Severity, VehicleId};
 
 impl<L> Exercise<L> {
     pub(super) fn conduct(&mut self, now: Duration) {
-        for work in self.operator.conduct(&self.vehicles, now) {
+        let work = self.operator.conduct(ConductorScene {
+            now,
+            vehicles: &self.vehicles,
+            pilots: &PilotsInCommand::default(),
+        });
+        for work in work {
             self.dispatch(work, now);
         }
         // Paths are only needed for the record.

@@ -39,7 +39,7 @@ const FALSE_ALARMS: [FalseAlarm; 2] = [
     },
     FalseAlarm {
         kind: FindKind::Person,
-        cell_m: 5.0,
+        cell_m: 10.0,
         merge_within_m: 10.0,
     },
 ];

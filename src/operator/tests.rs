@@ -41,6 +41,15 @@ fn said(operator: &mut Operator, line: &str) -> Vec<Dispatch> {
     operator.carry_out(entry, &order, scene)
 }
 
+/// The work that is due at a time.
+fn conducted(operator: &mut Operator, vehicles: &Vehicles, now: Duration) -> Vec<Dispatch> {
+    operator.conduct(ConductorScene {
+        now,
+        vehicles,
+        pilots: &PilotsInCommand::default(),
+    })
+}
+
 fn steering(altitude_m: f64) -> Steering {
     Steering {
         verb: crate::language::verb("formation").expect("it is in the table"),
@@ -136,21 +145,17 @@ fn steering_that_is_not_delivered_comes_again_until_it_is_void() {
     }
     // Vehicle 2 has other orders by now.
     assert_eq!(said(&mut operator, "2 land").len(), 1);
-    let work = operator.conduct(&vehicles(), Duration::from_secs(8));
+    let work = conducted(&mut operator, &vehicles(), Duration::from_secs(8));
     assert_eq!(
         work,
         [1, 3].map(|id| Dispatch::Steer(id, steering(f64::from(id))))
     );
     operator.note_delivery(1, steering(1.0), true);
     operator.note_delivery(3, steering(3.0), false);
-    let work = operator.conduct(&vehicles(), Duration::from_secs(9));
+    let work = conducted(&mut operator, &vehicles(), Duration::from_secs(9));
     assert_eq!(work, [Dispatch::Steer(3, steering(3.0))]);
     operator.note_delivery(3, steering(3.0), true);
-    assert!(
-        operator
-            .conduct(&vehicles(), Duration::from_secs(10))
-            .is_empty()
-    );
+    assert!(conducted(&mut operator, &vehicles(), Duration::from_secs(10)).is_empty());
 }
 
 /// The states of the rows for `2 param set NAME 0` in a flight.

@@ -41,6 +41,7 @@ pub(super) struct Lookout {
     /// The smallest distance of the flight so far.
     nearest: Option<(Pair, Approach)>,
     reached: Vec<bool>,
+    barred: Vec<BarredLine>,
     clock: Arc<MissionClock>,
     report: Option<Arc<Report>>,
 }
@@ -49,6 +50,27 @@ pub(super) struct Lookout {
 struct KnownVehicle {
     mode: Option<Mode>,
     is_armed: bool,
+}
+
+/// A line that was refused because another person flies the vehicle.
+#[derive(Debug)]
+struct BarredLine {
+    /// When it was refused first.
+    at: Duration,
+    /// The line, with the reason.
+    text: Text,
+    /// How often it was refused.
+    count: u32,
+}
+
+impl BarredLine {
+    /// The moment's text.
+    fn shown(&self) -> Text {
+        if self.count < 2 {
+            return self.text.clone();
+        }
+        text!("moment-times", what = self.text.clone(), count = self.count)
+    }
 }
 
 impl Lookout {
@@ -178,13 +200,15 @@ impl Lookout {
     }
 
     fn judge(&mut self, row: &RowUpdate, state: &State) {
-        if !row.state.is_failure() {
-            return;
+        let entry = state.session().ledger().entry(row.entry);
+        if let Some(entry) = entry.filter(|_| row.state.is_failure()) {
+            self.refuse(row, &entry.line);
         }
-        let Some(entry) = state.session().ledger().entry(row.entry) else {
-            return;
-        };
-        let (line, outcome) = (entry.line.as_str(), row.state.text());
+    }
+
+    /// Adds the failure of a line.
+    fn refuse(&mut self, row: &RowUpdate, line: &str) {
+        let outcome = row.state.text();
         let text = match &row.explanation {
             // The reason for a refusal already shows that it is one.
             Some(why) if row.state == RowState::Refused => {
@@ -198,12 +222,35 @@ impl Lookout {
             ),
             None => text!("moment-refused", line = line, outcome = outcome),
         };
+        if row.state == RowState::Barred && self.count_again(&text) {
+            return;
+        }
+        if row.state == RowState::Barred {
+            let (at, text, count) = (row.at, text.clone(), 1);
+            self.barred.push(BarredLine { at, text, count });
+        }
         self.add(Moment {
             at: row.at,
             vehicles: vec![row.vehicle],
             kind: MomentKind::Refusal,
             text,
         });
+    }
+
+    /// Counts a line that was barred before, at the moment when it was first; returns whether there is such a moment.
+    fn count_again(&mut self, text: &Text) -> bool {
+        let Some(known) = self.barred.iter_mut().find(|it| it.text == *text) else {
+            return false;
+        };
+        let before = known.shown();
+        known.count += 1;
+        let mut found = self.found.iter_mut();
+        let moment = found.find(|it| it.at == known.at && it.text == before);
+        if let Some(moment) = moment {
+            moment.text = known.shown();
+            self.revision += 1;
+        }
+        true
     }
 
     /// Adds the alerts that have been raised.
@@ -293,8 +340,43 @@ mod tests {
     use super::*;
     use crate::exercise::Exercise;
     use crate::language::{Context, Script};
+    use crate::ledger::EntryId;
     use crate::mission::Mission;
     use crate::scoring::{EventReport, EventSubject};
+
+    #[test]
+    fn a_line_that_another_pilot_bars_again_and_again_is_one_moment() {
+        let mut lookout = Lookout::default();
+        let mut refuse = |at_s, vehicle, state, line| {
+            let row = RowUpdate {
+                entry: EntryId(at_s),
+                vehicle,
+                state,
+                tries: 0,
+                at: Duration::from_secs(u64::from(at_s)),
+                explanation: Some(text!("pilot-other", pilot = "anna", vehicle = vehicle)),
+            };
+            lookout.refuse(&row, line);
+        };
+        refuse(10, 3, RowState::Barred, "3 rtl");
+        refuse(15, 2, RowState::Barred, "2 rtl");
+        refuse(20, 3, RowState::Barred, "3 rtl");
+        refuse(30, 3, RowState::Barred, "3 rtl");
+        // What a vehicle itself refuses stays where it was.
+        refuse(40, 1, RowState::Refused, "1 arm");
+        refuse(50, 1, RowState::Refused, "1 arm");
+        let found = lookout.found().expect("moments").into_iter();
+        let found: Vec<_> = found
+            .map(|it| (it.at.as_secs(), it.text.to_string()))
+            .collect();
+        let expected = [
+            (10, "3 rtl: refused: anna flies 3 (3 times)"),
+            (15, "2 rtl: refused: anna flies 2"),
+            (40, "1 arm: anna flies 1"),
+            (50, "1 arm: anna flies 1"),
+        ];
+        assert_eq!(found, expected.map(|(at, text)| (at, text.to_owned())));
+    }
 
     #[test]
     fn an_alert_of_the_mission_is_a_moment() {

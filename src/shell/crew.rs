@@ -6,7 +6,7 @@
 //!
 //! # How the parts fit
 //! - `host_end` are the connections to members, `tail` sends the record; `member_end` is the connection to the host.
-//!   `faults` says why there is none.
+//!   `sign` says there that this console lives. `faults` says why there is no connection.
 
 use std::path::PathBuf;
 
@@ -26,6 +26,7 @@ use member_end::MemberEnd;
 mod faults;
 mod host_end;
 mod member_end;
+mod sign;
 mod tail;
 #[cfg(test)]
 mod tests;

@@ -13,6 +13,7 @@ use super::{FormationGoal, Ordered, Path, Rules, StepOutcome};
 use crate::commands::Setpoint;
 use crate::ledger::{EntryId, RowState, RowUpdate};
 use crate::notice::Notice;
+use crate::pilot_in_command::PilotsInCommand;
 use crate::session::Steering;
 use crate::text;
 use crate::text::Text;
@@ -41,11 +42,12 @@ const REACHED_ABOVE_M: f64 = 0.7;
 /// The distance at which a vehicle of a moving formation counts as in its place.
 const IN_PLACE_M: f64 = 2.0;
 
-/// The time, the vehicles and the rules for one step of a manoeuvre.
+/// The time, the vehicles with their pilots, and the rules for one step of a manoeuvre.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct WorldView<'a> {
     pub now: Duration,
     pub vehicles: &'a Vehicles,
+    pub pilots: &'a PilotsInCommand,
     pub rules: Rules,
 }
 

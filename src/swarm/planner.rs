@@ -1,19 +1,17 @@
 //! Makes a plan for each vehicle from an order.
 
-use std::time::Duration;
-
 use glam::{DVec2, DVec3};
 
+use super::Call;
 use super::act::{ActiveManoeuvre, Work, WorldView};
 use super::site::Site;
 use super::transit::MARGIN_M;
-use super::{Call, Rules};
 use crate::commands::{Datum, FarEnd, Manoeuvre, ready_for, suits};
 use crate::geo::LatLon;
 use crate::ledger::{RowState, RowUpdate};
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::{VehicleId, Vehicles};
+use crate::vehicle::VehicleId;
 
 mod plans;
 
@@ -25,9 +23,7 @@ pub(super) const SQUARE_TURNS: f64 = 5.0;
 /// The planning of one manoeuvre: its order, the vehicles that can take part, and the resulting
 /// rows.
 pub(super) struct Planner<'a> {
-    rules: Rules,
-    vehicles: &'a Vehicles,
-    now: Duration,
+    view: WorldView<'a>,
     call: Call<'a>,
     /// The vehicles that can take part, with their positions.
     team: Vec<(VehicleId, DVec3)>,
@@ -40,16 +36,14 @@ pub(super) struct Planner<'a> {
 type Made = Result<ActiveManoeuvre, Text>;
 
 impl<'a> Planner<'a> {
-    pub fn new(rules: Rules, vehicles: &'a Vehicles, now: Duration, call: Call<'a>) -> Self {
+    pub fn new(view: WorldView<'a>, call: Call<'a>) -> Self {
         let mut globals = call
             .targets
             .iter()
-            .filter_map(|id| vehicles.get(id)?.global);
+            .filter_map(|id| view.vehicles.get(id)?.global);
         let origin = globals.next().map(|global| global.at_point);
         Self {
-            rules,
-            vehicles,
-            now,
+            view,
             call,
             team: Vec::new(),
             site: Site::new(origin.unwrap_or(LatLon::new(0.0, 0.0))),
@@ -62,14 +56,14 @@ impl<'a> Planner<'a> {
     pub fn pick_team(&mut self) {
         let verb = self.call.verb;
         for &id in self.call.targets {
-            let fitness = match self.vehicles.get(&id) {
+            let fitness = match self.view.vehicles.get(&id) {
                 None => Err(text!("refused-not-heard")),
                 Some(_) if self.is_its_own_goal(id) => Err(text!("swarm-its-own-goal")),
                 Some(vehicle) => {
                     suits(verb, vehicle, false).and_then(|()| ready_for(verb.name, vehicle))
                 }
             };
-            let vehicle = self.vehicles.get(&id);
+            let vehicle = self.view.vehicles.get(&id);
             let at = vehicle.and_then(|vehicle| self.site.point(vehicle));
             match (fitness, at) {
                 (Ok(()), Some(at)) => self.team.push((id, at)),
@@ -109,7 +103,7 @@ impl<'a> Planner<'a> {
             vehicle,
             state,
             tries: 1,
-            at: self.now,
+            at: self.view.now,
             explanation,
         });
     }
@@ -173,21 +167,16 @@ impl<'a> Planner<'a> {
         ActiveManoeuvre::new(self.call.entry, self.call.verb, self.site, work)
     }
 
-    fn view(&self) -> WorldView<'a> {
-        WorldView {
-            now: self.now,
-            vehicles: self.vehicles,
-            rules: self.rules,
-        }
-    }
-
     /// The requested height, or that of the first vehicle.
     fn height(&self, up_m: Option<f64>) -> f64 {
         up_m.unwrap_or_else(|| self.team.first().map_or(0.0, |(_, at)| at.z))
     }
 
     fn spot(&self, spot: Datum) -> Result<DVec2, Text> {
-        let first = self.team.first().and_then(|(id, _)| self.vehicles.get(id));
+        let first = self
+            .team
+            .first()
+            .and_then(|(id, _)| self.view.vehicles.get(id));
         let found = first.and_then(|first| self.site.spot(spot, first));
         found.ok_or_else(|| text!("refused-no-position"))
     }
@@ -195,9 +184,9 @@ impl<'a> Planner<'a> {
     /// The requested spacing of the lines, otherwise the default at a height, with a remark.
     fn line_spacing(&mut self, spacing_m: Option<f64>, up_m: f64) -> f64 {
         spacing_m.unwrap_or_else(|| {
-            let metres = self.rules.line_spacing_m(up_m);
+            let metres = self.view.rules.line_spacing_m(up_m);
             let figure = format!("{metres:.1}");
-            self.remarks.push(match self.rules.strip_m(up_m) {
+            self.remarks.push(match self.view.rules.strip_m(up_m) {
                 Some(_) => text!("swarm-swath-spacing", metres = figure),
                 None => text!("swarm-usual-spacing", metres = figure),
             });
@@ -210,7 +199,7 @@ impl<'a> Planner<'a> {
     /// # Errors
     /// The spacing is below the separation with its margin, and there are several vehicles.
     fn roomy(&self, spacing_m: f64) -> Result<f64, Text> {
-        let separation_m = self.rules.separation_m;
+        let separation_m = self.view.rules.separation_m;
         let least = separation_m + MARGIN_M;
         if spacing_m + 1e-9 < least && self.team.len() > 1 {
             return Err(text!(

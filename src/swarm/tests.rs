@@ -145,7 +145,12 @@ impl Stage {
     }
 
     fn conduct(&mut self, now: Duration) {
-        let turn = self.conductor.step(now, &self.vehicles);
+        let scene = ConductorScene {
+            now,
+            vehicles: &self.vehicles,
+            pilots: &self.pilots,
+        };
+        let turn = self.conductor.step(scene);
         for row in &turn.rows {
             self.ledger.apply(row);
         }

@@ -23,8 +23,10 @@ pub(super) async fn exchange<M: DeserializeOwned, A>(
     arrival: impl Fn(Result<M, LineFault>) -> A,
 ) {
     tokio::select! {
-        () = pass_in(read, arrived, arrival) => {}
+        biased;
+        // First, because the other one ends at once when the port is gone.
         () = pass_out(lines, write) => {}
+        () = pass_in(read, arrived, arrival) => {}
     }
 }
 

@@ -182,6 +182,8 @@ impl<M: Message> WayToDesk<M> for HostPlace {
     ) {
         let (read, write) = call.into_split();
         tokio::select! {
+            biased;
+            // What was said last, such as a farewell, is written before the connection closes.
             () = exchange(read, write, lines, arrived, SeatArrival::Line) => {}
             () = arrived.closed() => {}
         }

@@ -34,8 +34,6 @@ pub struct MemberPlace {
     /// The lines that the host has not answered yet, by number.
     pub(in crate::app) asked: BTreeMap<u32, String>,
     pub(in crate::app) next: u32,
-    /// When the member last said something, by the wall clock.
-    pub(in crate::app) said_at: Duration,
     /// When the host last said something, by the wall clock; it says something every 2 s.
     pub(in crate::app) heard_at: Duration,
     /// Whether there is a connection.

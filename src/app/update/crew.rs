@@ -42,12 +42,11 @@ pub fn happened(state: &mut State, event: CrewEvent) -> Effects {
     Effects::none()
 }
 
-/// Ends what has timed out: the membership of silent members, and proposals without an answer.
+/// Ends at the host what has timed out: the membership of silent members, and proposals without an answer.
 pub fn tick(state: &mut State) -> Effects {
     match &state.crew {
-        CrewPart::None => Effects::none(),
+        CrewPart::None | CrewPart::Member(_) => Effects::none(),
         CrewPart::Host(_) => host::tick(state),
-        CrewPart::Member(_) => member::tick(state),
     }
 }
 

@@ -81,13 +81,11 @@ pub fn ask(
     shown: String,
     message: impl FnOnce(u32) -> MemberMessage,
 ) -> Effects {
-    let wall = state.wall;
     let Some(place) = state.crew.member_mut() else {
         return Effects::none();
     };
     let id = place.next;
     place.next = id.wrapping_add(1);
-    place.said_at = wall;
     if place.asked.len() >= MOST_ASKED {
         place.asked.pop_first();
     }

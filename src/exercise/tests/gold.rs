@@ -127,7 +127,7 @@ fn a_night_search_without_kits_or_without_near_looks_earns_less_than_gold() {
     let report = "all mark contacts as person\n";
     for (looks, missed) in [
         (rounds(12, ""), "kits"),
-        (rounds(30, "all drop\n"), "checked"),
+        (rounds(20, "all drop\n"), "checked"),
     ] {
         let plain = flown(
             mission,

@@ -296,8 +296,8 @@ fn a_rehearsal_waits_for_plans_that_are_being_read() {
     assert_eq!(told(&waits), (vec![RowState::Queued; 2], 0));
     let _ = give(2, &swarm(&unread));
     let s = Duration::from_secs;
-    assert_eq!(told(&operator.conduct(&swarm(&unread), s(5))).1, 0);
-    let begun = operator.conduct(&swarm(&read), s(6));
+    assert_eq!(told(&conducted(&mut operator, &swarm(&unread), s(5))).1, 0);
+    let begun = conducted(&mut operator, &swarm(&read), s(6));
     assert_eq!(told(&begun), (vec![RowState::InProgress(0); 4], 2));
     // A plan that never arrives is refused after a minute.
     let mut operator = Operator::default();
@@ -308,8 +308,8 @@ fn a_rehearsal_waits_for_plans_that_are_being_read() {
         pilots: &PilotsInCommand::default(),
     };
     let _ = operator.carry_out(EntryId(3), &order, scene);
-    assert_eq!(told(&operator.conduct(&swarm(&unread), s(59))).1, 0);
-    let (rows, flown) = told(&operator.conduct(&swarm(&unread), s(60)));
+    assert_eq!(told(&conducted(&mut operator, &swarm(&unread), s(59))).1, 0);
+    let (rows, flown) = told(&conducted(&mut operator, &swarm(&unread), s(60)));
     assert_eq!(
         (rows.as_slice(), flown),
         (&[RowState::InProgress(0), RowState::Refused][..], 1)
@@ -335,7 +335,7 @@ fn a_rehearsal_waits_for_the_end_of_an_upload() {
     let waits = give(&mut operator, 2, "1 plan rehearse");
     assert_eq!(told(&waits), (vec![RowState::Queued], 0));
     let s = Duration::from_secs;
-    assert_eq!(told(&operator.conduct(&vehicles, s(100))).1, 0);
+    assert_eq!(told(&conducted(&mut operator, &vehicles, s(100))).1, 0);
     operator.note_row(&RowUpdate {
         entry: EntryId(1),
         vehicle: 1,
@@ -344,8 +344,8 @@ fn a_rehearsal_waits_for_the_end_of_an_upload() {
         at: s(100),
         explanation: None,
     });
-    assert_eq!(told(&operator.conduct(&vehicles, s(101))).1, 0);
-    assert_eq!(told(&operator.conduct(&vehicles, s(102))).1, 1);
+    assert_eq!(told(&conducted(&mut operator, &vehicles, s(101))).1, 0);
+    assert_eq!(told(&conducted(&mut operator, &vehicles, s(102))).1, 1);
     let at_once = give(&mut operator, 3, "1 plan rehearse");
     assert_eq!(told(&at_once).1, 1);
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use super::faults;
+use super::sign::SignOfLife;
 use crate::app::effect::CrewEffect;
 use crate::app::event::{CrewEvent, Event};
 use crate::carrier::{Outbox, SeatArrival, SeatPort};
@@ -24,6 +25,7 @@ const MOST_RECORDS: u32 = 200;
 pub(in crate::shell) struct MemberEnd {
     pub(super) port: SeatPort<HostMessage>,
     outbox: Option<Outbox>,
+    sign: SignOfLife,
     role: Option<Role>,
     /// The program's data folder.
     data: PathBuf,
@@ -39,6 +41,7 @@ impl MemberEnd {
         Self {
             port,
             outbox: None,
+            sign: SignOfLife::new(),
             role,
             data,
             copy: None,
@@ -61,7 +64,8 @@ impl MemberEnd {
     }
 
     /// Ends the connection, after the host was told that the user leaves.
-    pub(super) async fn close(self) {
+    pub(super) async fn close(mut self) {
+        self.sign.end();
         if let Some(outbox) = &self.outbox {
             outbox.send(&MemberMessage::Leave);
         }
@@ -70,6 +74,7 @@ impl MemberEnd {
 
     /// Does what the state asks for.
     pub(super) fn carry_out(&self, work: Vec<CrewEffect>) {
+        self.sign.note_run();
         let Some(outbox) = &self.outbox else {
             return;
         };
@@ -145,6 +150,7 @@ impl Console {
         match arrival {
             SeatArrival::Found { outbox, .. } => {
                 outbox.send(&end.hello());
+                end.sign.begin(outbox.clone());
                 (end.outbox, end.records) = (Some(outbox), 0);
             }
             SeatArrival::Line(Ok(message)) => self.hear_host(end, message).await,
@@ -152,6 +158,7 @@ impl Console {
             SeatArrival::Line(Err(fault)) => tracing::warn!("a line of the host: {fault}"),
             SeatArrival::Lost => {
                 end.outbox = None;
+                end.sign.end();
                 self.feed(CrewEvent::Lost).await;
                 if let Some(copy) = &end.copy {
                     let file = copy.frames().display().to_string();

@@ -60,10 +60,14 @@ impl Aboard {
         self.console.app.state().session()
     }
 
+    /// All notices, oldest first.
+    fn notices(&self) -> Vec<String> {
+        let lines = self.console.app.state().notices().lines();
+        lines.map(|line| line.notice.text.to_string()).collect()
+    }
+
     fn has_notice(&self, word: &str) -> bool {
-        let notices = self.console.app.state().notices();
-        let mut lines = notices.lines();
-        lines.any(|line| line.notice.text.to_string().contains(word))
+        self.notices().iter().any(|text| text.contains(word))
     }
 
     /// The last entry of the ledger, with its giver.
@@ -110,7 +114,9 @@ async fn until(aboard: &mut [&mut Aboard], is_so: impl Fn(&[&mut Aboard]) -> boo
             Box::pin(one.turn()).await;
         }
     }
-    panic!("it did not happen within a minute");
+    let said = aboard.iter().map(|one| one.notices());
+    let said: Vec<_> = said.collect();
+    panic!("it did not happen within a minute: {said:#?}");
 }
 
 fn place(folder: &Path) -> HostPlace {

@@ -12,7 +12,8 @@ use crate::notice::Notice;
 use crate::operator::{Dispatch, OperatorScene};
 use crate::session::VehicleCommand;
 use crate::shell::orders::not_sent;
-use crate::vehicle::{Severity, VehicleId, Vehicles};
+use crate::swarm::ConductorScene;
+use crate::vehicle::{Severity, VehicleId};
 
 impl RunningSession {
     /// Carries out an order that already has a ledger entry; returns its immediate events.
@@ -38,8 +39,12 @@ impl RunningSession {
     }
 
     /// Advances joint manoeuvres; returns their events.
-    pub fn conduct(&mut self, now: Duration, vehicles: &Vehicles) -> Vec<Event> {
-        let work = self.operator.conduct(vehicles, self.vehicle_time.at(now));
+    pub fn conduct(&mut self, now: Duration, shown: &FlightView) -> Vec<Event> {
+        let work = self.operator.conduct(ConductorScene {
+            now: self.vehicle_time.at(now),
+            vehicles: shown.vehicles(),
+            pilots: shown.pilots(),
+        });
         let mut events = self.dispatch(work, now);
         let paths = self.operator.paths();
         if paths != self.paths {

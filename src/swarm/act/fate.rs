@@ -11,6 +11,7 @@ use crate::swarm::lanes::Lane;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::{Severity, Vehicle, VehicleId};
+use crate::verb::CrewDuty;
 
 /// The silence after which a member is dropped.
 const LOST_FOR: Duration = Duration::from_secs(10);
@@ -44,8 +45,78 @@ impl ActiveManoeuvre {
         }
     }
 
-    /// Removes members; the others take over the remaining work, or close up.
+    /// Removes members; the others take over the remaining work, or close up. Members of a formation that the leader's
+    /// pilot does not fly leave it too: closing up would move them.
     pub fn lose(
+        &mut self,
+        ids: &[VehicleId],
+        state: RowState,
+        reason: &Text,
+        view: &WorldView<'_>,
+        outcome: &mut StepOutcome,
+    ) {
+        self.end_rows(ids, state, reason, view, outcome);
+        let leader = self.leader();
+        let lanes = self.lanes_left();
+        self.members.retain(|member| !ids.contains(&member.id));
+        self.part(leader, view, outcome);
+        self.close_up(leader, &lanes, view, outcome);
+    }
+
+    /// Before an order to its leader moves a formation, removes the members that the leader's pilot does not fly; the
+    /// others close up.
+    pub fn leave_behind(&mut self, view: &WorldView<'_>, outcome: &mut StepOutcome) {
+        let leader = self.leader();
+        if self.part(leader, view, outcome) {
+            self.close_up(leader, &[], view, outcome);
+        }
+    }
+
+    /// Removes the members of a formation that another person flies than its leader, and returns whether there are any.
+    /// They stay where they are: nothing that moves the formation may move them.
+    fn part(
+        &mut self,
+        leader: Option<VehicleId>,
+        view: &WorldView<'_>,
+        outcome: &mut StepOutcome,
+    ) -> bool {
+        let Some(leader) = leader else {
+            return false;
+        };
+        let pilot = view.pilots.of(leader);
+        let strange = self.members.iter().filter_map(|member| {
+            let reason = view.pilots.refusal(member.id, pilot, CrewDuty::Flying)?;
+            Some((member.id, reason))
+        });
+        let strange: Vec<(VehicleId, Text)> = strange.collect();
+        for (id, reason) in &strange {
+            outcome.steering.retain(|(other, _)| other != id);
+            outcome.steering.extend(self.stops(&[*id], view.vehicles));
+            self.end_rows(&[*id], RowState::Overtaken, reason, view, outcome);
+            let text = text!("swarm-falls-out", verb = self.verb.name, reason = reason);
+            let notice = Notice::about(*id, view.now, Severity::Warning, text);
+            outcome.notices.push(notice);
+        }
+        let stays = |id: VehicleId| strange.iter().all(|(other, _)| *other != id);
+        self.members.retain(|member| stays(member.id));
+        !strange.is_empty()
+    }
+
+    /// Plans the work anew for the members that remain, or gives up.
+    fn close_up(
+        &mut self,
+        leader: Option<VehicleId>,
+        lanes: &[Lane],
+        view: &WorldView<'_>,
+        outcome: &mut StepOutcome,
+    ) {
+        if !self.members.is_empty() && !self.rearrange(leader, lanes, view, outcome) {
+            self.give_up(view, outcome);
+        }
+    }
+
+    /// Ends the rows of members that leave.
+    fn end_rows(
         &mut self,
         ids: &[VehicleId],
         state: RowState,
@@ -75,12 +146,6 @@ impl ActiveManoeuvre {
                 });
             }
             moving.who.retain(|id| !ids.contains(id));
-        }
-        let leader = self.leader();
-        let lanes = self.lanes_left();
-        self.members.retain(|member| !ids.contains(&member.id));
-        if !self.members.is_empty() && !self.rearrange(leader, &lanes, view, outcome) {
-            self.give_up(view, outcome);
         }
     }
 

@@ -40,7 +40,7 @@ impl Planner<'_> {
         }
         let mut act = self.act(Work::Courses { lanes: true });
         act.members = members(&self.team, up_m);
-        if !share_lanes(&mut act, &lanes, &self.view()) {
+        if !share_lanes(&mut act, &lanes, &self.view) {
             return Err(text!("swarm-no-way"));
         }
         let idle: Vec<VehicleId> = self.team().into_iter().filter(|id| !act.has(*id)).collect();
@@ -52,8 +52,8 @@ impl Planner<'_> {
             );
             self.tell(id, RowState::NoEffect, Some(why));
         }
-        if is_staggered(&lanes, self.rules) && act.members.len() > 1 {
-            let metres = format!("{:.1}", self.rules.clearance().above_m);
+        if is_staggered(&lanes, self.view.rules) && act.members.len() > 1 {
+            let metres = format!("{:.1}", self.view.rules.clearance().above_m);
             self.remarks.push(text!("swarm-staggered", metres = metres));
         }
         Ok(act)
@@ -115,10 +115,11 @@ impl Planner<'_> {
         up_m: f64,
         face_deg: Option<f64>,
     ) -> Made {
-        let least = self.rules.separation_m + MARGIN_M;
+        let least = self.view.rules.separation_m + MARGIN_M;
         let spacing_m = self.roomy(spacing_m.unwrap_or(FORMATION_SPACING_M.max(least)))?;
         let (first, at) = self.team[0];
         let heading = self
+            .view
             .vehicles
             .get(&first)
             .and_then(|vehicle| vehicle.heading_deg());
@@ -128,7 +129,7 @@ impl Planner<'_> {
         march.keeps_facing = face_deg.is_some();
         let mut act = self.act(Work::Formation(march));
         act.members = members(&self.team, up_m);
-        if take_places(&mut act, &self.view()) {
+        if take_places(&mut act, &self.view) {
             Ok(act)
         } else {
             Err(text!("swarm-no-way"))
@@ -138,12 +139,12 @@ impl Planner<'_> {
     pub(super) fn follow(&mut self, leader: VehicleId, distance_m: f64, up_m: Option<f64>) -> Made {
         let distance_m = self.roomy(distance_m)?;
         let gone = || text!("swarm-not-there", vehicle = leader);
-        let vehicle = self.vehicles.get(&leader).ok_or_else(gone)?;
+        let vehicle = self.view.vehicles.get(&leader).ok_or_else(gone)?;
         let ahead = self.site.point(vehicle).ok_or_else(gone)?;
         // The nearest vehicle follows first.
         self.team
             .sort_by(|a, b| a.1.distance(ahead).total_cmp(&b.1.distance(ahead)));
-        let step_m = self.rules.clearance().above_m;
+        let step_m = self.view.rules.clearance().above_m;
         let mut act = self.act(Work::Follow(Tail {
             leader,
             distance_m,
@@ -203,7 +204,7 @@ impl Planner<'_> {
         // A lower vehicle stays lower, so that no vehicle has to climb or descend past another.
         self.team
             .sort_by(|a, b| a.1.z.total_cmp(&b.1.z).then(a.0.cmp(&b.0)));
-        let step_m = self.rules.clearance().above_m;
+        let step_m = self.view.rules.clearance().above_m;
         let mut act = self.act(Work::Courses { lanes: false });
         act.members = members(&self.team, up_m);
         for (index, (member, way)) in act.members.iter_mut().zip(ways).enumerate() {
@@ -244,7 +245,7 @@ impl Planner<'_> {
         let home = self
             .team
             .iter()
-            .find_map(|(id, _)| self.vehicles.get(id)?.home);
+            .find_map(|(id, _)| self.view.vehicles.get(id)?.home);
         home.map(|home| self.site.flat(home.at_point))
             .ok_or_else(|| text!("swarm-no-home"))
     }
@@ -253,7 +254,11 @@ impl Planner<'_> {
         match to {
             FarEnd::Place(place) => self.spot(place),
             FarEnd::Vehicle(id) => {
-                let at = self.vehicles.get(&id).and_then(|it| self.site.point(it));
+                let at = self
+                    .view
+                    .vehicles
+                    .get(&id)
+                    .and_then(|it| self.site.point(it));
                 at.map(DVec3::truncate)
                     .ok_or_else(|| text!("swarm-not-there", vehicle = id))
             }
@@ -261,7 +266,7 @@ impl Planner<'_> {
     }
 
     fn routed(&self, mut act: ActiveManoeuvre) -> Made {
-        if route(&mut act, &self.view()) {
+        if route(&mut act, &self.view) {
             Ok(act)
         } else {
             Err(text!("swarm-no-way"))

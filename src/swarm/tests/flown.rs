@@ -104,6 +104,31 @@ fn a_formation_leaves_behind_the_vehicles_that_the_giver_of_the_order_does_not_f
 }
 
 #[test]
+fn who_closes_up_is_flown_by_the_pilot_of_the_leader_that_dropped_out() {
+    for ours in [true, false] {
+        let mut stage = Stage::flying(4, 8.0);
+        stage.say("all formation wedge spacing 10");
+        assert!(stage.watch(90.0, |stage| stage.is_done("formation")));
+        let anna = Person::named("anna");
+        let theirs: &[VehicleId] = if ours { &[3] } else { &[1, 2, 3, 4] };
+        stage.pilots.take_over(theirs, &anna);
+        stage.run(2.0);
+        let before = stage.place(3);
+        stage.say("1 land");
+        stage.run(25.0);
+        let after = stage.place(3);
+        let moved_m = maths::hypot(after[0] - before[0], after[1] - before[1]);
+        let said = "3: leaves formation: anna flies 3".to_owned();
+        // The others have closed up behind the second one.
+        assert!([2, 4].iter().all(|&id| stage.conductor.has(id)));
+        assert_eq!(stage.conductor.has(3), !ours);
+        assert_eq!(stage.notices.contains(&said), ours, "{:?}", stage.notices);
+        assert_eq!(moved_m < 3.0, ours, "{before:?} {after:?}");
+        assert!(stage.nearest_m >= 5.0, "{}", stage.nearest_m);
+    }
+}
+
+#[test]
 fn a_formation_goes_as_fast_as_its_leader_was_told_to() {
     for (told, fastest_m_s) in [("", 5.0), ("all speed 3", 3.0), ("1 speed 8", 8.0)] {
         let mut stage = Stage::flying(3, 8.0);

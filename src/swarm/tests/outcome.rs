@@ -168,7 +168,11 @@ fn who_falls_out_where_the_others_find_no_safe_way_ends_it_for_all() {
     let third = Arc::make_mut(vehicles.get_mut(&3).expect("it flies"));
     let heartbeat = &mut third.heartbeat;
     heartbeat.as_mut().expect("it is heard").mode.number = 5;
-    let turn = stage.conductor.step(stage.now(), &vehicles);
+    let turn = stage.conductor.step(ConductorScene {
+        now: stage.now(),
+        vehicles: &vehicles,
+        pilots: &stage.pilots,
+    });
     let why = |id: VehicleId| {
         let row = turn.rows.iter().find(|row| row.vehicle == id);
         row.and_then(|row| row.explanation.as_ref().map(ToString::to_string))

@@ -1,5 +1,7 @@
 //! The host of a crew.
 
+use std::collections::BTreeMap;
+
 use super::super::order::{self, LineFor, OrderFor, UnfitLine};
 use super::super::relay::{not_open, uses_files};
 use super::tell;
@@ -17,8 +19,9 @@ use crate::crew::{
 use crate::pilot_in_command::Person;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Severity;
+use crate::vehicle::{Severity, VehicleId};
 use crate::vehicle_id::ranges;
+use crate::verb::CrewDuty;
 
 /// Takes in a line of a member, or of somebody who wants to join.
 pub(super) fn heard(
@@ -218,11 +221,47 @@ fn command(
                 let text = text!("crew-confirmed", who = who, line = line, danger = danger);
                 tell(state, Severity::Warning, text);
             }
-            Ok(sent.effect.into())
+            let mut effects = made_safe(state, member, &sent.effect);
+            effects.extend([sent.effect]);
+            Ok(effects)
         }
         Err(UnfitLine::NoCommand) => Err(not_open(member.role)),
         Err(UnfitLine::Because(why)) => Err(why),
     }
+}
+
+/// Tells the pilots of vehicles which order to make them safe a member gives.
+fn made_safe(state: &mut State, member: &Member, given: &Effect) -> Effects {
+    let Effect::Order { order, .. } = given else {
+        return Effects::none();
+    };
+    let (who, verb) = (&member.person, order.verb);
+    if verb.duty != CrewDuty::Safety {
+        return Effects::none();
+    }
+    let Some(host) = state.crew.host().map(|crew| crew.host().clone()) else {
+        return Effects::none();
+    };
+    let pilots = &state.session.pilots;
+    let mut reached: BTreeMap<Person, Vec<VehicleId>> = BTreeMap::new();
+    for &vehicle in &order.targets {
+        let pilot = pilots.of(vehicle).unwrap_or(&host);
+        if pilot != who && pilots.refusal(vehicle, Some(who), verb.duty).is_none() {
+            reached.entry(pilot.clone()).or_default().push(vehicle);
+        }
+    }
+    let tell_pilot = |(pilot, vehicles): (Person, Vec<VehicleId>)| {
+        let vehicles = ranges(vehicles);
+        let (who, verb) = (who.name(), verb.name);
+        let text = text!(
+            "crew-made-safe",
+            who = who,
+            verb = verb,
+            vehicles = vehicles
+        );
+        tell_person(state, &pilot, text)
+    };
+    reached.into_iter().flat_map(tell_pilot).collect()
 }
 
 /// Carries out a deed of the host's own user.

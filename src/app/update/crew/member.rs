@@ -1,7 +1,5 @@
 //! A member of a crew.
 
-use std::time::Duration;
-
 use super::super::relay;
 use super::tell;
 use crate::app::State;
@@ -13,9 +11,6 @@ use crate::pilot_in_command::Person;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
-
-/// The time between two lines of a member that has nothing else to say.
-const HERE_EVERY: Duration = Duration::from_secs(2);
 
 /// Takes in what the host has said.
 pub(super) fn said(state: &mut State, message: HostMessage) -> Effects {
@@ -169,16 +164,4 @@ pub(super) fn act(state: &mut State, deed: CrewDeed) -> Result<Effects, Text> {
     Ok(relay::ask(state, shown.to_owned(), |id| {
         MemberMessage::Act { id, deed }
     }))
-}
-
-/// Tells the host that this console is still there.
-pub(super) fn tick(state: &mut State) -> Effects {
-    let wall = state.wall;
-    let place = state.crew.member_mut();
-    let due = place.filter(|it| it.is_connected && wall >= it.said_at + HERE_EVERY);
-    let Some(place) = due else {
-        return Effects::none();
-    };
-    place.said_at = wall;
-    Effects::from(Effect::Crew(CrewEffect::Say(MemberMessage::Here)))
 }

@@ -3,6 +3,7 @@
 use super::strangers::Raw;
 use super::*;
 use crate::app::state::{CrewLink, Overlay};
+use crate::carrier::{DeskPort, Outbox};
 use crate::crew::MOST_OF_ONE_USER;
 
 impl Aboard {
@@ -145,4 +146,38 @@ async fn a_member_is_asked_before_the_vehicles_go_back_to_the_host() {
     Box::pin(end(host, &mut anna)).await;
     anna.console.feed(key(KeyCode::Char('q'))).await;
     assert!(anna.console.over);
+}
+
+/// The next line of a member at a host without a console.
+async fn next_line(desk: &mut DeskPort<MemberMessage>, open: &mut Vec<Outbox>) -> MemberMessage {
+    loop {
+        match desk.next().await.expect("the crew is open") {
+            DeskArrival::Opened { outbox, .. } => open.push(outbox),
+            DeskArrival::Line { line, .. } => return line.expect("a line of a member"),
+            DeskArrival::Closed(_) => panic!("the connection has ended"),
+        }
+    }
+}
+
+#[tokio::test]
+async fn a_member_is_heard_while_its_console_does_something_else() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut desk = place(folder.path()).open().expect("the crew opens");
+    let mut anna = Box::pin(member(folder.path(), "anna", None)).await;
+    let mut open = Vec::new();
+    let joins = async {
+        loop {
+            Box::pin(anna.turn()).await;
+        }
+    };
+    tokio::select! {
+        line = next_line(&mut desk, &mut open) => {
+            assert!(matches!(line, MemberMessage::Hello(_)), "{line:?}");
+        }
+        () = joins => {}
+    }
+    // The run loop of the console does not run any more.
+    let long = Duration::from_secs(20);
+    let line = tokio::time::timeout(long, next_line(&mut desk, &mut open)).await;
+    assert_eq!(line, Ok(MemberMessage::Here));
 }

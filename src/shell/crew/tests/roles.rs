@@ -42,7 +42,11 @@ async fn each_role_reaches_what_is_its_own() {
     })
     .await;
     let (_, by) = host.last().expect("a command");
-    assert!(by.is_some());
+    let by = by.expect("another person");
+    // The pilot reads who did what to which vehicle.
+    let told = format!("{by} commands `disarm` to what you fly: 1");
+    assert!(host.has_notice(&told));
+    assert!(!safety.has_notice("to what you fly"));
 }
 
 #[tokio::test]
