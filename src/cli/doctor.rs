@@ -13,6 +13,7 @@ use crate::diagnostic::first_shown;
 use crate::shell::mission_faults;
 use folder::shell_word;
 
+mod class;
 mod folder;
 mod host;
 mod mount;
@@ -157,7 +158,7 @@ pub(super) fn doctor(
     let mut findings = terminal::findings(settings);
     findings.extend(files(&settings.faults));
     findings.extend(faulty_files(settings));
-    findings.extend(host::class_of(settings));
+    findings.extend(class::of_configuration(settings));
     findings.extend(host::folders(settings));
     findings.extend(host::database(settings));
     findings.extend(host::machine());

@@ -77,11 +77,11 @@ impl FlightView<'_> {
         let mut line = Line::from(Span::styled(state, panel.style(role)));
         let room = panel.width().saturating_sub(line.width() + 2);
         if let Some(flight) = view.flight() {
-            let long = panel.text(&figures(flight));
+            let long = panel.text(&figures("class-flight-figures", flight));
             let shown = if width(&long) <= room {
                 long
             } else {
-                panel.text(&short_figures(flight))
+                panel.text(&figures("class-flight-figures-short", flight))
             };
             line.push_span("  ");
             let shown = clip(&shown, room);
@@ -115,30 +115,17 @@ impl FlightView<'_> {
     }
 }
 
-/// The time, the score, the objectives met and the vehicles in the air.
-fn figures(flight: &FlightReport) -> Text {
-    text!(
-        "class-flight-figures",
-        clock = clock(super::seconds(flight.clock_s)),
-        score = score(flight),
-        met = flight.objectives_done,
-        objectives = flight.objectives,
-        airborne = flight.airborne,
-        vehicles = flight.vehicles
-    )
-}
-
-/// The same with fewer words, for a narrow tile.
-fn short_figures(flight: &FlightReport) -> Text {
-    text!(
-        "class-flight-figures-short",
-        clock = clock(super::seconds(flight.clock_s)),
-        score = score(flight),
-        met = flight.objectives_done,
-        objectives = flight.objectives,
-        airborne = flight.airborne,
-        vehicles = flight.vehicles
-    )
+/// The time, the score, the objectives met and the vehicles in the air, in one of two messages that differ in length.
+fn figures(id: &'static str, flight: &FlightReport) -> Text {
+    let arguments = vec![
+        ("clock", clock(super::seconds(flight.clock_s)).into()),
+        ("score", score(flight).into()),
+        ("met", flight.objectives_done.into()),
+        ("objectives", flight.objectives.into()),
+        ("airborne", flight.airborne.into()),
+        ("vehicles", flight.vehicles.into()),
+    ];
+    Text::new(id, arguments)
 }
 
 fn score(flight: &FlightReport) -> String {
