@@ -34,6 +34,9 @@ debrief-commands = { $count ->
     [one] { $count } command until { $until }
    *[other] { $count } commands until { $until }
 }
+# Commands in succession, and how many of them others gave.
+debrief-shares = { $commands } ({ $shares })
+debrief-share = { $count } by { $person }
 # One row for a refusal by several drones.
 debrief-to-many = { $what } ({ $count } vehicles)
 debrief-drone = vehicle { $vehicle }: { $what }

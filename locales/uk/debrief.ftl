@@ -35,6 +35,9 @@ debrief-commands = { $count ->
     [few] { $count } команди до { $until }
    *[many] { $count } команд до { $until }
 }
+# Кілька команд поспіль і скільки з них дали інші.
+debrief-shares = { $commands } ({ $shares })
+debrief-share = { $person } — { $count }
 # Один рядок про відмову кількох дронів.
 debrief-to-many = { $what } (апаратів: { $count })
 debrief-drone = апарат { $vehicle }: { $what }

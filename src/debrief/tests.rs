@@ -2,6 +2,7 @@ use super::layout::right;
 use super::*;
 use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, do_nothing, fly_the_cells};
+use crate::pilot_in_command::Person;
 use crate::scoring::{FlightOutcome, Medal, TruthReport};
 use crate::text::Language;
 use crate::text::said::without_words;
@@ -95,7 +96,7 @@ fn the_timeline_of_a_busy_flight_shows_its_commands() {
         pilot.command("1 arm", RowState::Refused);
         pilot.wait(2.0);
     }
-    let report = pilot.report();
+    let mut report = pilot.report();
     assert_eq!(report.ledger.len(), 54);
     let commands = |strip: &[Option<StripCell>]| -> String {
         let cells = strip.iter().flatten();
@@ -103,9 +104,17 @@ fn the_timeline_of_a_busy_flight_shows_its_commands() {
         cells.map(|cell| cell.letter()).collect()
     };
     assert_eq!(commands(&strip(&report, 60)), "5".repeat(9));
-    let text = text(&report, &Locale::default());
-    assert!(text.contains("> 5 commands until "), "{text}");
-    assert!(!text.contains("1 guided: effect seen"), "{text}");
+    let alone = text(&report, &Locale::default());
+    assert!(alone.contains("> 5 commands until "), "{alone}");
+    assert!(!alone.contains("1 guided: effect seen"), "{alone}");
+    assert!(!alone.contains(" by "), "{alone}");
+
+    for (entry, name) in report.ledger.iter_mut().zip(["vera", "anna", "vera"]) {
+        entry.by = Some(Person::named(name));
+    }
+    let crew = text(&report, &Locale::default());
+    assert!(crew.contains("(1 by anna, 2 by vera)"), "{crew}");
+    assert_eq!(crew.matches(" by ").count(), 2, "{crew}");
 }
 
 #[test]

@@ -3,9 +3,11 @@
 use super::layout::clock;
 use super::{DebriefPage, DebriefTone};
 use crate::ledger::RowState;
+use crate::pilot_in_command::Person;
 use crate::scoring::{AlertReport, EventKind, EventReport, EventSubject, LedgerReport, Report};
 use crate::text;
 use crate::text::Text;
+use std::collections::BTreeMap;
 
 /// The width of the time strip, in columns.
 const STRIP: usize = 60;
@@ -94,7 +96,19 @@ struct TimelineRow {
     mark: TimelineMark,
     /// The index of the refused command in the report.
     refused: Option<usize>,
+    /// The person who gave the command; `None` for the owner of the record.
+    giver: Option<Person>,
     text: Text,
+}
+
+impl TimelineRow {
+    /// The text, after the name of the giver.
+    fn said(self) -> Text {
+        match self.giver {
+            Some(person) => text!("ledger-by", person = person.name(), line = self.text),
+            None => self.text,
+        }
+    }
 }
 
 impl DebriefPage<'_> {
@@ -108,10 +122,11 @@ impl DebriefPage<'_> {
             .collect();
         self.line(&format!("  00:00 |{strip}| {end}"));
         self.toned(DebriefTone::Plain);
-        for row in &shortened(rows) {
-            let lead = format!("   {} {} ", clock(row.at_s), row.mark.letter());
-            self.wrapped(&lead, &row.text);
-            self.toned(DebriefTone::Event(row.mark));
+        for row in shortened(rows) {
+            let mark = row.mark;
+            let lead = format!("   {} {} ", clock(row.at_s), mark.letter());
+            self.wrapped(&lead, &row.said());
+            self.toned(DebriefTone::Event(mark));
         }
         self.gap();
     }
@@ -156,8 +171,13 @@ fn shortened(rows: Vec<TimelineRow>) -> Vec<TimelineRow> {
         let (first, last) = (run.first()?.clone(), run.last()?);
         Some(if run.len() > 1 {
             let until = clock(last.at_s);
+            let commands = text!("debrief-commands", count = run.len(), until = until);
             TimelineRow {
-                text: text!("debrief-commands", count = run.len(), until = until),
+                text: match shares(run) {
+                    Some(shares) => text!("debrief-shares", commands = commands, shares = shares),
+                    None => commands,
+                },
+                giver: None,
                 ..first
             }
         } else {
@@ -165,6 +185,20 @@ fn shortened(rows: Vec<TimelineRow>) -> Vec<TimelineRow> {
         })
     };
     runs.filter_map(row).collect()
+}
+
+/// How many of the commands each person other than the owner of the record gave, by name; `None`
+/// if the owner gave all of them.
+fn shares(run: &[TimelineRow]) -> Option<Text> {
+    let mut counts: BTreeMap<&Person, usize> = BTreeMap::new();
+    for person in run.iter().filter_map(|row| row.giver.as_ref()) {
+        *counts.entry(person).or_default() += 1;
+    }
+    let share = |(person, count): (&Person, usize)| {
+        text!("debrief-share", count = count, person = person.name())
+    };
+    let shares: Vec<Text> = counts.into_iter().map(share).collect();
+    (!shares.is_empty()).then(|| Text::joined(", ", shares))
 }
 
 fn alert_row(alert: &AlertReport) -> TimelineRow {
@@ -189,6 +223,7 @@ fn alert_row(alert: &AlertReport) -> TimelineRow {
         at_s: alert.at_s,
         mark: TimelineMark::Alert,
         refused: None,
+        giver: None,
         text,
     }
 }
@@ -223,19 +258,15 @@ fn event_row(event: &EventReport, report: &Report) -> TimelineRow {
         Some(EventSubject::Alert(_)) | None => None,
     };
     let entry = refused.and_then(|command| report.ledger.get(command));
-    let giver = entry.and_then(|entry| entry.by.as_ref());
     let text = match event.vehicle.filter(|_| mark != TimelineMark::Rejected) {
         Some(vehicle) => text!("debrief-drone", vehicle = vehicle, what = &event.text),
         None => event.text.clone(),
-    };
-    let text = match giver {
-        Some(person) => text!("ledger-by", person = person.name(), line = text),
-        None => text,
     };
     TimelineRow {
         at_s: event.at_s,
         mark,
         refused,
+        giver: entry.and_then(|entry| entry.by.clone()),
         text,
     }
 }
@@ -250,16 +281,12 @@ fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
         )
     };
     let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;
-    let line = entry.line.as_str();
-    let said = match &entry.by {
-        Some(person) => text!("ledger-by", person = person.name(), line = line),
-        None => line.into(),
-    };
-    let words = vec![said, taken.state.text()];
+    let words = vec![entry.line.as_str().into(), taken.state.text()];
     Some(TimelineRow {
         at_s: entry.at_s,
         mark: TimelineMark::Command,
         refused: None,
+        giver: entry.by.clone(),
         text: Text::joined(": ", words),
     })
 }
