@@ -6,8 +6,9 @@
 //! on the command line is read as it is.
 //!
 //! # How the parts fit
-//! - Where files are: `folders`; `names` expands, lists and suggests names; `source` reads texts, `regular` refuses
-//!   devices and endless files, `links` refuses links of other users.
+//! - Where files are: `folders`; `layered` finds those that ship or replace what ships; `names` expands, lists and
+//!   suggests names; `source` reads texts, `regular` refuses devices and endless files, `links` refuses links of other
+//!   users.
 //! - How a file is written so that no crash, full disk or other program damages it: `output` (all or nothing),
 //!   `append` (always valid), `new_name` (replaces nothing).
 //! - A flight: `records` writes frames and journal while it is flown, `runs` the mission's own record; `settlement`
@@ -19,13 +20,8 @@
 //! - What else the user keeps: `plans`, `unsaved` (drafts), `history` (typed lines), `logs` and `transferred` (files
 //!   from vehicles), `terrain`, `keys` (of MAVLink signing).
 
-use std::collections::BTreeMap;
-use std::fs;
-use std::path::{Path, PathBuf};
-
 use crate::campaign::{MissionCourse, Offer};
 use crate::grading::Rubric;
-use crate::language::mission_meant;
 use crate::lesson_plan::LessonMissions;
 use crate::mission::Mission;
 use crate::scoring::{FlownBy, MissionFile, Report};
@@ -40,6 +36,7 @@ mod folders;
 mod hashes;
 mod history;
 mod keys;
+mod layered;
 mod links;
 mod logs;
 mod names;
@@ -71,6 +68,8 @@ pub use exam_notes::ExamNotes;
 pub use folders::Folders;
 pub use history::History;
 pub use keys::{KeyFile, KeyFileFault};
+use layered::LayeredFiles;
+pub use layered::{files, paths_below};
 pub use links::open_own;
 pub use logs::LogFolder;
 pub use names::{names_in, unread, user_path};
@@ -111,7 +110,48 @@ mod shipped {
 
 use shipped::{DESIGNS, EXAMS, LESSONS, MISSIONS, PILOTS, RUBRICS};
 
-const MISSION_FOLDER: &str = "missions";
+const MISSION_FILES: LayeredFiles = LayeredFiles {
+    kind: "file-mission",
+    folder: "missions",
+    ending: "toml",
+    shipped: MISSIONS,
+};
+const PILOT_FILES: LayeredFiles = LayeredFiles {
+    kind: "file-pilot",
+    folder: "missions/pilots",
+    ending: "pilot",
+    shipped: PILOTS,
+};
+const LESSON_FILES: LayeredFiles = LayeredFiles {
+    kind: "file-lesson",
+    folder: "lessons",
+    ending: "toml",
+    shipped: LESSONS,
+};
+const EXAM_FILES: LayeredFiles = LayeredFiles {
+    kind: "file-exam",
+    folder: "exams",
+    ending: "toml",
+    shipped: EXAMS,
+};
+const RUBRIC_FILES: LayeredFiles = LayeredFiles {
+    kind: "file-rubric",
+    folder: "rubrics",
+    ending: "toml",
+    shipped: RUBRICS,
+};
+const DESIGN_FILES: LayeredFiles = LayeredFiles {
+    kind: "file-design",
+    folder: "designs",
+    ending: "toml",
+    shipped: DESIGNS,
+};
+const THEME_FILES: LayeredFiles = LayeredFiles {
+    kind: "file-theme",
+    folder: folders::THEMES,
+    ending: "toml",
+    shipped: &[],
+};
 
 /// A mission by path, by the id in its file, by name or by number, tried in this order: `missions/01-air-sample.toml`,
 /// `01-air-sample` and `01` are all valid.
@@ -119,14 +159,14 @@ const MISSION_FOLDER: &str = "missions";
 /// # Errors
 /// No such mission exists, or its file cannot be read or has faults.
 pub fn mission(path_or_name: &str) -> Result<Mission, StoreError> {
-    let source = at_path("file-mission", path_or_name).unwrap_or_else(|| {
+    let source = MISSION_FILES.at_path(path_or_name).unwrap_or_else(|| {
         let all = missions();
         let has_id = |source: &&Source| {
             Mission::parse(&source.text).is_ok_and(|mission| mission.id == path_or_name)
         };
         match all.iter().find(has_id) {
             Some(source) => Ok(source.clone()),
-            None => MISSION_FILES.named(path_or_name, &all),
+            None => MISSION_FILES.named(path_or_name),
         }
     })?;
     Mission::parse(&source.text).map_err(|faults| StoreError::Faulty {
@@ -158,8 +198,7 @@ pub fn drill_of(mission: &str) -> Option<String> {
 /// # Errors
 /// No such script exists, or its file cannot be read.
 pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
-    at_path("file-pilot", path_or_name)
-        .unwrap_or_else(|| PILOT_FILES.named(path_or_name, &PILOT_FILES.merged(PILOTS)))
+    PILOT_FILES.find(path_or_name)
 }
 
 /// A design by path or by name.
@@ -167,8 +206,7 @@ pub fn pilot(path_or_name: &str) -> Result<Source, StoreError> {
 /// # Errors
 /// No such design exists, or its file cannot be read or has faults.
 pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
-    let source = at_path("file-design", path_or_name)
-        .unwrap_or_else(|| DESIGN_FILES.named(path_or_name, &designs()))?;
+    let source = DESIGN_FILES.find(path_or_name)?;
     Design::from_toml(&source.text).map_err(|faults| StoreError::Faulty {
         file: source,
         faults,
@@ -178,12 +216,12 @@ pub fn design(path_or_name: &str) -> Result<Design, StoreError> {
 /// All designs by name: the embedded designs, and those in the folders, which may replace embedded
 /// ones.
 pub fn designs() -> Vec<Source> {
-    DESIGN_FILES.merged(DESIGNS)
+    DESIGN_FILES.all()
 }
 
 /// All lesson plans by name: the embedded ones, and those in the folders, which may replace embedded ones.
 pub fn lessons() -> Vec<Source> {
-    LESSON_FILES.merged(LESSONS)
+    LESSON_FILES.all()
 }
 
 /// The file of a lesson plan, by its path or its name.
@@ -191,13 +229,12 @@ pub fn lessons() -> Vec<Source> {
 /// # Errors
 /// No such plan exists, or it cannot be read.
 pub fn lesson(path_or_name: &str) -> Result<Source, StoreError> {
-    at_path("file-lesson", path_or_name)
-        .unwrap_or_else(|| LESSON_FILES.named(path_or_name, &lessons()))
+    LESSON_FILES.find(path_or_name)
 }
 
 /// All exams by name: the embedded ones, and those in the folders, which may replace embedded ones.
 pub fn exams() -> Vec<Source> {
-    EXAM_FILES.merged(EXAMS)
+    EXAM_FILES.all()
 }
 
 /// The file of an exam, by its path or its name.
@@ -205,12 +242,12 @@ pub fn exams() -> Vec<Source> {
 /// # Errors
 /// No such exam exists, or it cannot be read.
 pub fn exam(path_or_name: &str) -> Result<Source, StoreError> {
-    at_path("file-exam", path_or_name).unwrap_or_else(|| EXAM_FILES.named(path_or_name, &exams()))
+    EXAM_FILES.find(path_or_name)
 }
 
 /// All rubrics by name: the embedded ones, and those in the folders, which may replace embedded ones.
 pub fn rubrics() -> Vec<Source> {
-    RUBRIC_FILES.merged(RUBRICS)
+    RUBRIC_FILES.all()
 }
 
 /// The rubric with this name.
@@ -218,7 +255,7 @@ pub fn rubrics() -> Vec<Source> {
 /// # Errors
 /// No such rubric exists, or it has faults.
 pub fn rubric(name: &str) -> Result<Rubric, StoreError> {
-    let source = RUBRIC_FILES.named(name, &rubrics())?;
+    let source = RUBRIC_FILES.named(name)?;
     Rubric::parse(source.stem(), &source.text).map_err(|faults| StoreError::Faulty {
         file: source,
         faults,
@@ -233,7 +270,7 @@ pub fn lesson_missions() -> LessonMissions {
 /// All missions by name: the embedded missions, and those in the folders, which may replace
 /// embedded ones.
 pub fn missions() -> Vec<Source> {
-    MISSION_FILES.merged(MISSIONS)
+    MISSION_FILES.all()
 }
 
 /// The errors of the unreadable mission files in the folders.
@@ -249,14 +286,11 @@ fn course_missions() -> Vec<Mission> {
 }
 
 fn course_missions_with(folders: Option<&Folders>) -> Vec<Mission> {
-    let is_embedded = |id: &str| MISSIONS.iter().any(|(name, _)| *name == id);
-    let mut sources: BTreeMap<String, Source> = MISSIONS
-        .iter()
-        .map(|&(name, text)| (name.to_owned(), embedded(name, "toml", text)))
-        .collect();
-    let layers = folders.into_iter().flat_map(Folders::system_layers);
-    let added = layers.flat_map(|layer| files(&layer.join(MISSION_FOLDER), "file-mission", "toml"));
-    for source in added {
+    let embedded = MISSION_FILES.embedded();
+    let is_embedded = |id: &str| embedded.contains_key(id);
+    let mut sources = embedded.clone();
+    let added = folders.into_iter();
+    for source in added.flat_map(|folders| MISSION_FILES.of_administrator(folders)) {
         if !is_embedded(source.stem()) {
             sources.insert(source.stem().to_owned(), source);
         }
@@ -319,160 +353,10 @@ pub fn course() -> MissionCourse {
 
 /// The themes in the administrator's and the user's folders.
 pub fn themes() -> Vec<Source> {
-    THEME_FILES.merged(&[])
+    THEME_FILES.all()
 }
 
 /// The errors of the unreadable theme files in the folders.
 pub fn unreadable_themes() -> Vec<StoreError> {
     THEME_FILES.unreadable()
-}
-
-/// The files with that ending in a folder, by name; those that cannot be read are left out and
-/// logged.
-pub fn files(folder: &Path, kind: &'static str, ending: &str) -> Vec<Source> {
-    let mut sources = Vec::new();
-    for file in found(folder, kind, ending) {
-        match file {
-            Ok(source) => sources.push(source),
-            Err(error) => tracing::warn!(%error, "a file that cannot be read is left out"),
-        }
-    }
-    sources
-}
-
-/// The files with that ending in a folder, by name, or why each cannot be read.
-fn found(folder: &Path, kind: &'static str, ending: &str) -> Vec<Result<Source, StoreError>> {
-    let mut paths: Vec<PathBuf> = fs::read_dir(folder)
-        .into_iter()
-        .flatten()
-        .flatten()
-        .map(|entry| entry.path())
-        .filter(|path| path.extension().is_some_and(|found| found == ending))
-        .collect();
-    paths.sort();
-    paths.iter().map(|path| read_found(path, kind)).collect()
-}
-
-/// The paths with these endings in a folder and its subfolders, by name. Links to folders are not
-/// followed.
-pub fn paths_below(folder: &Path, endings: &[&str]) -> Vec<PathBuf> {
-    let found = fs::read_dir(folder).into_iter().flatten().flatten();
-    let mut entries: Vec<fs::DirEntry> = found.collect();
-    entries.sort_by_key(fs::DirEntry::path);
-    let mut paths = Vec::new();
-    for entry in entries {
-        let path = entry.path();
-        if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
-            paths.extend(paths_below(&path, endings));
-        } else if path
-            .extension()
-            .is_some_and(|found| endings.iter().any(|ending| found == *ending))
-        {
-            paths.push(path);
-        }
-    }
-    paths
-}
-
-/// The file at that path, if there is one. A folder does not count, since it may have the name of a mission; a link
-/// whose file is missing counts.
-fn at_path(kind: &'static str, path: &str) -> Option<Result<Source, StoreError>> {
-    let path = Path::new(path);
-    let is_there = path.exists() || path.is_symlink();
-    (is_there && !path.is_dir()).then(|| read(path, kind))
-}
-
-/// Files of a kind in the folders of the user and of the administrator.
-struct FolderFiles {
-    /// The id of the message that names the kind.
-    kind: &'static str,
-    folder: &'static str,
-    ending: &'static str,
-}
-
-const MISSION_FILES: FolderFiles = FolderFiles {
-    kind: "file-mission",
-    folder: MISSION_FOLDER,
-    ending: "toml",
-};
-const PILOT_FILES: FolderFiles = FolderFiles {
-    kind: "file-pilot",
-    folder: "missions/pilots",
-    ending: "pilot",
-};
-const LESSON_FILES: FolderFiles = FolderFiles {
-    kind: "file-lesson",
-    folder: "lessons",
-    ending: "toml",
-};
-const EXAM_FILES: FolderFiles = FolderFiles {
-    kind: "file-exam",
-    folder: "exams",
-    ending: "toml",
-};
-const RUBRIC_FILES: FolderFiles = FolderFiles {
-    kind: "file-rubric",
-    folder: "rubrics",
-    ending: "toml",
-};
-const DESIGN_FILES: FolderFiles = FolderFiles {
-    kind: "file-design",
-    folder: "designs",
-    ending: "toml",
-};
-
-const THEME_FILES: FolderFiles = FolderFiles {
-    kind: "file-theme",
-    folder: folders::THEMES,
-    ending: "toml",
-};
-
-impl FolderFiles {
-    /// All files by name: the user's own files replace the administrator's, which replace the embedded ones.
-    fn merged(&self, known: &[(&str, &str)]) -> Vec<Source> {
-        let mut all: BTreeMap<String, Source> = known
-            .iter()
-            .map(|&(name, text)| (name.to_owned(), embedded(name, self.ending, text)))
-            .collect();
-        if let Some(folders) = Folders::find() {
-            let layers = folders.layers();
-            let found =
-                layers.flat_map(|layer| files(&layer.join(self.folder), self.kind, self.ending));
-            all.extend(found.map(|source| (source.stem().to_owned(), source)));
-        }
-        all.into_values().collect()
-    }
-
-    fn unreadable(&self) -> Vec<StoreError> {
-        let folders = Folders::find();
-        let layers = folders.iter().flat_map(Folders::layers);
-        let all = layers.flat_map(|layer| found(&layer.join(self.folder), self.kind, self.ending));
-        all.filter_map(Result::err).collect()
-    }
-
-    /// The file with a name, a number, or a unique prefix.
-    fn named(&self, name: &str, all: &[Source]) -> Result<Source, StoreError> {
-        let names: Vec<&str> = all.iter().map(Source::stem).collect();
-        let meant = mission_meant(name, &names);
-        if let Some(source) = all.iter().find(|it| Some(it.stem()) == meant) {
-            return Ok(source.clone());
-        }
-        let unreadable = self.unreadable();
-        let stems: Vec<&str> = unreadable.iter().filter_map(StoreError::stem).collect();
-        let meant = mission_meant(name, &stems).map(str::to_owned);
-        let mut errors = unreadable.into_iter();
-        let unread = errors.find(|it| meant.is_some() && it.stem() == meant.as_deref());
-        Err(unread.unwrap_or_else(|| StoreError::Unknown {
-            kind: self.kind,
-            name: name.to_owned(),
-            known: names.join(", "),
-        }))
-    }
-}
-
-fn embedded(name: &str, ending: &str, text: &str) -> Source {
-    Source {
-        name: format!("{name}.{ending}"),
-        text: text.to_owned(),
-    }
 }

@@ -1,3 +1,6 @@
+use std::fs;
+use std::path::Path;
+
 use super::source::LARGEST_FILE;
 use super::*;
 
@@ -70,10 +73,10 @@ fn a_name_goes_before_a_number() {
     };
     let all = [source("01-b-c"), source("01-b"), source("02")];
     for (asked, found) in [("01-b", "01-b"), ("01", "01-b-c"), ("02", "02")] {
-        let source = MISSION_FILES.named(asked, &all).expect("it is there");
+        let source = MISSION_FILES.named_among(&all, asked).expect("it is there");
         assert_eq!(source.stem(), found, "{asked}");
     }
-    assert!(MISSION_FILES.named("0", &all).is_err());
+    assert!(MISSION_FILES.named_among(&all, "0").is_err());
 }
 
 #[test]
@@ -109,7 +112,7 @@ fn only_the_administrator_adds_missions_to_the_course() {
         let text = shipped
             .replacen("id = \"01-air-sample\"", &format!("id = \"{id}\""), 1)
             .replacen("Air sample", title, 1);
-        let folder = home.path().join(folder).join(MISSION_FOLDER);
+        let folder = home.path().join(folder).join(MISSION_FILES.folder);
         fs::create_dir_all(&folder).expect("created");
         fs::write(folder.join(format!("{id}.toml")), &text).expect("written");
         Mission::parse(&text).expect("no faults")
