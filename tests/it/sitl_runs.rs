@@ -138,8 +138,11 @@ fn said(output: &Output) -> String {
 #[test]
 fn the_reference_pilot_passes_on_the_stand_in() {
     let scene = Scene::on_stand_in(Behaviour::Normal);
-    let output = scene.output("01-air-sample", &["--json", "--no-timing"]);
-    assert_eq!(output.status.code(), Some(0), "{}", said(&output));
+    // At full speed, a busy machine can fly the vehicle past cells between two looks of the mission.
+    let arguments = ["--json", "--no-timing", "--speedup", "6"];
+    let output = scene.output("01-air-sample", &arguments);
+    let printed = String::from_utf8_lossy(&output.stdout);
+    assert_eq!(output.status.code(), Some(0), "{}{printed}", said(&output));
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).expect("one document");
     assert_eq!(
         (&report["backend"], &report["passed"]),
