@@ -331,6 +331,11 @@ impl Chart {
         }
     }
 
+    /// Whether the link was up at the last observation; `None` before the first.
+    pub fn is_up(&self) -> Option<bool> {
+        self.last().map(|last| last.up)
+    }
+
     fn last(&self) -> Option<&Observation> {
         self.seen.back().map(|(_, observation)| observation)
     }

@@ -1,6 +1,6 @@
 //! One instance's task: its process, its connection, its stages and its end.
 
-use std::path::Path;
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -21,7 +21,7 @@ mod ending;
 mod meter;
 
 pub(super) use begin::begin;
-use ending::words;
+use ending::{remark, stacks, words};
 use meter::InstanceMeter;
 
 /// The time between queries to a booting instance.
@@ -42,6 +42,8 @@ struct InstanceTask {
     listener: TcpListener,
     relay: Relay,
     output: ProcessOutput,
+    /// The stacks of earlier crashes, which say nothing about the current process.
+    earlier_stacks: BTreeSet<String>,
     requests: mpsc::Receiver<InstanceRequest>,
     shared: Arc<HangarShared>,
 }
@@ -108,6 +110,7 @@ impl InstanceTask {
         self.shown.fault = None;
         self.shown.hint = None;
         self.shown.last_output.clear();
+        self.earlier_stacks = stacks(&self.order.folder);
         self.show(SitlStage::Queued);
         let shared = Arc::clone(&self.shared);
         let launching = shared.launcher.launch(self.order.clone());
@@ -290,18 +293,7 @@ impl InstanceTask {
         let last = self.output.last(LINES_SHOWN);
         self.shown.last_output = last.into_iter().map(|line| line.text).collect();
         let again_at = wait.map(|wait| Moment::now() + wait);
-        self.shown.hint = match wait {
-            Some(wait) => Some(format!("is started again in {} s", wait.as_secs())),
-            None if self.restarts.is_given_up() => {
-                Some("has failed five times in a row and is not started again".to_owned())
-            }
-            None => None,
-        };
-        if let Some(dump) = self.dump() {
-            let hint = self.shown.hint.take();
-            let told = hint.into_iter().chain([format!("its stack is in {dump}")]);
-            self.shown.hint = Some(told.collect::<Vec<_>>().join("; "));
-        }
+        self.shown.hint = self.remark(wait);
         if wait.is_none() {
             self.shared.roster.lay_down(self.shown.id);
         }
@@ -324,12 +316,17 @@ impl InstanceTask {
         }
     }
 
-    /// The file with the stack that the autopilot has left in its folder, if it crashed there.
-    fn dump(&self) -> Option<String> {
-        let names = std::fs::read_dir(&self.order.folder).ok()?.flatten();
-        let mut names = names.map(|file| file.file_name().to_string_lossy().into_owned());
-        let is_output = |name: &String| Path::new(name).extension().is_some_and(|it| it == "out");
-        names.find(|name| name.starts_with("dumpstack") && is_output(name))
+    /// What happens after the end of the process, and the file with its stack if it has left one.
+    fn remark(&self, wait: Option<Duration>) -> Option<String> {
+        let next = match wait {
+            Some(wait) => Some(format!("is started again in {} s", wait.as_secs())),
+            None if self.restarts.is_given_up() => {
+                Some("has failed five times in a row and is not started again".to_owned())
+            }
+            None => None,
+        };
+        let stacks = stacks(&self.order.folder);
+        remark(next, stacks.difference(&self.earlier_stacks).next())
     }
 
     fn diagnosis(&self, lack: String, meter: &InstanceMeter) -> String {

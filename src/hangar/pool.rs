@@ -25,6 +25,8 @@ pub struct InstancePlace {
 #[derive(Debug)]
 pub struct LaunchedVehicle {
     pub place: InstancePlace,
+    /// Its MAVLink system id.
+    pub system: u8,
     /// Its byte stream, across restarts.
     pub pipe: DuplexStream,
 }
@@ -158,19 +160,14 @@ async fn launch_here(
     for launch in launches {
         let begun = async {
             let id = own.launch(launch).await?;
-            match own.attach(id).await {
-                Ok(pipe) => Ok((id, pipe)),
-                Err(refusal) => {
-                    drop(own.stop(id).await);
-                    Err(refusal)
-                }
+            let attached = attach_here(own, id).await;
+            if attached.is_err() {
+                drop(own.stop(id).await);
             }
+            attached
         };
         match begun.await {
-            Ok((id, pipe)) => {
-                let place = InstancePlace { hangar: 0, id };
-                launched.push(LaunchedVehicle { place, pipe });
-            }
+            Ok(vehicle) => launched.push(vehicle),
             Err(refusal) => {
                 for vehicle in launched {
                     // An instance that has ended in the meantime is not an error.
@@ -181,4 +178,13 @@ async fn launch_here(
         }
     }
     Ok(launched)
+}
+
+async fn attach_here(own: &Hangar, id: InstanceId) -> Result<LaunchedVehicle, HangarRefusal> {
+    let system = own.instances().borrow().get(&id).map(|one| one.system);
+    Ok(LaunchedVehicle {
+        place: InstancePlace { hangar: 0, id },
+        system: system.ok_or(HangarRefusal::Unknown(id))?,
+        pipe: own.attach(id).await?,
+    })
 }

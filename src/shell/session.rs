@@ -238,7 +238,7 @@ impl RunningSession {
         collected.extend(self.hear_recorder(now));
         collected.extend(self.links.changed(&self.vehicles));
         collected.extend(self.forwards.changed());
-        collected.extend(self.inspection.examine(self.links.all(), expected, now));
+        collected.extend(self.inspection.examine(self.links.shown(), expected, now));
         collected
     }
 

@@ -246,6 +246,29 @@ fn a_frame_that_does_not_fit_is_told_before_anything_starts() {
 }
 
 #[test]
+fn the_links_of_four_processes_are_told_apart_by_their_vehicles() {
+    let stand_in = StandIn::new(Behaviour::Normal);
+    let program = stand_in.program();
+    let program = program.to_str().expect("a path of ours");
+    let four = ["fly", "--plain", "--vehicles", "4", "--speedup", "5"];
+    let arguments = [
+        &four[..],
+        &["--backend", "ardupilot", "--arducopter", program],
+    ]
+    .concat();
+    let (code, said, wrong) = plain(&arguments, "links\n");
+    assert_eq!(code, Some(0), "{said}{wrong}");
+    let lines = said
+        .lines()
+        .filter(|line| line.contains(" messages a second in"));
+    let names: Vec<_> = lines
+        .filter_map(|line| line.split_once(": "))
+        .map(|(name, _)| name)
+        .collect();
+    assert_eq!(names, ["SITL 1", "SITL 2", "SITL 3", "SITL 4"], "{said}");
+}
+
+#[test]
 fn without_a_screen_the_stages_are_lines_and_the_flight_waits_for_them() {
     let stand_in = StandIn::new(Behaviour::Normal);
     let program = stand_in.program();

@@ -1,5 +1,6 @@
 //! Prepares an instance before its process is started: a folder, a listener, its files.
 
+use std::collections::BTreeSet;
 use std::io;
 use std::net::SocketAddr;
 use std::path::{Path, PathBuf};
@@ -69,6 +70,7 @@ pub(in crate::hangar) async fn begin(
         relay: Relay::default(),
         listener,
         output,
+        earlier_stacks: BTreeSet::new(),
         requests,
         shared,
     };

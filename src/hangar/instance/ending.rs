@@ -1,7 +1,9 @@
-//! The end of a process, as text.
+//! The end of a process, as text, and the files that a crash leaves.
 
+use std::collections::BTreeSet;
 use std::io;
 use std::os::unix::process::ExitStatusExt as _;
+use std::path::Path;
 use std::process::ExitStatus;
 
 use nix::sys::signal::Signal;
@@ -32,9 +34,38 @@ pub(super) fn words(status: io::Result<ExitStatus>) -> String {
     }
 }
 
+/// The files with the stacks of autopilots that have crashed in this folder.
+pub(super) fn stacks(folder: &Path) -> BTreeSet<String> {
+    let files = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let names = files.map(|file| file.file_name().to_string_lossy().into_owned());
+    let is_output = |name: &String| Path::new(name).extension().is_some_and(|it| it == "out");
+    names
+        .filter(|name| name.starts_with("dumpstack") && is_output(name))
+        .collect()
+}
+
+/// A remark on what happens next and on the file with the stack; `None` without either.
+pub(super) fn remark(next: Option<String>, stack: Option<&String>) -> Option<String> {
+    let stack = stack.map(|file| format!("its stack is in {file}"));
+    let parts: Vec<String> = next.into_iter().chain(stack).collect();
+    (!parts.is_empty()).then(|| parts.join("; "))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_remark_tells_what_happens_next_before_the_stack() {
+        let next = || Some("is started again in 1 s".to_owned());
+        let stack = "dumpstack.out".to_owned();
+        let joined = "is started again in 1 s; its stack is in dumpstack.out";
+        assert_eq!(remark(next(), Some(&stack)).as_deref(), Some(joined));
+        let alone = "its stack is in dumpstack.out";
+        assert_eq!(remark(None, Some(&stack)).as_deref(), Some(alone));
+        assert_eq!(remark(next(), None), next());
+        assert_eq!(remark(None, None), None);
+    }
 
     #[test]
     fn ends_are_told_in_words() {

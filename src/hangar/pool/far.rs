@@ -168,7 +168,7 @@ impl Far {
         let remote = self.services[hangar].in_life(life);
         let launched = remote.launch(launch).await;
         let shown = launched.map_err(|error| far(&remote, error))?;
-        let id = shown.id;
+        let (id, system) = (shown.id, shown.system);
         let place = InstancePlace { hangar, id };
         let tunnel = self.cancel.child_token();
         let pipe = remote.tunnel(id, tunnel.clone());
@@ -182,7 +182,11 @@ impl Far {
         };
         self.fleet.ours().insert(place, ours);
         self.fleet.show();
-        Ok(LaunchedVehicle { place, pipe })
+        Ok(LaunchedVehicle {
+            place,
+            system,
+            pipe,
+        })
     }
 
     pub async fn restart(&self, place: InstancePlace) -> Result<(), HangarRefusal> {

@@ -235,6 +235,36 @@ fn a_list_that_another_program_has_changed_is_replaced_only_by_a_second_order() 
     assert_eq!(rig.ended(s(30)), RowState::Done);
 }
 
+#[test]
+fn a_list_that_is_known_already_is_read_again_to_show_it() {
+    for by_file in [true, false] {
+        let mut rig = Rig::new(by_file);
+        for kind in ListKind::ALL {
+            let (old, new) = (list(kind, 5, 1.0), list(kind, 5, 2.0));
+            rig.file("old", kind, &old);
+            rig.file("new", kind, &new);
+            rig.upload(kind, "old");
+            assert_eq!(rig.ended(s(30)), RowState::Done, "{:?}", rig.row);
+            rig.pass(s(10));
+            // Another program's upload, which the console has not noticed.
+            let before = rig.session.clone();
+            rig.upload(kind, "new");
+            assert_eq!(rig.ended(s(30)), RowState::Done, "{:?}", rig.row);
+            rig.session = before;
+            let mark = |rig: &Rig| {
+                let held = known(rig.session.vehicle(), kind).expect("it is known");
+                compare::mark(compare::own(kind, &held))
+            };
+            assert_eq!(mark(&rig), compare::mark(&old));
+            rig.order(kind, PlanDeed::Show);
+            assert_eq!(rig.ended(s(30)), RowState::Done, "{:?}", rig.row);
+            assert_eq!(mark(&rig), compare::mark(&new));
+            let explanation = rig.explanation();
+            assert!(explanation.contains(&mark(&rig)), "{explanation}");
+        }
+    }
+}
+
 fn said(rig: &mut Rig) -> Vec<String> {
     let notices = std::mem::take(&mut rig.notices);
     notices.iter().map(|it| it.text.to_string()).collect()

@@ -237,12 +237,6 @@ impl Processes {
         Some(printed.into())
     }
 
-    fn vehicle_at(&self, place: InstancePlace) -> Option<VehicleId> {
-        let seen = self.seen.as_ref()?.borrow();
-        let (_, instance) = seen.iter().find(|(at, _)| *at == place)?;
-        Some(instance.system.into())
-    }
-
     fn place(&self, vehicle: VehicleId) -> Option<(Arc<Hangars>, InstancePlace)> {
         let seen = self.seen.as_ref()?.borrow();
         let mine = |(_, instance): &&(InstancePlace, hangar::Instance)| {
@@ -290,12 +284,9 @@ impl RunningSession {
             let event = match news {
                 ProcessNews::Opened(_) => None,
                 ProcessNews::Launched(launched) => {
-                    let mut pipes = launched.into_iter().map(|launched| {
-                        match processes.vehicle_at(launched.place) {
-                            Some(vehicle) => Transport::Sitl(vehicle, launched.pipe),
-                            None => Transport::Pipe(launched.pipe),
-                        }
-                    });
+                    let mut pipes = launched
+                        .into_iter()
+                        .map(|one| Transport::Sitl(one.system.into(), one.pipe));
                     let refused = pipes.find_map(|pipe| self.fleet.connect(pipe).err());
                     refused.map(|reason| Event::Failed(reason.into()))
                 }

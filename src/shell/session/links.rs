@@ -22,6 +22,8 @@ const UP_HOLDS: Duration = Duration::from_secs(2);
 #[derive(Default)]
 pub(super) struct SessionLinks {
     all: Vec<watch::Receiver<LinkStatus>>,
+    /// Their status at the last display.
+    shown: Vec<LinkStatus>,
     heard: Vec<LinkHeard>,
     /// The number of ended links at the last display.
     ended: usize,
@@ -30,6 +32,7 @@ pub(super) struct SessionLinks {
 impl SessionLinks {
     /// Adds a link that was opened.
     pub fn add(&mut self, link: watch::Receiver<LinkStatus>) {
+        self.shown.push(link.borrow().clone());
         self.all.push(link);
         self.heard.push(LinkHeard::new());
     }
@@ -37,6 +40,11 @@ impl SessionLinks {
     /// All links, in their order.
     pub fn all(&self) -> &[watch::Receiver<LinkStatus>] {
         &self.all
+    }
+
+    /// The status of all links at the last display, in their order.
+    pub fn shown(&self) -> &[LinkStatus] {
+        &self.shown
     }
 
     /// Notices of links that are down, with the reason, or up again.
@@ -59,10 +67,14 @@ impl SessionLinks {
             return None;
         }
         self.ended = ended;
-        let summaries = self.all.iter_mut().map(|link| {
-            let status = link.borrow_and_update();
+        for (link, shown) in self.all.iter_mut().zip(&mut self.shown) {
+            if link.has_changed().unwrap_or(true) {
+                shown.clone_from(&link.borrow_and_update());
+            }
+        }
+        let summaries = self.shown.iter().map(|status| {
             let round_trip = round_trip(vehicles, status.id);
-            summary(&status, round_trip)
+            summary(status, round_trip)
         });
         Some(LinkEvent::Summaries(summaries.collect()).into())
     }

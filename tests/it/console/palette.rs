@@ -2,8 +2,10 @@
 
 use sortie::app::effect::{Effect, Launch, SessionEffect};
 use sortie::app::state::Room;
+use sortie::mission::Listing;
 
 use super::palette_line;
+use crate::fixtures;
 use crate::harness::Console;
 
 fn offered(console: &Console) -> Vec<String> {
@@ -230,6 +232,33 @@ fn exact_words_and_beginnings_come_before_scattered_letters() {
     assert_eq!(first("tko")[0], "takeoff");
     let noise = first("tlog");
     assert!(!noise.contains(&"quit".to_owned()), "{noise:?}");
+}
+
+#[test]
+fn a_word_offers_the_lines_that_have_it_and_no_mission_with_its_letters() {
+    let fire = Listing {
+        id: "09-fire-attack".to_owned(),
+        title: "Fire attack".into(),
+        ..fixtures::listing()
+    };
+    let mut console = Console::set_up(|setup| setup.missions.push(fire)).in_flight(3);
+    let mut first = |written: &str| {
+        console.press(":").write(written);
+        let found = offered(&console);
+        console.press("esc");
+        found
+    };
+    let fires = first("fire");
+    assert!(
+        fires.contains(&"fly 09-fire-attack".to_owned()),
+        "{fires:?}"
+    );
+    let found = first("ekf");
+    let has_it = |line: &String| line.split([' ', '-']).any(|word| word == "ekf");
+    assert!(
+        found.iter().any(has_it) && found.iter().all(has_it),
+        "{found:?}"
+    );
 }
 
 #[test]

@@ -1,9 +1,11 @@
-//! Folders that cannot be used, and disks that are full.
+//! Folders that cannot be used, disks that are full, and the limits of logs.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::os::unix::fs::symlink;
+use std::path::Path;
 
-use sortie::hangar::{Hangar, Launch};
+use sortie::hangar::{Hangar, Instance, Launch};
 
 use super::{Stand, config};
 use crate::stand_in::Behaviour;
@@ -45,6 +47,45 @@ async fn a_full_disk_refuses_an_instance_with_the_reason() {
     assert!(refusal.contains("vehicle.parm"), "{refusal}");
     assert!(refusal.contains("No space left"), "{refusal}");
     assert_eq!(stand.hangar.capacity().running, 0);
+}
+
+/// The values of a parameter in the file that an instance reads.
+fn values(one: &Instance, name: &str) -> Vec<f64> {
+    let file = Path::new(&one.folder).join("vehicle.parm");
+    let text = fs::read_to_string(file).expect("it is there");
+    let own = text.lines().filter_map(|line| line.split_once(' '));
+    let own = own.filter(|(written, _)| *written == name);
+    own.map(|(_, value)| value.parse().expect("a number"))
+        .collect()
+}
+
+/// Without limits, ArduPilot keeps 500 logs, and writes until 500 MB are left.
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn logs_are_limited_more_than_by_ardupilot_unless_the_user_sets_other_limits() {
+    let stand = Stand::of(Behaviour::Normal);
+    let id = stand.launch().await;
+    let one = stand.until_one(id, "it is there", |_| true).await;
+    let (files, free) = (
+        values(&one, "LOG_MAX_FILES"),
+        values(&one, "LOG_FILE_MB_FREE"),
+    );
+    // ArduPilot replaces fewer than 2 files and more than 1000 MB.
+    assert!(
+        matches!(files[..], [count] if (2.0..100.0).contains(&count)),
+        "{files:?}"
+    );
+    assert!(
+        matches!(free[..], [mb] if mb > 500.0 && mb <= 1000.0),
+        "{free:?}"
+    );
+    let own = Launch {
+        parameters: BTreeMap::from([("LOG_MAX_FILES".to_owned(), files[0] + 7.0)]),
+        ..Launch::default()
+    };
+    let id = stand.hangar.launch(own).await.expect("it starts");
+    let one = stand.until_one(id, "it is there", |_| true).await;
+    assert_eq!(values(&one, "LOG_MAX_FILES"), [files[0] + 7.0]);
+    assert_eq!(values(&one, "LOG_FILE_MB_FREE"), free);
 }
 
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]

@@ -5,7 +5,7 @@ use std::os::unix::fs::PermissionsExt as _;
 use std::path::Path;
 
 use nix::sys::signal::Signal;
-use sortie::hangar::{HangarRefusal, Launch, SitlStage};
+use sortie::hangar::{HangarRefusal, Instance, InstanceId, Launch, SitlStage};
 use sortie::sitl::SitlKind;
 
 use super::{PATIENCE, Stand, is_gone, signal, until_gone};
@@ -98,6 +98,47 @@ async fn a_crash_is_noticed_and_told_by_its_signal() {
     assert_eq!(one.fault.as_deref(), Some("it has crashed (SIGABRT)"));
     let last = one.last_output.join("\n");
     assert!(last.contains("Floating point exception"), "{last}");
+}
+
+/// Lets an instance crash; `stack` is the file that ArduPilot's script would write before.
+async fn crash(stand: &Stand, id: InstanceId, stack: &str) -> Instance {
+    let one = stand.until_ready(id).await;
+    let folder = Path::new(&one.folder);
+    fs::write(folder.join(stack), "#0 abort\n").expect("written");
+    fs::write(folder.join(CRASH_FILE), "").expect("written");
+    stand.until_ended(id).await
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn the_stack_of_a_crash_is_named_and_none_of_an_earlier_one() {
+    let stand = Stand::of(Behaviour::Normal);
+    let id = stand.launch().await;
+    let stacks = [1, 7].map(|pid| format!("dumpstack.sh_arducopter.{pid}.out"));
+    for stack in &stacks {
+        let one = crash(&stand, id, stack).await;
+        let expected = format!("its stack is in {stack}");
+        assert_eq!(one.hint, Some(expected));
+        stand.hangar.restart(id).await.expect("it is there");
+    }
+    let one = crash(&stand, id, "dumpstack.txt").await;
+    assert_eq!(one.fault.as_deref(), Some("it has crashed (SIGABRT)"));
+    assert_eq!(one.hint, None, "it has left no stack");
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn the_remark_of_a_stopped_process_says_that_it_is_stopped() {
+    let stand = Stand::of(Behaviour::Normal);
+    let id = stand.launch().await;
+    let pid = stand.until_ready(id).await.pid.expect("it runs");
+    signal(pid, Signal::SIGSTOP);
+    let says_so = |one: &Instance| one.hint.as_ref().is_some_and(|it| it.contains("SIGSTOP"));
+    let one = stand.until_one(id, "it is diagnosed", says_so).await;
+    let hint = one.hint.expect("it has one");
+    let (lack, output) = hint
+        .split_once("; it is stopped (SIGSTOP); its last output: ")
+        .expect("in this order");
+    assert!(!lack.is_empty() && !output.is_empty(), "{hint}");
+    assert!(!hint.contains("of a core"), "{hint}");
 }
 
 /// A slow instance is not ended: its missing step is reported, and it can be stopped.

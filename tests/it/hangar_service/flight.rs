@@ -63,10 +63,15 @@ async fn a_tunnel_is_for_one_at_a_time_and_asks_for_an_upgrade() {
     served.end().await;
 }
 
+/// A service that exposes its vehicles.
+async fn exposing() -> Served {
+    let adjust = |setup: &mut sortie::hangar::service::ServiceSetup| setup.expose = true;
+    Served::with(2, Some(crate::stand_in::Behaviour::Normal), adjust).await
+}
+
 #[tokio::test(flavor = "multi_thread", worker_threads = 2)]
 async fn an_exposed_vehicle_has_a_port_of_its_own() {
-    let adjust = |setup: &mut sortie::hangar::service::ServiceSetup| setup.expose = true;
-    let served = Served::with(2, Some(crate::stand_in::Behaviour::Normal), adjust).await;
+    let served = exposing().await;
     let started = served.post("{}").await.json();
     let port = started["port"].as_u64().expect("a port") as u16;
     let list = served.ask("GET", "/vehicles").await.json();
@@ -85,6 +90,49 @@ async fn an_exposed_vehicle_has_a_port_of_its_own() {
     tokio::time::timeout(super::PATIENCE, closed)
         .await
         .expect("the port is closed");
+    served.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn the_list_names_the_ports_of_exposed_vehicles() {
+    let served = exposing().await;
+    let ports = [served.post("{}").await, served.post("{}").await]
+        .map(|started| started.json()["port"].as_u64().expect("a port"));
+    for id in 1..=2 {
+        let path = format!("/vehicles/{id}/ready?timeout_s=90");
+        assert_eq!(served.ask("GET", &path).await.status, 200);
+    }
+    let [first, second] = ports;
+    let expected = format!("1 ready tcp:127.0.0.1:{first}\n2 ready tcp:127.0.0.1:{second}\n");
+    assert_eq!(served.ask("GET", "/list").await.body, expected);
+    served.end().await;
+}
+
+#[tokio::test(flavor = "multi_thread", worker_threads = 2)]
+async fn a_second_client_of_an_exposed_port_is_turned_away_and_counted() {
+    let served = exposing().await;
+    let port = served.post("{}").await.json()["port"].as_u64();
+    let port = port.expect("a port") as u16;
+    let connect = async || TcpStream::connect(("127.0.0.1", port)).await;
+    let mut first = connect().await.expect("it listens");
+    let mut some = [0; 1];
+    first.read_exact(&mut some).await.expect("it speaks");
+    let refused = async || served.ask("GET", "/vehicles/1").await.json()["refused"].as_u64();
+    assert_eq!(refused().await, Some(0));
+    for count in 1..=2 {
+        let mut second = connect().await.expect("it listens");
+        let heard = tokio::time::timeout(super::PATIENCE, second.read(&mut some)).await;
+        let heard = heard.expect("it is closed");
+        assert!(matches!(heard, Ok(0) | Err(_)), "{heard:?}");
+        let counted = async {
+            while refused().await != Some(count) {
+                tokio::task::yield_now().await;
+            }
+        };
+        let counted = tokio::time::timeout(super::PATIENCE, counted).await;
+        counted.expect("it is counted once");
+    }
+    first.read_exact(&mut some).await.expect("it still speaks");
     served.end().await;
 }
 
