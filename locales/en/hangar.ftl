@@ -44,8 +44,8 @@ hangar-all-ready = { $count ->
 }
 hangar-ready-again = is ready to arm again
 hangar-restarted = its process was restarted (restart { $count })
-hangar-crash = its process has crashed: { $reason }
-hangar-crash-said = its process has crashed: { $reason }: { $line }
+hangar-crash = its process is gone: { $reason }
+hangar-crash-said = its process is gone: { $reason }; it last said: { $line }
 hangar-crash-again = { $key }, then { $again } restarts it (`hangar restart { $vehicle }`)
 hangar-no-process = no process of vehicle { $vehicle }
 hangar-ask-armed = it is armed; if it is flying, it will crash

@@ -45,8 +45,8 @@ hangar-all-ready = { $count ->
 }
 hangar-ready-again = знову готовий до активації двигунів
 hangar-restarted = його процес перезапущено (перезапуск { $count })
-hangar-crash = його процес аварійно завершився: { $reason }
-hangar-crash-said = його процес аварійно завершився: { $reason }: { $line }
+hangar-crash = його процесу вже немає: { $reason }
+hangar-crash-said = його процесу вже немає: { $reason }; останнє, що він повідомив: { $line }
 hangar-crash-again = { $key }, потім { $again } перезапускає його (`hangar restart { $vehicle }`)
 hangar-no-process = процесу апарата { $vehicle } немає
 hangar-ask-armed = його двигуни активні: у польоті він упаде

@@ -234,6 +234,12 @@ impl FlightView {
         vehicles.any(|vehicle| vehicle.link.via.map(usize::from) == Some(link))
     }
 
+    /// Whether a vehicle has been heard over this link.
+    pub fn carries_vehicle(&self, link: usize) -> bool {
+        let mut vehicles = self.vehicles.values();
+        vehicles.any(|vehicle| vehicle.link.via.map(usize::from) == Some(link))
+    }
+
     /// The names of a vehicle's groups.
     pub fn groups_of(&self, vehicle: VehicleId) -> Vec<&str> {
         self.choice.groups_of(vehicle)

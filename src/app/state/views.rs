@@ -11,7 +11,7 @@ use super::{
 };
 use crate::config::Config;
 use crate::debrief::WorkloadStrips;
-use crate::doctor::{Cause, LinkFinding};
+use crate::doctor::{Cause, LinkFinding, Way, Weight};
 use crate::geo::LatLon;
 use crate::language::Groups;
 use crate::ledger::Ledger;
@@ -219,6 +219,15 @@ impl FlightView {
         let is_open = self.links().get(link).is_some_and(|it| it.up);
         let mut findings = self.findings().iter();
         is_open && findings.any(|it| it.link == link && it.cause == Cause::Nothing)
+    }
+
+    /// Whether a finding explains why a link that should lead to a vehicle leads to none.
+    pub fn lacks_vehicle(&self, finding: &LinkFinding) -> bool {
+        // The stages of processes tell how far those are which are not heard yet.
+        let waits_for_process = finding.way == Way::Pipe && !self.vehicles().is_empty();
+        finding.cause.weight() == Weight::Fatal
+            && !waits_for_process
+            && !self.carries_vehicle(finding.link)
     }
 
     /// The state of a link as text.

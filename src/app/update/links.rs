@@ -6,7 +6,7 @@ use crate::app::State;
 use crate::app::effect::{Effect, Effects, FileEffect, FileKind};
 use crate::app::room::messages::LinkTraffic;
 use crate::app::state::Room;
-use crate::doctor::{Cause, LinkFinding, Weight};
+use crate::doctor::{Cause, LinkFinding};
 use crate::inspector::{CountedLink, StatisticsFormat, statistics_table};
 use crate::language::MessagesLine;
 use crate::notice::Notice;
@@ -14,7 +14,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// How long after the start of a session the absence of vehicles is not reported.
+/// How long after the start of a session a link without a vehicle is not reported.
 const PATIENCE: Duration = Duration::from_secs(5);
 
 /// Stores the doctor's findings, and adds notices of those that need action.
@@ -103,7 +103,7 @@ fn export(state: &State, path: String) -> Effects {
 
 /// Reports a finding, once per link.
 fn tell(state: &mut State, finding: &LinkFinding) {
-    let waits = state.session.vehicles.is_empty()
+    let waits = state.session.lacks_vehicle(finding)
         && state.now.saturating_sub(state.session.timing.began_at) >= PATIENCE;
     let is_news = match finding.cause {
         // A closed link shows its own error, and the fleet reports a duplicate system id.
@@ -134,7 +134,7 @@ fn tell(state: &mut State, finding: &LinkFinding) {
         | Cause::Recording
         | Cause::Listening
         | Cause::Unanswered(_)
-        | Cause::Well(_) => waits && finding.cause.weight() == Weight::Fatal,
+        | Cause::Well(_) => waits,
     };
     if !is_news || !state.session.connections.report(finding) {
         return;

@@ -71,9 +71,9 @@ fn draw_list(state: &State, cursor: usize, panel: Panel<'_>, buffer: &mut Buffer
         title = format!("{title} {}", panel.text(&part));
     }
     let inner = panel.focused(&title, true, buffer);
-    let name_width = usize::from(inner.width).saturating_sub(46);
+    let name_width = usize::from(inner.width).saturating_sub(53);
     let head = format!(
-        "{:>3} {:name_width$} {:>8} {:>8} {:>6}  {:9} {}",
+        "{:>3} {:name_width$} {:>10} {:>10} {:>6}  {:9} {}",
         "#",
         panel.say("links-address"),
         panel.say("links-in"),
@@ -123,7 +123,7 @@ fn list_line(
     };
     let state = look.say(state);
     let figures = format!(
-        "{:>3} {:name_width$} {:>8.0} {:>8.0} {lost:>6}  ",
+        "{:>3} {:name_width$} {:>10.0} {:>10.0} {lost:>6}  ",
         at + 1,
         clip(&look.text(&link.name), name_width),
         link.bytes_in_per_s,

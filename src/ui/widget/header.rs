@@ -282,6 +282,13 @@ fn is_up(state: &State, at: usize, link: &LinkSummary) -> bool {
     link.up && !state.session().leads_to_ended_process(at)
 }
 
+/// Whether a link is up and has no fault that keeps its vehicles from being heard.
+fn is_well(state: &State, at: usize, link: &LinkSummary) -> bool {
+    let session = state.session();
+    let mut faults = session.findings().iter().filter(|it| it.link == at);
+    is_up(state, at, link) && !faults.any(|fault| session.lacks_vehicle(fault))
+}
+
 fn links(state: &State, short: bool) -> Text {
     let links = state.session().links();
     match links {
@@ -302,7 +309,7 @@ fn links(state: &State, short: bool) -> Text {
             let links_up = links
                 .iter()
                 .enumerate()
-                .filter(|(at, link)| is_up(state, *at, link));
+                .filter(|(at, link)| is_well(state, *at, link));
             let up = links_up.count();
             if short {
                 text!("header-links-short", up = up, all = links.len())

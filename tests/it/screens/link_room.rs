@@ -142,13 +142,26 @@ fn a_finding_is_told_once_when_no_vehicle_has_come_for_five_seconds() {
     console.at(6).hear(findings());
     assert_eq!(told(&console), 1);
     shows(&console, &["udpin:0.0.0.0:14550: no data arrives"]);
-    let mut console = Console::flying(1);
-    console.hear(LinkEvent::Summaries(vec![link(
-        "udpin:0.0.0.0:14550",
-        true,
-    )]));
-    console.at(9).hear(findings());
-    assert_eq!(told(&console), 0, "a vehicle is there by another link");
+}
+
+#[test]
+fn a_link_without_a_vehicle_is_told_and_not_counted_as_up_beside_one_that_has_one() {
+    let mut console = Console::new();
+    console.start(Activity::Free);
+    let mut vehicle: Vehicle = fixtures::airborne(1, 20.0, 20.1);
+    vehicle.link.via = Some(1);
+    console.vehicle(vehicle);
+    let addresses = ["serial:/dev/ttyUSB0:57600", "udpin:0.0.0.0:14550"];
+    let links = addresses.map(|address| link(address, true));
+    console.hear(LinkEvent::Summaries(links.into()));
+    console.at(9).hear(LinkEvent::Findings(vec![
+        finding(0, Way::Serial, Cause::WrongBaud),
+        // The vehicle is silent: its own alert says so.
+        finding(1, Way::UdpIn, Cause::Nothing),
+    ]));
+    let notices = console.state().notices().lines();
+    assert_eq!(notices.len(), 1);
+    shows(&console, &["serial:/dev/ttyUSB0:57600: ", "1/2"]);
 }
 
 #[test]

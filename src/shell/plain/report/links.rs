@@ -5,17 +5,18 @@ use crate::app::state::{ForwardSummary, LinkSummary};
 use crate::text::{Text, text};
 use crate::vehicle::Vehicle;
 
-/// The state of the links and forwards, and their faults.
+/// The state of the links, each with its faults, and of the forwards.
 pub(super) fn now(state: &State) -> Vec<Text> {
     let session = state.session();
-    let links = session.links().iter().flat_map(link_texts);
+    let links = session.links().iter().enumerate().flat_map(|(at, link)| {
+        let findings = session.findings().iter().filter(move |it| it.link == at);
+        let ailments = findings.flat_map(|finding| [finding.says(), finding.advice()]);
+        link_texts(at, link).chain(ailments)
+    });
     let forwards = session.forwards().iter().map(forward_text);
-    let findings = session.findings().iter();
-    let ailments = findings.flat_map(|finding| [finding.says(), finding.advice()]);
     let vehicles = session.vehicles().values();
     let radios = vehicles.filter_map(|vehicle| radio_text(vehicle));
-    let all = links.chain(radios).chain(forwards);
-    all.chain(ailments).collect()
+    links.chain(radios).chain(forwards).collect()
 }
 
 /// The test of a vehicle's radio, if one is on.
@@ -26,19 +27,20 @@ fn radio_text(vehicle: &Vehicle) -> Option<Text> {
 }
 
 /// A link, and the signatures on it if there are any.
-fn link_texts(link: &LinkSummary) -> impl Iterator<Item = Text> {
+fn link_texts(at: usize, link: &LinkSummary) -> impl Iterator<Item = Text> {
     let seals = link.counters.as_ref().and_then(|it| it.seals);
     let signatures = seals.map(|seals| {
         let parts = vec![text!("links-signing"), seals.text()];
         Text::joined(": ", parts)
     });
-    std::iter::once(link_text(link)).chain(signatures)
+    std::iter::once(link_text(at, link)).chain(signatures)
 }
 
-fn link_text(link: &LinkSummary) -> Text {
+fn link_text(at: usize, link: &LinkSummary) -> Text {
     let lost = link.counters.as_ref().map(|it| it.all_lost().to_string());
     text!(
         "plain-link",
+        number = at + 1,
         name = &link.name,
         state = link.error.as_ref().unwrap_or(&link.state),
         received = format!("{:.0}", link.messages_in_per_s),

@@ -3,9 +3,10 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::*;
-use crate::app::event::{Event, SessionEvent, Started, VehicleEvent};
-use crate::app::state::Activity;
+use crate::app::event::{Event, LinkEvent, SessionEvent, Started, VehicleEvent};
+use crate::app::state::{Activity, LinkSummary};
 use crate::app::{App, Setup};
+use crate::doctor::{Cause, LinkFinding, Way};
 use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
 use crate::vehicle::{Battery, Vehicle};
 use crate::wire::MavAddress;
@@ -91,4 +92,48 @@ fn a_command_of_another_station_is_printed_with_its_answer() {
         listed[0].to_string(),
         "GCS 254/230: 3 mode RTL: accepted, 2 times"
     );
+}
+
+#[test]
+fn the_faults_of_each_link_stand_below_it() {
+    let mut app = App::new(Setup::default());
+    let started = Started {
+        activity: Activity::Free,
+        mission: None,
+        places: BTreeMap::new(),
+        areas: Vec::new(),
+        processes: None,
+        speedup: 1.0,
+        is_again: false,
+    };
+    drop(app.update(SessionEvent::Started(Box::new(started))));
+    let link = |name: &str| LinkSummary {
+        name: name.into(),
+        up: true,
+        ..LinkSummary::default()
+    };
+    let links = ["udpin:0.0.0.0:14550", "serial:/dev/ttyUSB0:57600"].map(link);
+    drop(app.update(LinkEvent::Summaries(links.into()).into()));
+    // The findings come worst first.
+    let found = [
+        (1, Way::Serial, Cause::WrongBaud),
+        (0, Way::UdpIn, Cause::Lossy(48)),
+    ];
+    let found = found.map(|(link, way, cause)| LinkFinding {
+        link,
+        way,
+        cause,
+        boards: Vec::new(),
+    });
+    drop(app.update(LinkEvent::Findings(found.into()).into()));
+    let printed: Vec<String> = links::now(app.state())
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    let starts = ["link 1, udpin:", "48 %", "", "link 2, serial:", "", ""];
+    for (line, start) in printed.iter().zip(starts) {
+        assert!(line.starts_with(start), "{printed:#?}");
+    }
+    assert!(printed[4].contains("baud"), "{printed:#?}");
+    assert_eq!(printed.len(), starts.len());
 }
