@@ -104,10 +104,7 @@ struct TimelineRow {
 impl TimelineRow {
     /// The text, after the name of the giver.
     fn said(self) -> Text {
-        match self.giver {
-            Some(person) => text!("ledger-by", person = person.name(), line = self.text),
-            None => self.text,
-        }
+        Person::said(self.giver.as_ref(), self.text)
     }
 }
 
