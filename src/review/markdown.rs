@@ -130,7 +130,7 @@ impl MarkdownPage<'_> {
             return;
         }
         self.heading(3, &self.say("debrief-workload"));
-        for words in debrief::workload_words(workload) {
+        for words in debrief::workload_words(report) {
             self.item(&self.locale.text(&words));
         }
     }
