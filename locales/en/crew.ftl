@@ -49,6 +49,7 @@ crew-made-safe = { $who } commands `{ $verb }` to what you fly: { $vehicles }
 crew-flight-ended = the flight of { $host } has ended
 crew-lost = the connection to the host is lost; the console tries again
 crew-refused = { $line }: { $reason }
+crew-line-waits = waiting for the host: { $lines }
 crew-copy = your record of the flight: { $file }
 
 # Why something is not possible
@@ -75,6 +76,7 @@ crew-not-open = this command is not part of your role: { $role }
 crew-unconfirmed = `{ $verb }` needs a confirmation
 crew-not-flying = the host is not flying
 crew-not-begun = the mission has not begun: the host reads the brief
+crew-late = the host was busy for { $seconds } s: give it again
 crew-exam = an exam is flown alone
 crew-line-long = the command is too long
 crew-host-decides = only the host can do this: it concerns the whole flight

@@ -46,10 +46,14 @@ pub(super) fn heard(
                 id,
                 line,
                 confirmed,
+                given_ms,
             },
             Some(member),
         ) => {
-            let done = command(state, &member, &line, confirmed);
+            let done = match Crew::waited_too_long(given_ms, wall) {
+                Some(waited) => Err(text!("crew-late", seconds = waited.as_secs())),
+                None => command(state, &member, &line, confirmed),
+            };
             answer(connection, id, done)
         }
         (MemberMessage::Act { id, deed }, Some(member)) => {
@@ -342,7 +346,9 @@ pub(super) fn tick(state: &mut State) -> Effects {
     crew.look(wall);
     let silent = crew.silent(wall);
     let ended = crew.settle(pilots, wall);
-    let mut effects = Effects::none();
+    let clock = crew.clock_to_tell(wall);
+    let clock = clock.map(|ms| Effect::Crew(CrewEffect::TellAll(HostMessage::Clock { ms })));
+    let mut effects: Effects = clock.into_iter().collect();
     for connection in silent {
         effects.extend([Effect::Crew(CrewEffect::Drop(connection))]);
         effects.extend(left(state, connection, Departure::Silent));
