@@ -3,10 +3,13 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::*;
-use crate::app::event::{Event, SessionEvent, Started, VehicleEvent};
-use crate::app::state::Activity;
+use crate::app::event::{CrewEvent, Event, SessionEvent, Started, VehicleEvent};
+use crate::app::state::{Activity, CrewPart, MemberPlace};
 use crate::app::{App, Setup};
+use crate::crew::Role;
+use crate::crew::protocol::{HostMessage, VERSION};
 use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
+use crate::mission::{Mission, Stake};
 use crate::vehicle::{Battery, Vehicle};
 use crate::wire::MavAddress;
 
@@ -91,4 +94,56 @@ fn a_command_of_another_station_is_printed_with_its_answer() {
         listed[0].to_string(),
         "GCS 254/230: 3 mode RTL: accepted, 2 times"
     );
+}
+
+#[test]
+fn the_brief_names_only_lines_that_are_open() {
+    let source = include_str!("../../../../missions/02-formation.toml");
+    let mission = Mission::parse(source).expect("no faults");
+    let brief = |crew: CrewPart, role: Option<Role>| {
+        let mut app = App::new(Setup {
+            crew,
+            ..Setup::default()
+        });
+        if let Some(role) = role {
+            let welcome = HostMessage::Welcome {
+                protocol: VERSION,
+                crew: "alpha".into(),
+                host: "bohdan".into(),
+                name: "anna".into(),
+                role,
+            };
+            drop(app.update(CrewEvent::Said(welcome)));
+        }
+        let started = Started {
+            activity: Activity::Mission {
+                id: mission.id.clone(),
+                title: mission.title.clone(),
+                stake: Stake::Practice,
+            },
+            mission: Some(Box::new(mission.listing())),
+            places: BTreeMap::new(),
+            areas: Vec::new(),
+            processes: None,
+            speedup: 1.0,
+            is_again: false,
+        };
+        drop(app.update(SessionEvent::Started(Box::new(started))));
+        let lines = brief::lines(app.state());
+        lines.iter().map(ToString::to_string).collect::<String>()
+    };
+    let member = |role| {
+        let place = CrewPart::Member(Box::new(MemberPlace::new("alpha")));
+        brief(place, Some(role))
+    };
+    let alone = brief(CrewPart::None, None);
+    for line in ["`1 predict 800`", "`hint`", "`pause`", "`continue`"] {
+        assert!(alone.contains(line), "{line}: {alone}");
+    }
+    let [pilot, observer] = [Role::Pilot, Role::Observer].map(member);
+    assert!(pilot.contains("`objectives`") && pilot.contains("`hint`"));
+    assert!(observer.contains("`objectives`") && !observer.contains("`hint`"));
+    for line in ["predict", "goal", "`pause`", "`continue`"] {
+        assert!(!pilot.contains(line), "{line}: {pilot}");
+    }
 }
