@@ -43,6 +43,7 @@ crew-welcome = crew { $crew } of { $host }: you are { $name }, { $role }
 crew-waiting = waiting for the crew { $crew }
 crew-waiting-flight = waiting for the flight of { $host }
 crew-host-left = { $host } has ended the crew: this console looks for it again, `quit` leaves
+crew-host-left-end = { $host } has ended the crew: this console ends
 crew-confirmed = { $who } has confirmed `{ $line }`: { $danger }
 # A safety pilot commands vehicles of the reader; the verb is as it is typed.
 crew-made-safe = { $who } commands `{ $verb }` to what you fly: { $vehicles }

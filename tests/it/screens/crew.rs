@@ -210,6 +210,29 @@ fn a_member_says_when_a_line_was_given_and_sees_that_it_waits() {
 }
 
 #[test]
+fn a_console_without_a_screen_says_that_it_ends_with_the_crew() {
+    let said = |has_rooms| {
+        let mut console = Console::set_up(|setup| {
+            setup.has_rooms = has_rooms;
+            setup.crew = CrewPart::Member(Box::new(MemberPlace::new("alpha")));
+        });
+        console.hear(CrewEvent::Said(HostMessage::Welcome {
+            protocol: VERSION,
+            crew: "alpha".into(),
+            host: "bohdan".into(),
+            name: "anna".into(),
+            role: Role::Pilot,
+        }));
+        console.hear(CrewEvent::Said(HostMessage::Closing));
+        let message = console.state().message();
+        message.map(|it| it.text.to_string()).unwrap_or_default()
+    };
+    assert!(said(true).ends_with("`quit` leaves"));
+    let ends = "bohdan has ended the crew: this console ends";
+    assert_eq!(said(false), ends);
+}
+
+#[test]
 fn the_palette_of_a_member_lists_the_verbs_of_the_role() {
     let lists = |role: Role, written: &str, verb: &str| {
         let mut console = following(Language::English, role);

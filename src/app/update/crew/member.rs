@@ -95,7 +95,12 @@ fn closing(state: &mut State) {
     if let Some(place) = state.crew.member_mut() {
         place.is_ended = true;
     }
-    let text = text!("crew-host-left", host = host.name());
+    // Without a screen, the console ends once everything is printed.
+    let text = if state.display.has_rooms {
+        text!("crew-host-left", host = host.name())
+    } else {
+        text!("crew-host-left-end", host = host.name())
+    };
     tell(state, Severity::Notice, text);
 }
 
