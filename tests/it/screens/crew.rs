@@ -183,6 +183,18 @@ fn a_member_is_offered_only_what_is_open_and_refused_the_rest_with_the_reason() 
 }
 
 #[test]
+fn the_keys_offered_are_those_of_the_role() {
+    let keys = |role: Role| {
+        let screen = following(Language::English, role).screen(80, 24);
+        screen.lines().last().unwrap_or_default().to_owned()
+    };
+    let pilot = keys(Role::Pilot);
+    assert!(pilot.contains("  a t g l r h m d commands"), "{pilot}");
+    let safety = keys(Role::Safety);
+    assert!(safety.contains("  l r h d commands"), "{safety}");
+}
+
+#[test]
 fn a_member_says_when_a_line_was_given_and_sees_that_it_waits() {
     let mut console = following(Language::English, Role::Pilot);
     for (at, ms) in [(20, 100_000), (21, 101_000), (23, 101_900)] {
