@@ -239,7 +239,12 @@ impl Crew {
         self.members.insert(joining.connection, member);
         self.assign(joining.connection, pilots, now);
         let role = self.members[&joining.connection].role;
-        Ok(CrewChange::Joined { who: person, role })
+        let vehicles = pilots.flown_by(&person);
+        Ok(CrewChange::Joined {
+            who: person,
+            role,
+            vehicles,
+        })
     }
 
     /// The first name for a user that nobody here has: `anna`, `anna#2`. No user name of the system has a `#`, so a user who

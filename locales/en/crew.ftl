@@ -24,6 +24,7 @@ header-own-none = you fly no vehicle
 
 # What happens
 crew-joined = { $who } joins the crew: { $role }
+crew-joined-vehicles = { $who } joins the crew: { $role } of { $vehicles }
 crew-left = { $who } has left the crew
 crew-left-lost = the connection to { $who } is lost
 crew-left-silent = { $who } does not answer any more

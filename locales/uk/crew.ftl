@@ -24,6 +24,7 @@ header-own-none = ви не керуєте апаратами
 
 # Що відбувається
 crew-joined = { $who } приєднується до екіпажу: { $role }
+crew-joined-vehicles = { $who } приєднується до екіпажу: { $role }, апарати { $vehicles }
 crew-left = { $who } виходить з екіпажу
 crew-left-lost = зʼєднання втрачено: { $who }
 crew-left-silent = { $who } більше не відповідає
