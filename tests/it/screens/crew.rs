@@ -195,6 +195,44 @@ fn the_keys_offered_are_those_of_the_role() {
 }
 
 #[test]
+fn a_member_without_vehicles_reads_the_role_in_the_header() {
+    let header = |role: Role| {
+        let mut console = following(Language::English, role);
+        let [anna, bohdan] = ["anna", "bohdan"].map(Person::named);
+        let pilots = PilotsInCommand::seen_by(&anna, &bohdan, &[]);
+        console.hear(VehicleEvent::Pilots(pilots));
+        let screen = console.screen(120, 40);
+        screen.lines().next().unwrap_or_default().to_owned()
+    };
+    for (role, words) in [
+        (Role::Pilot, "you fly no vehicle"),
+        (Role::Sensors, "   sensors   "),
+        (Role::Safety, "   safety   "),
+        (Role::Observer, "   observer   "),
+    ] {
+        let shown = header(role);
+        assert!(shown.contains(words), "{role:?}: {shown}");
+    }
+}
+
+#[test]
+fn the_badge_of_a_member_is_whole_on_a_narrow_screen() {
+    let mut console = following(Language::Ukrainian, Role::Pilot);
+    let [anna, bohdan] = ["anna", "bohdan"].map(Person::named);
+    let pilots = PilotsInCommand::seen_by(&anna, &bohdan, &[]);
+    console.hear(VehicleEvent::Pilots(pilots));
+    let header = |console: &Console| {
+        let screen = console.screen(80, 24);
+        screen.lines().next().unwrap_or_default().to_owned()
+    };
+    let shown = header(&console);
+    assert!(shown.contains(" ЕКІПАЖ "), "{shown}");
+    console.at(33);
+    let shown = header(&console);
+    assert!(shown.contains(" ЕКІПАЖ, 13 с БЕЗ ВІДПОВІДІ "), "{shown}");
+}
+
+#[test]
 fn a_member_says_when_a_line_was_given_and_sees_that_it_waits() {
     let mut console = following(Language::English, Role::Pilot);
     for (at, ms) in [(20, 100_000), (21, 101_000), (23, 101_900)] {
