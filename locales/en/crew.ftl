@@ -40,6 +40,7 @@ crew-listed-asks = { $who } asks for { $vehicles }
 crew-waits = waiting for { $who } to accept or decline: { $vehicles }
 crew-declined = { $who } declines the hand-over of { $vehicles }
 crew-unanswered = no answer from { $who } within a minute: { $vehicles }
+crew-lapsed = the proposal of { $who } has ended without your answer: { $vehicles }
 crew-welcome = crew { $crew } of { $host }: you are { $name }, { $role }
 crew-waiting = waiting for the crew { $crew }
 crew-waiting-flight = waiting for the flight of { $host }

@@ -40,6 +40,7 @@ crew-listed-asks = { $who } просить { $vehicles }
 crew-waits = чекаємо на відповідь, має відповісти { $who }: { $vehicles }
 crew-declined = { $who } відхиляє передачу { $vehicles }
 crew-unanswered = { $who } не відповідає протягом хвилини: { $vehicles }
+crew-lapsed = ви не відповіли, пропозиція вже не діє: { $who }, { $vehicles }
 crew-welcome = екіпаж { $crew }, господар польоту { $host }: ви { $name }, { $role }
 crew-waiting = очікування екіпажу { $crew }
 crew-waiting-flight = очікування польоту, який проводить { $host }

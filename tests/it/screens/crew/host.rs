@@ -89,3 +89,53 @@ fn a_host_that_was_busy_carries_out_no_line_that_is_old() {
     }
 }
 
+#[test]
+fn who_did_not_answer_learns_that_the_proposal_has_ended() {
+    let mut console = hosting();
+    console.hear(CrewEvent::Heard {
+        connection: ConnectionId(1),
+        user: "anna".to_owned(),
+        message: MemberMessage::Act {
+            id: 1,
+            deed: CrewDeed::Ask { vehicles: vec![3] },
+        },
+    });
+    // Both are heard meanwhile.
+    for second in 1..=62 {
+        console.at(second);
+        for (number, user) in [(1, "anna"), (2, "olena")] {
+            console.hear(CrewEvent::Heard {
+                connection: ConnectionId(number),
+                user: user.to_owned(),
+                message: MemberMessage::Here,
+            });
+        }
+    }
+    let words = "the proposal of anna has ended without your answer: 3";
+    assert!(console.screen(120, 40).contains(words));
+}
+
+#[test]
+fn a_pilot_reads_who_uses_the_payload_of_a_vehicle() {
+    let mut console = hosting();
+    console.hear(CrewEvent::Heard {
+        connection: ConnectionId(3),
+        user: "petro".to_owned(),
+        message: hello(Role::Sensors),
+    });
+    for (id, line) in [(1, "4 mark"), (2, "4 drop")] {
+        console.hear(CrewEvent::Heard {
+            connection: ConnectionId(3),
+            user: "petro".to_owned(),
+            message: MemberMessage::Say {
+                id,
+                line: SaidLine::try_from(line.to_owned()).expect("a line"),
+                confirmed: Confirmed::Nothing,
+                given_ms: None,
+            },
+        });
+    }
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("petro commands `drop` to what you fly: 4"));
+    assert!(!screen.contains("petro commands `mark`"));
+}
