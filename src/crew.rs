@@ -39,6 +39,8 @@ const KEPT: Duration = Duration::from_secs(60);
 /// The time without a line of the other side, which says something every 2 s, after which it is silent: a member counts as
 /// gone.
 pub const SILENT: Duration = Duration::from_secs(10);
+/// The maximum age of a member's line that is still carried out.
+const FRESH: Duration = Duration::from_secs(5);
 /// The longest time between two looks at the clock while the host's console runs. After a longer one, it has been stopped,
 /// as by Ctrl-Z, or was busy: it could hear nobody meanwhile.
 const STALLED: Duration = Duration::from_secs(2);
@@ -147,6 +149,8 @@ pub struct Crew {
     proposals: Vec<Proposal>,
     /// The last look at the wall clock.
     seen_at: Option<Duration>,
+    /// The second of the wall clock that members were told last.
+    told_second: Option<u64>,
 }
 
 impl Crew {
@@ -160,6 +164,7 @@ impl Crew {
             kept: Vec::new(),
             proposals: Vec::new(),
             seen_at: None,
+            told_second: None,
         }
     }
 
@@ -234,7 +239,12 @@ impl Crew {
         self.members.insert(joining.connection, member);
         self.assign(joining.connection, pilots, now);
         let role = self.members[&joining.connection].role;
-        Ok(CrewChange::Joined { who: person, role })
+        let vehicles = pilots.flown_by(&person);
+        Ok(CrewChange::Joined {
+            who: person,
+            role,
+            vehicles,
+        })
     }
 
     /// The first name for a user that nobody here has: `anna`, `anna#2`. No user name of the system has a `#`, so a user who
@@ -324,6 +334,22 @@ impl Crew {
         self.postpone(unseen);
     }
 
+    /// The wall clock in ms for the members, once a second while there are any.
+    pub fn clock_to_tell(&mut self, now: Duration) -> Option<u64> {
+        let second = Some(now.as_secs()).filter(|_| !self.members.is_empty());
+        if std::mem::replace(&mut self.told_second, second) == second {
+            return None;
+        }
+        second.map(|_| milliseconds(now))
+    }
+
+    /// For how long a line of a member has waited for the host, if that is too long to carry it out: what it was meant for
+    /// may be over. `None` if it is fresh, or if it is not known when it was given.
+    pub fn waited_too_long(given_ms: Option<u64>, now: Duration) -> Option<Duration> {
+        let waited = now.saturating_sub(Duration::from_millis(given_ms?));
+        (waited > FRESH).then_some(waited)
+    }
+
     /// Notes that a member has said something.
     pub fn hear(&mut self, connection: ConnectionId, now: Duration) {
         if let Some(member) = self.members.get_mut(&connection) {
@@ -358,6 +384,10 @@ impl Crew {
             self.assign(connection, pilots, now);
         }
     }
+}
+
+fn milliseconds(time: Duration) -> u64 {
+    u64::try_from(time.as_millis()).unwrap_or(u64::MAX)
 }
 
 /// A post of the mission that is kept for a user whose connection has ended.

@@ -222,8 +222,15 @@ impl DebriefPage<'_> {
                 revision = report.revision
             )),
         });
-        let crew = (!report.crew.is_empty())
-            .then(|| text!("debrief-crew", names = report.crew.join(", ")));
+        let names = report.crew.join(", ");
+        let has_own = report.ledger.iter().any(|entry| entry.by.is_none());
+        let crew = (!report.crew.is_empty()).then(|| {
+            if has_own {
+                text!("debrief-crew-also", names = names)
+            } else {
+                text!("debrief-crew", names = names)
+            }
+        });
         for text in flown_by.into_iter().chain(crew).chain(mission_file) {
             self.wrapped(" ", &text);
         }

@@ -261,10 +261,7 @@ impl LedgerEntry {
 
     /// The line; that of another person begins with the name, as those of other stations do.
     pub fn said(&self) -> Text {
-        match &self.by {
-            Some(person) => text!("ledger-by", person = person.name(), line = &self.line),
-            None => self.line.as_str().into(),
-        }
+        Person::said(self.by.as_ref(), self.line.as_str().into())
     }
 
     /// The state of one of the entry's rows in a few words. A rehearsal without an effect counts as

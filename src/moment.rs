@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use strum::{EnumIter, EnumString, IntoStaticStr, VariantNames};
 
+use crate::pilot_in_command::Person;
 use crate::text::Text;
 use crate::vehicle::VehicleId;
 
@@ -15,8 +16,17 @@ pub struct Moment {
     /// The vehicles concerned; empty if it concerns the whole flight.
     pub vehicles: Vec<VehicleId>,
     pub kind: MomentKind,
+    /// Who gave the command that it is about; `None` for the user of the console, and for moments of another kind.
+    pub by: Option<Person>,
     /// The event in a few words.
     pub text: Text,
+}
+
+impl Moment {
+    /// The event, after the name of the person who gave the command.
+    pub fn said(&self) -> Text {
+        Person::said(self.by.as_ref(), self.text.clone())
+    }
 }
 
 /// The kind of a moment. The names are those of the command line.
@@ -39,6 +49,8 @@ pub enum MomentKind {
     Bookmark,
     /// A vehicle refused a command, or a command had no effect.
     Refusal,
+    /// A command was not sent, because another person flies the vehicle. This costs no points.
+    Barred,
     /// An alert of a vehicle began.
     Alert,
     /// A vehicle changed its mode.
@@ -49,7 +61,7 @@ pub enum MomentKind {
     Objective,
     /// A safety rule of the mission was broken.
     Rule,
-    /// An event of the mission, or an inject of the instructor, changed something.
+    /// An event of the mission, or an inject of the instructor, changed something; or a command with a risk was given.
     Event,
     /// Two flying vehicles came close to each other, or were at their closest in the whole flight.
     Separation,
@@ -77,6 +89,7 @@ impl MomentKind {
             Self::Mode | Self::Arming | Self::Log => false,
             Self::Bookmark
             | Self::Refusal
+            | Self::Barred
             | Self::Alert
             | Self::Objective
             | Self::Rule
@@ -89,7 +102,7 @@ impl MomentKind {
     pub fn weight(self) -> u8 {
         match self {
             Self::Mode | Self::Arming => 0,
-            Self::Event | Self::Log => 1,
+            Self::Event | Self::Log | Self::Barred => 1,
             Self::Objective => 2,
             Self::Refusal | Self::Separation => 3,
             Self::Alert | Self::Rule => 4,

@@ -75,6 +75,14 @@ impl Person {
         &self.name
     }
 
+    /// A line that a person has given, or the user of the console (`None`); that of a person begins with the name.
+    pub fn said(by: Option<&Self>, line: Text) -> Text {
+        match by {
+            Some(person) => text!("ledger-by", person = person.name(), line = line),
+            None => line,
+        }
+    }
+
     /// Whether it is an instructor.
     pub fn is_instructor(&self) -> bool {
         self.is_instructor

@@ -257,6 +257,7 @@ impl Journal {
                 at: line.at(),
                 vehicles: Vec::new(),
                 kind: MomentKind::Bookmark,
+                by: None,
                 text: Text::verbatim(text.clone()),
             }),
             Happening::Entry(_)

@@ -241,6 +241,7 @@ impl Bookmark {
             at: Duration::from_millis(self.at_ms),
             vehicles: Vec::new(),
             kind: MomentKind::Bookmark,
+            by: None,
             text: Text::verbatim(self.text.clone()),
         }
     }

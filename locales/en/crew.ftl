@@ -24,6 +24,7 @@ header-own-none = you fly no vehicle
 
 # What happens
 crew-joined = { $who } joins the crew: { $role }
+crew-joined-vehicles = { $who } joins the crew: { $role } of { $vehicles }
 crew-left = { $who } has left the crew
 crew-left-lost = the connection to { $who } is lost
 crew-left-silent = { $who } does not answer any more
@@ -39,16 +40,19 @@ crew-listed-asks = { $who } asks for { $vehicles }
 crew-waits = waiting for { $who } to accept or decline: { $vehicles }
 crew-declined = { $who } declines the hand-over of { $vehicles }
 crew-unanswered = no answer from { $who } within a minute: { $vehicles }
+crew-lapsed = the proposal of { $who } has ended without your answer: { $vehicles }
 crew-welcome = crew { $crew } of { $host }: you are { $name }, { $role }
 crew-waiting = waiting for the crew { $crew }
 crew-waiting-flight = waiting for the flight of { $host }
 crew-host-left = { $host } has ended the crew: this console looks for it again, `quit` leaves
+crew-host-left-end = { $host } has ended the crew: this console ends
 crew-confirmed = { $who } has confirmed `{ $line }`: { $danger }
 # A safety pilot commands vehicles of the reader; the verb is as it is typed.
 crew-made-safe = { $who } commands `{ $verb }` to what you fly: { $vehicles }
 crew-flight-ended = the flight of { $host } has ended
 crew-lost = the connection to the host is lost; the console tries again
 crew-refused = { $line }: { $reason }
+crew-line-waits = waiting for the host: { $lines }
 crew-copy = your record of the flight: { $file }
 
 # Why something is not possible
@@ -75,6 +79,7 @@ crew-not-open = this command is not part of your role: { $role }
 crew-unconfirmed = `{ $verb }` needs a confirmation
 crew-not-flying = the host is not flying
 crew-not-begun = the mission has not begun: the host reads the brief
+crew-late = the host was busy for { $seconds } s: give it again
 crew-exam = an exam is flown alone
 crew-line-long = the command is too long
 crew-host-decides = only the host can do this: it concerns the whole flight

@@ -49,7 +49,8 @@ debrief-only-gold = No more points to gain; gold needs { $gates }.
 debrief-good = good
 
 # Prediction and goal, stated before launch.
-debrief-crew = commands also by { $names }
+debrief-crew = commands by { $names }
+debrief-crew-also = commands also by { $names }
 debrief-by-hand = Flown by hand
 debrief-by-script = Flown by a script: practice
 debrief-by-bundled-pilot = Flown by a pilot script that comes with sortie: practice
@@ -70,9 +71,18 @@ debrief-alert-late = { $alert } -> answered after { $after } s (limit { $limit }
 debrief-alert-none = { $alert } -> not answered (limit { $limit } s)   late
 
 debrief-swarm = SWARM   (shown, not scored)
-debrief-fan-out = At this pace you keep { $handled } vehicles busy; you used { $flown }.
-debrief-swarm-times = without commands, a vehicle stays busy for { $neglect } s; a command takes you { $interaction } s; a vehicle waits { $wait } s
-debrief-swarm-habits = you switched vehicles { $switches } times a minute and sent { $group } % of commands to several at once
+debrief-fan-out = { $who ->
+    [crew] At this pace the crew keeps { $handled } vehicles busy; it used { $flown }.
+   *[you] At this pace you keep { $handled } vehicles busy; you used { $flown }.
+}
+debrief-swarm-times = without commands, a vehicle stays busy for { $neglect } s; a command takes { $who ->
+        [crew] the crew
+       *[you] you
+    } { $interaction } s; a vehicle waits { $wait } s
+debrief-swarm-habits = { $who ->
+        [crew] the crew
+       *[you] you
+    } switched vehicles { $switches } times a minute and sent { $group } % of commands to several at once
 debrief-use = in use { $airborne } s, with a task { $percent } %, idle { $idle } s
 debrief-use-none = not used
 
@@ -133,7 +143,10 @@ workload-how = share of the last minute spent on commands, in tenths; vehicles w
 workload-figures = from { $commands ->
         [one] { $commands } command
        *[other] { $commands } commands
-    }, counted once for all vehicles: you were busy for { $interaction } s; the vehicles worked on their own for { $neglect } s and waited for { $wait } s, in total
+    }, counted once for all vehicles: { $who ->
+        [crew] the crew was
+       *[you] you were
+    } busy for { $interaction } s; the vehicles worked on their own for { $neglect } s and waited for { $wait } s, in total
 workload-overloaded = more than 70 % busy for a minute or longer: { $stretches }
 workload-answered = you answered { $answers } of { $questions } questions about your workload
 workload-question = Your workload, from 1 (almost nothing) to 5 (too much)? { $key } answers (not scored)

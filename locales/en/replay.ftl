@@ -53,6 +53,7 @@ moment-near = only { $metres } m apart
 moment-nearest = smallest separation of the flight: { $metres } m
 moment-kind-bookmark = bookmark
 moment-kind-refusal = refusal
+moment-kind-barred = not pilot
 moment-kind-alert = alert
 moment-kind-mode = mode
 moment-kind-arming = arming

@@ -24,6 +24,7 @@ header-own-none = ви не керуєте апаратами
 
 # Що відбувається
 crew-joined = { $who } приєднується до екіпажу: { $role }
+crew-joined-vehicles = { $who } приєднується до екіпажу: { $role }, апарати { $vehicles }
 crew-left = { $who } виходить з екіпажу
 crew-left-lost = зʼєднання втрачено: { $who }
 crew-left-silent = { $who } більше не відповідає
@@ -39,16 +40,19 @@ crew-listed-asks = { $who } просить { $vehicles }
 crew-waits = чекаємо на відповідь, має відповісти { $who }: { $vehicles }
 crew-declined = { $who } відхиляє передачу { $vehicles }
 crew-unanswered = { $who } не відповідає протягом хвилини: { $vehicles }
+crew-lapsed = ви не відповіли, пропозиція вже не діє: { $who }, { $vehicles }
 crew-welcome = екіпаж { $crew }, господар польоту { $host }: ви { $name }, { $role }
 crew-waiting = очікування екіпажу { $crew }
 crew-waiting-flight = очікування польоту, який проводить { $host }
 crew-host-left = { $host } завершує роботу екіпажу: консоль шукатиме його знову, `quit` — вийти
+crew-host-left-end = { $host } завершує роботу екіпажу: консоль завершує роботу
 crew-confirmed = { $who } підтверджує `{ $line }`: { $danger }
 # Команда пілота безпеки апаратам того, хто читає; дієслово таке, як його вводять.
 crew-made-safe = { $who } дає команду `{ $verb }` вашим апаратам: { $vehicles }
 crew-flight-ended = політ, який проводить { $host }, завершено
 crew-lost = зв’язок із господарем польоту втрачено; консоль пробує ще раз
 crew-refused = { $line }: { $reason }
+crew-line-waits = очікування господаря польоту: { $lines }
 crew-copy = ваш запис польоту: { $file }
 
 # Чому щось неможливо
@@ -75,6 +79,7 @@ crew-not-open = ця команда не належить до вашої рол
 crew-unconfirmed = `{ $verb }` потребує підтвердження
 crew-not-flying = господар зараз не виконує польоту
 crew-not-begun = завдання ще не почалося: господар польоту читає опис
+crew-late = господар польоту був зайнятий { $seconds } с: дайте команду ще раз
 crew-exam = іспит складають поодинці
 crew-line-long = команда задовга
 crew-host-decides = це може лише господар польоту: команда стосується всього польоту

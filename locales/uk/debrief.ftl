@@ -50,7 +50,8 @@ debrief-only-gold = Більше балів здобути не можна; дл
 debrief-good = добре
 
 # Прогноз і мета, заявлені до зльоту.
-debrief-crew = команди давали також: { $names }
+debrief-crew = команди давали: { $names }
+debrief-crew-also = команди давали також: { $names }
 debrief-by-hand = Політ виконано власноруч
 debrief-by-script = Політ виконав скрипт: тренування
 debrief-by-bundled-pilot = Політ виконав скрипт із комплекту sortie: тренування
@@ -71,9 +72,18 @@ debrief-alert-late = { $alert } -> відповідь за { $after } s (меж�
 debrief-alert-none = { $alert } -> без відповіді (межа { $limit } s)   запізно
 
 debrief-swarm = РІЙ   (не оцінюється)
-debrief-fan-out = За такого темпу ви завантажуєте роботою { $handled } апарата; працювало: { $flown }.
-debrief-swarm-times = без команд апарат зайнятий { $neglect } s; команда забирає у вас { $interaction } s; апарат чекає { $wait } s
-debrief-swarm-habits = переходів до інших апаратів за хвилину: { $switches }; команд кільком апаратам одразу: { $group } %
+debrief-fan-out = За такого темпу { $who ->
+        [crew] екіпаж завантажує
+       *[you] ви завантажуєте
+    } роботою { $handled } апарата; працювало: { $flown }.
+debrief-swarm-times = без команд апарат зайнятий { $neglect } s; команда забирає { $who ->
+        [crew] в екіпажу
+       *[you] у вас
+    } { $interaction } s; апарат чекає { $wait } s
+debrief-swarm-habits = { $who ->
+        [crew] переходів екіпажу
+       *[you] переходів
+    } до інших апаратів за хвилину: { $switches }; команд кільком апаратам одразу: { $group } %
 debrief-use = у роботі { $airborne } s, із завданням { $percent } %, простій { $idle } s
 debrief-use-none = не працював
 
@@ -131,7 +141,10 @@ workload-alone = без нагляду
 workload-waiting = чекають
 workload-answers = ваші оцінки
 workload-how = частка останньої хвилини, зайнята командами, у десятих частках; скільки апаратів тоді працювало без нагляду; скільки апаратів чекає; ваші оцінки від 1 до 5
-workload-figures = команд: { $commands } (команда кільком апаратам рахується один раз); ви були зайняті { $interaction } s; апарати сумарно працювали самостійно { $neglect } s і чекали { $wait } s
+workload-figures = команд: { $commands } (команда кільком апаратам рахується один раз); { $who ->
+        [crew] екіпаж був зайнятий
+       *[you] ви були зайняті
+    } { $interaction } s; апарати сумарно працювали самостійно { $neglect } s і чекали { $wait } s
 workload-overloaded = зайнятість понад 70 % протягом хвилини чи довше: { $stretches }
 workload-answered = ви відповіли на запитання про завантаженість: { $answers } з { $questions }
 workload-question = Завантаженість від 1 (майже нічого) до 5 (забагато)? Відповідь: { $key }, на бали не впливає

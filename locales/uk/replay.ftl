@@ -53,6 +53,7 @@ moment-near = зблизилися до { $metres } m
 moment-nearest = найменша відстань за політ: { $metres } m
 moment-kind-bookmark = закладка
 moment-kind-refusal = відмова
+moment-kind-barred = не пілот
 moment-kind-alert = тривога
 moment-kind-mode = режим
 moment-kind-arming = двигуни

@@ -85,7 +85,7 @@ pub(in crate::app) use class::{
 };
 pub use class::{ClassRole, SeatPlace, ShownTry};
 pub use column::SortKey;
-pub use crew::{CrewLink, CrewPart, MemberPlace};
+pub use crew::{AskedLine, CrewLink, CrewPart, MemberPlace};
 pub use display::{Display, SMALLEST, is_too_small};
 pub use filter::VehicleFilter;
 pub use flight_view::{Activity, FlightView};

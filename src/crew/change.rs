@@ -14,8 +14,13 @@ use crate::vehicle_id::{VehicleId, VehicleIds, ranges};
 pub enum CrewChange {
     /// A flight began with a crew that was there already.
     Began,
-    /// A member has joined, with this role.
-    Joined { who: Person, role: Role },
+    /// A member has joined, with this role, and flies the vehicles of a post from now on.
+    Joined {
+        who: Person,
+        role: Role,
+        #[serde(default, skip_serializing_if = "Vec::is_empty")]
+        vehicles: Vec<VehicleId>,
+    },
     /// A member is not there any more; the vehicles went back to the host.
     Left {
         who: Person,
@@ -119,8 +124,23 @@ impl CrewChange {
     pub fn text(&self, viewpoint: Option<&CrewViewpoint>) -> Option<Text> {
         match self {
             Self::Began => None,
-            Self::Joined { who, role } => {
-                Some(text!("crew-joined", who = who.name(), role = role.text()))
+            Self::Joined {
+                who,
+                role,
+                vehicles,
+            } => {
+                let (who, role) = (who.name(), role.text());
+                Some(if vehicles.is_empty() {
+                    text!("crew-joined", who = who, role = role)
+                } else {
+                    let vehicles = ranges(vehicles.iter().copied());
+                    text!(
+                        "crew-joined-vehicles",
+                        who = who,
+                        role = role,
+                        vehicles = vehicles
+                    )
+                })
             }
             Self::Left { who, vehicles, why } => {
                 let left = why.text(who);

@@ -11,7 +11,7 @@ use crate::class::{PieceBytes, RecordName, RecordPart, Words};
 use crate::text::{StoredText, Text};
 
 /// The version of the protocol; it increases with every change that is not an addition.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 /// The maximum length of a member's line, in characters.
 const LONGEST_SAID: usize = 1000;
 
@@ -27,6 +27,9 @@ pub enum MemberMessage {
         id: u32,
         line: SaidLine,
         confirmed: Confirmed,
+        /// When it was given, by the host's wall clock in ms, as far as the member knows it ([`HostMessage::Clock`]).
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        given_ms: Option<u64>,
     },
     /// A deed about the pilots of vehicles.
     Act {
@@ -143,6 +146,8 @@ pub enum HostMessage {
     },
     /// The host is still there.
     Here,
+    /// The host's wall clock in ms, once a second. Its beginning is the host's own.
+    Clock { ms: u64 },
     /// The host ends the crew, and the connection.
     Closing,
 }

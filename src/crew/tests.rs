@@ -138,8 +138,9 @@ fn lines_between_host_and_members_are_short_and_have_no_control_characters() {
         id: 7,
         line: said("3 takeoff 20").expect("a command"),
         confirmed: Confirmed::Nothing,
+        given_ms: Some(81_000),
     });
-    let expected = "{\"say\":{\"id\":7,\"line\":\"3 takeoff 20\",\"confirmed\":\"nothing\"}}\n";
+    let expected = "{\"say\":{\"id\":7,\"line\":\"3 takeoff 20\",\"confirmed\":\"nothing\",\"given_ms\":81000}}\n";
     assert_eq!(line_of, expected);
     assert!(said(&"x".repeat(1001)).is_err());
     assert!(said("3 land\n1 kill").is_err());

@@ -93,6 +93,7 @@ impl JoinedLog {
                 at,
                 vehicles: vec![self.vehicle],
                 kind: MomentKind::Log,
+                by: None,
                 text: it.event.text(),
             })
         };

@@ -13,9 +13,15 @@ impl DebriefPage<'_> {
             return;
         }
         self.heading("debrief-swarm");
+        let who = report.commanders();
         if let Some(fan_out) = figures.fan_out_waiting {
             let handled = format!("{fan_out:.1}");
-            let text = text!("debrief-fan-out", handled = handled, flown = figures.flown);
+            let text = text!(
+                "debrief-fan-out",
+                handled = handled,
+                flown = figures.flown,
+                who = who
+            );
             self.wrapped("  ", &text);
         }
         let seconds = |time: Option<f64>| time.map_or("-".to_owned(), |time| format!("{time:.0}"));
@@ -23,13 +29,15 @@ impl DebriefPage<'_> {
             "debrief-swarm-times",
             neglect = seconds(figures.neglect_s),
             interaction = seconds(figures.interaction_s),
-            wait = seconds(Some(figures.wait_s))
+            wait = seconds(Some(figures.wait_s)),
+            who = who
         );
         self.wrapped("  ", &times);
         let habits = text!(
             "debrief-swarm-habits",
             switches = format!("{:.1}", figures.switches_per_min),
-            group = format!("{:.0}", figures.group_share * 100.0)
+            group = format!("{:.0}", figures.group_share * 100.0),
+            who = who
         );
         self.wrapped("  ", &habits);
         for one in &report.usage {

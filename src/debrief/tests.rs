@@ -3,9 +3,11 @@ use super::*;
 use crate::ledger::RowState;
 use crate::mission::fake::{Pilot, do_nothing, fly_the_cells};
 use crate::pilot_in_command::Person;
-use crate::scoring::{FlightOutcome, Medal, TruthReport};
+use crate::scoring::{FlightOutcome, Medal, TruthReport, UseReport};
 use crate::text::Language;
 use crate::text::said::without_words;
+
+mod crew;
 
 fn bad_flight() -> Report {
     let mut pilot = Pilot::new(1);

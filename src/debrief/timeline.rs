@@ -4,7 +4,9 @@ use super::layout::clock;
 use super::{DebriefPage, DebriefTone};
 use crate::ledger::RowState;
 use crate::pilot_in_command::Person;
-use crate::scoring::{AlertReport, EventKind, EventReport, EventSubject, LedgerReport, Report};
+use crate::scoring::{
+    AlertReport, EventKind, EventReport, EventSubject, LedgerReport, Report, RowReport,
+};
 use crate::text;
 use crate::text::Text;
 use std::collections::BTreeMap;
@@ -104,10 +106,7 @@ struct TimelineRow {
 impl TimelineRow {
     /// The text, after the name of the giver.
     fn said(self) -> Text {
-        match self.giver {
-            Some(person) => text!("ledger-by", person = person.name(), line = self.text),
-            None => self.text,
-        }
+        Person::said(self.giver.as_ref(), self.text)
     }
 }
 
@@ -280,8 +279,14 @@ fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
             RowState::Refused | RowState::Barred | RowState::TimedOut
         )
     };
-    let taken = entry.rows.iter().find(|row| !not_taken(row.state))?;
-    let words = vec![entry.line.as_str().into(), taken.state.text()];
+    let is_taken = |row: &&RowReport| !not_taken(row.state);
+    let taken = entry.rows.iter().find(is_taken)?;
+    let outcome = if entry.rows.iter().all(|row| is_taken(&row)) {
+        taken.state.text()
+    } else {
+        counted(&entry.rows)
+    };
+    let words = vec![entry.line.as_str().into(), outcome];
     Some(TimelineRow {
         at_s: entry.at_s,
         mark: TimelineMark::Command,
@@ -289,6 +294,21 @@ fn command_row(entry: &LedgerReport) -> Option<TimelineRow> {
         giver: entry.by.clone(),
         text: Text::joined(": ", words),
     })
+}
+
+/// The number of vehicles in each state, in the order of the vehicles.
+fn counted(rows: &[RowReport]) -> Text {
+    let mut counts: Vec<(Text, usize)> = Vec::new();
+    for row in rows {
+        let state = row.state.name();
+        match counts.iter_mut().find(|(known, _)| *known == state) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((state, 1)),
+        }
+    }
+    let counts = counts.into_iter();
+    let parts = counts.map(|(state, count)| text!("state-count", count = count, state = state));
+    Text::joined(", ", parts.collect())
 }
 
 /// The times and letters of the marks, for tests.

@@ -126,14 +126,16 @@ fn digit(value: u32) -> char {
 }
 
 /// The figures of the workload that its curves do not show, as sentences.
-pub fn workload_words(workload: &WorkloadReport) -> Vec<Text> {
+pub fn workload_words(report: &Report) -> Vec<Text> {
+    let workload = &report.workload;
     let last = |times: &[f64]| format!("{:.0}", times.last().copied().unwrap_or(0.0));
     let mut words = vec![text!(
         "workload-figures",
         commands = workload.commands,
         interaction = last(&workload.interaction_s),
         neglect = last(&workload.neglect_s),
-        wait = last(&workload.wait_s)
+        wait = last(&workload.wait_s),
+        who = report.commanders()
     )];
     if !workload.overloaded.is_empty() {
         let stretches: Vec<String> = workload
@@ -175,7 +177,7 @@ impl DebriefPage<'_> {
             self.line(&line);
         }
         self.wrapped("  ", &text!("workload-how"));
-        for words in workload_words(workload) {
+        for words in workload_words(report) {
             self.wrapped("  ", &words);
         }
         self.gap();

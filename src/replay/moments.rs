@@ -7,9 +7,10 @@ use std::time::Duration;
 use crate::alert::AlertKind;
 use crate::app::State;
 use crate::app::event::{Event, SessionEvent, VehicleEvent};
-use crate::ledger::{RowState, RowUpdate};
+use crate::ledger::{LedgerEntry, Risk, RowState, RowUpdate};
 use crate::mission::Progress;
 use crate::moment::{Moment, MomentKind};
+use crate::pilot_in_command::Person;
 use crate::record::{DeskRecord, MissionClock};
 use crate::scoring::{EventKind, Report};
 use crate::text;
@@ -57,6 +58,8 @@ struct KnownVehicle {
 struct BarredLine {
     /// When it was refused first.
     at: Duration,
+    /// Who gave it; `None` for the user of the console.
+    by: Option<Person>,
     /// The line, with the reason.
     text: Text,
     /// How often it was refused.
@@ -100,6 +103,20 @@ impl Lookout {
                     self.see(now, vehicle);
                 }
                 Event::Vehicle(VehicleEvent::Row(row)) => self.judge(row, state),
+                Event::Vehicle(VehicleEvent::Given {
+                    at,
+                    line,
+                    risk: Risk::Unsafe | Risk::SkipsChecks,
+                    by,
+                    vehicles,
+                    ..
+                }) => self.add(Moment {
+                    at: *at,
+                    vehicles: vehicles.clone(),
+                    kind: MomentKind::Event,
+                    by: by.clone(),
+                    text: line.as_str().into(),
+                }),
                 Event::Session(SessionEvent::Mission(progress)) => self.count(now, progress),
                 Event::Session(SessionEvent::MissionEnded(report)) => self.close(report),
                 Event::Session(SessionEvent::Instructed(order)) => self.notice(now, order),
@@ -154,7 +171,7 @@ impl Lookout {
         let recent = self.found[..place].iter_mut().rev();
         let mut same = recent
             .take_while(|it| moment.at.saturating_sub(it.at) < TOGETHER)
-            .filter(|it| it.kind == moment.kind && it.text == moment.text);
+            .filter(|it| (it.kind, &it.by, &it.text) == (moment.kind, &moment.by, &moment.text));
         if let Some(known) = same.next() {
             known.vehicles.extend(moment.vehicles);
             known.vehicles.sort_unstable();
@@ -182,6 +199,7 @@ impl Lookout {
                 at,
                 vehicles: vec![vehicle.id],
                 kind,
+                by: None,
                 text,
             });
         };
@@ -202,12 +220,13 @@ impl Lookout {
     fn judge(&mut self, row: &RowUpdate, state: &State) {
         let entry = state.session().ledger().entry(row.entry);
         if let Some(entry) = entry.filter(|_| row.state.is_failure()) {
-            self.refuse(row, &entry.line);
+            self.refuse(row, entry);
         }
     }
 
     /// Adds the failure of a line.
-    fn refuse(&mut self, row: &RowUpdate, line: &str) {
+    fn refuse(&mut self, row: &RowUpdate, entry: &LedgerEntry) {
+        let (line, by) = (entry.line.as_str(), entry.by.as_ref());
         let outcome = row.state.text();
         let text = match &row.explanation {
             // The reason for a refusal already shows that it is one.
@@ -222,30 +241,43 @@ impl Lookout {
             ),
             None => text!("moment-refused", line = line, outcome = outcome),
         };
-        if row.state == RowState::Barred && self.count_again(&text) {
+        let is_barred = row.state == RowState::Barred;
+        if is_barred && self.count_again(by, &text) {
             return;
         }
-        if row.state == RowState::Barred {
-            let (at, text, count) = (row.at, text.clone(), 1);
-            self.barred.push(BarredLine { at, text, count });
+        let by = by.cloned();
+        if is_barred {
+            self.barred.push(BarredLine {
+                at: row.at,
+                by: by.clone(),
+                text: text.clone(),
+                count: 1,
+            });
         }
         self.add(Moment {
             at: row.at,
             vehicles: vec![row.vehicle],
-            kind: MomentKind::Refusal,
+            kind: if is_barred {
+                MomentKind::Barred
+            } else {
+                MomentKind::Refusal
+            },
+            by,
             text,
         });
     }
 
     /// Counts a line that was barred before, at the moment when it was first; returns whether there is such a moment.
-    fn count_again(&mut self, text: &Text) -> bool {
-        let Some(known) = self.barred.iter_mut().find(|it| it.text == *text) else {
+    fn count_again(&mut self, by: Option<&Person>, text: &Text) -> bool {
+        let mut all = self.barred.iter_mut();
+        let known = all.find(|it| it.by.as_ref() == by && it.text == *text);
+        let Some(known) = known else {
             return false;
         };
         let before = known.shown();
         known.count += 1;
         let mut found = self.found.iter_mut();
-        let moment = found.find(|it| it.at == known.at && it.text == before);
+        let moment = found.find(|it| it.at == known.at && it.by == known.by && it.text == before);
         if let Some(moment) = moment {
             moment.text = known.shown();
             self.revision += 1;
@@ -265,6 +297,7 @@ impl Lookout {
                     at,
                     vehicles: vec![vehicle],
                     kind: MomentKind::Alert,
+                    by: None,
                     text: one.alert.text.clone(),
                 });
             }
@@ -285,6 +318,7 @@ impl Lookout {
                 at,
                 vehicles: Vec::new(),
                 kind: MomentKind::Objective,
+                by: None,
                 text: text!("moment-objective", objective = title),
             });
         }
@@ -297,6 +331,7 @@ impl Lookout {
                 at,
                 vehicles: Vec::new(),
                 kind: MomentKind::Event,
+                by: None,
                 text: order.text(),
             });
         }
@@ -327,6 +362,7 @@ impl Lookout {
                 at: self.clock.record_time(elapsed).unwrap_or_default(),
                 vehicles: event.vehicle.into_iter().collect(),
                 kind,
+                by: None,
                 text: event.text.clone(),
             });
         }
@@ -336,75 +372,4 @@ impl Lookout {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::exercise::Exercise;
-    use crate::language::{Context, Script};
-    use crate::ledger::EntryId;
-    use crate::mission::Mission;
-    use crate::scoring::{EventReport, EventSubject};
-
-    #[test]
-    fn a_line_that_another_pilot_bars_again_and_again_is_one_moment() {
-        let mut lookout = Lookout::default();
-        let mut refuse = |at_s, vehicle, state, line| {
-            let row = RowUpdate {
-                entry: EntryId(at_s),
-                vehicle,
-                state,
-                tries: 0,
-                at: Duration::from_secs(u64::from(at_s)),
-                explanation: Some(text!("pilot-other", pilot = "anna", vehicle = vehicle)),
-            };
-            lookout.refuse(&row, line);
-        };
-        refuse(10, 3, RowState::Barred, "3 rtl");
-        refuse(15, 2, RowState::Barred, "2 rtl");
-        refuse(20, 3, RowState::Barred, "3 rtl");
-        refuse(30, 3, RowState::Barred, "3 rtl");
-        // What a vehicle itself refuses stays where it was.
-        refuse(40, 1, RowState::Refused, "1 arm");
-        refuse(50, 1, RowState::Refused, "1 arm");
-        let found = lookout.found().expect("moments").into_iter();
-        let found: Vec<_> = found
-            .map(|it| (it.at.as_secs(), it.text.to_string()))
-            .collect();
-        let expected = [
-            (10, "3 rtl: refused: anna flies 3 (3 times)"),
-            (15, "2 rtl: refused: anna flies 2"),
-            (40, "1 arm: anna flies 1"),
-            (50, "1 arm: anna flies 1"),
-        ];
-        assert_eq!(found, expected.map(|(at, text)| (at, text.to_owned())));
-    }
-
-    #[test]
-    fn an_alert_of_the_mission_is_a_moment() {
-        let source = include_str!("../../missions/00-first-flight.toml");
-        let mission = Arc::new(Mission::parse(source).expect("no faults"));
-        let script = Script::parse("", &Context::default()).expect("nothing to do");
-        let mut report = Exercise::new(mission, 1, script, Vec::new()).report();
-        let alert = |vehicle, about, text| EventReport {
-            at_s: 60.0,
-            kind: EventKind::Alert,
-            vehicle,
-            text: Text::verbatim(text),
-            about,
-        };
-        report.events = vec![
-            alert(None, None, "60 s left"),
-            alert(
-                Some(1),
-                Some(EventSubject::Alert(0)),
-                "an aircraft comes near",
-            ),
-            alert(Some(1), None, "the process has ended"),
-        ];
-        let mut lookout = Lookout::default();
-        lookout.close(&report);
-        let found = lookout.found().expect("moments");
-        let found = found.into_iter().filter(|it| it.kind == MomentKind::Alert);
-        let found: Vec<String> = found.map(|it| it.text.to_string()).collect();
-        assert_eq!(found, ["60 s left", "an aircraft comes near"]);
-    }
-}
+mod tests;

@@ -62,9 +62,9 @@ fn told(moment: &Moment) -> Text {
     let parts = match moment.kind {
         MomentKind::Objective => return moment.text.clone(),
         // The text is the command with its targets; not all of them may have refused it.
-        MomentKind::Refusal => {
+        MomentKind::Refusal | MomentKind::Barred => {
             let refused = Text::from(format!("[{vehicles}]"));
-            return Text::joined(" ", vec![moment.text.clone(), refused]);
+            return Text::joined(" ", vec![moment.said(), refused]);
         }
         MomentKind::Bookmark
         | MomentKind::Alert
@@ -73,7 +73,7 @@ fn told(moment: &Moment) -> Text {
         | MomentKind::Rule
         | MomentKind::Event
         | MomentKind::Separation
-        | MomentKind::Log => [moment.kind.text(), vehicles.into(), moment.text.clone()],
+        | MomentKind::Log => [moment.kind.text(), vehicles.into(), moment.said()],
     };
     let words = parts.into_iter().filter(|it| !it.is_empty()).collect();
     Text::joined(": ", words)
@@ -130,7 +130,7 @@ impl MarkdownPage<'_> {
             return;
         }
         self.heading(3, &self.say("debrief-workload"));
-        for words in debrief::workload_words(workload) {
+        for words in debrief::workload_words(report) {
             self.item(&self.locale.text(&words));
         }
     }
@@ -229,6 +229,7 @@ mod tests {
             at: Duration::ZERO,
             vehicles: vec![1],
             kind,
+            by: None,
             text: Text::verbatim(text),
         };
         let words = |kind, text| told(&moment(kind, text)).to_string();

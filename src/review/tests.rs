@@ -10,6 +10,7 @@ fn bookmark(seconds: u64, text: &str) -> Moment {
         at: at(seconds),
         vehicles: Vec::new(),
         kind: MomentKind::Bookmark,
+        by: None,
         text: Text::verbatim(text),
     }
 }

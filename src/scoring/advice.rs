@@ -208,7 +208,7 @@ impl<'a> Remedies<'a> {
                 facts.safety.retain(|event| event.kind != kind);
             });
         }
-        let text = text!("scoring-advice-commands");
+        let text = command_advice(&self.facts.commands);
         self.mend(RemedyTopic::Commands, text, |facts| {
             facts.commands = CommandTally {
                 given: facts.commands.given,
@@ -247,6 +247,18 @@ impl<'a> Remedies<'a> {
         self.mend(RemedyTopic::Hints, text, |facts| {
             facts.hints = HintsUsed::default();
         });
+    }
+}
+
+/// The advice against the fault of commands that cost most.
+fn command_advice(tally: &CommandTally) -> Text {
+    let [refused, dangerous, repeated] = tally.costs();
+    if refused >= dangerous.max(repeated) {
+        text!("scoring-advice-commands")
+    } else if dangerous >= repeated {
+        text!("scoring-advice-unsafe")
+    } else {
+        text!("scoring-advice-twice")
     }
 }
 

@@ -37,10 +37,17 @@ pub struct CommandTally {
 impl CommandTally {
     /// `max(0, 1 - (rejected + 0.5 dangerous + 0.25 duplicates) / (0.25 accepted + 2))`.
     pub fn value(&self) -> f64 {
-        let faults = f64::from(self.rejected)
-            + 0.5 * f64::from(self.dangerous)
-            + 0.25 * f64::from(self.duplicates);
+        let faults: f64 = self.costs().iter().sum();
         (1.0 - faults / (0.25 * f64::from(self.accepted) + 2.0)).max(0.0)
+    }
+
+    /// The weighted faults: of refused, of unsafe and of repeated commands.
+    pub(super) fn costs(&self) -> [f64; 3] {
+        [
+            f64::from(self.rejected),
+            0.5 * f64::from(self.dangerous),
+            0.25 * f64::from(self.duplicates),
+        ]
     }
 
     /// The tally with this many refusals forgiven.

@@ -167,6 +167,12 @@ pub struct LedgerReport {
 }
 
 impl Report {
+    /// Who gave the commands, as texts about figures of the whole flight choose their words: `crew` if other persons gave
+    /// some, otherwise `you`.
+    pub fn commanders(&self) -> &'static str {
+        if self.crew.is_empty() { "you" } else { "crew" }
+    }
+
     /// Names the persons of a crew as one of its members knows them, who has the host's record.
     pub fn seen_from(&mut self, viewpoint: &CrewViewpoint) {
         for entry in &mut self.ledger {

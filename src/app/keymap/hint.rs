@@ -105,6 +105,16 @@ impl Keymap {
 
     /// The labels of a hint's keys; `None` without any.
     pub fn hint_label(&self, keys: HintKeys, place: Place) -> Option<String> {
+        self.open_label(keys, place, |_| true)
+    }
+
+    /// The labels of a hint's keys, without those that write lines that are not open; `None` without any.
+    pub fn open_label(
+        &self,
+        keys: HintKeys,
+        place: Place,
+        is_open: impl Fn(&str) -> bool,
+    ) -> Option<String> {
         let label = |meaning: &Meaning| self.label(meaning, place);
         match keys {
             HintKeys::Actions(actions) => {
@@ -119,9 +129,8 @@ impl Keymap {
             }
             HintKeys::Words(words) => label(&Meaning::words(words)),
             HintKeys::Lines(lines) => {
-                let labelled = lines
-                    .iter()
-                    .filter_map(|words| label(&Meaning::words(words)));
+                let open = lines.iter().filter(|line| is_open(line));
+                let labelled = open.filter_map(|words| label(&Meaning::words(words)));
                 let labels: Vec<String> = labelled.collect();
                 (!labels.is_empty()).then(|| labels.join(" "))
             }

@@ -32,7 +32,10 @@ pub struct MemberPlace {
     pub(in crate::app) role: Role,
     pub(in crate::app) roster: Vec<RosterLine>,
     /// The lines that the host has not answered yet, by number.
-    pub(in crate::app) asked: BTreeMap<u32, String>,
+    pub(in crate::app) asked: BTreeMap<u32, AskedLine>,
+    /// By how much the host's wall clock is ahead of this console's, in ms: the largest difference so far, because a word of
+    /// the host that took its time makes it smaller. `None` until the host has told it.
+    pub(in crate::app) ahead_ms: Option<i64>,
     pub(in crate::app) next: u32,
     /// When the host last said something, by the wall clock; it says something every 2 s.
     pub(in crate::app) heard_at: Duration,
@@ -42,6 +45,17 @@ pub struct MemberPlace {
     pub(in crate::app) is_ended: bool,
     /// Why the host did not let this member in again; told once.
     pub(in crate::app) denied: Option<CrewDenial>,
+}
+
+/// A line that the host has not answered yet.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AskedLine {
+    /// What its answer is shown with.
+    pub(in crate::app) line: String,
+    /// When it was given, by the wall clock.
+    pub(in crate::app) at: Duration,
+    /// Whether the user was told that it waits.
+    pub(in crate::app) is_told: bool,
 }
 
 /// The connection of a member to its host.
@@ -81,6 +95,18 @@ impl MemberPlace {
         self.role
     }
 
+    /// Takes in the host's wall clock, in ms.
+    pub(in crate::app) fn hear_clock(&mut self, ms: u64, wall: Duration) {
+        let ahead = signed(ms).saturating_sub(signed_ms(wall));
+        self.ahead_ms = self.ahead_ms.max(Some(ahead));
+    }
+
+    /// The present time by the host's wall clock, in ms, if it is known.
+    pub(in crate::app) fn host_ms(&self, wall: Duration) -> Option<u64> {
+        let ms = signed_ms(wall).saturating_add(self.ahead_ms?);
+        u64::try_from(ms).ok()
+    }
+
     /// What the member waits for while no flight is shown.
     pub fn awaited(&self) -> Text {
         match &self.viewpoint {
@@ -112,6 +138,14 @@ impl MemberPlace {
     pub fn is_connected(&self) -> bool {
         self.is_connected
     }
+}
+
+fn signed_ms(time: Duration) -> i64 {
+    i64::try_from(time.as_millis()).unwrap_or(i64::MAX)
+}
+
+fn signed(ms: u64) -> i64 {
+    i64::try_from(ms).unwrap_or(i64::MAX)
 }
 
 impl CrewPart {

@@ -193,6 +193,8 @@ mod tests {
             assert!(!pilot(absent) && !safety(absent), "{absent}");
         }
         assert!(pilot("takeoff ") && !safety("takeoff "));
+        let observer = help(Role::Observer);
+        assert!(pilot("draft upload") && !observer("draft upload") && observer("crew offer"));
         for verb in ["rtl", "crew offer", "leave"] {
             assert!(pilot(verb) && safety(verb), "{verb}");
         }

@@ -67,19 +67,31 @@ pub(super) fn is_row_of_member(row: &VerbRow, role: Role) -> bool {
     if row.scope.takes_targets() {
         return role.may_say(&row.verb);
     }
-    !ROWS_OF_HOST.contains(row.name())
+    let is_of_pilots = ROWS_OF_PILOTS.contains(row.name());
+    !ROWS_OF_HOST.contains(row.name()) && (role == Role::Pilot || !is_of_pilots)
 }
 
 /// The verbs for the console whose lines are all the host's. They follow from the table alone, and the help, which is
 /// drawn anew with every frame, needs them for each of its keys.
-static ROWS_OF_HOST: LazyLock<BTreeSet<&str>> = LazyLock::new(|| {
+static ROWS_OF_HOST: LazyLock<BTreeSet<&str>> = LazyLock::new(|| rows_of(is_line_of_host));
+
+/// The verbs for the console of which only who flies vehicles can make use.
+static ROWS_OF_PILOTS: LazyLock<BTreeSet<&str>> = LazyLock::new(|| rows_of(is_line_of_pilots));
+
+/// The verbs for the console whose lines are all like this.
+fn rows_of(is_so: fn(&ConsoleLine) -> bool) -> BTreeSet<&'static str> {
     let own = language::rows().filter(|row| !row.scope.takes_targets());
-    let of_host = own.filter(|row| {
+    let found = own.filter(|row| {
         let mut lines = read_lines(row).peekable();
-        lines.peek().is_some() && lines.all(|line| is_line_of_host(&line))
+        lines.peek().is_some() && lines.all(|line| is_so(&line))
     });
-    of_host.map(VerbRow::name).collect()
-});
+    found.map(VerbRow::name).collect()
+}
+
+/// Whether a line is of use only to who flies vehicles: drafts are plans for them.
+fn is_line_of_pilots(line: &ConsoleLine) -> bool {
+    matches!(line, ConsoleLine::Draft(_))
+}
 
 /// The lines of a verb for the console, as far as its examples can be read anywhere.
 fn read_lines(row: &VerbRow) -> impl Iterator<Item = ConsoleLine> {
@@ -139,7 +151,9 @@ impl State {
         }
         let read = self.with_context(|context| language::parse(line, context));
         match read.map(|statement| statement.meaning) {
-            Ok(Meaning::Console(own)) => !is_line_of_host(&own),
+            Ok(Meaning::Console(own)) => {
+                !is_line_of_host(&own) && (place.role() == Role::Pilot || !is_line_of_pilots(&own))
+            }
             Ok(Meaning::Act(_) | Meaning::Wait(_)) | Err(_) => true,
         }
     }

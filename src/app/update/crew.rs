@@ -42,10 +42,15 @@ pub fn happened(state: &mut State, event: CrewEvent) -> Effects {
     Effects::none()
 }
 
-/// Ends at the host what has timed out: the membership of silent members, and proposals without an answer.
+/// Ends at the host what has timed out: the membership of silent members, and proposals without an answer. At a member,
+/// tells the user what waits for the host.
 pub fn tick(state: &mut State) -> Effects {
     match &state.crew {
-        CrewPart::None | CrewPart::Member(_) => Effects::none(),
+        CrewPart::None => Effects::none(),
+        CrewPart::Member(_) => {
+            member::tick(state);
+            Effects::none()
+        }
         CrewPart::Host(_) => host::tick(state),
     }
 }

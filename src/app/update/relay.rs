@@ -2,6 +2,7 @@
 
 use crate::app::State;
 use crate::app::effect::{CrewEffect, Effect, Effects};
+use crate::app::state::AskedLine;
 use crate::commands::{Act, Command, Order, PlanCommand, PlanDeed, PlanSource};
 use crate::crew::Role;
 use crate::crew::protocol::{Confirmed, MemberMessage, SaidLine};
@@ -67,10 +68,13 @@ pub fn say(state: &mut State, order: &Order, confirmed: Confirmed) -> Effects {
         return Effects::none();
     };
     let shown = order.line.clone();
+    let wall = state.wall;
+    let given_ms = state.crew.member().and_then(|place| place.host_ms(wall));
     let message = |id| MemberMessage::Say {
         id,
         line,
         confirmed,
+        given_ms,
     };
     ask(state, shown, message)
 }
@@ -81,6 +85,7 @@ pub fn ask(
     shown: String,
     message: impl FnOnce(u32) -> MemberMessage,
 ) -> Effects {
+    let wall = state.wall;
     let Some(place) = state.crew.member_mut() else {
         return Effects::none();
     };
@@ -89,6 +94,11 @@ pub fn ask(
     if place.asked.len() >= MOST_ASKED {
         place.asked.pop_first();
     }
-    place.asked.insert(id, shown);
+    let asked = AskedLine {
+        line: shown,
+        at: wall,
+        is_told: false,
+    };
+    place.asked.insert(id, asked);
     Effects::from(Effect::Crew(CrewEffect::Say(message(id))))
 }

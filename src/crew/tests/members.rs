@@ -106,6 +106,22 @@ fn a_post_is_kept_for_the_user_whose_console_was_killed() {
 }
 
 #[test]
+fn who_comes_back_is_announced_with_the_vehicles() {
+    let mut flying = Flying::new(vec![post(Role::Pilot, &[3, 4]), post(Role::Safety, &[])]);
+    let said = |change: Result<CrewChange, CrewDenial>| {
+        let text = change.expect("there is room").text(None);
+        text.map(|it| it.to_string()).unwrap_or_default()
+    };
+    let joined = said(flying.join(1, "dora", None));
+    assert_eq!(joined, "dora joins the crew: pilot of 3-4");
+    flying.leave(1);
+    let again = said(flying.join(2, "dora", None));
+    assert_eq!(again, joined);
+    let other = said(flying.join(3, "olena", None));
+    assert_eq!(other, "olena joins the crew: safety");
+}
+
+#[test]
 fn who_has_a_post_keeps_it_when_the_mission_begins_again() {
     let posts = vec![post(Role::Pilot, &[1, 2]), post(Role::Pilot, &[3])];
     let mut flying = Flying::new(posts.clone());

@@ -115,6 +115,7 @@ impl Lookout {
             at,
             vehicles: vec![pair.one, pair.other],
             kind: MomentKind::Separation,
+            by: None,
             text,
         });
     }

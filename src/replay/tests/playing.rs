@@ -107,6 +107,7 @@ fn a_stretch_lies_between_two_moments_of_a_kind() {
         at: s(at),
         vehicles: Vec::new(),
         kind: MomentKind::Bookmark,
+        by: None,
         text: Text::verbatim("here"),
     };
     replay.contents.replace(vec![bookmark(10), bookmark(20)]);

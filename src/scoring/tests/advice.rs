@@ -71,6 +71,30 @@ fn what_must_be_reached_together_is_advised_together() {
     assert_eq!(found[0].points, lost);
 }
 
+#[test]
+fn the_advice_on_commands_names_the_fault_that_cost_most() {
+    let advised = |rejected, dangerous, duplicates| {
+        let mut facts = perfect();
+        facts.commands = CommandTally {
+            rejected,
+            dangerous,
+            duplicates,
+            ..facts.commands
+        };
+        let found = improvements(&rules(), &facts).remove(0);
+        found.text.to_string()
+    };
+    let [refused, is_unsafe, twice] = [advised(1, 1, 1), advised(0, 1, 1), advised(0, 0, 1)];
+    assert!(refused.starts_with("Avoid refused commands"), "{refused}");
+    assert!(
+        is_unsafe.starts_with("Avoid unsafe commands"),
+        "{is_unsafe}"
+    );
+    assert!(twice.starts_with("Give each command once"), "{twice}");
+    let many = advised(1, 3, 0);
+    assert!(many.starts_with("Avoid unsafe commands"), "{many}");
+}
+
 proptest! {
     #[test]
     fn no_advice_is_given_twice_and_all_gains_are_no_more_than_what_was_lost(facts in any_facts()) {

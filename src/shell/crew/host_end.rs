@@ -8,7 +8,7 @@ use tokio::task::JoinHandle;
 
 use super::tail::{RecordSight, send_record};
 use crate::app::effect::CrewEffect;
-use crate::app::event::CrewEvent;
+use crate::app::event::{CrewEvent, Event};
 use crate::carrier::{DeskArrival, DeskPort, Outbox};
 use crate::class::ConnectionId;
 use crate::crew::protocol::{HostMessage, MemberMessage};
@@ -237,6 +237,9 @@ impl Console {
                     self.feed(CrewEvent::Left(from)).await;
                     return;
                 }
+                // After a stop, lines may arrive before the next tick: how long they waited is counted up to now.
+                let (now, wall) = (self.clock.now(), self.clock.wall());
+                self.feed(Event::Tick { now, wall }).await;
                 let event = CrewEvent::Heard {
                     connection: from,
                     user,

@@ -4,6 +4,9 @@ use crate::app::State;
 use crate::mission::{Listing, ObjectiveListing};
 use crate::text::{Text, text};
 
+/// The lines that the plain console recommends in flight.
+const IN_FLIGHT: [&str; 5] = ["objectives", "contacts", "hint", "pause", "continue"];
+
 /// The brief, the objectives with their points, and the questions before takeoff.
 pub(super) fn lines(state: &State) -> Vec<Text> {
     let Some(mission) = state.flown_mission() else {
@@ -14,8 +17,20 @@ pub(super) fn lines(state: &State) -> Vec<Text> {
     let paragraphs = brief.lines().map(Text::from);
     paragraphs
         .chain(objectives)
-        .chain([limits(mission), text!("plain-before-launch")])
+        .chain([limits(mission)])
+        .chain(lines_open(state))
         .collect()
+}
+
+/// What may be said before takeoff and in flight, as far as it is open to the user of the console.
+fn lines_open(state: &State) -> Vec<Text> {
+    let before = state
+        .may_write("predict")
+        .then(|| text!("plain-before-launch"));
+    let in_flight = IN_FLIGHT.into_iter().filter(|line| state.may_write(line));
+    let named: Vec<String> = in_flight.map(|line| format!("`{line}`")).collect();
+    let in_flight = text!("plain-in-flight", lines = named.join(", "));
+    before.into_iter().chain([in_flight]).collect()
 }
 
 fn objective(objective: &ObjectiveListing) -> Text {

@@ -128,10 +128,9 @@ pub fn hints<'a>(
     let mut spans = vec![Span::raw(" ")];
     let mut used = 1;
     for hint in hints {
-        let Some(key) = state
-            .keymap()
-            .hint_label(hint.keys, Place::In(state.room()))
-        else {
+        let place = Place::In(state.room());
+        let is_open = |line: &str| state.may_write(line);
+        let Some(key) = state.keymap().open_label(hint.keys, place, is_open) else {
             continue;
         };
         let key = look.key(&key);

@@ -8,7 +8,8 @@ use ratatui::style::Modifier;
 use ratatui::text::{Line, Span};
 
 use crate::app::State;
-use crate::app::state::{CrewLink, LinkSummary, ReplayView, Room, rate};
+use crate::app::state::{CrewLink, LinkSummary, MemberPlace, ReplayView, Room, rate};
+use crate::crew::Role as CrewRole;
 use crate::scoring::AlertLevel;
 use crate::text;
 use crate::text::Text;
@@ -55,12 +56,15 @@ pub fn draw(state: &State, panel: Panel<'_>, buffer: &mut Buffer) -> Rect {
     };
     let left = width(&name) + width(&pace) + 1;
     // The figures are shortened to make room for the title, as long as they stay clear.
-    let fits = |right: &Line<'_>| left + width(&title) + 3 + right.width() < room;
-    let long = right_part(state, panel.look, false);
-    let right = if fits(&long) {
+    let fits = |right: &Line<'_>, title: usize| left + title + 3 + right.width() < room;
+    let right = |space| right_part(state, panel.look, space);
+    let [long, short] = [Space::Wide, Space::Short].map(right);
+    let right = if fits(&long, width(&title)) {
         long
+    } else if pace.is_empty() || fits(&short, 0) {
+        short
     } else {
-        right_part(state, panel.look, true)
+        right(Space::Least)
     };
     let title = clip(&title, room.saturating_sub(left + right.width() + 4));
     let bold = panel.style(Role::Header).add_modifier(Modifier::BOLD);
@@ -107,10 +111,20 @@ impl Figure {
     }
 }
 
-/// The figures; abbreviated if there is little room.
-fn right_part(state: &State, look: &Look, short: bool) -> Line<'static> {
+/// The room for the figures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Space {
+    Wide,
+    /// The figures are abbreviated.
+    Short,
+    /// The number of vehicles is left out, too: the state of a pause or of a crew is more urgent.
+    Least,
+}
+
+/// The figures, as there is room for them.
+fn right_part(state: &State, look: &Look, space: Space) -> Line<'static> {
     let mut line = Line::default();
-    for figure in figures(state, short) {
+    for figure in figures(state, space) {
         if !line.spans.is_empty() {
             line.push_span("   ");
         }
@@ -119,12 +133,16 @@ fn right_part(state: &State, look: &Look, short: bool) -> Line<'static> {
     line
 }
 
-fn figures(state: &State, short: bool) -> Vec<Figure> {
+fn figures(state: &State, space: Space) -> Vec<Figure> {
+    let short = space != Space::Wide;
+    let count = (space != Space::Least).then(|| vehicles(state, short));
     let is_reading = state.session().is_reading();
     if is_reading && short {
         let vehicles = text!("count-vehicles", count = state.session().vehicles().len());
+        let vehicles = count.is_some().then(|| Figure::from(vehicles));
         let watched = watched(state, short).map(Figure::from);
-        return std::iter::once(vehicles.into())
+        return vehicles
+            .into_iter()
             .chain(exam_try(state, short))
             .chain(watched)
             .chain([text!("header-reading").into()])
@@ -141,7 +159,7 @@ fn figures(state: &State, short: bool) -> Vec<Figure> {
         plain(dropped(state, short)),
         pressing_alert(state),
         mission_alert(state),
-        plain(vehicles(state, short)),
+        plain(count.flatten()),
         exam_try(state, short),
         pilots(state),
         plain(watched(state, short)),
@@ -230,13 +248,15 @@ fn exam_try(state: &State, short: bool) -> Option<Figure> {
     Some(Figure { text, role })
 }
 
-/// Who else flies vehicles of this console; at a member of a crew, what its user flies.
+/// Who else flies vehicles of this console; at a member of a crew, what its user flies, or the role of one that flies
+/// nothing.
 fn pilots(state: &State) -> Option<Figure> {
     if let Some(own) = state.session().pilots().own() {
-        let text = if own.is_empty() {
-            text!("header-own-none")
-        } else {
-            text!("header-own", vehicles = ranges(own))
+        let role = state.crew().member().map(MemberPlace::role);
+        let text = match role {
+            _ if !own.is_empty() => text!("header-own", vehicles = ranges(own)),
+            Some(role) if role != CrewRole::Pilot => role.text(),
+            _ => text!("header-own-none"),
         };
         return Some(text.into());
     }

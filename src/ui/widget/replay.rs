@@ -293,6 +293,7 @@ fn sign(kind: MomentKind) -> (&'static str, Role) {
     match kind {
         MomentKind::Bookmark => ("◆", Role::Selected),
         MomentKind::Refusal => ("r", Role::Danger),
+        MomentKind::Barred => ("r", Role::Muted),
         MomentKind::Alert => ("!", Role::Danger),
         MomentKind::Mode | MomentKind::Arming => ("┴", Role::Muted),
         MomentKind::Objective => ("o", Role::Ok),
@@ -305,17 +306,21 @@ fn sign(kind: MomentKind) -> (&'static str, Role) {
 
 /// A moment and its vehicles, as text.
 pub fn moment_text(moment: &Moment, look: &Look) -> String {
-    let text = look.text(&moment.text);
+    let (said, line) = (look.text(&moment.said()), look.text(&moment.text));
     let vehicles = ranges(moment.vehicles.iter().copied());
-    // A refused line often begins with the vehicles that refused it.
-    let is_named = moment.kind == MomentKind::Refusal
-        && text
+    // The line of a command often begins with the vehicles concerned.
+    let is_command = matches!(
+        moment.kind,
+        MomentKind::Refusal | MomentKind::Barred | MomentKind::Event
+    );
+    let is_named = is_command
+        && line
             .strip_prefix(vehicles.as_str())
             .is_some_and(|rest| rest.starts_with(' '));
     if vehicles.is_empty() || is_named {
-        text
+        said
     } else {
-        format!("{vehicles}: {text}")
+        format!("{vehicles}: {said}")
     }
 }
 
@@ -371,6 +376,7 @@ mod tests {
                 at: Duration::ZERO,
                 vehicles: vehicles.to_vec(),
                 kind: MomentKind::Refusal,
+                by: None,
                 text: Text::verbatim(line),
             };
             moment_text(&moment, &Look::default())

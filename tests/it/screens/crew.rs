@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
+use sortie::app::effect::{CrewEffect, Effect};
 use sortie::app::event::{CrewEvent, ReplayEvent, SessionEvent, VehicleEvent};
 use sortie::app::state::{Activity, CrewPart, MemberPlace, ReplayPosition, ReplayView, Room};
 use sortie::campaign::Stake;
-use sortie::class::ConnectionId;
-use sortie::crew::protocol::{CrewHello, HostMessage, MemberMessage, RosterLine, VERSION};
-use sortie::crew::{Crew, CrewDeed, ProposalChoice, Role};
+use sortie::crew::Role;
+use sortie::crew::protocol::{HostMessage, MemberMessage, RosterLine, VERSION};
 use sortie::language::verb;
 use sortie::ledger::{EntryId, Risk, RowState, RowUpdate};
 use sortie::mission::Progress;
@@ -17,6 +17,8 @@ use sortie::text::{Language, Locale};
 use super::check;
 use crate::fixtures;
 use crate::harness::Console;
+
+mod host;
 
 fn mission() -> Activity {
     Activity::Mission {
@@ -181,6 +183,106 @@ fn a_member_is_offered_only_what_is_open_and_refused_the_rest_with_the_reason() 
 }
 
 #[test]
+fn the_keys_offered_are_those_of_the_role() {
+    let keys = |role: Role| {
+        let screen = following(Language::English, role).screen(80, 24);
+        screen.lines().last().unwrap_or_default().to_owned()
+    };
+    let pilot = keys(Role::Pilot);
+    assert!(pilot.contains("  a t g l r h m d commands"), "{pilot}");
+    let safety = keys(Role::Safety);
+    assert!(safety.contains("  l r h d commands"), "{safety}");
+}
+
+#[test]
+fn a_member_without_vehicles_reads_the_role_in_the_header() {
+    let header = |role: Role| {
+        let mut console = following(Language::English, role);
+        let [anna, bohdan] = ["anna", "bohdan"].map(Person::named);
+        let pilots = PilotsInCommand::seen_by(&anna, &bohdan, &[]);
+        console.hear(VehicleEvent::Pilots(pilots));
+        let screen = console.screen(120, 40);
+        screen.lines().next().unwrap_or_default().to_owned()
+    };
+    for (role, words) in [
+        (Role::Pilot, "you fly no vehicle"),
+        (Role::Sensors, "   sensors   "),
+        (Role::Safety, "   safety   "),
+        (Role::Observer, "   observer   "),
+    ] {
+        let shown = header(role);
+        assert!(shown.contains(words), "{role:?}: {shown}");
+    }
+}
+
+#[test]
+fn the_badge_of_a_member_is_whole_on_a_narrow_screen() {
+    let mut console = following(Language::Ukrainian, Role::Pilot);
+    let [anna, bohdan] = ["anna", "bohdan"].map(Person::named);
+    let pilots = PilotsInCommand::seen_by(&anna, &bohdan, &[]);
+    console.hear(VehicleEvent::Pilots(pilots));
+    let header = |console: &Console| {
+        let screen = console.screen(80, 24);
+        screen.lines().next().unwrap_or_default().to_owned()
+    };
+    let shown = header(&console);
+    assert!(shown.contains(" ЕКІПАЖ "), "{shown}");
+    console.at(33);
+    let shown = header(&console);
+    assert!(shown.contains(" ЕКІПАЖ, 13 с БЕЗ ВІДПОВІДІ "), "{shown}");
+}
+
+#[test]
+fn a_member_says_when_a_line_was_given_and_sees_that_it_waits() {
+    let mut console = following(Language::English, Role::Pilot);
+    for (at, ms) in [(20, 100_000), (21, 101_000), (23, 101_900)] {
+        console.at(at);
+        console.hear(CrewEvent::Said(HostMessage::Clock { ms }));
+    }
+    console.at(24).give("1 land");
+    let said = console.effects.iter().find_map(|effect| match effect {
+        Effect::Crew(CrewEffect::Say(MemberMessage::Say { id, given_ms, .. })) => {
+            Some((*id, *given_ms))
+        }
+        _ => None,
+    });
+    let (id, given_ms) = said.expect("the host is asked");
+    // Words that took their time do not set the clock back.
+    assert_eq!(given_ms, Some(104_000));
+    let words = "waiting for the host: 1 land";
+    assert!(!console.screen(120, 40).contains(words));
+    let mut told = console.clone();
+    told.at(26);
+    assert!(told.screen(120, 40).contains(words));
+    let answer = HostMessage::Answer { id, fault: None };
+    console.hear(CrewEvent::Said(answer)).at(26);
+    assert!(!console.screen(120, 40).contains(words));
+}
+
+#[test]
+fn a_console_without_a_screen_says_that_it_ends_with_the_crew() {
+    let said = |has_rooms| {
+        let mut console = Console::set_up(|setup| {
+            setup.has_rooms = has_rooms;
+            setup.crew = CrewPart::Member(Box::new(MemberPlace::new("alpha")));
+        });
+        console.hear(CrewEvent::Said(HostMessage::Welcome {
+            protocol: VERSION,
+            crew: "alpha".into(),
+            host: "bohdan".into(),
+            name: "anna".into(),
+            role: Role::Pilot,
+        }));
+        console.hear(CrewEvent::Said(HostMessage::Closing));
+        let message = console.state().message();
+        message.map(|it| it.text.to_string()).unwrap_or_default()
+    };
+    assert!(said(true).ends_with("`quit` leaves"));
+    let ends = "bohdan has ended the crew: this console ends";
+    assert_eq!(said(false), ends);
+}
+
+#[test]
 fn the_palette_of_a_member_lists_the_verbs_of_the_role() {
     let lists = |role: Role, written: &str, verb: &str| {
         let mut console = following(Language::English, role);
@@ -215,35 +317,4 @@ fn a_proposal_has_the_words_to_type() {
     let offer = sortie::text!("crew-offers", who = "bohdan", vehicles = "3");
     console.hear(CrewEvent::Said(HostMessage::Notice((&offer).into())));
     check("crew_offer", &console);
-}
-
-#[test]
-fn the_host_sees_who_flies_what() {
-    let mut console = Console::set_up(|setup| {
-        let crew = Crew::new("alpha", Person::named("bohdan"));
-        setup.crew = CrewPart::Host(Box::new(crew));
-    })
-    .in_flight(4);
-    for (number, user, role) in [(1, "anna", Role::Pilot), (2, "olena", Role::Safety)] {
-        console.hear(CrewEvent::Heard {
-            connection: ConnectionId(number),
-            user: user.to_owned(),
-            message: MemberMessage::Hello(CrewHello {
-                protocol: VERSION,
-                role: Some(role),
-                has: None,
-            }),
-        });
-    }
-    console.give("crew offer 1-2 to anna");
-    console.hear(CrewEvent::Heard {
-        connection: ConnectionId(1),
-        user: "anna".to_owned(),
-        message: MemberMessage::Act {
-            id: 1,
-            deed: CrewDeed::Accept(ProposalChoice::default()),
-        },
-    });
-    console.at(5);
-    check("crew_host", &console);
 }

@@ -36,6 +36,7 @@ fn moment(at_s: u64, kind: MomentKind, text: &str) -> Moment {
         at: Duration::from_secs(at_s),
         vehicles: std::iter::empty().collect(),
         kind,
+        by: None,
         text: Text::verbatim(text),
     }
 }

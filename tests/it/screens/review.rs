@@ -24,6 +24,7 @@ fn moment(at_s: u64, kind: MomentKind, vehicle: Option<u16>, text: &str) -> Mome
         at: Duration::from_secs(at_s),
         vehicles: vehicle.into_iter().collect(),
         kind,
+        by: None,
         text: Text::verbatim(text),
     }
 }

@@ -163,7 +163,7 @@ impl Page<'_> {
             return;
         }
         self.text.title(&text!("workload-title"));
-        for words in workload_words(&report.workload) {
+        for words in workload_words(&report) {
             self.text.say(Tone::Muted, &words);
         }
     }

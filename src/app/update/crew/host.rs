@@ -46,10 +46,14 @@ pub(super) fn heard(
                 id,
                 line,
                 confirmed,
+                given_ms,
             },
             Some(member),
         ) => {
-            let done = command(state, &member, &line, confirmed);
+            let done = match Crew::waited_too_long(given_ms, wall) {
+                Some(waited) => Err(text!("crew-late", seconds = waited.as_secs())),
+                None => command(state, &member, &line, confirmed),
+            };
             answer(connection, id, done)
         }
         (MemberMessage::Act { id, deed }, Some(member)) => {
@@ -221,7 +225,7 @@ fn command(
                 let text = text!("crew-confirmed", who = who, line = line, danger = danger);
                 tell(state, Severity::Warning, text);
             }
-            let mut effects = made_safe(state, member, &sent.effect);
+            let mut effects = told_pilots(state, member, &sent.effect);
             effects.extend([sent.effect]);
             Ok(effects)
         }
@@ -230,13 +234,18 @@ fn command(
     }
 }
 
-/// Tells the pilots of vehicles which order to make them safe a member gives.
-fn made_safe(state: &mut State, member: &Member, given: &Effect) -> Effects {
+/// Tells the pilots of vehicles which order of a duty a member gives them: to make them safe, or to their payload.
+fn told_pilots(state: &mut State, member: &Member, given: &Effect) -> Effects {
     let Effect::Order { order, .. } = given else {
         return Effects::none();
     };
     let (who, verb) = (&member.person, order.verb);
-    if verb.duty != CrewDuty::Safety {
+    let concerns_pilots = match verb.duty {
+        CrewDuty::Safety => true,
+        CrewDuty::Sensors => verb.counts_as.is_for_vehicles(),
+        CrewDuty::Flying => false,
+    };
+    if !concerns_pilots {
         return Effects::none();
     }
     let Some(host) = state.crew.host().map(|crew| crew.host().clone()) else {
@@ -342,7 +351,9 @@ pub(super) fn tick(state: &mut State) -> Effects {
     crew.look(wall);
     let silent = crew.silent(wall);
     let ended = crew.settle(pilots, wall);
-    let mut effects = Effects::none();
+    let clock = crew.clock_to_tell(wall);
+    let clock = clock.map(|ms| Effect::Crew(CrewEffect::TellAll(HostMessage::Clock { ms })));
+    let mut effects: Effects = clock.into_iter().collect();
     for connection in silent {
         effects.extend([Effect::Crew(CrewEffect::Drop(connection))]);
         effects.extend(left(state, connection, Departure::Silent));
@@ -362,7 +373,14 @@ fn unanswered(state: &mut State, proposal: &Proposal) -> Effects {
         who = proposal.answerer().name(),
         vehicles = ranges(proposal.vehicles.iter().copied())
     );
-    tell_person(state, proposal.proposer(), text)
+    let mut effects = tell_person(state, proposal.proposer(), text);
+    let text = text!(
+        "crew-lapsed",
+        who = proposal.proposer().name(),
+        vehicles = ranges(proposal.vehicles.iter().copied())
+    );
+    effects.extend(tell_person(state, proposal.answerer(), text));
+    effects
 }
 
 /// A session has begun: the mission's posts go to members.

@@ -1,5 +1,7 @@
 //! A member of a crew.
 
+use std::time::Duration;
+
 use super::super::relay;
 use super::tell;
 use crate::app::State;
@@ -11,6 +13,9 @@ use crate::pilot_in_command::Person;
 use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
+
+/// The time after which the user is told that a line waits for the host.
+const WAITS: Duration = Duration::from_millis(1500);
 
 /// Takes in what the host has said.
 pub(super) fn said(state: &mut State, message: HostMessage) -> Effects {
@@ -62,6 +67,11 @@ pub(super) fn said(state: &mut State, message: HostMessage) -> Effects {
             }
         }
         HostMessage::Closing => closing(state),
+        HostMessage::Clock { ms } => {
+            if let Some(place) = state.crew.member_mut() {
+                place.hear_clock(ms, wall);
+            }
+        }
         // The shell takes in the record.
         HostMessage::Record(_)
         | HostMessage::Piece { .. }
@@ -85,7 +95,12 @@ fn closing(state: &mut State) {
     if let Some(place) = state.crew.member_mut() {
         place.is_ended = true;
     }
-    let text = text!("crew-host-left", host = host.name());
+    // Without a screen, the console ends once everything is printed.
+    let text = if state.display.has_rooms {
+        text!("crew-host-left", host = host.name())
+    } else {
+        text!("crew-host-left-end", host = host.name())
+    };
     tell(state, Severity::Notice, text);
 }
 
@@ -128,10 +143,30 @@ fn denial_text(denial: &CrewDenial) -> Text {
 
 fn answered(state: &mut State, id: u32, fault: Option<Text>) {
     let place = state.crew.member_mut();
-    let line = place.and_then(|place| place.asked.remove(&id));
-    if let (Some(line), Some(fault)) = (line, fault) {
-        let text = text!("crew-refused", line = line, reason = fault);
+    let asked = place.and_then(|place| place.asked.remove(&id));
+    if let (Some(asked), Some(fault)) = (asked, fault) {
+        let text = text!("crew-refused", line = asked.line, reason = fault);
         tell(state, Severity::Warning, text);
+    }
+}
+
+/// Tells the user which lines wait for the host.
+pub(super) fn tick(state: &mut State) {
+    let wall = state.wall;
+    let Some(place) = state.crew.member_mut() else {
+        return;
+    };
+    let all = place.asked.values_mut();
+    let waiting = all.filter(|it| !it.is_told && wall.saturating_sub(it.at) >= WAITS);
+    let waiting: Vec<String> = waiting
+        .map(|it| {
+            it.is_told = true;
+            it.line.clone()
+        })
+        .collect();
+    if !waiting.is_empty() {
+        let text = text!("crew-line-waits", lines = waiting.join(", "));
+        tell(state, Severity::Notice, text);
     }
 }
 
@@ -141,6 +176,8 @@ pub(super) fn lost(state: &mut State) {
         return;
     };
     place.asked.clear();
+    // The next host may count from another beginning.
+    place.ahead_ms = None;
     if std::mem::replace(&mut place.is_connected, false) && !place.is_ended {
         tell(state, Severity::Warning, text!("crew-lost"));
     }

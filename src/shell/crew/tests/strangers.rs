@@ -71,6 +71,7 @@ async fn who_is_no_member_commands_nothing_and_no_file_can_be_asked_for() {
         id,
         line: SaidLine::try_from(line.to_owned()).expect("a line"),
         confirmed: Confirmed::Hazard,
+        given_ms: None,
     };
     raw.outbox.as_ref().expect("open").send(&say(1, "all arm"));
     until_raw(&mut host, &mut raw, |raw| {
@@ -108,6 +109,7 @@ async fn who_is_no_member_commands_nothing_and_no_file_can_be_asked_for() {
         id: 5,
         line: SaidLine::try_from("1 kill".to_owned()).expect("a line"),
         confirmed: Confirmed::Nothing,
+        given_ms: None,
     };
     raw.outbox.as_ref().expect("open").send(&unconfirmed);
     until_raw(&mut host, &mut raw, |raw| {

@@ -3,13 +3,30 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use super::*;
-use crate::app::event::{Event, LinkEvent, SessionEvent, Started, VehicleEvent};
-use crate::app::state::{Activity, LinkSummary};
+use crate::app::event::{CrewEvent, Event, LinkEvent, SessionEvent, Started, VehicleEvent};
+use crate::app::state::{Activity, CrewPart, LinkSummary, MemberPlace};
 use crate::app::{App, Setup};
+use crate::crew::Role;
+use crate::crew::protocol::{HostMessage, VERSION};
 use crate::doctor::{Cause, LinkFinding, Way};
 use crate::ledger::{ForeignCommand, ForeignId, RowState, StationId};
+use crate::mission::{Listing, Mission, Stake};
 use crate::vehicle::{Battery, Vehicle};
 use crate::wire::MavAddress;
+
+/// Starts a flight at the console.
+fn start(app: &mut App, activity: Activity, mission: Option<Box<Listing>>) {
+    let started = Started {
+        activity,
+        mission,
+        places: BTreeMap::new(),
+        areas: Vec::new(),
+        processes: None,
+        speedup: 1.0,
+        is_again: false,
+    };
+    drop(app.update(SessionEvent::Started(Box::new(started))));
+}
 
 /// Lets `app` hear two vehicles, each with `percent` % of charge left.
 fn heard(app: &mut App, percent: u8) {
@@ -32,16 +49,7 @@ fn heard(app: &mut App, percent: u8) {
 #[test]
 fn an_alert_is_printed_when_it_is_raised_and_when_it_becomes_worse() {
     let mut app = App::new(Setup::default());
-    let started = Started {
-        activity: Activity::Free,
-        mission: None,
-        places: BTreeMap::new(),
-        areas: Vec::new(),
-        processes: None,
-        speedup: 1.0,
-        is_again: false,
-    };
-    drop(app.update(SessionEvent::Started(Box::new(started))));
+    start(&mut app, Activity::Free, None);
     let mut report = PlainReport::default();
     let mut news = |app: &App| -> Vec<String> {
         let texts = report.alerts.news(app.state());
@@ -97,16 +105,7 @@ fn a_command_of_another_station_is_printed_with_its_answer() {
 #[test]
 fn the_faults_of_each_link_stand_below_it() {
     let mut app = App::new(Setup::default());
-    let started = Started {
-        activity: Activity::Free,
-        mission: None,
-        places: BTreeMap::new(),
-        areas: Vec::new(),
-        processes: None,
-        speedup: 1.0,
-        is_again: false,
-    };
-    drop(app.update(SessionEvent::Started(Box::new(started))));
+    start(&mut app, Activity::Free, None);
     let link = |name: &str| LinkSummary {
         name: name.into(),
         up: true,
@@ -136,4 +135,48 @@ fn the_faults_of_each_link_stand_below_it() {
     }
     assert!(printed[4].contains("baud"), "{printed:#?}");
     assert_eq!(printed.len(), starts.len());
+}
+
+#[test]
+fn the_brief_names_only_lines_that_are_open() {
+    let source = include_str!("../../../../missions/02-formation.toml");
+    let mission = Mission::parse(source).expect("no faults");
+    let brief = |crew: CrewPart, role: Option<Role>| {
+        let mut app = App::new(Setup {
+            crew,
+            ..Setup::default()
+        });
+        if let Some(role) = role {
+            let welcome = HostMessage::Welcome {
+                protocol: VERSION,
+                crew: "alpha".into(),
+                host: "bohdan".into(),
+                name: "anna".into(),
+                role,
+            };
+            drop(app.update(CrewEvent::Said(welcome)));
+        }
+        let activity = Activity::Mission {
+            id: mission.id.clone(),
+            title: mission.title.clone(),
+            stake: Stake::Practice,
+        };
+        start(&mut app, activity, Some(Box::new(mission.listing())));
+        let lines = brief::lines(app.state());
+        lines.iter().map(ToString::to_string).collect::<String>()
+    };
+    let member = |role| {
+        let place = CrewPart::Member(Box::new(MemberPlace::new("alpha")));
+        brief(place, Some(role))
+    };
+    let alone = brief(CrewPart::None, None);
+    for line in ["`1 predict 800`", "`hint`", "`pause`", "`continue`"] {
+        assert!(alone.contains(line), "{line}: {alone}");
+    }
+    let [pilot, observer] = [Role::Pilot, Role::Observer].map(member);
+    assert!(pilot.contains("`objectives`") && pilot.contains("`hint`"));
+    assert!(observer.contains("`objectives`") && !observer.contains("`hint`"));
+    for line in ["predict", "goal", "`pause`", "`continue`"] {
+        assert!(!pilot.contains(line), "{line}: {pilot}");
+    }
 }
