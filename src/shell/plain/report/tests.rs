@@ -112,7 +112,7 @@ fn the_faults_of_each_link_stand_below_it() {
         ..LinkSummary::default()
     };
     let links = ["udpin:0.0.0.0:14550", "serial:/dev/ttyUSB0:57600"].map(link);
-    drop(app.update(LinkEvent::Summaries(links.into()).into()));
+    drop(app.update(LinkEvent::Summaries(links.into())));
     // The findings come worst first.
     let found = [
         (1, Way::Serial, Cause::WrongBaud),
@@ -124,7 +124,7 @@ fn the_faults_of_each_link_stand_below_it() {
         cause,
         boards: Vec::new(),
     });
-    drop(app.update(LinkEvent::Findings(found.into()).into()));
+    drop(app.update(LinkEvent::Findings(found.into())));
     let printed: Vec<String> = links::now(app.state())
         .iter()
         .map(ToString::to_string)
