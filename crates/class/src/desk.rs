@@ -47,7 +47,8 @@ pub struct Desk {
     watching: Watching,
     /// Whether the desk shows something to the class.
     is_showing: bool,
-    pub(super) exam: Option<Exam>,
+    /// The exams whose tries the desk sees, oldest first: the last one is held or was held last.
+    pub(super) exams: Vec<Exam>,
 }
 
 impl Desk {
@@ -62,7 +63,7 @@ impl Desk {
             calls: Calls::default(),
             watching: Watching::Nothing,
             is_showing: false,
-            exam: None,
+            exams: Vec::new(),
         }
     }
 

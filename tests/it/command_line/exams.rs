@@ -159,9 +159,10 @@ fn asked() -> (Vec<ExamNote>, u64) {
     let mut notes = Vec::new();
     for _ in 0..2 {
         desk.examine(Duration::ZERO);
-        let new = desk.take_exam_notes();
-        desk.exam_notes_kept(1, new.len());
-        notes.extend(new);
+        for (begun, new) in desk.take_exam_notes() {
+            desk.exam_notes_kept(begun, new.len());
+            notes.extend(new);
+        }
     }
     let order = desk.seats()[0].orders().next_back().expect("an order");
     let Deed::Examine(opened) = &order.order.deed else {

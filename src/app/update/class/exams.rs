@@ -148,12 +148,10 @@ fn found(state: &mut State, exam: Exam) {
         return;
     };
     let began = utc_minute_of(exam.begun() * 1_000_000);
-    let is_stopped = exam.is_stopped();
-    if desk.hold(exam) {
-        if is_stopped {
-            // Only the tries that are under way are watched.
-            return;
-        }
+    if exam.is_stopped() {
+        // Only the tries that are under way are watched, whatever exam is held.
+        desk.see_out(exam);
+    } else if desk.hold(exam) {
         state.say(
             Severity::Notice,
             text!("class-exam-found", exam = title.clone()),

@@ -61,9 +61,11 @@ fn the_board_has_the_exam_of_each_seat() {
         console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
         console.press("esc");
         let desk = console.state().class_role().desk().expect("a desk");
-        let candidate = desk.candidate(&desk.seats()[0]).expect("anna takes part");
+        let now = console.state().wall();
+        let of_anna = desk.candidacy(&desk.seats()[0], now);
+        let (_, candidate) = of_anna.expect("anna takes part");
         assert_eq!(candidate.stage(), CandidateStage::Waits);
-        assert!(desk.candidate(&desk.seats()[1]).is_none());
+        assert!(desk.candidacy(&desk.seats()[1], now).is_none());
         for (width, height) in [(80, 24), (120, 40)] {
             let name = format!("exam_{}_{width}x{height}", language.code());
             insta::assert_snapshot!(name, console.screen(width, height));
