@@ -85,6 +85,10 @@ class-situations = situations: { $all }
 class-situation-at = { $seat }: “{ $name }” at { $at }
 class-taken = you fly { $vehicles }
 class-armed-inject = armed: { $name } when { $when }
+class-inject-hit = { $count ->
+        [one] vehicle
+       *[other] vehicles
+    } { $vehicles }
 class-injects-title = { $seat }: injects
 class-inject = { $name }: { $title }
 class-no-injects = the mission permits no injects

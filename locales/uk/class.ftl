@@ -86,6 +86,10 @@ class-situations = ситуації: { $all }
 class-situation-at = { $seat }: «{ $name }», { $at }
 class-taken = ви керуєте: { $vehicles }
 class-armed-inject = підготовлено: { $name } за умови { $when }
+class-inject-hit = { $count ->
+        [one] апарат
+       *[other] апарати
+    } { $vehicles }
 class-injects-title = { $seat }: події
 class-inject = { $name }: { $title }
 class-no-injects = завдання не дозволяє вводити події

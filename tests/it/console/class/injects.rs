@@ -3,12 +3,16 @@
 use sortie::app::effect::{ClassEffect, Effect};
 use sortie::app::event::{ClassEvent, SessionEvent};
 use sortie::campaign::Stake;
-use sortie::class::{ArmedInject, Deed, FlightReport, OfferedInject, OrderId, Outcome, Refusal};
+use sortie::class::protocol::SeatMessage;
+use sortie::class::{
+    ArmedInject, Deed, Entry, FlightReport, Happening, JournalBatch, OfferedInject, OrderId,
+    Outcome, Refusal,
+};
 use sortie::mission::{Injected, Progress};
 use sortie::text::Language;
 
-use super::desk::{deeds, desk, flight, report};
-use super::{flying_mission, joined, order, outcomes, pass};
+use super::desk::{deeds, desk, flight, report, say};
+use super::{flying_mission, joined, journal, order, outcomes, pass};
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -28,6 +32,12 @@ fn mission_says(console: &mut Console, injected: &[(&str, Option<&str>)]) {
     let injected = injected.iter().map(|(name, when)| Injected {
         name: (*name).to_owned(),
         when: when.map(str::to_owned),
+        // A gust hits no vehicle.
+        vehicles: if *name == "motor_fail" {
+            vec![3]
+        } else {
+            Vec::new()
+        },
     });
     let progress = Progress {
         injects: vec![
@@ -156,6 +166,30 @@ fn an_armed_inject_is_reported_until_it_comes_or_is_disarmed() {
         (3, Outcome::Disarmed),
     ];
     assert_eq!(outcomes(&console), ended);
+}
+
+/// The instructor could not learn which vehicle it was: the mission draws it.
+#[test]
+fn an_inject_names_the_vehicle_that_it_has_hit() {
+    let mut console = flying_with_injects(Stake::Graded);
+    for (number, when) in [(1, None), (2, Some("t > 60"))] {
+        order(&mut console, number, inject("motor_fail", when));
+        begin(&mut console, number);
+    }
+    let both = [("motor_fail", None), ("motor_fail", Some("t > 60"))];
+    mission_says(&mut console, &both);
+    let ended = journal(&console).into_iter().filter_map(|what| match what {
+        Happening::Order {
+            id,
+            why,
+            outcome: Outcome::Done,
+            ..
+        } => Some((id.number, why?)),
+        _ => None,
+    });
+    let ended: Vec<(u32, String)> = ended.map(|(id, why)| (id, why.to_string())).collect();
+    let hit = || "vehicle 3".to_owned();
+    assert_eq!(ended, [(1, hit()), (2, hit())]);
 }
 
 /// A flight whose mission permits an inject, and in which another one waits.
