@@ -283,6 +283,7 @@ class-report-best = { $mission }: best flight, score { $score } ({ $when })
 class-all-vehicles = all vehicles
 instructor-flew = { $by } flew { $vehicles } from { $from } to { $until }
 instructor-flies = { $by } flew { $vehicles } from { $from } to the end
+instructor-injected = { $by } triggered the inject { $inject } at { $at }
 instructor-recalled = { $by } returned to the situation “{ $situation }” at { $at }
 instructor-continued = { $by } returned to the situation “{ $situation }”: the flight continued from { $from }
 class-report-instructed = Flights in which the instructor took part

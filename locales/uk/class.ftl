@@ -286,6 +286,7 @@ class-report-best = { $mission }: найкращий політ, бали { $sco
 class-all-vehicles = усіма апаратами
 instructor-flew = { $by }: керування { $vehicles } з { $from } до { $until }
 instructor-flies = { $by }: керування { $vehicles } з { $from } до кінця
+instructor-injected = { $by }: подія { $inject } о { $at }
 instructor-recalled = { $by }: повернення до ситуації «{ $situation }» о { $at }
 instructor-continued = { $by }: повернення до ситуації «{ $situation }», політ продовжено з { $from }
 class-report-instructed = Польоти за участю інструктора
