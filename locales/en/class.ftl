@@ -128,6 +128,7 @@ class-deed-lesson-end = lesson { $lesson } ended
 class-done = done
 class-no-effect = no effect seen
 class-armed = armed
+class-step-watched = the condition is watched
 class-under-way = under way
 class-disarmed = disarmed
 class-refused = refused: { $reason }

@@ -129,6 +129,7 @@ class-deed-lesson-end = заняття { $lesson } закінчено
 class-done = виконано
 class-no-effect = результату не видно
 class-armed = чекає на умову
+class-step-watched = умова під наглядом
 class-under-way = виконується
 class-disarmed = скасовано
 class-refused = відхилено: { $reason }
