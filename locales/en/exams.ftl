@@ -51,6 +51,7 @@ class-refusal-practice = the flight would only be practice: own mission files, o
 class-exam-no-restart = a try of an exam cannot be restarted
 class-exam-no-leave = the class cannot be left during a try of an exam: end the flight first
 class-exam-ask-leave = this uses up the try of the exam: the desk does not open it again
+class-exam-ask-end-try = this ends the try of the exam: it does not count and has no result, and it is used up
 class-exam-time-up = the time of this try is up
 
 # Seals.
