@@ -235,7 +235,11 @@ fn try_cells(user: &str, flight: &ClassFlight, check: &SealCheck, locale: &Local
         minute(&flight.when),
         flight.flight.mission.clone(),
         said(seal.map(|it| format!("{}/{}", it.number, it.tries))),
-        flight.flight.score.to_string(),
+        if check.has_result() {
+            flight.flight.score.to_string()
+        } else {
+            NONE.to_owned()
+        },
         locale.text(&check.standing()),
         said(seal.map(|it| locale.text(&witness_text(&it.witness)))),
     ]
