@@ -238,6 +238,73 @@ fn the_desk_completes_injects_and_checks_conditions_before_it_sends() {
     assert_eq!(deeds(&console), expected.map(anna));
 }
 
+/// It once said that `gust` does not fit, and that a seat or a name is expected.
+#[test]
+fn an_inject_of_a_mission_that_permits_none_says_so() {
+    let mut console = desk(Language::English);
+    report(&mut console, 1, "anna", flight(5.0));
+    for line in [
+        "class inject gust @anna",
+        "class inject @anna gust",
+        "class inject gust",
+    ] {
+        console.give(line);
+        let screen = console.screen(120, 40);
+        assert!(
+            screen.contains("the mission permits no injects"),
+            "{line}: {screen}"
+        );
+        assert!(!screen.contains("does not fit"), "{line}: {screen}");
+        console.press("esc");
+    }
+    assert_eq!(deeds(&console), []);
+}
+
+/// It was once to be seen only among the newest three orders, with rows to spare.
+#[test]
+fn an_armed_inject_that_has_come_stays_on_the_board() {
+    let mut console = desk(Language::English);
+    report(&mut console, 1, "anna", flight_with_injects());
+    console.give("class inject @anna gust when t > 60");
+    let id = console.state().class_role().desk().expect("a desk").seats()[0]
+        .orders()
+        .next_back()
+        .expect("an order")
+        .order
+        .id;
+    for number in 1..=6 {
+        console.give(&format!("class message @anna word {number}"));
+    }
+    let deed = inject("gust", Some("t > 60"));
+    let entry = |number, outcome, why: Option<&str>| Entry {
+        number,
+        clock_s: Some(61.0),
+        what: Happening::Order {
+            id,
+            deed: deed.clone(),
+            outcome,
+            why: why.map(Into::into),
+        },
+    };
+    let entries = vec![
+        entry(1, Outcome::Armed, None),
+        entry(2, Outcome::Done, Some("vehicle 3")),
+    ];
+    let batch = JournalBatch {
+        kept_from: 1,
+        entries,
+    };
+    say(&mut console, 1, "anna", SeatMessage::Entries(batch));
+    let screen = console.screen(120, 40);
+    assert!(
+        screen.contains("message “word 1”"),
+        "the rows are free: {screen}"
+    );
+    let screen = console.screen(80, 24);
+    let come = "01:01  inject gust when t > 60: done: vehicle 3";
+    assert!(screen.contains(come), "{screen}");
+}
+
 #[test]
 fn the_list_of_injects_closes_before_marks_are_removed() {
     let mut console = desk(Language::English);
