@@ -23,6 +23,7 @@ class-exam-unread = exam “{ $exam }”: { $fault }
 class-exam-other = the exam “{ $exam }” is going on; end it first: class exam stop
 class-exam-none = no exam is under way
 class-exam-found = the exam “{ $exam }” continues
+class-exam-found-ended = the exam “{ $exam }” has ended, so no more tries are opened; those under way are still watched: { $seats }
 class-exam-ask-begin = BEGIN the exam “{ $exam }” with { $count } of { $here ->
     [one] { $here } connected seat
    *[other] { $here } connected seats
@@ -30,7 +31,7 @@ class-exam-ask-begin = BEGIN the exam “{ $exam }” with { $count } of { $here
 class-exam-ask-begin-reason = their first tries open as soon as the exam is open; a try that has opened is used up
 class-exam-ask-end = End the exam “{ $exam }” of { $began } UTC?
 class-exam-ask-end-reason = the exam is still open; it continues unless you end it
-class-exam-ask-quit-reason = the exam “{ $exam }” ends: no more tries are opened
+class-exam-ask-quit-reason = the exam “{ $exam }” ends: no more tries are opened; those under way go on, and a desk that is opened again watches them
 class-exam-found-other = an earlier exam, “{ $exam }”, has not ended, but “{ $held }” is under way; to continue “{ $exam }”, end “{ $held }” and open the desk again
 class-exam-stopped = exam “{ $exam }” ended: no more tries are opened, and flights go on
 class-exam-failed = notes or results of the exam cannot be written; the desk tries again every minute: { $fault }

@@ -25,6 +25,7 @@ class-exam-unread = іспит «{ $exam }»: { $fault }
 class-exam-other = триває іспит «{ $exam }»; спершу закінчіть його: class exam stop
 class-exam-none = зараз немає іспиту
 class-exam-found = іспит «{ $exam }» триває далі
+class-exam-found-ended = іспит «{ $exam }» закінчено, нових спроб не буде; за тими, що тривають, пульт стежить далі: { $seats }
 class-exam-ask-begin = РОЗПОЧАТИ іспит «{ $exam }» на { $count } з { $here ->
     [one] { $here } місця
    *[other] { $here } місць
@@ -32,7 +33,7 @@ class-exam-ask-begin = РОЗПОЧАТИ іспит «{ $exam }» на { $count
 class-exam-ask-begin-reason = їхні перші спроби відкриються, щойно відкриється іспит; відкрита спроба вважається використаною
 class-exam-ask-end = Завершити іспит «{ $exam }» від { $began } UTC?
 class-exam-ask-end-reason = іспит ще відкритий; він триватиме, якщо його не завершити
-class-exam-ask-quit-reason = іспит «{ $exam }» завершиться: спроб більше не буде
+class-exam-ask-quit-reason = іспит «{ $exam }» завершиться: нових спроб не буде; ті, що тривають, триватимуть, і відкритий знову пульт за ними стежитиме
 class-exam-found-other = раніше розпочатий іспит «{ $exam }» не закінчено, але триває «{ $held }»; щоб продовжити «{ $exam }», закінчіть «{ $held }» і відкрийте пульт знову
 class-exam-stopped = іспит «{ $exam }» закінчено: нових спроб не буде, польоти тривають
 class-exam-failed = не вдається записати нотатки або результати іспиту; пульт пробує знову щохвилини: { $fault }

@@ -150,7 +150,11 @@ fn found(state: &mut State, exam: Exam) {
     let began = utc_minute_of(exam.begun() * 1_000_000);
     if exam.is_stopped() {
         // Only the tries that are under way are watched, whatever exam is held.
+        let flying: Vec<&str> = exam.flown_at(exam.at(state.wall)).collect();
+        let seats = flying.join(", ");
         desk.see_out(exam);
+        let text = text!("class-exam-found-ended", exam = title, seats = seats);
+        tell(state, Severity::Notice, text);
     } else if desk.hold(exam) {
         state.say(
             Severity::Notice,
