@@ -1,6 +1,6 @@
 //! The tables of a class.
 
-use crate::campaign::Skill;
+use crate::campaign::{Skill, Stake};
 use crate::class::TryVerdict;
 use crate::class_results::{
     ClassFlight, ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults,
@@ -224,6 +224,29 @@ pub(super) fn instructed(trainees: &[ClassTrainee], locale: &Locale) -> TextTabl
 /// A time in UTC to the minute: `2026-11-20T14:03:22Z` becomes `2026-11-20 14:03`.
 fn minute(when: &str) -> String {
     when.get(..16).unwrap_or(when).replace('T', " ")
+}
+
+/// A row for each flight of a trainee that does not count, and why not.
+pub(super) fn uncounted(trainee: &ClassTrainee, locale: &Locale) -> TextTable {
+    let columns = [
+        (text!("progress-mission"), Side::Left),
+        (text!("class-report-began"), Side::Left),
+        (text!("class-report-why-not"), Side::Left),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for flight in trainee.flights.iter().filter(|it| !it.counts()) {
+        let why_not = match &flight.seal {
+            Some(check) => check.standing(),
+            None if flight.flight.stake == Stake::Practice => text!("class-report-as-practice"),
+            None => text!("class-report-script"),
+        };
+        table.push(vec![
+            flight.flight.mission.clone(),
+            minute(&flight.when),
+            locale.text(&why_not),
+        ]);
+    }
+    table
 }
 
 fn try_cells(user: &str, flight: &ClassFlight, check: &SealCheck, locale: &Locale) -> [String; 8] {
