@@ -29,6 +29,7 @@ class-key-results = results
 class-key-next-page = next page
 
 # The board
+class-listens = { $class } at { $address }
 class-title = class { $class }: { $here } of { $count } { $count ->
         [one] seat
        *[other] seats

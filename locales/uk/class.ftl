@@ -29,6 +29,7 @@ class-key-results = результати
 class-key-next-page = наступна сторінка
 
 # Таблиця
+class-listens = { $class } за адресою { $address }
 class-title = клас { $class }: на зв'язку { $here } із { $count } { $count ->
         [one] місця
        *[other] місць

@@ -41,6 +41,8 @@ pub struct Desk {
     id: u64,
     class: Words,
     instructor: Words,
+    /// Where it listens for other machines, if it does.
+    address: Option<Words>,
     pub(super) seats: Vec<SeatRecord>,
     orders: u32,
     calls: Calls,
@@ -58,6 +60,7 @@ impl Desk {
             id,
             class,
             instructor,
+            address: None,
             seats: Vec::new(),
             orders: 0,
             calls: Calls::default(),
@@ -65,6 +68,18 @@ impl Desk {
             is_showing: false,
             exams: Vec::new(),
         }
+    }
+
+    /// The same desk, which listens for other machines at an address.
+    #[must_use]
+    pub fn listening_at(self, address: Words) -> Self {
+        let address = Some(address);
+        Self { address, ..self }
+    }
+
+    /// Where it listens for other machines; `None` at a desk for this host.
+    pub fn address(&self) -> Option<&Words> {
+        self.address.as_ref()
     }
 
     /// The name of the class.
