@@ -33,7 +33,10 @@ class-listens = { $class } at { $address }
 class-title = class { $class }: { $here } of { $count } { $count ->
         [one] seat
        *[other] seats
-    } connected{ $marked ->
+    } connected{ $consoles ->
+        [0] {""}
+       *[other] , { $consoles } consoles
+    }{ $marked ->
         [0] {""}
        *[other] , { $marked } marked
     }

@@ -33,6 +33,11 @@ class-listens = { $class } за адресою { $address }
 class-title = клас { $class }: на зв'язку { $here } із { $count } { $count ->
         [one] місця
        *[other] місць
+    }{ $consoles ->
+        [0] {""}
+        [one] , { $consoles } консоль
+        [few] , { $consoles } консолі
+       *[other] , { $consoles } консолей
     }{ $marked ->
         [0] {""}
        *[other] , позначено { $marked }

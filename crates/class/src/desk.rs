@@ -1,5 +1,6 @@
 //! The state of the desk.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::call::{CallEnd, Calls};
@@ -95,6 +96,16 @@ impl Desk {
     /// The seats, in the order in which they joined. Seats are never removed, so an index stays valid.
     pub fn seats(&self) -> &[SeatRecord] {
         &self.seats
+    }
+
+    /// The number of users who have a seat that is connected, and of all users: one who has several consoles counts once.
+    pub fn counted_seats(&self) -> [usize; 2] {
+        let users = |seats: Vec<&SeatRecord>| {
+            let users = seats.into_iter().map(|seat| seat.user.as_str());
+            users.collect::<BTreeSet<_>>().len()
+        };
+        let here = self.seats.iter().filter(|seat| seat.is_here());
+        [users(here.collect()), users(self.seats.iter().collect())]
     }
 
     /// The seat of a connection.

@@ -21,13 +21,15 @@ pub(super) fn draw(
     panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
-    let here = desk.seats().iter().filter(|seat| seat.is_here()).count();
+    let [here, count] = desk.counted_seats();
+    let consoles = desk.seats().iter().filter(|seat| seat.is_here()).count();
     let room = state.rooms().class();
     let title = text!(
         "class-title",
         class = class(desk),
         here = here,
-        count = board.len(),
+        count = count,
+        consoles = if consoles > here { consoles } else { 0 },
         marked = room.marked()
     );
     let inner = panel.focused(&panel.text(&title), true, buffer);
