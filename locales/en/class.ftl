@@ -219,6 +219,7 @@ class-joined = in class { $class }: { $instructor } sees your flight
 class-left = not in the class: join with `class join`
 class-lost-frozen = the desk is gone: `continue` lets your flight go on
 class-lost = the desk is gone; your flight continues
+class-lost-home = the desk is gone
 pilot-other = { $pilot } flies { $vehicle }
 pilot-user = vehicle { $vehicle } is not taken over
 pilot-keeps = { $pilot } flies { $vehicles }: wait until they are handed back

@@ -335,7 +335,7 @@ fn is_name_for(name: &str, user: &str) -> bool {
 }
 
 /// The key by which names are sorted: `anna-2` before `anna-10`.
-fn natural(name: &str) -> (&str, u64, &str) {
+pub fn natural(name: &str) -> (&str, u64, &str) {
     let word = name.trim_end_matches(|c: char| c.is_ascii_digit());
     (word, name[word.len()..].parse().unwrap_or_default(), name)
 }

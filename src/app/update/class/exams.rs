@@ -6,7 +6,7 @@ use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::event::ExamEvent;
 use crate::app::state::Consequence;
-use crate::class::{Desk, Exam};
+use crate::class::{Desk, Exam, natural};
 use crate::class_text::exam_title;
 use crate::language::SeatChoice;
 use crate::text;
@@ -75,7 +75,9 @@ fn read(state: &mut State, name: &str, exam: Result<Box<Exam>, Text>, seats: &[u
 fn question(state: &State, exam: &Exam, seats: &[usize]) -> Text {
     let known = state.class.desk().map_or(&[][..], Desk::seats);
     let names = seats.iter().filter_map(|&seat| known.get(seat));
-    let names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
+    let mut names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
+    // Not as they are on the board, where rows move.
+    names.sort_by_key(|name| natural(name));
     let here = known.iter().filter(|seat| seat.is_here()).count();
     text!(
         "class-exam-ask-begin",
