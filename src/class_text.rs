@@ -162,6 +162,15 @@ pub fn vehicles_text(vehicles: &[VehicleId]) -> Text {
     }
 }
 
+/// How an order ended, with what the seat has said about it, beside the order: a step of a lesson whose condition is
+/// watched is not called armed, because that would read like a vehicle.
+pub fn order_ended_text(deed: &Deed, outcome: Outcome, why: Option<&Words>) -> Text {
+    match (deed, outcome) {
+        (Deed::Step(_), Outcome::Armed) => text!("class-step-watched"),
+        _ => ended_text(outcome, why),
+    }
+}
+
 /// How an order ended, with what the seat has said about it.
 pub fn ended_text(outcome: Outcome, why: Option<&Words>) -> Text {
     match (outcome, why) {

@@ -216,6 +216,12 @@ impl SealCheck {
         is_valid && seal.is_some_and(|seal| seal.reasons.is_empty())
     }
 
+    /// Whether the seal is that of a try which has a result, counted or not: one that was left has none.
+    pub fn has_result(&self) -> bool {
+        let seal = self.seal.as_ref();
+        !seal.is_some_and(|seal| seal.reasons.contains(&TryReason::Left))
+    }
+
     /// The check in one line: whether the try counts, or why not.
     pub fn standing(&self) -> Text {
         if let Some(fault) = &self.fault {

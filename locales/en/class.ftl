@@ -29,10 +29,14 @@ class-key-results = results
 class-key-next-page = next page
 
 # The board
+class-listens = { $class } at { $address }
 class-title = class { $class }: { $here } of { $count } { $count ->
         [one] seat
        *[other] seats
-    } connected{ $marked ->
+    } connected{ $consoles ->
+        [0] {""}
+       *[other] , { $consoles } consoles
+    }{ $marked ->
         [0] {""}
        *[other] , { $marked } marked
     }
@@ -85,6 +89,10 @@ class-situations = situations: { $all }
 class-situation-at = { $seat }: “{ $name }” at { $at }
 class-taken = you fly { $vehicles }
 class-armed-inject = armed: { $name } when { $when }
+class-inject-hit = { $count ->
+        [one] vehicle
+       *[other] vehicles
+    } { $vehicles }
 class-injects-title = { $seat }: injects
 class-inject = { $name }: { $title }
 class-no-injects = the mission permits no injects
@@ -124,6 +132,7 @@ class-deed-lesson-end = lesson { $lesson } ended
 class-done = done
 class-no-effect = no effect seen
 class-armed = armed
+class-step-watched = the condition is watched
 class-under-way = under way
 class-disarmed = disarmed
 class-refused = refused: { $reason }
@@ -210,6 +219,7 @@ class-joined = in class { $class }: { $instructor } sees your flight
 class-left = not in the class: join with `class join`
 class-lost-frozen = the desk is gone: `continue` lets your flight go on
 class-lost = the desk is gone; your flight continues
+class-lost-home = the desk is gone
 pilot-other = { $pilot } flies { $vehicle }
 pilot-user = vehicle { $vehicle } is not taken over
 pilot-keeps = { $pilot } flies { $vehicles }: wait until they are handed back
@@ -251,6 +261,10 @@ class-report-spread = Best scores of the class
 class-report-objectives = Objectives, the least known first (each trainee's best flight)
 class-report-skill-spread = Skills, the least known first
 class-report-practice = practice
+class-report-as-practice = flown for practice
+class-report-script = a script gave the commands
+class-report-uncounted = Flights that do not count: no result and no skill follows from them
+class-report-why-not = why
 class-report-trainees = trainees
 class-report-least = lowest
 class-report-median = median
@@ -279,6 +293,7 @@ class-report-best = { $mission }: best flight, score { $score } ({ $when })
 class-all-vehicles = all vehicles
 instructor-flew = { $by } flew { $vehicles } from { $from } to { $until }
 instructor-flies = { $by } flew { $vehicles } from { $from } to the end
+instructor-injected = { $by } triggered the inject { $inject } at { $at }
 instructor-recalled = { $by } returned to the situation “{ $situation }” at { $at }
 instructor-continued = { $by } returned to the situation “{ $situation }”: the flight continued from { $from }
 class-report-instructed = Flights in which the instructor took part

@@ -23,6 +23,7 @@ class-exam-unread = exam “{ $exam }”: { $fault }
 class-exam-other = the exam “{ $exam }” is going on; end it first: class exam stop
 class-exam-none = no exam is under way
 class-exam-found = the exam “{ $exam }” continues
+class-exam-found-ended = the exam “{ $exam }” has ended, so no more tries are opened; those under way are still watched: { $seats }
 class-exam-ask-begin = BEGIN the exam “{ $exam }” with { $count } of { $here ->
     [one] { $here } connected seat
    *[other] { $here } connected seats
@@ -30,7 +31,7 @@ class-exam-ask-begin = BEGIN the exam “{ $exam }” with { $count } of { $here
 class-exam-ask-begin-reason = their first tries open as soon as the exam is open; a try that has opened is used up
 class-exam-ask-end = End the exam “{ $exam }” of { $began } UTC?
 class-exam-ask-end-reason = the exam is still open; it continues unless you end it
-class-exam-ask-quit-reason = the exam “{ $exam }” ends: no more tries are opened
+class-exam-ask-quit-reason = the exam “{ $exam }” ends: no more tries are opened; those under way go on, and a desk that is opened again watches them
 class-exam-found-other = an earlier exam, “{ $exam }”, has not ended, but “{ $held }” is under way; to continue “{ $exam }”, end “{ $held }” and open the desk again
 class-exam-stopped = exam “{ $exam }” ended: no more tries are opened, and flights go on
 class-exam-failed = notes or results of the exam cannot be written; the desk tries again every minute: { $fault }
@@ -51,6 +52,7 @@ class-refusal-practice = the flight would only be practice: own mission files, o
 class-exam-no-restart = a try of an exam cannot be restarted
 class-exam-no-leave = the class cannot be left during a try of an exam: end the flight first
 class-exam-ask-leave = this uses up the try of the exam: the desk does not open it again
+class-exam-ask-end-try = this ends the try of the exam: it does not count and has no result, and it is used up
 class-exam-time-up = the time of this try is up
 
 # Seals.

@@ -63,7 +63,7 @@ grading-open = { $count ->
     [one] one element is open
    *[other] { $count } elements are open
 }
-grading-scale = 1 very poor  2 poor  3 acceptable  4 good  5 very good  0 not observed
+grading-scale = 1 very poor  2 poor  3 acceptable  4 good  5 very good  0 not observed
 grading-needs-reason = 1 and 5 need a remark (`class remark`) or a bookmark (`class cite`)
 grading-good = + { $marker }
 grading-poor = - { $marker }

@@ -29,9 +29,15 @@ class-key-results = результати
 class-key-next-page = наступна сторінка
 
 # Таблиця
+class-listens = { $class } за адресою { $address }
 class-title = клас { $class }: на зв'язку { $here } із { $count } { $count ->
         [one] місця
        *[other] місць
+    }{ $consoles ->
+        [0] {""}
+        [one] , { $consoles } консоль
+        [few] , { $consoles } консолі
+       *[other] , { $consoles } консолей
     }{ $marked ->
         [0] {""}
        *[other] , позначено { $marked }
@@ -48,7 +54,7 @@ class-column-alerts = тривоги
 class-column-separation = відст
 class-column-failures = відм.
 class-column-workload = нав.
-class-column-command = остання команда
+class-column-command = ост. команда
 class-home = не літає
 class-reading = читає
 class-held = чекає старту
@@ -86,6 +92,10 @@ class-situations = ситуації: { $all }
 class-situation-at = { $seat }: «{ $name }», { $at }
 class-taken = ви керуєте: { $vehicles }
 class-armed-inject = підготовлено: { $name } за умови { $when }
+class-inject-hit = { $count ->
+        [one] апарат
+       *[other] апарати
+    } { $vehicles }
 class-injects-title = { $seat }: події
 class-inject = { $name }: { $title }
 class-no-injects = завдання не дозволяє вводити події
@@ -125,6 +135,7 @@ class-deed-lesson-end = заняття { $lesson } закінчено
 class-done = виконано
 class-no-effect = результату не видно
 class-armed = чекає на умову
+class-step-watched = умова під наглядом
 class-under-way = виконується
 class-disarmed = скасовано
 class-refused = відхилено: { $reason }
@@ -211,6 +222,7 @@ class-joined = у класі { $class }: { $instructor } бачить ваш п�
 class-left = не в класі: приєднатися можна командою `class join`
 class-lost-frozen = пульт зник; `continue` продовжить ваш політ
 class-lost = пульт зник; ваш політ триває
+class-lost-home = пульт зник
 pilot-other = апаратом { $vehicle } керує { $pilot }
 pilot-user = керування апаратом { $vehicle } не перебрано
 pilot-keeps = { $pilot } керує { $vehicles }: зачекайте, доки керування повернуть
@@ -253,6 +265,10 @@ class-report-spread = Найкращі бали класу
 class-report-objectives = Цілі, спершу найменш засвоєні (найкращий політ кожного)
 class-report-skill-spread = Навички, спершу найменш засвоєні
 class-report-practice = тренувань
+class-report-as-practice = політ був тренувальний
+class-report-script = команди давав сценарій
+class-report-uncounted = Польоти, яких не зараховано: з них не випливають ні результат, ні вміння
+class-report-why-not = чому
 class-report-trainees = курсантів
 class-report-least = найнижчий
 class-report-median = медіана
@@ -282,6 +298,7 @@ class-report-best = { $mission }: найкращий політ, бали { $sco
 class-all-vehicles = усіма апаратами
 instructor-flew = { $by }: керування { $vehicles } з { $from } до { $until }
 instructor-flies = { $by }: керування { $vehicles } з { $from } до кінця
+instructor-injected = { $by }: подія { $inject } о { $at }
 instructor-recalled = { $by }: повернення до ситуації «{ $situation }» о { $at }
 instructor-continued = { $by }: повернення до ситуації «{ $situation }», політ продовжено з { $from }
 class-report-instructed = Польоти за участю інструктора

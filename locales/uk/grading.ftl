@@ -66,7 +66,7 @@ grading-open = { $count ->
     [few] не оцінено { $count } елементи
    *[many] не оцінено { $count } елементів
 }
-grading-scale = 1 дуже погано  2 погано  3 прийнятно  4 добре  5 відмінно  0 не видно
+grading-scale = 1 дуже погано  2 погано  3 прийнятно  4 добре  5 відмінно  0 не видно
 grading-needs-reason = оцінки 1 і 5 потребують примітки (`class remark`) або закладки (`class cite`)
 grading-good = + { $marker }
 grading-poor = - { $marker }

@@ -93,7 +93,7 @@ pub use flown_mission::FlownMission;
 pub use ghost::Ghost;
 pub use hangar::{Hangar, Instance, SitlStage};
 pub use heights::Heights;
-pub use help::{HelpLine, HelpPage, HelpScene, SHORT_USAGE, command_help, help_lines};
+pub use help::{DeskView, HelpLine, HelpPage, HelpScene, SHORT_USAGE, command_help, help_lines};
 pub use history::{Channel, Histories, History, Window};
 pub use insight::{FlightTruth, TrueVehicle};
 pub use links::{Connections, ForwardSummary, LinkCounters, LinkSummary};

@@ -281,19 +281,30 @@ fn kind(path: &Path, text: &str) -> Option<FileKind> {
         (FileKind::Keymap, "keymap", &contexts),
         (FileKind::Configuration, "config", &settings),
     ];
-    let likeness = |&(_, place, known): &(FileKind, &str, &[&str])| {
+    let likeness = |&(kind, place, known): &(FileKind, &str, &[&str])| {
         let is_folder = folder.is_some_and(|folder| folder == place);
         let hint = is_folder || path.file_stem().is_some_and(|stem| stem == place);
-        (matches(&keys, known), hint)
+        // A room and a table of settings can have the same name, such as `class`.
+        let is_settings = kind == FileKind::Configuration && has_setting(table.get_ref());
+        (matches(&keys, known), hint, is_settings)
     };
     let best = kinds.iter().rev().max_by_key(|kind| likeness(kind))?;
     let is_shown = match (best.0, likeness(best)) {
-        (_, (0, false)) => false,
+        (_, (0, false, _)) => false,
         // Other files have ids and titles, too.
-        (FileKind::Mission, (_, false)) => matches(&keys, MISSION_SECTIONS) > 0,
+        (FileKind::Mission, (_, false, _)) => matches(&keys, MISSION_SECTIONS) > 0,
         _ => true,
     };
     is_shown.then_some(best.0)
+}
+
+/// Whether a file has a setting in one of its tables.
+fn has_setting(file: &DeTable<'_>) -> bool {
+    let is_there = |name: &str| {
+        let (table, key) = name.split_once('.')?;
+        file.get(table)?.get_ref().as_table()?.get(key)
+    };
+    SETTINGS.iter().any(|it| is_there(it.name).is_some())
 }
 
 /// The number of keys that are among the known ones. A misspelt key counts, with half the weight.

@@ -146,6 +146,9 @@ fn misfit_fault(meant: &Meant, word: &Word, misfits: &[&Misfit], context: &Conte
         return Diagnostic::new(span, message)
             .with_help(text!("grammar-say-it-as", usage = meant.usages()));
     }
+    if let Some(why_not) = no_names(expected(), word, context) {
+        return Diagnostic::new(span, why_not);
+    }
     let names: Vec<String> = expected()
         .flat_map(|item| names_of(item, context))
         .collect();
@@ -175,6 +178,20 @@ fn misfit_fault(meant: &Meant, word: &Word, misfits: &[&Misfit], context: &Conte
     }
     let listed = there_are(&names, misfits);
     nearest.with_help(listed.unwrap_or_else(|| text!("grammar-expected", expected = what)))
+}
+
+/// Why no name is valid instead of a word, if a name is needed there; `None` for a word that may be meant as the name of a
+/// seat before it.
+fn no_names(
+    expected: impl Iterator<Item = Expected>,
+    word: &Word,
+    context: &Context,
+) -> Option<Text> {
+    let needed = expected.filter(|item| !item.argument().optional);
+    let reasons: Vec<Option<Text>> = needed.map(|item| unavailable(item, context)).collect();
+    let all: Option<Vec<Text>> = reasons.into_iter().collect();
+    let is_seat = word.text.starts_with('@');
+    all?.into_iter().next().filter(|_| !is_seat)
 }
 
 /// The maximum number of words of plan commands that a fault names.

@@ -71,7 +71,7 @@ fn the_example_of_the_guide_is_good() {
     let (_, after) = guide.split_once("```toml\n").expect("an example");
     let (example, _) = after.split_once("```").expect("its end");
     let lesson = parse(example).expect("it is good");
-    assert_eq!(lesson.plan.steps.len(), 4);
+    assert_eq!(lesson.plan.steps.len(), 5);
 }
 
 #[test]

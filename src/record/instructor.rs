@@ -5,7 +5,7 @@ use std::time::Duration;
 use serde::{Deserialize, Serialize};
 
 use super::{DeskRecord, Happening, Journal, MissionClock};
-use crate::class::{Deed, Outcome};
+use crate::class::{Deed, Outcome, Words};
 use crate::class_text::vehicles_text;
 use crate::text;
 use crate::text::{Text, clock, rounded};
@@ -29,6 +29,16 @@ pub enum InstructorAct {
         /// `None` if it was so until the end of the flight.
         #[serde(default, skip_serializing_if = "Option::is_none")]
         until_s: Option<f64>,
+    },
+    /// The instructor triggered an inject of the mission.
+    Injected {
+        by: String,
+        /// Its name in commands.
+        inject: String,
+        at_s: f64,
+        /// The vehicles that it hit, in words; `None` for one that hits none.
+        #[serde(default, skip_serializing_if = "Option::is_none")]
+        hit: Option<String>,
     },
     /// The instructor returned to an earlier situation of the flight.
     Recalled {
@@ -71,6 +81,17 @@ impl InstructorAct {
                         from = from
                     ),
                 }
+            }
+            Self::Injected {
+                by,
+                inject,
+                at_s,
+                hit,
+            } => {
+                let at = minutes(*at_s);
+                let done = text!("instructor-injected", by = by, inject = inject, at = at);
+                let hit = hit.as_deref().map(Text::verbatim);
+                Text::joined(": ", std::iter::once(done).chain(hit).collect())
             }
             Self::Recalled {
                 by,
@@ -127,6 +148,12 @@ impl InstructorPart {
         match &order.deed {
             Deed::TakeOver { vehicles } => self.take_over(at, &order.by, vehicles),
             Deed::HandBack { vehicles } => self.hand_back(at, Some(&order.by), vehicles),
+            Deed::Inject { name, .. } => self.0.push(InstructorAct::Injected {
+                by: order.by.clone(),
+                inject: name.to_string(),
+                at_s: seconds(at),
+                hit: order.why.as_ref().map(Words::to_string),
+            }),
             Deed::Recall { situation } => {
                 // The mission's time goes back: whoever still flies begins anew.
                 self.hand_back(at, None, &[]);
@@ -153,7 +180,8 @@ impl InstructorPart {
                 }
                 *from_s < to_s
             }
-            InstructorAct::Recalled { at_s: begun_s, .. }
+            InstructorAct::Injected { at_s: begun_s, .. }
+            | InstructorAct::Recalled { at_s: begun_s, .. }
             | InstructorAct::Continued {
                 from_s: begun_s, ..
             } => *begun_s <= to_s,
@@ -248,149 +276,4 @@ fn minutes(at_s: f64) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::record::{Head, JournalLine, Subject};
-
-    fn order(deed: Deed) -> DeskRecord {
-        DeskRecord {
-            by: "petro".to_owned(),
-            deed,
-            outcome: Outcome::Done,
-            why: None,
-        }
-    }
-
-    fn told(part: &InstructorPart) -> Vec<String> {
-        let acts = part.acts().iter();
-        acts.map(|act| act.text().to_string()).collect()
-    }
-
-    #[test]
-    fn a_journal_says_who_flew_what_from_when_to_when() {
-        let at = Duration::from_secs;
-        let vehicles = |ids: &[VehicleId]| ids.to_vec();
-        let mut lines = vec![(1, Happening::Mission { ms: 500 })];
-        let desk = [
-            (
-                10,
-                Deed::TakeOver {
-                    vehicles: vehicles(&[1, 2, 3]),
-                },
-            ),
-            (
-                15,
-                Deed::TakeOver {
-                    vehicles: vehicles(&[2]),
-                },
-            ),
-            (
-                20,
-                Deed::HandBack {
-                    vehicles: vehicles(&[2]),
-                },
-            ),
-            (30, Deed::Freeze),
-            (
-                40,
-                Deed::Recall {
-                    situation: "the turn".into(),
-                },
-            ),
-            (
-                41,
-                Deed::TakeOver {
-                    vehicles: vehicles(&[4]),
-                },
-            ),
-        ];
-        for (second, deed) in desk {
-            lines.push((
-                second,
-                Happening::Mission {
-                    ms: second * 1000 - 1000,
-                },
-            ));
-            lines.push((second, Happening::Desk(order(deed))));
-        }
-        let journal = Journal {
-            head: Head::new(Subject::Mission("00-first-flight".to_owned()), 0),
-            lines: lines
-                .into_iter()
-                .map(|(second, what)| JournalLine::new(at(second), what))
-                .collect(),
-            damage: None,
-            unknown: Vec::new(),
-        };
-        assert_eq!(
-            told(&InstructorPart::of(&journal)),
-            [
-                "petro flew 2 from 00:09 to 00:19",
-                "petro flew 1,3 from 00:09 to 00:39",
-                "petro returned to the situation “the turn” at 00:39",
-                "petro flew 4 from 00:40 to the end",
-            ]
-        );
-    }
-
-    #[test]
-    fn a_recall_leaves_behind_what_came_after_its_situation() {
-        let at = Duration::from_secs;
-        let mut part = InstructorPart::default();
-        let take = |vehicles: &[VehicleId]| {
-            order(Deed::TakeOver {
-                vehicles: vehicles.to_vec(),
-            })
-        };
-        let back = |vehicles: &[VehicleId]| {
-            order(Deed::HandBack {
-                vehicles: vehicles.to_vec(),
-            })
-        };
-        part.add(at(10), &take(&[1, 2, 3]));
-        part.add(at(20), &back(&[1]));
-        part.add(at(40), &back(&[2]));
-        part.add(at(41), &take(&[4]));
-        part.go_back(at(30), "petro", "the turn");
-        let expected = [
-            "petro flew 1 from 00:10 to 00:20",
-            "petro flew 2 from 00:10 to 00:30",
-            "petro flew 3 from 00:10 to the end",
-            "petro returned to the situation “the turn”: the flight continued from 00:30",
-        ];
-        assert_eq!(told(&part), expected);
-        part.go_back(at(15), "petro", "1");
-        let expected = [
-            "petro flew 1 from 00:10 to 00:15",
-            "petro flew 2 from 00:10 to 00:15",
-            "petro flew 3 from 00:10 to the end",
-            "petro returned to the situation “1”: the flight continued from 00:15",
-        ];
-        assert_eq!(told(&part), expected);
-    }
-
-    #[test]
-    fn orders_that_were_refused_are_not_told() {
-        let mut part = InstructorPart::default();
-        let refused = DeskRecord {
-            outcome: Outcome::NoEffect,
-            ..order(Deed::TakeOver { vehicles: vec![1] })
-        };
-        part.add(Duration::ZERO, &refused);
-        assert!(part.is_empty());
-        // Records of before name no vehicles if all were meant.
-        part.add(
-            Duration::ZERO,
-            &order(Deed::TakeOver {
-                vehicles: Vec::new(),
-            }),
-        );
-        part.add(
-            Duration::from_secs(65),
-            &order(Deed::HandBack {
-                vehicles: Vec::new(),
-            }),
-        );
-        assert_eq!(told(&part), ["petro flew all vehicles from 00:00 to 01:05"]);
-    }
-}
+mod tests;

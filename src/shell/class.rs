@@ -75,13 +75,13 @@ impl ClassOptions {
                     place.to_string(),
                 )))
             }
-            Self::Desk { name, .. } => {
+            Self::Desk { name, place, .. } => {
                 let instructor = own_user_name().into();
-                ClassRole::Desk(Box::new(Desk::new(
-                    number,
-                    name.as_str().into(),
-                    instructor,
-                )))
+                let desk = Desk::new(number, name.as_str().into(), instructor);
+                ClassRole::Desk(Box::new(match place.address() {
+                    Some(address) => desk.listening_at(address.into()),
+                    None => desk,
+                }))
             }
         }
     }

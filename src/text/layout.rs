@@ -42,7 +42,10 @@ pub fn wrap(text: &str, width: usize) -> Vec<String> {
 
 /// The words of a paragraph; a figure and the unit after it are one.
 fn unbreakable(paragraph: &str) -> impl Iterator<Item = Cow<'_, str>> {
-    let mut words = paragraph.split_whitespace().peekable();
+    // A no-break space belongs to the word.
+    let is_gap = |c: char| c.is_whitespace() && c != '\u{a0}';
+    let words = paragraph.split(is_gap).filter(|word| !word.is_empty());
+    let mut words = words.peekable();
     std::iter::from_fn(move || {
         let word = words.next()?;
         let is_figure = word.ends_with(|last: char| last.is_ascii_digit());
@@ -134,6 +137,14 @@ mod tests {
             ["at least", "25 %, and", "6 s"]
         );
         assert_eq!(wrap("for 6 seconds", 5), ["for 6", "secon", "ds"]);
+    }
+
+    #[test]
+    fn a_line_does_not_break_at_a_no_break_space() {
+        assert_eq!(
+            wrap("4\u{a0}good  5\u{a0}very\u{a0}good", 11),
+            ["4\u{a0}good", "5\u{a0}very\u{a0}good"]
+        );
     }
 
     #[test]

@@ -17,6 +17,7 @@
 //!   [`JoinLine`] (`join_line`); `new_class` and `secret_file` are for the files of such a class.
 //! - [`socket`] opens Unix sockets, also for the interface for programs. [`lines`] reads lines up to a limit.
 
+mod address;
 mod calling;
 mod exchange;
 mod fault;
@@ -36,13 +37,12 @@ mod unix;
 #[cfg(test)]
 mod tests;
 
+pub use address::{is_loopback, with_port};
 pub use fault::{ClassFault, NetworkFault, StartFault, SystemError};
 pub use host::{HostPlace, own_user_name};
 pub use join_line::{JoinLine, JoinLineFault};
 #[cfg(feature = "zenoh")]
 pub use network::NetworkDesk;
 pub use new_class::NewClass;
-pub use place::{
-    ClassPlace, DeskPlace, EVERY_ADDRESS, make_class, own_address, remove_seat, with_port,
-};
+pub use place::{ClassPlace, DeskPlace, EVERY_ADDRESS, make_class, own_address, remove_seat};
 pub use ports::{CarrierPeer, DeskArrival, DeskPort, Outbox, SeatArrival, SeatPort};

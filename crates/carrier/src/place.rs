@@ -5,6 +5,9 @@ use std::fs;
 use std::net::UdpSocket;
 use std::path::{Path, PathBuf};
 
+use super::address::with_port;
+#[cfg(feature = "zenoh")]
+use super::address::with_port_of;
 use super::fault::{ClassFault, NetworkFault};
 use super::host::HostPlace;
 use super::join_line::{ENDING, JoinLine, is_address};
@@ -15,21 +18,8 @@ use super::ports::{DeskPort, SeatPort};
 use super::secret_file::read_secret;
 use super::unix;
 
-/// The port of a desk for several machines unless another one is said: that of Zenoh.
-const DEFAULT_PORT: u16 = 7447;
 /// The addresses of a desk for several machines unless others are said: all that the machine has.
 pub const EVERY_ADDRESS: &str = "0.0.0.0";
-
-/// An address as it was written, with the default port if it has none.
-pub fn with_port(written: &str) -> String {
-    let with_default = format!("{written}:{DEFAULT_PORT}");
-    let is_number = written.chars().all(|c| c.is_ascii_digit());
-    if !is_address(written) && !is_number && is_address(&with_default) {
-        with_default
-    } else {
-        written.to_owned()
-    }
-}
 
 /// Where a seat finds the desk of its class.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -147,15 +137,14 @@ impl ClassPlace {
     /// # Errors
     /// It is no address, or the class is on this host.
     pub fn at(self, address: &str) -> Result<Self, ClassFault> {
-        let address = with_port(address);
-        if !is_address(&address) {
-            return Err(NetworkFault::Address(address).into());
+        if !is_address(&with_port(address)) {
+            return Err(NetworkFault::Address(address.to_owned()).into());
         }
         match self {
             Self::Host(place) => Err(NetworkFault::OnHost(place.socket).into()),
             #[cfg(feature = "zenoh")]
             Self::Network(mut line) => {
-                line.addresses = vec![address];
+                line.addresses = vec![with_port_of(address, &line.addresses)];
                 Ok(Self::Network(line))
             }
         }
@@ -206,7 +195,8 @@ impl fmt::Display for ClassPlace {
 }
 
 impl DeskPlace {
-    /// A desk for several machines, with the keys in a folder, that listens at HOST:PORT.
+    /// A desk for several machines, with the keys in a folder, that listens at HOST:PORT; without a port, at that of the
+    /// class.
     ///
     /// # Errors
     /// The address or the folder cannot be used, or this program has no carrier for several machines.
@@ -228,6 +218,15 @@ impl DeskPlace {
             Self::Host(_) => None,
             #[cfg(feature = "zenoh")]
             Self::Network(desk) => Some(desk.class()),
+        }
+    }
+
+    /// The address at which it listens for other machines; `None` if it is for this host.
+    pub fn address(&self) -> Option<&str> {
+        match self {
+            Self::Host(_) => None,
+            #[cfg(feature = "zenoh")]
+            Self::Network(desk) => Some(&desk.listen),
         }
     }
 
@@ -266,5 +265,5 @@ pub fn own_address() -> Result<String, NetworkFault> {
     if own.is_unspecified() {
         return Err(NetworkFault::NoAddress);
     }
-    Ok(format!("{own}:{DEFAULT_PORT}"))
+    Ok(with_port(&own.to_string()))
 }

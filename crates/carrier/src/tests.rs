@@ -5,6 +5,7 @@ use sortie_class::ConnectionId;
 use sortie_class::protocol::{DeskMessage, Hello, LONGEST_LINE, LineFault, SeatMessage, VERSION};
 use tempfile::TempDir;
 
+use super::address::with_port_of;
 use super::*;
 
 mod unix;
@@ -302,5 +303,30 @@ fn an_address_without_a_port_has_the_default_one() {
         ("two words", "two words"),
     ] {
         assert_eq!(with_port(written), address);
+    }
+}
+
+/// A desk once listened on the default port, on which none of its seats looked.
+#[test]
+fn an_address_without_a_port_has_that_of_its_class() {
+    let class = ["127.0.0.1:7461".to_owned(), "lab:7000".to_owned()];
+    for (written, address) in [
+        ("127.0.0.1", "127.0.0.1:7461"),
+        ("0.0.0.0", "0.0.0.0:7461"),
+        ("lab:7000", "lab:7000"),
+        ("7447", "7447"),
+    ] {
+        assert_eq!(with_port_of(written, &class), address);
+    }
+    assert_eq!(with_port_of("lab", &[]), "lab:7447");
+}
+
+#[test]
+fn an_address_of_this_machine_only_is_recognised() {
+    for own in ["127.0.0.1:7461", "127.8.0.1", "[::1]:7447", "localhost:1"] {
+        assert!(is_loopback(own), "{own}");
+    }
+    for other in ["192.168.1.5:7447", "lab:7447", "0.0.0.0:7447", "[::]:7447"] {
+        assert!(!is_loopback(other), "{other}");
     }
 }

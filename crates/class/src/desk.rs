@@ -1,5 +1,6 @@
 //! The state of the desk.
 
+use std::collections::BTreeSet;
 use std::time::Duration;
 
 use super::call::{CallEnd, Calls};
@@ -41,13 +42,16 @@ pub struct Desk {
     id: u64,
     class: Words,
     instructor: Words,
+    /// Where it listens for other machines, if it does.
+    address: Option<Words>,
     pub(super) seats: Vec<SeatRecord>,
     orders: u32,
     calls: Calls,
     watching: Watching,
     /// Whether the desk shows something to the class.
     is_showing: bool,
-    pub(super) exam: Option<Exam>,
+    /// The exams whose tries the desk sees, oldest first: the last one is held or was held last.
+    pub(super) exams: Vec<Exam>,
 }
 
 impl Desk {
@@ -57,13 +61,26 @@ impl Desk {
             id,
             class,
             instructor,
+            address: None,
             seats: Vec::new(),
             orders: 0,
             calls: Calls::default(),
             watching: Watching::Nothing,
             is_showing: false,
-            exam: None,
+            exams: Vec::new(),
         }
+    }
+
+    /// The same desk, which listens for other machines at an address.
+    #[must_use]
+    pub fn listening_at(self, address: Words) -> Self {
+        let address = Some(address);
+        Self { address, ..self }
+    }
+
+    /// Where it listens for other machines; `None` at a desk for this host.
+    pub fn address(&self) -> Option<&Words> {
+        self.address.as_ref()
     }
 
     /// The name of the class.
@@ -79,6 +96,16 @@ impl Desk {
     /// The seats, in the order in which they joined. Seats are never removed, so an index stays valid.
     pub fn seats(&self) -> &[SeatRecord] {
         &self.seats
+    }
+
+    /// The number of users who have a seat that is connected, and of all users: one who has several consoles counts once.
+    pub fn counted_seats(&self) -> [usize; 2] {
+        let users = |seats: Vec<&SeatRecord>| {
+            let users = seats.into_iter().map(|seat| seat.user.as_str());
+            users.collect::<BTreeSet<_>>().len()
+        };
+        let here = self.seats.iter().filter(|seat| seat.is_here());
+        [users(here.collect()), users(self.seats.iter().collect())]
     }
 
     /// The seat of a connection.
@@ -308,7 +335,7 @@ fn is_name_for(name: &str, user: &str) -> bool {
 }
 
 /// The key by which names are sorted: `anna-2` before `anna-10`.
-fn natural(name: &str) -> (&str, u64, &str) {
+pub fn natural(name: &str) -> (&str, u64, &str) {
     let word = name.trim_end_matches(|c: char| c.is_ascii_digit());
     (word, name[word.len()..].parse().unwrap_or_default(), name)
 }

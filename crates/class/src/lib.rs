@@ -53,7 +53,7 @@ mod tests;
 
 pub use call::{CallEnd, SeatEnd};
 pub use conduct::{LessonDirection, LessonFault};
-pub use desk::{ConnectionId, Desk, DeskHeard, SEATS};
+pub use desk::{ConnectionId, Desk, DeskHeard, SEATS, natural};
 pub use desk_line::DeskLine;
 pub use exam::{
     Candidate, CandidateStage, CandidateTry, ContentHash, Exam, ExamDeed, ExamLayout, ExamMission,

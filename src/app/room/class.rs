@@ -14,6 +14,7 @@ use crate::app::State;
 use crate::app::action::{Action, ClassAction, Step};
 use crate::app::keymap::{ENTER, ESCAPE, KeyHint, KeyRow, Meaning, Press, does, key, writes};
 use crate::app::room::{Answer, Room, RoomModel, RoomRequest};
+use crate::app::state::DeskView;
 use crate::class::Desk;
 use crate::class_results::{ClassResults, FoundFlights};
 use crate::grading::GradedRequest;
@@ -93,6 +94,18 @@ impl ClassRoom {
     /// What the desk shows.
     pub fn page(&self) -> &DeskPage {
         &self.page
+    }
+
+    /// The kind of that page.
+    pub fn view(&self) -> DeskView {
+        match self.page {
+            DeskPage::Board => DeskView::Board,
+            DeskPage::Screen(_) => DeskView::Screen,
+            DeskPage::Tiles(_) => DeskView::Tiles,
+            DeskPage::Grading(_) => DeskView::Grading,
+            DeskPage::Results(_) => DeskView::Results,
+            DeskPage::Replay(_) => DeskView::Replay,
+        }
     }
 
     /// What stands below the rows of the board.

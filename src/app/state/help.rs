@@ -5,6 +5,7 @@ use crate::app::state::member_rights::is_row_of_member;
 use crate::language::{Channel, VerbRow, rows};
 use crate::text::Locale;
 
+mod desk_keys;
 mod line;
 mod page;
 mod replayed;
@@ -13,6 +14,7 @@ mod scene;
 use line::{explained, notes};
 use replayed::is_carried_out;
 
+pub use desk_keys::DeskView;
 pub use line::{HelpLine, SHORT_USAGE};
 pub use page::HelpPage;
 pub use scene::HelpScene;
@@ -171,6 +173,43 @@ mod tests {
         assert!(has(desk, Room::Class));
         assert!(has(desk, Room::Workshop));
         assert!(has(replay, Room::Map), "a replay has all rooms");
+    }
+
+    /// It once listed what the keys write, and those for grades on every page.
+    #[test]
+    fn the_help_of_a_desk_says_what_the_keys_of_its_page_do() {
+        let keymap = Keymap::default();
+        for language in Language::ALL {
+            let locale = Locale::new(language);
+            let help = |view| {
+                let scene = HelpScene {
+                    is_desk: true,
+                    desk_view: Some(view),
+                    ..HelpScene::of_flight(&keymap, Room::Class)
+                };
+                let lines = help_lines(scene, &locale);
+                let end = lines.iter().position(|line| *line == HelpLine::Blank);
+                lines[..end.expect("a section")].to_vec()
+            };
+            let says = |view, keys: &str, id| {
+                let entry = HelpLine::Entry(keys.to_owned(), locale.say(id));
+                help(view).contains(&entry)
+            };
+            assert!(says(DeskView::Board, "Enter", "desk-key-watch"));
+            assert!(says(DeskView::Grading, "Enter", "desk-key-remark"));
+            assert!(says(DeskView::Screen, "s", "desk-key-state"));
+            assert!(!says(DeskView::Board, "s", "desk-key-state"));
+            assert!(says(DeskView::Grading, "1", "desk-key-rate-1"));
+            for view in [DeskView::Board, DeskView::Screen] {
+                assert!(!says(view, "1", "desk-key-rate-1"), "{view:?}");
+            }
+            for line in help(DeskView::Board) {
+                if let HelpLine::Entry(what, meaning) = line {
+                    let used = what.width().max(SHORT_USAGE) + meaning.width();
+                    assert!(used <= SHORT_USAGE + SHORT_SUMMARY, "{what}: {meaning}");
+                }
+            }
+        }
     }
 
     #[test]

@@ -122,8 +122,10 @@ fn lost(state: &mut State) {
     if was_watched {
         let text = if was_frozen {
             text!("class-lost-frozen")
-        } else {
+        } else if state.session.activity.is_some() {
             text!("class-lost")
+        } else {
+            text!("class-lost-home")
         };
         tell(state, Severity::Notice, text);
     }

@@ -57,6 +57,7 @@ fn duty_loss(state: &State) -> Option<Text> {
 /// What the end of a mission that is not over means.
 fn mission_loss(state: &State) -> Text {
     match state.session.activity {
+        Some(Activity::Mission { .. }) if state.has_open_try() => text!("class-exam-ask-end-try"),
         Some(Activity::Mission {
             stake: Stake::Exam, ..
         }) => text!("ask-exam-ends"),

@@ -217,7 +217,11 @@ pub fn abandon(state: &mut State) -> Effects {
     if !state.session.has_flight_begun() {
         return leave(state);
     }
-    let reason = text!("ask-abandon-reason");
+    let reason = if state.has_open_try() {
+        text!("class-exam-ask-end-try")
+    } else {
+        text!("ask-abandon-reason")
+    };
     ask(
         state,
         text!("ask-abandon"),

@@ -167,6 +167,11 @@ fn markdown(class: &ReadClass, trainee: &ClassTrainee) -> String {
         words(text!("progress-skills")),
         progress::skills(&progress, locale).markdown(),
     );
+    let uncounted = tables::uncounted(trainee, locale);
+    if !uncounted.is_empty() {
+        let heading = words(text!("class-report-uncounted"));
+        text += &["\n## ", &heading, "\n\n", &uncounted.markdown()].concat();
+    }
     let instructed = tables::instructed(std::slice::from_ref(trainee), locale);
     if !instructed.is_empty() {
         let heading = words(text!("class-report-instructed"));

@@ -6,7 +6,8 @@ use std::process::ExitCode;
 use clap::Args;
 
 use crate::carrier::{
-    DeskPlace, EVERY_ADDRESS, HostPlace, NewClass, make_class, own_address, remove_seat, with_port,
+    DeskPlace, EVERY_ADDRESS, HostPlace, NewClass, is_loopback, make_class, own_address,
+    remove_seat, with_port,
 };
 use crate::cli::Failure;
 use crate::cli::seat::refused;
@@ -123,8 +124,7 @@ fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
     let first = seats.first().map_or(Path::new(""), PathBuf::as_path);
     let lines = first.parent().unwrap_or(first);
     let folder = lines.parent().unwrap_or(lines);
-    let port = class.addresses.first().and_then(|it| it.rsplit(':').next());
-    let listen = format!("{EVERY_ADDRESS}:{}", port.unwrap_or_default());
+    let listen = listening(class.addresses);
     let named = quoted(named).into_owned();
     let file = first.file_name().unwrap_or_default().display().to_string();
     vec![
@@ -144,10 +144,21 @@ fn made(class: &NewClass<'_>, named: &str, seats: &[PathBuf]) -> Vec<Text> {
     ]
 }
 
+/// Where the desk of a class listens that its seats look for at these addresses: at all addresses of the machine, unless
+/// they are this machine's own, which no other one reaches.
+fn listening(addresses: &[String]) -> String {
+    let first = addresses.first().map_or("", String::as_str);
+    if addresses.iter().all(|it| is_loopback(it)) {
+        return first.to_owned();
+    }
+    let port = first.rsplit(':').next().unwrap_or_default();
+    format!("{EVERY_ADDRESS}:{port}")
+}
+
 /// The desk of a class on several machines, by name or by the path of its folder.
 pub(super) fn desk(name: &str, listen: &str, settings: &CliSettings) -> Result<DeskPlace, Failure> {
     let folder = folder_of(name, settings)?;
-    DeskPlace::on_network(&folder, &with_port(listen)).map_err(refused)
+    DeskPlace::on_network(&folder, listen).map_err(refused)
 }
 
 /// The desk of a class on this host, by name or by the path of its folder.
@@ -176,4 +187,19 @@ fn keys(settings: &CliSettings, locale: &Locale) -> Result<PathBuf, Failure> {
     let data = settings.data.path();
     let data = data.ok_or_else(|| Failure::Wrong(vec![text!("career-nowhere")]))?;
     Ok(data.join(KEYS))
+}
+
+#[cfg(test)]
+mod tests {
+    /// `class new` once advised to open the desk of a class on this machine only to all networks.
+    #[test]
+    fn the_desk_of_a_class_on_this_machine_listens_there_only() {
+        let listening = |addresses: &[&str]| {
+            let addresses: Vec<String> = addresses.iter().map(|it| (*it).to_owned()).collect();
+            super::listening(&addresses)
+        };
+        assert_eq!(listening(&["127.0.0.1:7461"]), "127.0.0.1:7461");
+        assert_eq!(listening(&["192.168.1.5:7461"]), "0.0.0.0:7461");
+        assert_eq!(listening(&["127.0.0.1:7461", "lab:7461"]), "0.0.0.0:7461");
+    }
 }

@@ -1,6 +1,6 @@
 //! The tables of a class.
 
-use crate::campaign::Skill;
+use crate::campaign::{Skill, Stake};
 use crate::class::TryVerdict;
 use crate::class_results::{
     ClassFlight, ClassResults, ClassTrainee, FlownObjective, Spread, TraineeResults,
@@ -226,6 +226,29 @@ fn minute(when: &str) -> String {
     when.get(..16).unwrap_or(when).replace('T', " ")
 }
 
+/// A row for each flight of a trainee that does not count, and why not.
+pub(super) fn uncounted(trainee: &ClassTrainee, locale: &Locale) -> TextTable {
+    let columns = [
+        (text!("progress-mission"), Side::Left),
+        (text!("class-report-began"), Side::Left),
+        (text!("class-report-why-not"), Side::Left),
+    ];
+    let mut table = TextTable::new(locale, &columns);
+    for flight in trainee.flights.iter().filter(|it| !it.counts()) {
+        let why_not = match &flight.seal {
+            Some(check) => check.standing(),
+            None if flight.flight.stake == Stake::Practice => text!("class-report-as-practice"),
+            None => text!("class-report-script"),
+        };
+        table.push(vec![
+            flight.flight.mission.clone(),
+            minute(&flight.when),
+            locale.text(&why_not),
+        ]);
+    }
+    table
+}
+
 fn try_cells(user: &str, flight: &ClassFlight, check: &SealCheck, locale: &Locale) -> [String; 8] {
     let seal = check.seal.as_ref();
     let said = |text: Option<String>| text.unwrap_or_else(|| NONE.to_owned());
@@ -235,7 +258,11 @@ fn try_cells(user: &str, flight: &ClassFlight, check: &SealCheck, locale: &Local
         minute(&flight.when),
         flight.flight.mission.clone(),
         said(seal.map(|it| format!("{}/{}", it.number, it.tries))),
-        flight.flight.score.to_string(),
+        if check.has_result() {
+            flight.flight.score.to_string()
+        } else {
+            NONE.to_owned()
+        },
         locale.text(&check.standing()),
         said(seal.map(|it| locale.text(&witness_text(&it.witness)))),
     ]

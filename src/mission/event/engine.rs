@@ -50,8 +50,8 @@ pub(crate) enum EngineNews {
     /// The alert with this index among the facts was answered.
     Answered(usize),
     Broken(VehicleId, Breach),
-    /// An inject with this name has been carried out.
-    Injected(String),
+    /// An inject with this name has been carried out, and its faults have hit these vehicles.
+    Injected(String, Vec<VehicleId>),
     Failed(Text),
 }
 
@@ -161,19 +161,21 @@ impl Engine {
             let random = &mut self.random;
             let is_inject = self.schedule.is_wanted(index);
             if self.schedule.happens(index, mission, sight.now, random) {
-                if is_inject {
-                    news.push(EngineNews::Injected(event.id.clone()));
-                }
+                let mut hit = Vec::new();
                 for action in &event.actions {
-                    self.act(action, weather, sight, news);
+                    hit.extend(self.act(action, weather, sight, news));
+                }
+                if is_inject {
+                    news.push(EngineNews::Injected(event.id.clone(), hit));
                 }
             }
         }
         for standard in std::mem::take(&mut self.injected) {
-            news.push(EngineNews::Injected(standard.name().to_owned()));
+            let mut hit = Vec::new();
             for action in standard.actions(mission) {
-                self.act(&action, weather, sight, news);
+                hit.extend(self.act(&action, weather, sight, news));
             }
+            news.push(EngineNews::Injected(standard.name().to_owned(), hit));
         }
     }
 
@@ -197,14 +199,16 @@ impl Engine {
         news.extend(answered.into_iter().map(EngineNews::Answered));
     }
 
+    /// Carries out an action; returns the vehicles that a fault has hit by that.
     fn act(
         &mut self,
         action: &Action,
         weather: &Weather,
         sight: &Sight<'_>,
         news: &mut Vec<EngineNews>,
-    ) {
+    ) -> Vec<VehicleId> {
         match action {
+            Action::Fault(fault) => return self.breakdowns.add(fault, sight, &mut self.random),
             Action::Say(text) => news.push(EngineNews::Said(text.clone())),
             Action::Alert {
                 level,
@@ -236,10 +240,10 @@ impl Engine {
                 let mover = Mover::new(spawn, sight.now, &mut self.random);
                 self.movers.push(mover);
             }
-            Action::Fault(fault) => self.breakdowns.add(fault, sight, &mut self.random),
             Action::Fail(text) => news.push(EngineNews::Failed(text.clone())),
             Action::Event(other) => self.schedule.put(*other, sight.now + TICK),
         }
+        Vec::new()
     }
 
     /// Begins a change; it continues from the value that an older one of the same element has reached.

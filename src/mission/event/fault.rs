@@ -90,9 +90,15 @@ impl Breakdowns {
             .retain(|broken| broken.until.is_none_or(|until| until > now));
     }
 
-    /// Causes a fault on the vehicles that it hits.
-    pub fn add(&mut self, fault: &Fault, sight: &Sight<'_>, random: &mut ChaCha8Rng) {
-        for craft in fault.victim.among(sight.crafts, random) {
+    /// Causes a fault on the vehicles that it hits, and returns them.
+    pub fn add(
+        &mut self,
+        fault: &Fault,
+        sight: &Sight<'_>,
+        random: &mut ChaCha8Rng,
+    ) -> Vec<VehicleId> {
+        let hit = fault.victim.among(sight.crafts, random);
+        for craft in &hit {
             let vehicle = sight.vehicles.get(&craft.id);
             let voltage = vehicle.and_then(|vehicle| vehicle.battery()?.voltage_v);
             let mut held = craft.shown();
@@ -108,6 +114,7 @@ impl Breakdowns {
                 held,
             });
         }
+        hit.into_iter().map(|craft| craft.id).collect()
     }
 
     /// The faults of one vehicle.

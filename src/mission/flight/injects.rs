@@ -11,7 +11,7 @@ use crate::mission::{Mission, is_due};
 use crate::scoring::EventKind;
 use crate::text;
 use crate::text::Text;
-use crate::vehicle::Severity;
+use crate::vehicle::{Severity, VehicleId};
 
 /// A threat that an instructor may trigger.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -125,6 +125,8 @@ pub struct Injected {
     pub name: String,
     /// The condition with which it was armed; `None` for one at once.
     pub when: Option<String>,
+    /// The vehicles that its faults have hit, in the order in which that happened.
+    pub vehicles: Vec<VehicleId>,
 }
 
 /// How far the injects of one flight are.
@@ -156,12 +158,16 @@ impl Injects {
         self.due.extend(due.into_iter().map(|it| it.inject));
     }
 
-    /// The mission has carried out an inject with this name.
-    pub fn note(&mut self, name: &str) {
+    /// The mission has carried out an inject with this name, whose faults have hit these vehicles.
+    pub fn note(&mut self, name: &str, hit: &[VehicleId]) {
         let triggered = std::mem::take(&mut self.triggered).into_iter();
         let (done, triggered): (Vec<_>, Vec<_>) = triggered.partition(|it| it.name == name);
+        let done = done.into_iter();
         self.triggered = triggered;
-        self.done.extend(done);
+        self.done.extend(done.map(|it| Injected {
+            vehicles: hit.to_vec(),
+            ..it
+        }));
     }
 
     /// Those that the mission has carried out, in their order.
@@ -194,6 +200,7 @@ impl Flight {
         self.trigger(Injected {
             name: name.to_owned(),
             when: None,
+            vehicles: Vec::new(),
         })
     }
 
@@ -224,7 +231,11 @@ impl Flight {
         let condition = self.mission.condition(when);
         let condition = condition.map_err(InjectFault::Condition)?;
         let when = Some(when.to_owned());
-        let inject = Injected { name, when };
+        let inject = Injected {
+            name,
+            when,
+            vehicles: Vec::new(),
+        };
         let armed = &mut self.threats.injects.armed;
         armed.push(ArmedInject { inject, condition });
         Ok(())

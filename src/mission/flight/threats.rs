@@ -82,7 +82,7 @@ impl Threats {
                 });
             }
             EngineNews::Broken(vehicle, (kind, text)) => journal.break_rule(kind, vehicle, &text),
-            EngineNews::Injected(name) => self.injects.note(&name),
+            EngineNews::Injected(name, hit) => self.injects.note(&name, &hit),
             EngineNews::Failed(text) => {
                 let kind = EventKind::Alert;
                 journal.say(JournalEntry::new(kind, Severity::Critical, text));

@@ -250,6 +250,19 @@ fn a_faulty_design_has_faults_of_a_design_and_an_unknown_file_says_so() {
     assert!(!found.contains("objectives` is missing"), "{found}");
 }
 
+/// A file with settings of the class was once read as a keymap of the room of that name.
+#[test]
+fn a_file_of_settings_is_known_by_its_tables() {
+    let folder = folder_with(&[
+        ("config2.toml", "[class]\ntake_over = true\n"),
+        ("keys2.toml", "[class]\nz = \"freeze\"\n"),
+    ]);
+    let checked = sortie(&["check", folder.path().to_str().expect("plain")]);
+    let found = text(&checked.stdout);
+    assert!(found.contains("config2.toml: good"), "{found}");
+    assert!(found.contains("keys2.toml:2:"), "a keymap: {found}");
+}
+
 #[test]
 fn the_second_mission_with_an_id_is_a_fault_and_a_replacement_is_none() {
     let mission = include_str!("../../../missions/01-air-sample.toml");

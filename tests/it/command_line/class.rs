@@ -94,6 +94,17 @@ fn a_class_is_reported_and_exported_and_no_file_is_replaced() {
     assert_eq!(sortie(&pages).status.code(), Some(0));
     let page = fs::read_to_string(folder.path().join("pages/anna.md")).expect("a page");
     assert!(page.starts_with("# anna\n"), "{page}");
+    // Its skills are "not tried", which needs a reason.
+    let (_, uncounted) = page
+        .split_once("## Flights that do not count")
+        .expect("a section");
+    let row = uncounted
+        .lines()
+        .find(|line| line.contains("00-first-flight"));
+    assert!(
+        row.is_some_and(|row| row.contains("flown for practice")),
+        "{page}"
+    );
 }
 
 #[test]

@@ -83,6 +83,25 @@ impl Held {
         fs::write(own.join(format!("{stem}.submission.json")), submission).expect("written");
     }
 
+    /// The record that was handed in is that of a flight which was left: it has no end.
+    fn leave(&self) {
+        let files = self.records.all().pop().expect("it was handed in").files;
+        let run = files.run.expect("a run");
+        let content = fs::read_to_string(&run).expect("recorded");
+        let flown = content.lines().filter(|line| !line.contains("\"end\""));
+        let flown = flown.collect::<Vec<_>>().join("\n") + "\n";
+        let list = run.with_file_name(format!("{}.submission.json", files.stem));
+        let listed = fs::read_to_string(&list).expect("written");
+        let mut listed: Submission = serde_json::from_str(&listed).expect("plain data");
+        let parts = listed.parts.iter_mut();
+        for part in parts.filter(|it| it.part == RecordPart::Run) {
+            (part.bytes, part.sha256) = (flown.len() as u64, hash_of(&flown));
+        }
+        fs::write(&run, flown).expect("written");
+        let listed = serde_json::to_string(&listed).expect("plain data");
+        fs::write(list, listed).expect("written");
+    }
+
     fn sortie(&self, arguments: &[&str]) -> Output {
         sortie_in(self.folder.path(), arguments)
     }
@@ -159,9 +178,10 @@ fn asked() -> (Vec<ExamNote>, u64) {
     let mut notes = Vec::new();
     for _ in 0..2 {
         desk.examine(Duration::ZERO);
-        let new = desk.take_exam_notes();
-        desk.exam_notes_kept(1, new.len());
-        notes.extend(new);
+        for (begun, new) in desk.take_exam_notes() {
+            desk.exam_notes_kept(begun, new.len());
+            notes.extend(new);
+        }
     }
     let order = desk.seats()[0].orders().next_back().expect("an order");
     let Deed::Examine(opened) = &order.order.deed else {
@@ -194,6 +214,27 @@ fn a_try_counts_in_exports_only_once_it_is_sealed_so() {
     fs::remove_file(seal).expect("removed");
     let graded = text(&held.sortie(&grades).stdout);
     assert!(graded.contains("anna,100.0"), "{graded}");
+}
+
+/// It was once reported with a score of 0.
+#[test]
+fn a_try_that_was_left_has_no_result_in_the_report() {
+    let held = Held::new();
+    let score = |held: &Held| {
+        let report = text(&held.sortie(&["class", "report", "9-A"]).stdout);
+        let row = report.lines().find(|line| line.contains(" 1/2 "));
+        let row = row.expect("the try").to_owned();
+        let after = row.split(" 1/2 ").nth(1).expect("columns");
+        (
+            after.split_whitespace().next().expect("a score").to_owned(),
+            report,
+        )
+    };
+    held.leave();
+    held.seal();
+    let (shown, report) = score(&held);
+    assert_eq!(shown, "-", "{report}");
+    assert!(report.contains("the flight was left"), "{report}");
 }
 
 #[test]

@@ -387,6 +387,30 @@ fn the_journal_has_starts_commands_failures_and_ends() {
     );
 }
 
+/// It once said that a flight continues, also at home.
+#[test]
+fn a_seat_that_does_not_fly_is_told_only_that_the_desk_is_gone() {
+    let said = |console: &mut Console| {
+        console.hear(ClassEvent::Lost);
+        let mut lines = console.state().notices().lines();
+        lines.next_back().expect("a notice").notice.text.to_string()
+    };
+    assert_eq!(said(&mut joined()), "the desk is gone");
+    let mut flying = flying_mission(Stake::Graded);
+    let gone = "the desk is gone; your flight continues";
+    assert_eq!(said(&mut flying), gone);
+}
+
+/// A hint is no command to a vehicle.
+#[test]
+fn a_hint_that_is_refused_is_no_failure_of_a_vehicle() {
+    let mut console = flying_mission(Stake::Graded);
+    console.give("hint");
+    console.row(1, RowState::Refused, Some("no"));
+    let failed = |it: &Happening| matches!(it, Happening::Failed { .. });
+    assert!(!journal(&console).iter().any(failed));
+}
+
 /// The carrier knows only the user of the tunnel, who is the trainee.
 #[test]
 fn behind_a_tunnel_the_desk_says_who_the_instructor_is() {

@@ -11,6 +11,7 @@ use ct_codecs::{Base64, Decoder as _, Encoder as _};
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use super::certificates::{self, Identity, SeatAuthority};
+use crate::address::{with_port, with_port_of};
 use crate::fault::NetworkFault;
 use crate::join_line::{ENDING, JoinLine, is_address, is_name};
 use crate::new_class::NewClass;
@@ -220,18 +221,17 @@ impl DeskKeys {
 }
 
 impl NetworkDesk {
-    /// Reads the keys of a class from its folder.
+    /// Reads the keys of a class from its folder. Without a port, the address gets that of the class.
     ///
     /// # Errors
     /// The address cannot be used, or the folder has no file of a desk that only its owner can read.
     pub fn read(folder: &Path, listen: &str) -> Result<Self, NetworkFault> {
-        if !is_address(listen) {
+        if !is_address(&with_port(listen)) {
             return Err(NetworkFault::Address(listen.to_owned()));
         }
-        Ok(Self {
-            listen: listen.to_owned(),
-            keys: DeskKeys::read(folder)?,
-        })
+        let keys = DeskKeys::read(folder)?;
+        let listen = with_port_of(listen, &keys.addresses);
+        Ok(Self { listen, keys })
     }
 
     /// The name of the class.

@@ -109,6 +109,10 @@ mod folder {
         assert!(matches!(new("9-A", "lab", "x"), NetworkFault::Address(_)));
         let read = NetworkDesk::read(parent.path(), &lab.listen);
         assert!(matches!(read, Err(NetworkFault::NoClass(_))), "{read:?}");
+        // Without a port, it listens at that of its seats.
+        let port = lab.listen.rsplit(':').next().expect("a port");
+        let read = NetworkDesk::read(&lab.folder, "0.0.0.0").expect("a desk");
+        assert_eq!(read.listen, format!("0.0.0.0:{port}"));
         let read = NetworkDesk::read(&lab.folder, "7447");
         assert!(matches!(read, Err(NetworkFault::Address(_))), "{read:?}");
     }

@@ -53,6 +53,8 @@ pub(super) struct CandidateSight<'a> {
     pub seat: Option<&'a SeatRecord>,
     /// What has become of the order to open the try.
     pub order: OrderState,
+    /// Whether a try of another exam keeps the trainee from this one.
+    pub is_busy: bool,
     /// The time, in seconds since 1970.
     pub at: u64,
 }
@@ -142,6 +144,27 @@ impl Exam {
     pub fn is_watched(&self, at: u64) -> bool {
         let mut candidates = self.candidates.values();
         !self.is_stopped || candidates.any(|it| it.flies_at(at))
+    }
+
+    /// Whether a user may fly a try of it at a time of the desk's own clock.
+    pub(super) fn is_flown_by(&self, user: &str, now: Duration) -> bool {
+        let candidate = self.candidates.get(user);
+        candidate.is_some_and(|it| it.flies_at(self.at(now)))
+    }
+
+    /// Whether a try of it keeps a user from tries of other exams at a time of the desk's own clock: it is flown, or the
+    /// trainee still sees how it has ended.
+    pub(super) fn keeps_busy(&self, user: &str, now: Duration) -> bool {
+        let newest = self.candidates.get(user).and_then(|it| it.tries().last());
+        let ended = newest.and_then(|it| it.ended);
+        let has_just_ended = ended.is_some_and(|(at, _)| self.at(now) < at.saturating_add(BREAK));
+        has_just_ended || self.is_flown_by(user, now)
+    }
+
+    /// The trainees who may fly a try of it at a time in seconds since 1970, by user name.
+    pub fn flown_at(&self, at: u64) -> impl Iterator<Item = &str> {
+        let flying = self.candidates.iter().filter(move |it| it.1.flies_at(at));
+        flying.map(|(user, _)| user.as_str())
     }
 
     /// A time of the desk's own clock, in seconds since 1970.
@@ -289,7 +312,7 @@ impl Exam {
         };
         let at = sight.at;
         let is_due = self.plan.is_open_at(at) && at >= candidate.since.saturating_add(wait);
-        if !is_due || sight.seat?.report.is_none() {
+        if !is_due || sight.is_busy || sight.seat?.report.is_none() {
             return None;
         }
         let due = candidate.due(mission);

@@ -8,43 +8,57 @@ use super::{Candidate, CandidateStage, ExamDeed, ExamNote, ExamPlan, TryHead};
 use crate::{Deed, Desk, OrderState, SeatRecord};
 
 impl Desk {
-    /// Holds an exam, which is new or was found in its notes; not while another one is held. Returns whether it does.
+    /// Holds an exam, which is new or was found in its notes; not while another one is held. Tries of exams that were held
+    /// before are still seen. Returns whether it does.
     pub fn hold(&mut self, exam: Exam) -> bool {
         let is_free = self.exam().is_none_or(Exam::is_stopped);
         if is_free {
-            let at = exam.at(Duration::ZERO);
-            let held = self.exam.insert(exam);
-            if held.has_begun() && held.is_watched(at) {
-                held.note(at, ExamDeed::Resumed);
-            }
+            self.exams.push(resumed(exam));
         }
         is_free
     }
 
-    /// The exam that the desk holds, or that was held last.
-    pub fn exam(&self) -> Option<&Exam> {
-        self.exam.as_ref()
+    /// Sees how the tries of an exam end that was found in its notes and is stopped, whatever exam is held.
+    pub fn see_out(&mut self, stopped: Exam) {
+        self.exams.insert(0, resumed(stopped));
     }
 
-    /// The notes of the exam since the last call, to be written.
-    pub fn take_exam_notes(&mut self) -> Vec<ExamNote> {
-        self.exam.as_mut().map_or_else(Vec::new, Exam::take_notes)
+    /// The exam that the desk holds, or that was held last.
+    pub fn exam(&self) -> Option<&Exam> {
+        self.exams.last()
+    }
+
+    /// The exams that are held, or of which a try is still flown at a time of the desk's clock; oldest first.
+    pub fn watched_exams(&self, now: Duration) -> impl Iterator<Item = &Exam> {
+        self.exams
+            .iter()
+            .filter(move |it| it.is_watched(it.at(now)))
+    }
+
+    /// The notes of exams since the last call, to be written, with the time at which the exam began.
+    pub fn take_exam_notes(&mut self) -> Vec<(u64, Vec<ExamNote>)> {
+        let taken = self.exams.iter_mut().map(|it| (it.begun, it.take_notes()));
+        taken.filter(|(_, notes)| !notes.is_empty()).collect()
     }
 
     /// Notes of the exam that began at a time are on disk now. Returns whether the exam begins by that.
     pub fn exam_notes_kept(&mut self, begun: u64, count: usize) -> bool {
-        let exam = self.exam.as_mut().filter(|it| it.begun == begun);
+        let exam = self.exams.iter_mut().find(|it| it.begun == begun);
         exam.is_some_and(|exam| exam.note_kept(count))
     }
 
-    /// Where the user of a seat is in the exam.
-    pub fn candidate(&self, seat: &SeatRecord) -> Option<&Candidate> {
-        self.exam.as_ref()?.candidates.get(&seat.user)
+    /// Where the user of a seat is in the exam of which a try is flown there at a time of the desk's clock; otherwise in
+    /// the one that is held, or was held last.
+    pub fn candidacy(&self, seat: &SeatRecord, now: Duration) -> Option<(&Exam, &Candidate)> {
+        let flown = self.exams.iter().find(|it| it.is_flown_by(&seat.user, now));
+        let exam = flown.or_else(|| self.exam())?;
+        let candidate = exam.candidates.get(&seat.user)?;
+        Some((exam, candidate))
     }
 
     /// Lets the users of seats take part in the exam; those who do already are not changed. Returns whether there is one.
     pub fn seat_candidates(&mut self, seats: &[usize], now: Duration) -> bool {
-        let Some(exam) = self.exam.as_mut().filter(|it| !it.is_stopped) else {
+        let Some(exam) = self.exams.last_mut().filter(|it| !it.is_stopped) else {
             return false;
         };
         let at = exam.at(now);
@@ -59,32 +73,42 @@ impl Desk {
 
     /// Ends the exam: no try is opened any more. Flights go on, and the desk sees how they end. Returns its plan; `None` without one.
     pub fn stop_exam(&mut self, now: Duration) -> Option<&ExamPlan> {
-        let exam = self.exam.as_mut().filter(|it| !it.is_stopped)?;
+        let exam = self.exams.last_mut().filter(|it| !it.is_stopped)?;
         let at = exam.at(now);
         exam.note(at, ExamDeed::Stopped);
         Some(&exam.plan)
     }
 
-    /// Goes on with the exam of all trainees; returns whether anything has changed.
+    /// Goes on with the exams of all trainees; returns whether anything has changed.
     pub fn examine(&mut self, now: Duration) -> bool {
-        let Some(mut exam) = self.exam.take() else {
-            return false;
-        };
+        let mut exams = std::mem::take(&mut self.exams);
+        let mut has_changed = false;
+        for index in 0..exams.len() {
+            let (before, rest) = exams.split_at_mut(index);
+            has_changed |= self.examine_in(&mut rest[0], before, now);
+        }
+        self.exams = exams;
+        has_changed
+    }
+
+    /// Goes on with one exam. `before` are those of which tries may still be flown.
+    fn examine_in(&mut self, exam: &mut Exam, before: &[Exam], now: Duration) -> bool {
         let at = exam.at(now);
         let users: Vec<String> = exam.candidates.keys().cloned().collect();
         let mut has_changed = false;
         for user in users {
-            let seat = self.exam_seat(&exam, &user);
-            self.watch_candidate(&mut exam, &user, seat, at);
+            let seat = self.exam_seat(exam, &user);
+            self.watch_candidate(exam, &user, seat, at);
             let next = exam.next(CandidateSight {
                 user: &user,
                 seat: seat.map(|seat| &self.seats[seat]),
-                order: self.order_of(&exam, &user),
+                order: self.order_of(exam, &user),
+                is_busy: before.iter().any(|it| it.keeps_busy(&user, now)),
                 at,
             });
             if let Some(next) = next {
                 has_changed = true;
-                self.make_exam_move(&mut exam, &user, seat, next, now);
+                self.make_exam_move(exam, &user, seat, next, now);
             }
         }
         // Otherwise it would be the exam of the next lesson.
@@ -92,7 +116,6 @@ impl Desk {
             exam.note(at, ExamDeed::Stopped);
             has_changed = true;
         }
-        self.exam = Some(exam);
         has_changed
     }
 
@@ -201,10 +224,18 @@ impl Desk {
         let Some(user) = self.seats.get(seat).map(|seat| seat.user.clone()) else {
             return false;
         };
-        let Some(exam) = self.exam.as_mut() else {
-            return false;
-        };
-        let at = exam.at(now);
-        exam.witness(&user, head, at)
+        self.exams.iter_mut().any(|exam| {
+            let at = exam.at(now);
+            exam.witness(&user, head, at)
+        })
     }
+}
+
+/// An exam with which this opening of the desk goes on: what happened since its last note, nobody has seen.
+fn resumed(mut exam: Exam) -> Exam {
+    let at = exam.at(Duration::ZERO);
+    if exam.has_begun() && exam.is_watched(at) {
+        exam.note(at, ExamDeed::Resumed);
+    }
+    exam
 }

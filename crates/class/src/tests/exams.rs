@@ -95,9 +95,12 @@ impl Hall {
     /// The notes come to the disk, if there is room.
     fn keep_notes(&mut self) {
         if !self.is_full {
-            let notes = self.desk.take_exam_notes();
-            self.desk.exam_notes_kept(EPOCH, notes.len());
-            self.notes.extend(notes);
+            for (begun, notes) in self.desk.take_exam_notes() {
+                self.desk.exam_notes_kept(begun, notes.len());
+                if begun == EPOCH {
+                    self.notes.extend(notes);
+                }
+            }
         }
     }
 
@@ -148,7 +151,8 @@ impl Hall {
 
     fn candidate(&self) -> &Candidate {
         let seat = &self.desk.seats()[0];
-        self.desk.candidate(seat).expect("she takes part")
+        let found = self.desk.candidacy(seat, seconds(self.at));
+        found.expect("she takes part").1
     }
 
     fn head(&mut self, name: TryName, head: RecordHead) -> DeskHeard {
@@ -213,8 +217,9 @@ fn seeds_follow_from_the_secret_and_differ_for_users_missions_tries_and_openings
             assert_eq!(heard, Ok(DeskHeard::Known));
             for at in [11, 12] {
                 desk.examine(seconds(at));
-                let notes = desk.take_exam_notes().len();
-                desk.exam_notes_kept(EPOCH, notes);
+                for (begun, notes) in desk.take_exam_notes() {
+                    desk.exam_notes_kept(begun, notes.len());
+                }
             }
             let order = desk.seats()[0].orders().next_back().expect("an order");
             let Deed::Examine(opened) = &order.order.deed else {

@@ -3,6 +3,7 @@
 //!
 //! They are apart because they follow from the keymap alone, as the commands do from the table of verbs.
 
+use super::desk_keys::DeskView;
 use super::line::HelpLine;
 use super::replayed::{ReplayUse, replayed};
 use crate::app::State;
@@ -22,6 +23,8 @@ pub struct HelpScene<'a> {
     pub is_replay: bool,
     /// Whether it is an instructor's desk, which flies no vehicles of its own.
     pub is_desk: bool,
+    /// The page of the room of the class at a desk.
+    pub desk_view: Option<DeskView>,
     /// The role at a member of a crew.
     pub member: Option<Role>,
 }
@@ -33,6 +36,7 @@ impl State {
             keymap: &self.keymap,
             here: self.room,
             is_desk: self.class.desk().is_some() && self.session.activity.is_none(),
+            desk_view: self.class.desk().map(|_| self.rooms.class.view()),
             is_replay: self.shows_past(),
             member: self.crew.member().map(MemberPlace::role),
         }
@@ -75,7 +79,17 @@ impl HelpScene<'_> {
     /// The description of a key in the section of a place; `None` if the key belongs to another
     /// section, or has no effect.
     fn description(&self, binding: &Binding, place: Place) -> Option<Text> {
-        let usual = || self.keymap.description(&binding.meaning);
+        let of_desk = self
+            .desk_view
+            .filter(|_| place == Place::In(Room::Class) && DeskView::knows(&binding.meaning));
+        let of_desk = match of_desk {
+            Some(view) => Some(view.use_of(&binding.meaning)?),
+            None => None,
+        };
+        let usual = || {
+            let general = || self.keymap.description(&binding.meaning);
+            of_desk.clone().unwrap_or_else(general)
+        };
         // The section of general keys lists only those that the current room leaves as they are.
         let is_changed_here = binding.place == Place::Anywhere
             && !self.keymap.is_general(binding.press, Place::In(self.here));
@@ -117,6 +131,7 @@ impl<'a> HelpScene<'a> {
             here,
             is_replay: false,
             is_desk: false,
+            desk_view: None,
             member: None,
         }
     }

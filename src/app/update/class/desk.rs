@@ -53,14 +53,15 @@ pub(super) fn exam_notes(state: &mut State) -> Effects {
     let Some(desk) = state.class.desk_mut() else {
         return Effects::none();
     };
-    let notes = desk.take_exam_notes();
-    match desk.exam() {
-        Some(exam) if !notes.is_empty() => {
-            let begun = exam.begun();
-            Effect::Class(ClassEffect::KeepNotes { begun, notes }).into()
-        }
-        _ => Effects::none(),
+    let taken = desk.take_exam_notes().into_iter();
+    let mut effects = Effects::none();
+    for (begun, notes) in taken {
+        effects.extend(Effects::from(Effect::Class(ClassEffect::KeepNotes {
+            begun,
+            notes,
+        })));
     }
+    effects
 }
 
 /// A seat's connection has ended.

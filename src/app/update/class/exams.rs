@@ -6,7 +6,7 @@ use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::event::ExamEvent;
 use crate::app::state::Consequence;
-use crate::class::{Desk, Exam};
+use crate::class::{Desk, Exam, natural};
 use crate::class_text::exam_title;
 use crate::language::SeatChoice;
 use crate::text;
@@ -75,7 +75,9 @@ fn read(state: &mut State, name: &str, exam: Result<Box<Exam>, Text>, seats: &[u
 fn question(state: &State, exam: &Exam, seats: &[usize]) -> Text {
     let known = state.class.desk().map_or(&[][..], Desk::seats);
     let names = seats.iter().filter_map(|&seat| known.get(seat));
-    let names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
+    let mut names: Vec<&str> = names.map(|seat| seat.name.as_str()).collect();
+    // Not as they are on the board, where rows move.
+    names.sort_by_key(|name| natural(name));
     let here = known.iter().filter(|seat| seat.is_here()).count();
     text!(
         "class-exam-ask-begin",
@@ -148,12 +150,14 @@ fn found(state: &mut State, exam: Exam) {
         return;
     };
     let began = utc_minute_of(exam.begun() * 1_000_000);
-    let is_stopped = exam.is_stopped();
-    if desk.hold(exam) {
-        if is_stopped {
-            // Only the tries that are under way are watched.
-            return;
-        }
+    if exam.is_stopped() {
+        // Only the tries that are under way are watched, whatever exam is held.
+        let flying: Vec<&str> = exam.flown_at(exam.at(state.wall)).collect();
+        let seats = flying.join(", ");
+        desk.see_out(exam);
+        let text = text!("class-exam-found-ended", exam = title, seats = seats);
+        tell(state, Severity::Notice, text);
+    } else if desk.hold(exam) {
         state.say(
             Severity::Notice,
             text!("class-exam-found", exam = title.clone()),

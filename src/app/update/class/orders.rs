@@ -268,6 +268,9 @@ pub fn settle(state: &mut State) -> Effects {
                 flights::begin(state, flight).map(Ended::from)
             }
             (Deed::Command { .. }, _) => pilots::command_end(state, &mut one),
+            (Deed::Inject { .. }, _) => {
+                injects::outcome(state, &one).or_else(|| is_late.then(|| Outcome::NoEffect.into()))
+            }
             (Deed::Examine(opened), trace) => flights::try_outcome(state, opened, trace)
                 .or_else(|| is_late.then_some(Outcome::NoEffect))
                 .map(Ended::from),
@@ -312,10 +315,9 @@ fn effect_of(state: &State, pending: &PendingOrder) -> Option<Outcome> {
         | Deed::Capture { .. }
         | Deed::Recall { .. }
         | Deed::Disarm { .. }
-        | Deed::Inject { when: Some(_), .. }
+        | Deed::Inject { .. }
         | Deed::Examine(_)
         | Deed::Start => false,
-        Deed::Inject { when: None, .. } => injects::is_done(state, pending),
         Deed::Hint => return hint_outcome(state, pending.trace),
         Deed::Freeze => session.is_paused(),
         Deed::Resume => !session.is_paused(),

@@ -50,7 +50,7 @@ fn met(state: &State, progress: &Progress) -> Vec<Happening> {
 fn failed(state: &State, update: &RowUpdate) -> Option<Happening> {
     let entry = state.session.ledger().entry(update.entry)?;
     let row = entry.rows.iter().find(|it| it.vehicle == update.vehicle)?;
-    let is_own = entry.by.is_none();
+    let is_own = entry.by.is_none() && entry.verb.counts_as.is_for_vehicles();
     // What another person's vehicle does not take is no mistake.
     let is_mistake = update.state.is_failure() && update.state != RowState::Barred;
     let is_new = is_own && is_mistake && !row.state.is_final();

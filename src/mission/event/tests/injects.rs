@@ -65,7 +65,7 @@ fn what_an_instructor_injects_is_not_left_to_chance() {
 fn injected(pilot: &Pilot) -> Vec<(String, Option<String>)> {
     let injected = pilot.flight.progress().injected.into_iter();
     injected
-        .map(|Injected { name, when }| (name, when))
+        .map(|Injected { name, when, .. }| (name, when))
         .collect()
 }
 
@@ -76,6 +76,19 @@ fn an_inject_is_told_when_it_has_been_carried_out() {
     assert_eq!(injected(&pilot), []);
     pilot.wait(0.1);
     assert_eq!(injected(&pilot), [("gust".to_owned(), None)]);
+}
+
+#[test]
+fn an_inject_names_the_vehicles_that_its_faults_have_hit() {
+    let mut pilot = pilot("[instructor]\nmay_inject = ['motor_fail', 'gust']", 1);
+    pilot.take_off(20.0);
+    for name in ["motor_fail", "gust"] {
+        pilot.flight.inject(name).expect("it is allowed");
+    }
+    pilot.wait(0.1);
+    let injected = pilot.flight.progress().injected;
+    let hit: Vec<&[u16]> = injected.iter().map(|it| &it.vehicles[..]).collect();
+    assert!(matches!(hit[..], [[_], []]), "{hit:?}");
 }
 
 #[test]

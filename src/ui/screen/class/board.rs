@@ -9,6 +9,7 @@ use super::{age, exam, lesson, seconds};
 use crate::app::State;
 use crate::class::{Desk, FlightReport};
 use crate::text;
+use crate::text::Text;
 use crate::ui::panel::Panel;
 use crate::ui::theme::Role;
 use crate::ui::widget::{aligned, below, put, row_of, short_clock, width, wrap};
@@ -20,13 +21,15 @@ pub(super) fn draw(
     panel: Panel<'_>,
     buffer: &mut Buffer,
 ) {
-    let here = desk.seats().iter().filter(|seat| seat.is_here()).count();
+    let [here, count] = desk.counted_seats();
+    let consoles = desk.seats().iter().filter(|seat| seat.is_here()).count();
     let room = state.rooms().class();
     let title = text!(
         "class-title",
-        class = desk.class().as_str(),
+        class = class(desk),
         here = here,
-        count = board.len(),
+        count = count,
+        consoles = if consoles > here { consoles } else { 0 },
         marked = room.marked()
     );
     let inner = panel.focused(&panel.text(&title), true, buffer);
@@ -70,6 +73,15 @@ pub(super) fn draw(
         }
     }
     panel.at(inner).mark_list(first, board.len(), true, buffer);
+}
+
+/// The name of the class, and where its desk listens for other machines.
+fn class(desk: &Desk) -> Text {
+    let class = desk.class().as_str();
+    match desk.address() {
+        Some(address) => text!("class-listens", class = class, address = address.as_str()),
+        None => Text::verbatim(class),
+    }
 }
 
 fn heading(columns: &[(BoardColumn, usize)], panel: Panel<'_>) -> Line<'static> {

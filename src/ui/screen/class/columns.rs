@@ -90,9 +90,10 @@ impl BoardColumn {
             }
             fitting.retain(|(known, _)| known != column);
         }
-        let used: usize = fitting.iter().map(|(_, width)| width + 1).sum();
-        if let Some((_, last)) = fitting.last_mut() {
-            *last += room.saturating_sub(used);
+        if let Some(((_, last), others)) = fitting.split_last_mut() {
+            // Also less than it has alone, so that its end is not cut.
+            let used: usize = others.iter().map(|(_, width)| width + 1).sum();
+            *last = room.saturating_sub(used + 1);
         }
         fitting
     }
@@ -159,6 +160,20 @@ mod tests {
         }
         assert!(shown(118, &both).contains(&BoardColumn::Command));
         assert!(shown(160, &both).contains(&BoardColumn::Separation));
+    }
+
+    /// The command was once wider than what was left for it, so that its age was cut.
+    #[test]
+    fn the_columns_fit_into_the_row() {
+        let both = [BoardColumn::EXAM, BoardColumn::LESSON];
+        for of_course in [&[][..], &both[..1], &both[1..], &both] {
+            for columns in 78..160 {
+                let fitting = BoardColumn::fitting(columns, of_course);
+                let used: usize = fitting.iter().map(|(_, width)| width + 1).sum();
+                let row = usize::from(columns);
+                assert_eq!(super::MARKS + used, row, "{fitting:?}");
+            }
+        }
     }
 
     #[test]

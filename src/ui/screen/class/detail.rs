@@ -4,8 +4,8 @@ use ratatui::buffer::Buffer;
 use ratatui::text::{Line, Span};
 
 use super::seconds;
-use crate::class::{Entry, GivenOrder, Happening, OrderState, Outcome, SeatRecord};
-use crate::class_text::{deed_text, ended_text};
+use crate::class::{Deed, Entry, GivenOrder, Happening, OrderState, Outcome, SeatRecord};
+use crate::class_text::{deed_text, order_ended_text};
 use crate::text;
 use crate::text::{Text, clock};
 use crate::ui::panel::Panel;
@@ -13,27 +13,36 @@ use crate::ui::theme::Role;
 use crate::ui::widget::{clip, put};
 use crate::vehicle_id::ranges;
 
-/// The maximum number of orders shown.
+/// The number of orders that are shown however much happened at the seat.
 const ORDERS: usize = 3;
 
 pub fn draw(seat: &SeatRecord, panel: Panel<'_>, buffer: &mut Buffer) {
     let inner = panel.titled(&title(seat), buffer);
-    let lines = taken(seat)
+    let standing = taken(seat)
         .into_iter()
         .chain(situations(seat))
-        .chain(armed(seat))
-        .chain(events(seat, ORDERS));
+        .chain(armed(seat));
+    let standing: Vec<(Text, Role)> = standing.collect();
+    let rows = usize::from(inner.height).saturating_sub(standing.len());
+    // Older orders have the rows that would stay empty.
+    let orders = rows.saturating_sub(happened(seat).count()).max(ORDERS);
+    let lines = standing.into_iter().chain(events(seat, orders));
     draw_lines(lines, panel.at(inner), buffer);
 }
 
 /// The newest orders, at most so many, and what happened at the seat, the newest first.
 pub(super) fn events(seat: &SeatRecord, orders: usize) -> impl Iterator<Item = (Text, Role)> {
     let orders = seat.orders().rev().take(orders).map(order);
+    orders.chain(happened(seat))
+}
+
+/// What happened at the seat, the newest first.
+fn happened(seat: &SeatRecord) -> impl Iterator<Item = (Text, Role)> {
     let missing = seat.journal.missing();
     let missing = (missing > 0).then(|| (text!("class-missing", count = missing), Role::Warning));
     let journal = seat.journal.entries().rev();
     let journal = journal.filter_map(|it| entry(it, seat));
-    orders.chain(missing).chain(journal)
+    missing.into_iter().chain(journal)
 }
 
 /// The injects that the seat's mission permits, after those that are armed.
@@ -135,7 +144,8 @@ fn order(given: &GivenOrder) -> (Text, Role) {
                 Outcome::Armed | Outcome::UnderWay => Role::Accent,
                 Outcome::NoEffect | Outcome::Disarmed | Outcome::Refused(_) => Role::Warning,
             };
-            (ended_text(outcome, given.why.as_ref()), role)
+            let deed = &given.order.deed;
+            (order_ended_text(deed, outcome, given.why.as_ref()), role)
         }
         OrderState::Unanswered => (text!("class-unanswered"), Role::Warning),
     };
@@ -143,8 +153,8 @@ fn order(given: &GivenOrder) -> (Text, Role) {
     (text!("class-order", deed = deed, state = state), role)
 }
 
-/// An entry of the journal; `None` for the outcome of an order that is shown with the order. Orders of a desk that was
-/// open before are known from their outcomes only.
+/// An entry of the journal; `None` for the outcome of an order that is shown with the order. An armed inject comes long
+/// after its order, so it is shown here, too. Orders of a desk that was open before are known from their outcomes only.
 fn entry(entry: &Entry, seat: &SeatRecord) -> Option<(Text, Role)> {
     let (what, role) = match &entry.what {
         Happening::Started {
@@ -170,11 +180,25 @@ fn entry(entry: &Entry, seat: &SeatRecord) -> Option<(Text, Role)> {
             score,
             passed: false,
         } => (text!("class-not-passed", score = *score), Role::Warning),
+        Happening::Order {
+            deed: deed @ Deed::Inject { when: Some(_), .. },
+            outcome: outcome @ Outcome::Done,
+            why,
+            ..
+        } => {
+            let state = order_ended_text(deed, *outcome, why.as_ref());
+            let deed = deed_text(deed);
+            (
+                text!("class-order", deed = deed, state = state),
+                Role::Accent,
+            )
+        }
         Happening::Order { id, .. } if seat.orders().any(|it| it.order.id == *id) => return None,
         Happening::Order {
             deed, outcome, why, ..
         } => {
-            let (deed, state) = (deed_text(deed), ended_text(*outcome, why.as_ref()));
+            let state = order_ended_text(deed, *outcome, why.as_ref());
+            let deed = deed_text(deed);
             (
                 text!("class-order", deed = deed, state = state),
                 Role::Muted,

@@ -13,8 +13,8 @@ use crate::ui::theme::Role;
 /// The columns of the exam, as long as tries are opened or flown, and of the lessons, if there are some.
 pub(super) fn columns(desk: &Desk, now: Duration) -> Vec<(BoardColumn, usize)> {
     let seats = desk.seats();
-    let exam = desk.exam().filter(|exam| exam.is_watched(exam.at(now)));
-    let has_exam = exam.is_some() && seats.iter().any(|seat| desk.candidate(seat).is_some());
+    let is_watched = desk.watched_exams(now).next().is_some();
+    let has_exam = is_watched && seats.iter().any(|seat| desk.candidacy(seat, now).is_some());
     let has_lesson = seats.iter().any(|seat| seat.lesson.is_some());
     let exam = has_exam.then_some(BoardColumn::EXAM);
     let lesson = has_lesson.then_some(BoardColumn::LESSON);
@@ -23,8 +23,7 @@ pub(super) fn columns(desk: &Desk, now: Duration) -> Vec<(BoardColumn, usize)> {
 
 /// The mission, the try and the time that is left; a seat that cannot open its try stands out.
 pub(super) fn cell(view: &SeatLineView<'_>, base: Role) -> (String, Role) {
-    let exam = view.desk.exam();
-    let Some((exam, candidate)) = exam.zip(view.desk.candidate(view.seat)) else {
+    let Some((exam, candidate)) = view.desk.candidacy(view.seat, view.now) else {
         return (String::new(), base);
     };
     let stage = candidate.stage();

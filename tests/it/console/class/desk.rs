@@ -107,6 +107,36 @@ pub fn deeds(console: &Console) -> Vec<(String, Deed)> {
 }
 
 #[test]
+fn the_board_names_the_address_at_which_the_desk_listens() {
+    let console = Console::set_up(|setup| {
+        let desk = Desk::new(5, "9-A".into(), "petro".into());
+        let desk = desk.listening_at("127.0.0.1:7461".into());
+        setup.class = ClassRole::Desk(Box::new(desk));
+    });
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("class 9-A at 127.0.0.1:7461"), "{screen}");
+    let screen = empty_desk(Language::English).screen(120, 40);
+    assert!(screen.contains("class 9-A: "), "{screen}");
+}
+
+/// A trainee with two consoles once counted as two seats.
+#[test]
+fn the_board_counts_a_seat_once_however_many_consoles_it_has() {
+    let mut console = desk(Language::English);
+    join(&mut console, 4, "anna");
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("anna-2"), "{screen}");
+    let both = "3 of 3 seats connected, 4 consoles";
+    assert!(screen.contains(both), "{screen}");
+    console.hear(ClassEvent::Left(ConnectionId(1)));
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("3 of 3 seats connected"), "{screen}");
+    console.hear(ClassEvent::Left(ConnectionId(4)));
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("2 of 3 seats connected"), "{screen}");
+}
+
+#[test]
 fn the_end_of_missions_is_asked_about() {
     let mut console = desk(Language::English);
     console.press("*").press("x");

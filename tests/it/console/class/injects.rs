@@ -3,12 +3,16 @@
 use sortie::app::effect::{ClassEffect, Effect};
 use sortie::app::event::{ClassEvent, SessionEvent};
 use sortie::campaign::Stake;
-use sortie::class::{ArmedInject, Deed, FlightReport, OfferedInject, OrderId, Outcome, Refusal};
+use sortie::class::protocol::SeatMessage;
+use sortie::class::{
+    ArmedInject, Deed, Entry, FlightReport, Happening, JournalBatch, OfferedInject, OrderId,
+    Outcome, Refusal,
+};
 use sortie::mission::{Injected, Progress};
 use sortie::text::Language;
 
-use super::desk::{deeds, desk, flight, report};
-use super::{flying_mission, joined, order, outcomes, pass};
+use super::desk::{deeds, desk, flight, report, say};
+use super::{flying_mission, joined, journal, order, outcomes, pass};
 use crate::fixtures;
 use crate::harness::Console;
 
@@ -28,6 +32,12 @@ fn mission_says(console: &mut Console, injected: &[(&str, Option<&str>)]) {
     let injected = injected.iter().map(|(name, when)| Injected {
         name: (*name).to_owned(),
         when: when.map(str::to_owned),
+        // A gust hits no vehicle.
+        vehicles: if *name == "motor_fail" {
+            vec![3]
+        } else {
+            Vec::new()
+        },
     });
     let progress = Progress {
         injects: vec![
@@ -158,6 +168,30 @@ fn an_armed_inject_is_reported_until_it_comes_or_is_disarmed() {
     assert_eq!(outcomes(&console), ended);
 }
 
+/// The instructor could not learn which vehicle it was: the mission draws it.
+#[test]
+fn an_inject_names_the_vehicle_that_it_has_hit() {
+    let mut console = flying_with_injects(Stake::Graded);
+    for (number, when) in [(1, None), (2, Some("t > 60"))] {
+        order(&mut console, number, inject("motor_fail", when));
+        begin(&mut console, number);
+    }
+    let both = [("motor_fail", None), ("motor_fail", Some("t > 60"))];
+    mission_says(&mut console, &both);
+    let ended = journal(&console).into_iter().filter_map(|what| match what {
+        Happening::Order {
+            id,
+            why,
+            outcome: Outcome::Done,
+            ..
+        } => Some((id.number, why?)),
+        _ => None,
+    });
+    let ended: Vec<(u32, String)> = ended.map(|(id, why)| (id, why.to_string())).collect();
+    let hit = || "vehicle 3".to_owned();
+    assert_eq!(ended, [(1, hit()), (2, hit())]);
+}
+
 /// A flight whose mission permits an inject, and in which another one waits.
 pub fn flight_with_injects() -> FlightReport {
     let (name, title) = ("gust".into(), "Gust of wind".into());
@@ -202,6 +236,73 @@ fn the_desk_completes_injects_and_checks_conditions_before_it_sends() {
     ];
     let anna = |deed| ("anna".to_owned(), deed);
     assert_eq!(deeds(&console), expected.map(anna));
+}
+
+/// It once said that `gust` does not fit, and that a seat or a name is expected.
+#[test]
+fn an_inject_of_a_mission_that_permits_none_says_so() {
+    let mut console = desk(Language::English);
+    report(&mut console, 1, "anna", flight(5.0));
+    for line in [
+        "class inject gust @anna",
+        "class inject @anna gust",
+        "class inject gust",
+    ] {
+        console.give(line);
+        let screen = console.screen(120, 40);
+        assert!(
+            screen.contains("the mission permits no injects"),
+            "{line}: {screen}"
+        );
+        assert!(!screen.contains("does not fit"), "{line}: {screen}");
+        console.press("esc");
+    }
+    assert_eq!(deeds(&console), []);
+}
+
+/// It was once to be seen only among the newest three orders, with rows to spare.
+#[test]
+fn an_armed_inject_that_has_come_stays_on_the_board() {
+    let mut console = desk(Language::English);
+    report(&mut console, 1, "anna", flight_with_injects());
+    console.give("class inject @anna gust when t > 60");
+    let id = console.state().class_role().desk().expect("a desk").seats()[0]
+        .orders()
+        .next_back()
+        .expect("an order")
+        .order
+        .id;
+    for number in 1..=6 {
+        console.give(&format!("class message @anna word {number}"));
+    }
+    let deed = inject("gust", Some("t > 60"));
+    let entry = |number, outcome, why: Option<&str>| Entry {
+        number,
+        clock_s: Some(61.0),
+        what: Happening::Order {
+            id,
+            deed: deed.clone(),
+            outcome,
+            why: why.map(Into::into),
+        },
+    };
+    let entries = vec![
+        entry(1, Outcome::Armed, None),
+        entry(2, Outcome::Done, Some("vehicle 3")),
+    ];
+    let batch = JournalBatch {
+        kept_from: 1,
+        entries,
+    };
+    say(&mut console, 1, "anna", SeatMessage::Entries(batch));
+    let screen = console.screen(120, 40);
+    assert!(
+        screen.contains("message “word 1”"),
+        "the rows are free: {screen}"
+    );
+    let screen = console.screen(80, 24);
+    let come = "01:01  inject gust when t > 60: done: vehicle 3";
+    assert!(screen.contains(come), "{screen}");
 }
 
 #[test]

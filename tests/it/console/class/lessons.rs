@@ -109,6 +109,34 @@ fn class_effects(console: &Console) -> Vec<&ClassEffect> {
     effects.collect()
 }
 
+/// The step that helps a late trainee passed at once, and the instructor was never called.
+#[test]
+fn the_first_lesson_calls_the_instructor_to_a_trainee_who_is_late() {
+    let mut console = desk(Language::English);
+    begin(&mut console, &first_lesson(Language::English), vec![0]);
+    for _ in ["welcome", "brief"] {
+        console.press("n");
+        carry_out(&mut console, None);
+    }
+    assert_eq!(step_of(&console, 0).as_deref(), Some("takeoff"));
+    pass(&mut console, 180);
+    for _ in ["late", "help"] {
+        carry_out(&mut console, None);
+    }
+    let is_message = |(_, deed): &(String, Deed)| matches!(deed, Deed::Message { text } if text.as_str().contains("“now”"));
+    assert!(deeds(&console).iter().any(is_message));
+    let screen = console.screen(120, 40);
+    // Like a vehicle, a step once was "armed".
+    assert!(!screen.contains("armed"), "{screen}");
+    console.press("l");
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("! visit"), "{screen}");
+    assert!(screen.contains("waits for you: n continues"), "{screen}");
+    console.press("n");
+    carry_out(&mut console, None);
+    assert_eq!(step_of(&console, 0).as_deref(), Some("takeoff-2"));
+}
+
 #[test]
 fn a_lesson_is_read_for_the_meant_seats_and_goes_on_by_conditions_and_keys() {
     let mut console = desk(Language::English);

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use sortie::app::effect::{ClassEffect, Effect, SessionEffect};
 use sortie::app::event::{ClassEvent, SessionEvent};
-use sortie::app::state::{ClassRole, SeatPlace};
+use sortie::app::state::{ClassRole, Overlay, SeatPlace};
 use sortie::campaign::Stake;
 use sortie::class::protocol::DeskMessage;
 use sortie::class::{Consent, Deed, ExamTry, Outcome, Refusal, Seat, TryName};
@@ -83,6 +83,23 @@ fn leaving_the_brief_of_a_try_is_asked_about() {
     assert!(screen.contains("uses up the try of the exam"), "{screen}");
     console.press("y");
     assert_eq!(session_effects(&console), [&SessionEffect::Leave]);
+}
+
+/// It once said that the flight counts.
+#[test]
+fn leaving_the_flight_of_a_try_says_that_the_try_does_not_count() {
+    for line in ["leave", "quit", "abandon"] {
+        let mut console = reading_a_try(opened_try());
+        console.hear(SessionEvent::Mission(Box::new(fixtures::progress())));
+        console.press("enter");
+        console.give(line);
+        let Some(Overlay::Confirm(asked)) = console.state().overlay() else {
+            panic!("{line}: nothing is asked");
+        };
+        let reason = asked.reason().to_string();
+        assert!(reason.contains("does not count"), "{line}: {reason}");
+        assert!(!reason.contains("the flight counts"), "{line}: {reason}");
+    }
 }
 
 #[test]

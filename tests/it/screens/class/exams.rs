@@ -8,11 +8,15 @@ use sortie::app::event::{ClassEvent, ExamEvent};
 use sortie::app::state::Overlay;
 use sortie::class::{
     CandidateStage, Exam, ExamDeed, ExamLayout, ExamMission, ExamNote, ExamPlan, ExamSecret,
+    TryName,
 };
 use sortie::text::Language;
 
 use crate::console::class::{desk, flight, report};
 use crate::harness::Console;
+
+/// When the desk was opened, in seconds since 1970.
+const BEGUN: u64 = 1_800_000_000;
 
 /// An exam that began when the desk was opened, in which anna takes part.
 fn exam(name: &str) -> Exam {
@@ -35,10 +39,7 @@ fn begun(name: &str, users: &[&str]) -> Exam {
         closes: None,
         missions: vec![mission("00-first-flight", 2), mission("01-air-sample", 1)],
     });
-    let note = |what| ExamNote {
-        at: 1_800_000_000,
-        what,
-    };
+    let note = |what| ExamNote { at: BEGUN, what };
     let begun = note(ExamDeed::Begun {
         exam: name.to_owned(),
         source: String::new(),
@@ -49,7 +50,7 @@ fn begun(name: &str, users: &[&str]) -> Exam {
         note(ExamDeed::Seated { user })
     });
     let notes: Vec<ExamNote> = std::iter::once(begun).chain(seated).collect();
-    Exam::of(plan, &notes, 1_800_000_000).expect("it began")
+    Exam::of(plan, &notes, BEGUN).expect("it began")
 }
 
 #[test]
@@ -61,9 +62,11 @@ fn the_board_has_the_exam_of_each_seat() {
         console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam("final")))));
         console.press("esc");
         let desk = console.state().class_role().desk().expect("a desk");
-        let candidate = desk.candidate(&desk.seats()[0]).expect("anna takes part");
+        let now = console.state().wall();
+        let of_anna = desk.candidacy(&desk.seats()[0], now);
+        let (_, candidate) = of_anna.expect("anna takes part");
         assert_eq!(candidate.stage(), CandidateStage::Waits);
-        assert!(desk.candidate(&desk.seats()[1]).is_none());
+        assert!(desk.candidacy(&desk.seats()[1], now).is_none());
         for (width, height) in [(80, 24), (120, 40)] {
             let name = format!("exam_{}_{width}x{height}", language.code());
             insta::assert_snapshot!(name, console.screen(width, height));
@@ -100,7 +103,8 @@ fn an_exam_begins_after_a_question_that_names_it_and_its_seats() {
     read(&mut console, "final", &[0]);
     console.press("y");
     assert_eq!(candidates(&console), 1);
-    read(&mut console, "final", &[1, 2]);
+    // By name, whatever the order of the board.
+    read(&mut console, "final", &[2, 1]);
     let others = "BEGIN the exam “Exam final” with 2 of 3 connected seats: bohdan, vira";
     asks(&console, others);
     console.press("y");
@@ -128,6 +132,41 @@ fn an_earlier_exam_that_is_not_continued_is_named() {
         newest.contains("an earlier exam, “Exam rehearsal”, has not ended"),
         "{newest}"
     );
+}
+
+/// Nothing once said that the exam had ended with the desk, and that its tries were still watched.
+#[test]
+fn a_desk_says_that_it_watches_the_tries_of_an_exam_that_has_ended() {
+    let name = TryName {
+        exam: "final".into(),
+        begun: BEGUN,
+        mission: "00-first-flight".into(),
+        number: 1,
+        opening: 1,
+    };
+    let user = || "anna".to_owned();
+    let mut exam = exam("final");
+    for what in [
+        ExamDeed::Asked {
+            user: user(),
+            name: name.clone(),
+            until: BEGUN + 900,
+        },
+        ExamDeed::Opened { user: user(), name },
+        ExamDeed::Stopped,
+    ] {
+        exam.take_in(&ExamNote { at: BEGUN, what });
+    }
+    let mut console = desk(Language::English);
+    console.hear(ClassEvent::Exam(ExamEvent::Found(Box::new(exam))));
+    assert!(console.state().overlay().is_none(), "it has ended already");
+    let mut lines = console.state().notices().lines();
+    let newest = lines.next_back().expect("a notice").notice.text.to_string();
+    let ended = "the exam “Exam final” has ended, so no more tries are opened; \
+        those under way are still watched: anna";
+    assert_eq!(newest, ended);
+    let screen = console.screen(120, 40);
+    assert!(screen.contains("00 1/2 15:00"), "{screen}");
 }
 
 #[test]

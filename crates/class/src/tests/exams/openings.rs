@@ -25,7 +25,7 @@ fn an_exam_begins_once_its_first_note_is_on_disk() {
     let mut desk = desk();
     assert!(desk.hold(new));
     assert!(!desk.exam().is_some_and(Exam::has_begun));
-    assert_eq!(desk.take_exam_notes(), [first]);
+    assert_eq!(desk.take_exam_notes(), [(EPOCH, vec![first])]);
     assert!(!desk.exam_notes_kept(EPOCH + 1, 1), "of another exam");
     assert!(desk.exam_notes_kept(EPOCH, 1));
     assert!(desk.exam().is_some_and(Exam::has_begun));
@@ -67,7 +67,8 @@ fn a_desk_that_is_opened_again_asks_anew_unless_the_try_is_flown() {
     let heard = again.hear(ConnectionId(1), "anna", report(Some(flight)), seconds(40));
     assert_eq!(heard, Ok(DeskHeard::Known));
     again.examine(seconds(40));
-    let candidate = again.candidate(&again.seats()[0]).expect("she takes part");
+    let seen = again.candidacy(&again.seats()[0], seconds(40));
+    let (_, candidate) = seen.expect("she takes part");
     let until = EPOCH + 70;
     assert_eq!(candidate.stage(), CandidateStage::Flying { until });
     assert_eq!(candidate.tries()[0].name.opening, 1);
@@ -78,7 +79,8 @@ fn a_desk_that_is_opened_again_asks_anew_unless_the_try_is_flown() {
     let heard = again.hear(ConnectionId(1), "anna", report(None), seconds(40));
     assert_eq!(heard, Ok(DeskHeard::Known));
     again.examine(seconds(40));
-    let candidate = again.candidate(&again.seats()[0]).expect("she takes part");
+    let seen = again.candidacy(&again.seats()[0], seconds(40));
+    let (_, candidate) = seen.expect("she takes part");
     assert_eq!(candidate.tries()[0].name.opening, 2);
 }
 
@@ -160,7 +162,8 @@ fn a_try_that_a_desk_sees_late_because_it_was_away_is_not_late() {
     let heard = again.hear(ConnectionId(1), "anna", report(Some(flight)), seconds(65));
     assert_eq!(heard, Ok(DeskHeard::Known));
     again.examine(seconds(65));
-    let candidate = again.candidate(&again.seats()[0]).expect("she takes part");
+    let seen = again.candidacy(&again.seats()[0], seconds(65));
+    let (_, candidate) = seen.expect("she takes part");
     let flown = &candidate.tries()[0];
     assert_eq!(flown.opened, Some(EPOCH + 65));
     assert!(!Exam::is_late(flown, 100, seconds(50)));

@@ -91,6 +91,54 @@ fn an_exam_that_is_stopped_opens_no_more_tries_and_is_watched_while_one_is_flown
     assert!(!is_watched(&hall));
 }
 
+/// It was once worth nothing: no head of its record was noted any more, and its end was not seen.
+#[test]
+fn a_try_is_witnessed_to_its_end_while_another_exam_is_held() {
+    let mut hall = Hall::flying();
+    hall.desk.stop_exam(seconds(hall.at));
+    hall.keep_notes();
+    // Also by a desk that is opened again meanwhile.
+    let found = Exam::of(plan(ExamLayout::Own), &hall.notes, EPOCH).expect("it began");
+    let mut again = desk();
+    joined(&mut again, 1, "anna", 10);
+    again.see_out(found);
+    assert!(again.exam().is_some_and(Exam::is_stopped));
+    hall.desk = again;
+    hall.report(Some((name("00", 1), Stage::Flying, false)));
+
+    let late = ExamNote {
+        at: EPOCH + 13,
+        ..first_note(2)
+    };
+    let other = Exam::of(plan(ExamLayout::Own), &[late], EPOCH).expect("it began");
+    assert!(hall.desk.hold(other));
+    assert!(hall.desk.seat_candidates(&[0], seconds(hall.at)));
+    hall.until(hall.at + 30);
+    assert_eq!(hall.asked(), None, "she still flies the other one");
+    let head = head_of("flight", b"1 one\n");
+    let noted = hall.head(name("00", 1), head);
+    assert!(matches!(noted, DeskHeard::Witnessed(_)), "{noted:?}");
+    hall.report(Some((name("00", 1), Stage::Over, true)));
+    hall.until(hall.at + 1);
+    let end = TryHead {
+        name: name("00", 1),
+        is_over: true,
+        head: head_of("flight", b"1 one\n2 two\n"),
+    };
+    let noted = hall.try_head(end);
+    assert!(matches!(noted, DeskHeard::Witnessed(_)), "{noted:?}");
+    let known = Exam::of(plan(ExamLayout::Own), &hall.notes, EPOCH).expect("it began");
+    let flown = &known.candidates()["anna"].tries()[0];
+    assert_eq!(flown.verdict(EPOCH + hall.at), TryVerdict::Passed);
+    assert!(flown.has_end_seen(12) && !flown.was_desk_away);
+
+    hall.until(hall.at + 10);
+    assert_eq!(hall.asked(), None, "she sees how it has ended");
+    hall.until(hall.at + 15);
+    let asked = hall.asked().expect("the other one opens its first try");
+    assert_eq!(asked.name.begun, EPOCH + 13);
+}
+
 #[test]
 fn a_try_that_was_being_opened_when_the_exam_was_stopped_is_watched() {
     let mut hall = Hall::new();

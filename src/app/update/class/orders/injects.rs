@@ -1,11 +1,14 @@
 //! Injects of the desk: at once, or armed with a condition.
 
+use super::ends::Ended;
 use super::{BegunOrder, end};
 use crate::app::State;
 use crate::app::effect::{ClassEffect, Effect, Effects};
 use crate::app::state::{ArmedOrder, OrderTrace, PendingOrder, SeatPlace};
 use crate::class::{Deed, OrderId, Outcome, Refusal, Words};
 use crate::mission::{Injected, Progress};
+use crate::text;
+use crate::vehicle_id::ranges;
 
 /// Triggers or arms an inject.
 pub(super) fn inject(
@@ -66,19 +69,43 @@ fn is_meant(armed: &ArmedOrder, name: Option<&Words>) -> bool {
     name.is_none_or(|name| armed.name == *name)
 }
 
-/// How often the mission has carried out an inject.
-fn count(progress: &Progress, name: &str, when: Option<&str>) -> usize {
-    let same = |it: &&Injected| it.name == name && it.when.as_deref() == when;
-    progress.injected.iter().filter(same).count()
+/// What the mission has carried out of an inject, in this order.
+fn carried_out<'a>(
+    progress: &'a Progress,
+    name: &str,
+    when: Option<&str>,
+) -> impl Iterator<Item = &'a Injected> {
+    let same = move |it: &&Injected| it.name == name && it.when.as_deref() == when;
+    progress.injected.iter().filter(same)
 }
 
-/// Whether the mission has carried out an inject that was to come at once.
-pub(super) fn is_done(state: &State, pending: &PendingOrder) -> bool {
-    let (Deed::Inject { name, .. }, OrderTrace::Injected(before)) = (&pending.deed, pending.trace)
+/// How often the mission has carried out an inject.
+fn count(progress: &Progress, name: &str, when: Option<&str>) -> usize {
+    carried_out(progress, name, when).count()
+}
+
+/// How an inject has ended that the mission has carried out, after it had done so before this often: with the vehicles
+/// that it has hit.
+fn done(state: &State, name: &str, when: Option<&str>, before: usize) -> Option<Ended> {
+    let injected = carried_out(flown(state)?, name, when).nth(before)?;
+    let hit = ranges(injected.vehicles.iter().copied());
+    let why = (!hit.is_empty()).then(|| {
+        let count = injected.vehicles.len();
+        let text = text!("class-inject-hit", count = count, vehicles = hit);
+        state.locale.text(&text).as_str().into()
+    });
+    let outcome = Outcome::Done;
+    Some(Ended { outcome, why })
+}
+
+/// How an inject has ended that was to come at once, if the mission has carried it out.
+pub(super) fn outcome(state: &State, pending: &PendingOrder) -> Option<Ended> {
+    let (Deed::Inject { name, when: None }, OrderTrace::Injected(before)) =
+        (&pending.deed, pending.trace)
     else {
-        return false;
+        return None;
     };
-    flown(state).is_some_and(|progress| count(progress, name.as_str(), None) > before)
+    done(state, name.as_str(), None, before)
 }
 
 /// An inject is armed now.
@@ -98,7 +125,7 @@ pub(super) fn armed(place: &mut SeatPlace, pending: &PendingOrder, name: &Words,
 /// Injects with this name, or all, are armed no more.
 pub(super) fn disarmed(state: &mut State, name: Option<&Words>) -> Effects {
     end_armed(state, |_, armed| {
-        is_meant(armed, name).then_some(Outcome::Disarmed)
+        is_meant(armed, name).then(|| Outcome::Disarmed.into())
     })
 }
 
@@ -106,29 +133,22 @@ pub(super) fn disarmed(state: &mut State, name: Option<&Words>) -> Effects {
 pub(super) fn recalled(state: &mut State, kept: &[ArmedOrder]) -> Effects {
     end_armed(state, |_, armed| {
         let is_kept = kept.iter().any(|it| it.id == armed.id);
-        (!is_kept).then_some(Outcome::Disarmed)
+        (!is_kept).then(|| Outcome::Disarmed.into())
     })
 }
 
 /// Ends the armed injects that have been carried out, and all when the flight is over.
 pub(super) fn settle(state: &mut State) -> Effects {
     end_armed(state, |state, armed| {
-        let progress = flown(state);
         let when = Some(armed.when.as_str());
-        let now = progress.map_or(0, |it| count(it, armed.name.as_str(), when));
-        if now > armed.before {
-            return Some(Outcome::Done);
-        }
-        let is_over = state.session.task.over || progress.is_none();
-        is_over.then_some(Outcome::Disarmed)
+        let is_over = state.session.task.over || flown(state).is_none();
+        done(state, armed.name.as_str(), when, armed.before)
+            .or_else(|| is_over.then(|| Outcome::Disarmed.into()))
     })
 }
 
 /// Ends the armed injects for which there is an outcome.
-fn end_armed(
-    state: &mut State,
-    outcome: impl Fn(&State, &ArmedOrder) -> Option<Outcome>,
-) -> Effects {
+fn end_armed(state: &mut State, outcome: impl Fn(&State, &ArmedOrder) -> Option<Ended>) -> Effects {
     let Some(place) = state.class.seat_mut() else {
         return Effects::none();
     };
