@@ -265,7 +265,8 @@ fn the_links_of_four_processes_are_told_apart_by_their_vehicles() {
         .filter_map(|line| line.split_once(": "))
         .map(|(name, _)| name)
         .collect();
-    assert_eq!(names, ["SITL 1", "SITL 2", "SITL 3", "SITL 4"], "{said}");
+    let expected = (1..=4).map(|at| format!("link {at}, SITL {at}"));
+    assert_eq!(names, expected.collect::<Vec<_>>(), "{said}");
 }
 
 #[test]
