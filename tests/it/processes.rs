@@ -96,7 +96,7 @@ fn a_vehicle_whose_process_is_killed_in_flight_is_started_again_and_flies() {
         .command("all takeoff 15")
         .see("all takeoff 15  2 vehicles: 2 effect seen");
     kill(pids[1]);
-    terminal.see("SITL DOWN").see("crashed");
+    terminal.see("SITL DOWN").see("process is gone");
     terminal
         .press("G")
         .see("CRASHED")

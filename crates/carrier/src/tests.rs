@@ -1,5 +1,7 @@
 //! What every carrier has to do, tried with each of them.
 
+use std::time::Duration;
+
 use serde::Serialize;
 use sortie_class::ConnectionId;
 use sortie_class::protocol::{DeskMessage, Hello, LONGEST_LINE, LineFault, SeatMessage, VERSION};
@@ -43,7 +45,14 @@ impl Tried {
         }
     }
 
+    /// Opens the desk. The listener of a desk that was dropped just before may take a moment to close its port.
     async fn open(&self) -> DeskPort {
+        for _ in 0..100 {
+            match self.desk.open().await {
+                Ok(desk) => return desk,
+                Err(_) => tokio::time::sleep(Duration::from_millis(100)).await,
+            }
+        }
         self.desk.open().await.expect("it opens")
     }
 }
