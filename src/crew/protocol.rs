@@ -126,7 +126,7 @@ pub enum HostMessage {
     Denied(CrewDenial),
     /// The member's role has changed, because another mission has begun.
     Role(Role),
-    /// A record follows.
+    /// The record of a flight follows, in pieces.
     Record(RecordName),
     /// The next bytes of a file of the record.
     Piece { part: RecordPart, data: PieceBytes },

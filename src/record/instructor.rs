@@ -23,7 +23,7 @@ pub enum InstructorAct {
     /// The instructor was the pilot in command of vehicles.
     Flew {
         by: String,
-        /// Empty for all.
+        /// The vehicles that the instructor flew; empty for all of the flight.
         vehicles: Vec<VehicleId>,
         from_s: f64,
         /// `None` if it was so until the end of the flight.

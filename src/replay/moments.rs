@@ -67,7 +67,6 @@ struct BarredLine {
 }
 
 impl BarredLine {
-    /// The moment's text.
     fn shown(&self) -> Text {
         if self.count < 2 {
             return self.text.clone();

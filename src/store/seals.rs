@@ -186,7 +186,7 @@ struct SeenRecord {
     has_checksum: bool,
     /// Whether the flight was left before the mission was over.
     was_left: bool,
-    /// Its files.
+    /// The files of the record, with their hashes.
     parts: Vec<SubmittedPart>,
 }
 

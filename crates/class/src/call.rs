@@ -34,7 +34,7 @@ pub struct CallEnd {
 pub struct SeatEnd {
     /// The seat, by its index at the desk.
     pub seat: usize,
-    /// How it ended.
+    /// The last state of the order at that seat.
     pub state: OrderState,
     /// What the seat has said about it.
     pub why: Option<Words>,

@@ -37,7 +37,7 @@ pub(in crate::shell) struct HostEnd {
 /// How far the record had got at each of the last moments, to tell up to which time its files are complete.
 #[derive(Default)]
 struct Written {
-    /// Oldest first.
+    /// The points that the record had reached, with the times, oldest first.
     seen: VecDeque<(Instant, RecordPoint)>,
 }
 

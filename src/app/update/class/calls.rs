@@ -31,7 +31,7 @@ struct Group {
 #[derive(PartialEq)]
 enum SameEnd {
     Done,
-    /// With the reason.
+    /// The seat has refused it, for this reason.
     Refused(Text),
     Other(Text),
 }

@@ -14,7 +14,7 @@ use crate::text;
 use crate::text::Text;
 use crate::vehicle::Severity;
 
-/// The time after which the user is told that a line waits for the host.
+/// How long a line stays unanswered before the screen says that it waits for the host.
 const WAITS: Duration = Duration::from_millis(1500);
 
 /// Takes in what the host has said.
